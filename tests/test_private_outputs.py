@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pytest
 
+from tracking.atomic_output import part_of
 from tracking.errors import OutputError
-from tracking.replacing import part_of
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="it has no such permissions")
 

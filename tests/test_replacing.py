@@ -14,10 +14,16 @@ from typing import Any
 import numpy as np
 import pytest
 
+from tracking.atomic_output import (
+    part_of,
+    replace_with,
+    replacing,
+    replacing_bytes,
+    replacing_folder,
+)
 from tracking.errors import OutputError
 from tracking.geometry import Camera, StereoCalibration, write_calibration
 from tracking.recording import Manifest, write_manifest
-from tracking.replacing import part_of, replace_with, replacing, replacing_bytes, replacing_folder
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="links and pipes of POSIX")
 
@@ -245,7 +251,7 @@ def test_every_folder_that_is_made_above_a_new_one_lasts(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     synced: list[Path] = []
-    monkeypatch.setattr("tracking.replacing.sync_folder", synced.append)
+    monkeypatch.setattr("tracking.atomic_output.sync_folder", synced.append)
     with replacing_folder(tmp_path / "a" / "b" / "made") as folder:
         (folder / "c").write_text("c")
     assert {tmp_path, tmp_path / "a", tmp_path / "a" / "b"} <= set(synced)

@@ -10,9 +10,9 @@ from typing import Any
 
 from PySide6.QtCore import QObject, Qt, Signal
 
-from app.presenters.explaining import explain
-from app.presenters.runs.ended import Ended
-from app.presenters.words import unstopped
+from app.presenters.error_messages import explain
+from app.presenters.i18n import unstopped
+from app.presenters.runs.run_summary import RunSummary
 from app.tracking_process import TrackerProcess, TrackingRequest
 from tracking.pipeline import KeptSteps
 from tracking.recording import Recording
@@ -62,7 +62,7 @@ class LiveTracker(QObject):
         self._request = TrackingRequest.of(recording, tracker, settings, seed, frames, resume)
         self._asked = frames
         self.kept = KeptSteps()
-        self.ended: Ended | None = None
+        self.ended: RunSummary | None = None
         self._process = TrackerProcess(self._request)
         self._room = threading.Semaphore(_MOST_AHEAD)
         self._closed = threading.Event()
@@ -124,7 +124,7 @@ class LiveTracker(QObject):
         except Exception:  # telling of it must neither lose the run nor hide why it ended
             _log.warning("what came of the tracking cannot be told", exc_info=True)
             tracks = len(set(run.tracks["track"].tolist()))
-            self.ended = Ended(run.tracker, run.frames, self._asked, tracks, tracks, 0, why)
+            self.ended = RunSummary(run.tracker, run.frames, self._asked, tracks, tracks, 0, why)
             return replace(run, notes=(*self.notes, self.ended.early))
 
     def _run_asked(self) -> tuple[str, Mapping[str, Any], int, Recording, Resume | None]:
@@ -134,7 +134,7 @@ class LiveTracker(QObject):
     def _told_of(self, run: Run, why: str) -> Run:
         """The run with what is told of it; why: it ended early, "": it did not."""
         on_the_way = self.kept.parts("tracks", *self.kept.frames)
-        self.ended = Ended.of(run, on_the_way, self._asked, why)
+        self.ended = RunSummary.of(run, on_the_way, self._asked, why)
         return replace(run, notes=(*self.notes, *([self.ended.early] if why else [])))
 
     def _make_room(self, _batch: object) -> None:

@@ -10,7 +10,6 @@ from typing import Any
 import typer
 
 from app.cli.destination import check_file, check_text_replaced
-from app.cli.drawn import line_of, refuse_repeated, region_of
 from app.cli.option_groups import InPicture, OnFloor
 from app.cli.output import (
     STDOUT,
@@ -22,7 +21,8 @@ from app.cli.output import (
     text_at,
 )
 from app.cli.sessions import opened_session
-from app.presenters.files.exporting import exported_tracks
+from app.cli.shape_options import line_of, refuse_repeated, region_of
+from app.presenters.files.export import exported_tracks
 from tracking.counting import (
     Counts,
     CountSettings,

@@ -10,7 +10,7 @@ from app.cli.destination import check_folder, nearest_folder
 from app.cli.display import has_display, why_no_window
 from app.cli.option_groups import Order
 from app.cli.output import print_json, print_lines, print_table, progress, say
-from app.cli.scored import score_of
+from app.cli.score_inputs import score_of
 from app.cli.track import has_work, keeping_what_was_tracked, save_session, tracked
 from app.cli.tracks import tracks_at, truth_at
 from app.interrupts import ending_at_once

@@ -6,9 +6,9 @@ import shutil
 import tempfile
 from pathlib import Path
 
+from tracking.atomic_output import check_target
 from tracking.errors import FormatError, OutputError
 from tracking.owned_files import real_path
-from tracking.replacing import check_target
 
 _RESERVE = 8 << 20
 _LOOKED_AT_BYTES = 8 << 10

@@ -23,8 +23,8 @@ from app.cli.output import (
     text_at,
 )
 from app.cli.sessions import opened_session
-from app.presenters.files.exporting import exported
-from app.presenters.files.opening import known_recordings
+from app.presenters.files.document_loader import known_recordings
+from app.presenters.files.export import exported
 from app.presenters.files.own_files import is_own, remember
 from tracking.errors import FormatError, OutputError
 from tracking.formats import (

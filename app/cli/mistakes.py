@@ -6,10 +6,10 @@ import cv2
 import numpy as np
 
 from app.cli.output import say
-from app.cli.taught import with_advice
+from app.cli.training_set import with_advice
 from app.presenters.parts.mistake_pictures import Cut, Search, cut_outs
-from app.presenters.parts.taught import Source, Taught
 from app.presenters.parts.training_result import TrainingResult
+from app.presenters.parts.training_set import Source, TrainingSet
 from tracking.errors import TrackwrightError
 from tracking.failure import Trained
 
@@ -18,7 +18,7 @@ _COLOURS = {True: (80, 200, 80), False: (60, 60, 230)}
 """BGR of a rectangle labelled on its part and off it."""
 
 
-def pictures_of(trained: Trained, taught: Taught, *, allow_outside: bool) -> dict[int, bytes]:
+def pictures_of(trained: Trained, taught: TrainingSet, *, allow_outside: bool) -> dict[int, bytes]:
     """JPEG images of the mistakes whose recordings can be opened, by the row of the sample."""
 
     def missed(source: Source, error: TrackwrightError) -> None:

@@ -8,7 +8,7 @@ from app.cli.display import why_no_window
 from app.cli.option_groups import Bare
 from app.cli.recordings import options_of
 from app.interrupts import ending_at_once
-from app.presenters.files.opening import open_path
+from app.presenters.files.document_loader import open_path
 from tracking.errors import OutputError
 from tracking.recording import OpenOptions
 

@@ -36,7 +36,7 @@ def _refusal(place: Path, instead: str) -> RecordingError:
     """What is told of an HDF5 file in the place of a recording."""
     # Longer to import than a recording to open.
     from tracking.session.layout import FORMAT
-    from tracking.session.reading import check_file
+    from tracking.session.session_reader import check_file
 
     if held_at(place) != FORMAT:
         return RecordingError(

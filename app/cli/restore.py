@@ -8,7 +8,7 @@ from typing import Any
 
 from app.cli.output import print_json, print_line, say
 from tracking.errors import SessionError
-from tracking.recording.wording import counted
+from tracking.recording.plurals import counted
 from tracking.session import (
     Generation,
     Session,

@@ -11,8 +11,8 @@ import typer
 
 from app.cli.output import progress
 from app.cli.ranges import ANY_END, typed_range
+from app.cli.score_inputs import Loaded, loaded, part_rates, tell_oddities, tell_unlike
 from app.cli.score_passages import with_passages
-from app.cli.scored import Loaded, loaded, part_rates, tell_oddities, tell_unlike
 from app.cli.sequences import Pairing
 from tracking.errors import FormatError, SettingsError
 from tracking.formats import Stated

@@ -7,9 +7,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from app.cli.drawn import line_of, refuse_repeated
 from app.cli.output import say
-from app.cli.scored import Loaded
+from app.cli.score_inputs import Loaded
+from app.cli.shape_options import line_of, refuse_repeated
 from app.cli.tracks import Tracks
 from tracking.counting import Passages, check_countable, compare_passages, passages
 from tracking.errors import CountingError

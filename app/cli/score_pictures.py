@@ -8,7 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from app.cli.destination import is_session
-from app.cli.scored import Loaded
+from app.cli.score_inputs import Loaded
 from tracking.errors import TrackwrightError
 from tracking.recording import MANIFEST_NAME, Recording, open_recording
 from tracking.scoring.report import Footage, Subject
@@ -63,7 +63,7 @@ def _of_session(path: Path, *, allow_outside: bool) -> Callable[[ExitStack], Rec
 
 def _advised(error: TrackwrightError, *, allow_outside: bool) -> str:
     """Why there is no recording, and what can be done about it here."""
-    from app.cli.taught import with_advice  # brings sessions, too
+    from app.cli.training_set import with_advice  # brings sessions, too
 
     return with_advice(error, allow_outside)
 

@@ -11,7 +11,7 @@ import typer
 from app.cli.destination import check_file, check_folder, check_replaced, nearest_folder
 from app.cli.mistakes import pictures_of
 from app.cli.output import print_json, print_line, progress, say
-from app.cli.taught import all_taught
+from app.cli.training_set import all_taught
 from tracking.errors import OutputError, TrainingError
 from tracking.failure import (
     Trained,

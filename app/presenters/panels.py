@@ -6,14 +6,14 @@ from datetime import datetime
 
 import numpy as np
 
-from app.presenters.document.shown import ShownTracks
+from app.presenters.document.track_reader import TrackReader
 from app.presenters.scenes import Colour, HistoryItem, MarkKind, TimelineMark, TrackCard
 from tracking.editing import Change, Entry, History
 from tracking.tracks import Source, TrackLabel
 
 
 def track_card(
-    tracks: ShownTracks,
+    tracks: TrackReader,
     track: int,
     label: TrackLabel,
     colour: Colour,

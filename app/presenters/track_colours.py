@@ -9,12 +9,12 @@ from types import MappingProxyType
 import numpy as np
 from numpy.typing import NDArray
 
+from app.presenters.co_occurrence import FAR, Meetings, closeness, meetings_of
+from app.presenters.colour_conflicts import TellingApart
 from app.presenters.colour_sight import alike, of_one_hue
-from app.presenters.meetings import FAR, Meetings, closeness, meetings_of
 from app.presenters.palette import NOBODY, TRACK_COLOURS, usual_place
 from app.presenters.scenes import Colour
 from app.presenters.shown_colours import THEMES, standing_out
-from app.presenters.telling_apart import TellingApart
 from tracking.tracks import Columns, Run, TrackTable
 
 ColourOf = Callable[[int], Colour]

@@ -12,7 +12,7 @@ import numpy as np
 
 from tracking.pipeline import Tracking, track
 from tracking.recording import OpenOptions, Recording
-from tracking.recording.opening import open_from_manifest
+from tracking.recording.recording_loader import open_from_manifest
 from tracking.trackers import Resume, settings_from, settings_values, tracker_named
 from tracking.tracks import CORRECTED_COLUMNS
 

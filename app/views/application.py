@@ -20,17 +20,17 @@ from PySide6.QtCore import (
 from PySide6.QtWidgets import QApplication
 
 from app.memory import map_large_blocks
-from app.presenters import words
-from app.presenters.files import opening
+from app.presenters import i18n
+from app.presenters.files import document_loader
 from app.views.look.icons import application_icon
 from app.views.look.theme import Look, apply_look
-from app.views.widgets.remembered import Remembered
-from app.views.window.ending import EndBySignal, EndSignals, take_down
+from app.views.widgets.user_settings import Remembered
 from app.views.window.look_choice import look_of
 from app.views.window.main_window import MainWindow
+from app.views.window.shutdown_signals import EndBySignal, EndSignals, take_down
+from tracking.atomic_output import part_of
 from tracking.errors import OutputError, RecordingError
 from tracking.recording import OpenOptions
-from tracking.replacing import part_of
 
 _log = logging.getLogger(__name__)
 _PATIENCE_MS = 60_000
@@ -58,7 +58,7 @@ def run(
     window = MainWindow(remembered)
     _catch_bugs(window)
     EndBySignal(signals, window)
-    alone = QLockFile(str(opening.window_lock()))
+    alone = QLockFile(str(document_loader.window_lock()))
     left_open = remembered.left_open if alone.tryLock(0) else ()
     first = path or next(iter(left_open), None)
     try:
@@ -81,7 +81,7 @@ def start_application(remembered: Remembered) -> QApplication:
     application.setOrganizationName("trackwright")
     application.setDesktopFileName("trackwright")
     application.setWindowIcon(application_icon())
-    words.use_translator(lambda text: QCoreApplication.translate("presenters", text))
+    i18n.use_translator(lambda text: QCoreApplication.translate("presenters", text))
     apply_look(application, look_of(remembered))
     return application
 

@@ -15,9 +15,9 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from app.background import late_eye
-from app.presenters.files import opening
+from app.presenters.files import document_loader
 from app.views.application import start_application
-from app.views.widgets.remembered import Remembered
+from app.views.widgets.user_settings import Remembered
 from app.views.window.main_window import MainWindow
 from tracking.people import first_lag, lag_looks
 from tracking.pipeline import track
@@ -101,7 +101,7 @@ def tiny_session(
 ) -> Path:
     """A saved session of it, fresh for each test, which the user's own program knows."""
     path, reference = made_session
-    opening.known_recordings().remember(reference, tiny_recording)
+    document_loader.known_recordings().remember(reference, tiny_recording)
     return Path(shutil.copy(path, tmp_path / "tiny.h5"))
 
 
@@ -109,7 +109,7 @@ def tiny_session(
 def own_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """The program's own folder, apart from the one of whoever runs the tests."""
     folder = tmp_path / "own"
-    monkeypatch.setattr(opening, "user_data_path", lambda *_, **__: folder)
+    monkeypatch.setattr(document_loader, "user_data_path", lambda *_, **__: folder)
     return folder
 
 
@@ -153,7 +153,7 @@ def parted_session(tiny_recording: Path, tiny_run: Run, tmp_path: Path) -> Path:
     path = tmp_path / "parted.h5"
     with open_recording(tiny_recording) as recording:
         session = Session.create(recording, [with_parts(tiny_run)], path)
-        opening.remember_place(session, recording)
+        document_loader.remember_place(session, recording)
         session.close()
     return path
 

@@ -14,10 +14,10 @@ from numpy.typing import NDArray
 from tracking.geometry import Camera, Ground, View
 from tracking.recording import StereoFrame
 from tracking.trackers.flow import FlowSettings, kernel_table
-from tracking.trackers.flow.clustering import cold, warm
-from tracking.trackers.flow.following import PointFollower
+from tracking.trackers.flow.mean_shift import cold, warm
 from tracking.trackers.flow.people import HeldPeople
 from tracking.trackers.flow.perception import FlowPerception
+from tracking.trackers.flow.point_tracker import PointFollower
 from tracking.trackers.flow.tracker import FlowTracker
 
 SIZE, FPS = (640, 480), 10.0

@@ -16,7 +16,7 @@ from tracking.pipeline import KeptSteps, track
 from tracking.recording import open_recording
 from tracking.session.image_file import ImageFile
 from tracking.session.layout import CHUNK_ROWS, RUN_TABLES
-from tracking.session.packing import Packer
+from tracking.session.table_writer import Packer
 from tracking.trackers import StepResult
 from tracking.tracks import Particles
 

@@ -16,9 +16,9 @@ from tests.benchmarks.review_cases import Case
 from tracking.review.block import JOINED_S
 from tracking.review.evidence import Evidence, gathered
 from tracking.review.hazard import FEATURES, NOTICED, Hazards, Trees, features
-from tracking.review.joining import Places, Reasons, joined_places, stacked
 from tracking.review.likelihood import LEAST_WEIGHT, NOTHING, WEIGHTS
 from tracking.review.material import Material
+from tracking.review.reason_groups import Places, Reasons, joined_places, stacked
 from tracking.review.reasons import REASONS
 from tracking.review.stretches import Stretches, stretches
 

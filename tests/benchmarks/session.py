@@ -20,14 +20,14 @@ from numpy.typing import NDArray
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication
 
-from app.presenters.document.instant import Instant
+from app.presenters.document.frame_state import FrameState
 from app.presenters.document.session_tracks import SessionTracks
 from app.presenters.timeline.lanes import TimelinePresenter
 from app.views.timeline import TimelineView
 from tests.benchmarks.large_sessions import NoPictures, crowd
 from tests.benchmarks.telling import tell
 from tracking.editing import plan_swap
-from tracking.session import Session, reading
+from tracking.session import Session, session_reader
 
 _EDITS, _OPENINGS = 20, 9
 _BEAT_S = 0.002
@@ -96,7 +96,7 @@ def _openings(path: Path) -> dict[str, float]:
     for _ in range(_OPENINGS):
         taken["raw"].append(_timed(lambda: _read_raw(path))[0])
         taken["open"].append(_open(path))
-        with patch.object(reading, "is_sealed", return_value=False):
+        with patch.object(session_reader, "is_sealed", return_value=False):
             taken["open_unknown"].append(_open(path))
     figures = {f"{name}_ms": float(np.median(times)) for name, times in taken.items()}
     for name in ("open", "open_unknown"):
@@ -134,7 +134,7 @@ def _first_picture(session: Session, size: Size) -> None:
     presenter, view = TimelinePresenter(size.frames, 30.0), TimelineView()
     presenter.take(tracks, {})
     view.resize(1600, 420)
-    view.show_scene(presenter.scene(0, Instant(0, tracks), (), None))
+    view.show_scene(presenter.scene(0, FrameState(0, tracks), (), None))
     view.render(QImage(view.size(), QImage.Format.Format_RGB32))
 
 

@@ -11,10 +11,10 @@ import numpy as np
 from tracking.geometry import Camera, FlatView, Ground, View, standing_ellipses
 from tracking.recording.frame import StereoFrame
 from tracking.trackers.spheroid import SpheroidPerception, SpheroidSettings
-from tracking.trackers.spheroid.followed import Followed, begun
-from tracking.trackers.spheroid.judging import Evidence, covered
+from tracking.trackers.spheroid.hypotheses import Followed, begun
+from tracking.trackers.spheroid.hypothesis_scores import Evidence, covered
 from tracking.trackers.spheroid.tracker import SpheroidTracker
-from tracking.trackers.spheroid.weighing import judged_and_weighed, silhouettes
+from tracking.trackers.spheroid.weights import judged_and_weighed, silhouettes
 
 PEOPLE = (1, 5, 10, 20)
 HYPOTHESES = 300

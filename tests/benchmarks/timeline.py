@@ -13,7 +13,7 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QImage, QWheelEvent
 from PySide6.QtWidgets import QApplication
 
-from app.presenters.document.instant import Instant
+from app.presenters.document.frame_state import FrameState
 from app.presenters.document.session_tracks import SessionTracks
 from app.presenters.panels import EditMarks
 from app.presenters.scenes import MarkKind, TimelineMark, TimelineScene
@@ -47,7 +47,7 @@ class Bench:
         self._target.setDevicePixelRatio(ratio)
 
     def scene(self) -> TimelineScene:
-        instant = Instant(self.frame, self.tracks, selected=self.selected)
+        instant = FrameState(self.frame, self.tracks, selected=self.selected)
         return self.presenter.scene(self.frame, instant, (), None)
 
     def show(self) -> None:

@@ -14,7 +14,7 @@ from PySide6.QtCore import QObject, Qt, QTimer
 from PySide6.QtWidgets import QWidget
 
 from app.views.application import borrowed_window, show_document, wait_until
-from app.views.desk.desk import Desk
+from app.views.desk.recording_controller import RecordingController
 from app.views.pictures.overhead import OverheadView
 from app.views.pictures.picture import PictureView
 from app.views.timeline.overview import OverviewStrip
@@ -194,7 +194,7 @@ def _live(window: MainWindow, recording: Path) -> dict[str, float]:
     return heart.figures()
 
 
-def _round(desk: Desk) -> None:
+def _round(desk: RecordingController) -> None:
     """Play from the start to the end."""
     desk.playback.go(0)
     desk.toggle()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from tracking.editing.boxes.standing import body_boxes
+from tracking.editing.boxes.floor_boxes import body_boxes
 from tracking.geometry import Camera, Ground, Rectification, StereoCalibration, View
 from tracking.synthesis import SCENES
 from tracking.synthesis.rig import Rig

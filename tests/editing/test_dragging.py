@@ -7,7 +7,7 @@ import pytest
 from people_on_a_floor_plan import FPS, VIEW, turned_rig, walking
 
 from tracking.editing import apply_change, plan_drag, plan_interpolate, standing_box
-from tracking.editing.boxes.standing import body_heights, boxes_of, places_of
+from tracking.editing.boxes.floor_boxes import body_heights, boxes_of, places_of
 from tracking.errors import EditError
 from tracking.geometry import Rectification, View
 from tracking.synthesis import SCENES

@@ -17,9 +17,9 @@ from tracking.editing import (
     plan_thin,
     thin_dense,
 )
-from tracking.editing.boxes.standing import boxes_of, places_of
-from tracking.editing.importing import SeenAs
+from tracking.editing.boxes.floor_boxes import boxes_of, places_of
 from tracking.editing.selection import stacked
+from tracking.editing.track_import import SeenAs
 from tracking.errors import CancelledError, EditError
 from tracking.geometry import View
 from tracking.tracks import Columns, Labels, Source, TrackLabel, TrackTable

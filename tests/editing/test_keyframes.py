@@ -21,7 +21,7 @@ from tracking.editing import (
     plan_move_box,
     standing_box,
 )
-from tracking.editing.boxes.standing import (
+from tracking.editing.boxes.floor_boxes import (
     body_boxes,
     body_heights,
     body_positions,

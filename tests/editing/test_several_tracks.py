@@ -15,7 +15,7 @@ from tracking.editing import (
     plan_new_track,
     standing_box,
 )
-from tracking.editing.boxes.standing import boxes_of, places_of
+from tracking.editing.boxes.floor_boxes import boxes_of, places_of
 from tracking.editing.change import Change
 from tracking.editing.scope import tracks_text
 from tracking.errors import EditError

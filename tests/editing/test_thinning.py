@@ -13,9 +13,9 @@ from tracking.editing import (
     plan_interpolate,
     plan_thin,
 )
+from tracking.editing.boxes.floor_boxes import boxes_of, places_of
 from tracking.editing.boxes.interpolation import Way
-from tracking.editing.boxes.standing import boxes_of, places_of
-from tracking.editing.boxes.thinning import thin_tracks
+from tracking.editing.boxes.keyframe_reduction import thin_tracks
 from tracking.errors import EditError
 from tracking.tracks import Labels, Source, TrackTable
 

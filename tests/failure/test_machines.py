@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from sklearn.svm import SVC
 
 from tracking.failure import Machines
-from tracking.failure.training.fitting import Candidate, fitted
+from tracking.failure.training.svm_fit import Candidate, fitted
 
 
 def _fit(random: np.random.Generator, rows: int, numbers: int, candidate: Candidate):

@@ -7,7 +7,7 @@ import pytest
 from made_up_parts import FPS, as_parts, made_up_samples, walk
 
 from tracking.failure import Detector, TrainingPlan, part_states, suggest, train
-from tracking.failure.suggesting import scores_of
+from tracking.failure.label_suggestions import scores_of
 from tracking.failure.training import Candidate
 
 

@@ -12,9 +12,9 @@ from numpy.testing import assert_allclose, assert_array_equal
 from numpy.typing import NDArray
 
 from tracking.formats.hdf5_tracks_inspection import inspect
-from tracking.formats.reading import Filmed, Imported, with_all_columns
+from tracking.formats.read_result import Filmed, Imported, with_all_columns
 from tracking.formats.track_format import TrackFormat
-from tracking.formats.writing import Exported, no_progress
+from tracking.formats.track_writer import Exported, no_progress
 from tracking.tracks import Columns, TrackTable
 from tracking.untrusted import verdict_by
 

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from tracking.errors import FormatError
 from tracking.formats.idtracker import IDTRACKER, import_idtracker
-from tracking.formats.reading import Filmed
+from tracking.formats.read_result import Filmed
 from tracking.formats.sleap import SLEAP, import_sleap
 from tracking.tracks import TrackLabel
 

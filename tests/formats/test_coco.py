@@ -15,8 +15,8 @@ from tests.pace import spent
 from tracking.errors import FormatError
 from tracking.formats.coco import COCO
 from tracking.formats.coco_reading import import_coco
-from tracking.formats.reading import Filmed
-from tracking.formats.writing import Exported
+from tracking.formats.read_result import Filmed
+from tracking.formats.track_writer import Exported
 from tracking.tracks import TrackLabel, TrackTable
 
 ONE_VIDEO: dict[str, Any] = {

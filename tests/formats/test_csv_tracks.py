@@ -13,8 +13,8 @@ from numpy.testing import assert_array_equal
 from tracking.errors import FormatError
 from tracking.formats import format_of
 from tracking.formats.csv_tracks import CSV
-from tracking.formats.reading import Filmed, Imported
-from tracking.formats.writing import Exported
+from tracking.formats.read_result import Filmed, Imported
+from tracking.formats.track_writer import Exported
 from tracking.tracks import CORRECTED_COLUMNS, TrackTable
 
 

@@ -17,8 +17,8 @@ from tracking.formats.cvat import CVAT
 from tracking.formats.cvat_reading import import_cvat
 from tracking.formats.cvat_track import MOST_EMPTY
 from tracking.formats.filled_rows import MOST_FILLED
-from tracking.formats.reading import Filmed
-from tracking.formats.writing import Exported
+from tracking.formats.read_result import Filmed
+from tracking.formats.track_writer import Exported
 from tracking.tracks import Source, TrackLabel, TrackTable
 
 META = """<meta><task><id>5</id><size>100</size><start_frame>0</start_frame>

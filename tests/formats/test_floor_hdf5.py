@@ -25,9 +25,9 @@ from numpy.testing import assert_array_equal
 from tracking.errors import CancelledError, FormatError
 from tracking.formats.floor_hdf5 import JUPEDSIM_HDF5, PEDPY_HDF5
 from tracking.formats.floor_hdf5 import import_trajectory as read
-from tracking.formats.reading import Filmed
+from tracking.formats.read_result import Filmed
 from tracking.formats.track_format import TrackFormat
-from tracking.formats.writing import Exported
+from tracking.formats.track_writer import Exported
 from tracking.tracks import TrackTable
 from tracking.untrusted import verdicts_of
 

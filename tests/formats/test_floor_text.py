@@ -14,9 +14,9 @@ from made_tracks import FLOOR, assert_same, known_rows, table, through, tracks
 from tracking.errors import FormatError
 from tracking.formats import Stated, format_of
 from tracking.formats.floor_text import PEDPY_TEXT, PETRACK, import_floor_text
-from tracking.formats.reading import Filmed, Imported
+from tracking.formats.read_result import Filmed, Imported
 from tracking.formats.track_format import TrackFormat
-from tracking.formats.writing import Exported
+from tracking.formats.track_writer import Exported
 from tracking.tracks import TrackTable
 
 BOTH = pytest.mark.parametrize("format_", [PEDPY_TEXT, PETRACK], ids=lambda each: each.name)

@@ -18,8 +18,8 @@ from made_tracks import BOX, FLOOR, table
 
 import tracking
 from tracking.formats import FORMATS, format_of
-from tracking.formats.reading import Filmed
-from tracking.formats.writing import Exported, no_progress
+from tracking.formats.read_result import Filmed
+from tracking.formats.track_writer import Exported, no_progress
 from tracking.tracks import TrackLabel
 
 KEPT = Path(__file__).parents[1] / "golden" / "formats"

@@ -12,7 +12,7 @@ from tests.pace import spent
 from tracking.errors import CancelledError, FormatError
 from tracking.formats import FORMATS, format_of, read_mot
 from tracking.formats.line_survey import LONGEST_LINE
-from tracking.formats.reading import FEW_BAD, MOST_TOLD, Filmed, Imported
+from tracking.formats.read_result import FEW_BAD, MOST_TOLD, Filmed, Imported
 from tracking.formats.row_rules import MAX_FRAME
 
 MOT_ROW = b"1,1,1,1,5,5\n"

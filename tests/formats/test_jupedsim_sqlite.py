@@ -15,8 +15,8 @@ from made_tracks import FLOOR, assert_same, known_rows, table, through, tracks
 
 from tracking.errors import CancelledError, FormatError
 from tracking.formats.jupedsim import JUPEDSIM_SQLITE, import_jupedsim
-from tracking.formats.reading import Filmed
-from tracking.formats.writing import Exported
+from tracking.formats.read_result import Filmed
+from tracking.formats.track_writer import Exported
 from tracking.tracks import TrackTable
 
 WALK = table([(0, 3), (2, 3), (2, 5)], floor=[(1.5, 4.25), (1.75, 4), (-2, 7)])

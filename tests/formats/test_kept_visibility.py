@@ -10,7 +10,7 @@ from made_tracks import table, through
 from numpy.testing import assert_allclose
 
 from tracking.formats import FORMATS
-from tracking.formats.writing import Exported
+from tracking.formats.track_writer import Exported
 from tracking.tracks import TrackTable
 
 SEEN = [np.nan, 0.0, 0.04, 0.1, 0.3, 0.31, 0.49, 0.5, 0.51, 0.75, 0.76, 1.0]

@@ -13,8 +13,8 @@ from numpy.testing import assert_allclose
 from tracking.errors import FormatError
 from tracking.formats import format_of
 from tracking.formats.kitti import KITTI
-from tracking.formats.reading import Filmed, Imported
-from tracking.formats.writing import Exported, no_progress
+from tracking.formats.read_result import Filmed, Imported
+from tracking.formats.track_writer import Exported, no_progress
 from tracking.geometry import Camera, Ground, View
 from tracking.tracks import TrackLabel, TrackTable
 

@@ -10,7 +10,7 @@ import pytest
 from made_tracks import BOX, through
 
 from tracking.formats import FORMATS, Exported, Filmed, TrackFormat, losses, no_progress
-from tracking.formats.reading import with_all_columns
+from tracking.formats.read_result import with_all_columns
 from tracking.formats.track_format import Content
 from tracking.geometry import Camera, Ground, View
 from tracking.tracks import Source, TrackLabel, TrackTable

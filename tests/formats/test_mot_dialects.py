@@ -13,8 +13,8 @@ from tracking.errors import FormatError
 from tracking.formats import TrackFormat, format_of, read_mot
 from tracking.formats.mot import MOT, MOT16
 from tracking.formats.mot_reading import import_mot
-from tracking.formats.reading import Filmed, Imported
-from tracking.formats.writing import Exported, no_progress
+from tracking.formats.read_result import Filmed, Imported
+from tracking.formats.track_writer import Exported, no_progress
 from tracking.tracks import TrackLabel, TrackTable
 
 TWO = table([(0, 3), (4, 7)], [(0, 1.5, 10, 20), (-2, 0, 5, 5)], [(np.nan,) * 2, (1, -1)])

@@ -9,7 +9,7 @@ import pytest
 from tracking.errors import FormatError
 from tracking.formats import format_of
 from tracking.formats.petrack_trc import import_trc
-from tracking.formats.reading import Filmed, Imported
+from tracking.formats.read_result import Filmed, Imported
 from tracking.tracks import TrackLabel
 
 STEREO = "-1 -1 -1 "

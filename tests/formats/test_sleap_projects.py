@@ -14,7 +14,7 @@ from made_tracks import BOX, looked_over_here
 
 from tracking.errors import FormatError
 from tracking.formats import format_of
-from tracking.formats.reading import Filmed
+from tracking.formats.read_result import Filmed
 from tracking.formats.sleap import SLEAP, import_sleap
 from tracking.tracks import TrackLabel
 

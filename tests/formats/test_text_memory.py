@@ -11,7 +11,7 @@ import pytest
 from tests.pace import spent
 from tracking.errors import FormatError
 from tracking.formats import FORMATS, people_in_mot
-from tracking.formats.reading import Filmed
+from tracking.formats.read_result import Filmed
 
 SIZE = 60 << 20
 MOST_MIB = 200
@@ -50,7 +50,7 @@ import sys
 from pathlib import Path
 from tracking.errors import FormatError
 from tracking.formats import FORMATS, people_in_mot
-from tracking.formats.reading import Filmed, Stated
+from tracking.formats.read_result import Filmed, Stated
 
 name, path = sys.argv[1], Path(sys.argv[2])
 try:

@@ -12,7 +12,7 @@ from tempfile import TemporaryDirectory
 import numpy as np
 
 from app.views.application import borrowed_window, show_document, wait_until
-from app.views.desk.desk import Desk
+from app.views.desk.recording_controller import RecordingController
 from app.views.look.theme import Look
 from app.views.window.main_window import MainWindow
 from tests.pictures.screen import virtual_screen
@@ -103,7 +103,7 @@ def _playing(recording: Path, frame: int) -> Iterator[MainWindow]:
         yield window
 
 
-def _who_met(desk: Desk) -> tuple[int, int, int]:
+def _who_met(desk: RecordingController) -> tuple[int, int, int]:
     """The two long tracks of clearly different colours that came closest to each other."""
     tracks = desk.document.tracks
     nearest = (np.inf, 0, 0, 0)

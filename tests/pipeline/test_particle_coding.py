@@ -6,9 +6,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
 
-from tracking.pipeline.coding import CODINGS, Plain, Runs, Shares, Steps
+from tracking.pipeline.particle_codec import CODINGS, Plain, Runs, Shares, Steps
 from tracking.pipeline.spool import Spool
-from tracking.pipeline.spooled import SpooledColumn
+from tracking.pipeline.spool_tables import SpooledColumn
 from tracking.tracks import PART_PARTICLE_COLUMNS, PARTICLE_COLUMNS
 
 FLOAT, WHOLE = np.dtype(np.float32), np.dtype(np.int32)

@@ -31,8 +31,8 @@ from tracking.review import find_suspicions
 from tracking.review.evidence import gathered
 from tracking.review.found import Found
 from tracking.review.material import Material
+from tracking.review.reason_phrases import fix
 from tracking.review.reasons import REASONS
-from tracking.review.wording import fix
 from tracking.tracks import Labels, Run, TrackTable
 
 AT = 80

@@ -8,7 +8,7 @@ from walks_on_a_floor import BLUE, FPS, RED, SIZE, Walk, made_run, straight
 
 from tracking.editing import apply_change, plan_delete, plan_merge_tracks, plan_split, plan_swap
 from tracking.errors import CancelledError
-from tracking.review import Lookout, find_suspicions, searching
+from tracking.review import Lookout, find_suspicions, review_search
 from tracking.review.footage import Footage
 from tracking.tracks import Labels, Occluder, Run, TrackTable
 
@@ -88,13 +88,13 @@ def test_it_does_not_matter_where_blocks_begin(monkeypatch: pytest.MonkeyPatch) 
 @pytest.mark.usefixtures("in_blocks")
 def test_an_edit_leaves_blocks_far_from_it_as_they_were(monkeypatch: pytest.MonkeyPatch) -> None:
     looked: list[int] = []
-    through = searching.looked_through
+    through = review_search.looked_through
 
     def counted(*words: object) -> object:
         looked.append(1)
         return through(*words)
 
-    monkeypatch.setattr(searching, "looked_through", counted)
+    monkeypatch.setattr(review_search, "looked_through", counted)
     table, lookout = TrackTable(RUN.tracks), Lookout()
     look(lookout, table)
     assert len(looked) == FRAMES / 300

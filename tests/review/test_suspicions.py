@@ -11,7 +11,7 @@ from walks_on_a_floor import BLUE, FPS, RED, SIZE, Walk, crossing, made_run, str
 from tracking.editing import apply_change, plan_reassign, plan_swap
 from tracking.errors import CancelledError
 from tracking.review import KINDS, Suspicion, find_suspicions
-from tracking.review.wording import clock, sentence
+from tracking.review.reason_phrases import clock, sentence
 from tracking.tracks import Labels, Occluder, Run, TrackTable
 
 MEETING = 80

@@ -13,7 +13,7 @@ from tracking.scoring import BoxMatch, EitherMatch, FloorMatch, Match, ScoringTa
 from tracking.scoring import candidates as blocks
 from tracking.scoring.assignment import assign, best_of_few
 from tracking.scoring.candidates import candidates
-from tracking.scoring.numbering import grouped, numbered
+from tracking.scoring.id_index import grouped, numbered
 from tracking.scoring.pairs import Candidates, Frames, Rows
 
 

@@ -8,15 +8,17 @@ from pathlib import Path
 import pytest
 from made_up_sessions import make_session
 
-from tracking.session import Session, reading
+from tracking.session import Session, session_reader
 from tracking.session.inspection import verdict_on
 
 
 @pytest.fixture(autouse=True)
 def look_over(monkeypatch: pytest.MonkeyPatch) -> None:
     """Look all files over, in this process: the same check, without waiting for another Python."""
-    monkeypatch.setattr(reading, "is_sealed", lambda _: False)
-    monkeypatch.setattr(reading, "verdicts_on", lambda paths: [verdict_on(path) for path in paths])
+    monkeypatch.setattr(session_reader, "is_sealed", lambda _: False)
+    monkeypatch.setattr(
+        session_reader, "verdicts_on", lambda paths: [verdict_on(path) for path in paths]
+    )
 
 
 @pytest.fixture

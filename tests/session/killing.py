@@ -19,7 +19,7 @@ from made_up_sessions import make_recording, make_run, state_of
 
 from tracking.editing import plan_delete, plan_draw_box, plan_rename, plan_split, plan_swap
 from tracking.errors import EditError
-from tracking.session import Session, reading
+from tracking.session import Session, session_reader
 from tracking.session.inspection import inspect
 
 STEPS_A_LIFE = 400
@@ -86,7 +86,7 @@ def life(path: Path, seed: int, seconds: float, from_first_step: bool) -> int:
 
 
 def main(folder: Path, kills: int, seed: int) -> None:
-    reading.check_file = inspect
+    session_reader.check_file = inspect
     chance = random.Random(seed)
     recording = make_recording(folder / "recording")
     path = folder / "s.h5"

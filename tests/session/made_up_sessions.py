@@ -12,7 +12,7 @@ import numpy as np
 
 from tracking.editing import plan_swap
 from tracking.session import Session, SourceFingerprint
-from tracking.session.saving import companions
+from tracking.session.session_writer import companions
 from tracking.tracks import (
     ASSOCIATION_COLUMNS,
     DETECTION_COLUMNS,

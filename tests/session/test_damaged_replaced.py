@@ -10,8 +10,8 @@ from pathlib import Path
 import pytest
 from made_up_sessions import edit
 
-from tracking.session import Session, replace_damaged, replacing
-from tracking.session.saving import companions
+from tracking.session import Session, backup_restore, replace_damaged
+from tracking.session.session_writer import companions
 from tracking.session.store import is_open
 
 
@@ -42,7 +42,7 @@ def test_what_fails_once_the_backup_is_in_place_leaves_the_damaged_file(
 ) -> None:
     before = damaged.read_bytes()
     with monkeypatch.context() as failing:
-        failing.setattr("tracking.session.replacing.sync_folder", fails(error))
+        failing.setattr("tracking.session.backup_restore.sync_folder", fails(error))
         with pytest.raises(BaseException, match=r"Input/output error|^$"):
             replace_damaged(damaged, 1)
     assert (companions(damaged) / "damaged-1.h5").read_bytes() == before
@@ -54,7 +54,7 @@ def test_what_fails_before_the_backup_is_in_place_keeps_no_second_damaged_file(
 ) -> None:
     before = damaged.read_bytes()
     with monkeypatch.context() as failing:
-        failing.setattr("tracking.session.replacing.copy_file", fails(KeyboardInterrupt()))
+        failing.setattr("tracking.session.backup_restore.copy_file", fails(KeyboardInterrupt()))
         with pytest.raises(KeyboardInterrupt):
             replace_damaged(damaged, 1)
     assert damaged.read_bytes() == before
@@ -64,14 +64,14 @@ def test_what_fails_before_the_backup_is_in_place_keeps_no_second_damaged_file(
 def test_a_backup_is_chosen_once_nobody_else_can_save(
     damaged: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    read = replacing.read_generation
+    read = backup_restore.read_generation
     held: list[bool] = []
 
     def reads(path: Path, number: int) -> object:
         held.append(is_open(path))
         return read(path, number)
 
-    monkeypatch.setattr("tracking.session.replacing.read_generation", reads)
+    monkeypatch.setattr("tracking.session.backup_restore.read_generation", reads)
     restored, _ = replace_damaged(damaged, 1)
     restored.close()
     assert held == [True]

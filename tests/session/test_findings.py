@@ -12,8 +12,8 @@ from made_up_sessions import crashed, edit, state_of
 
 from tracking.editing import plan_rename, plan_swap
 from tracking.errors import OutputError
-from tracking.session import Session, describe, generations, replace_damaged, saving
-from tracking.session.saving import companions
+from tracking.session import Session, describe, generations, replace_damaged, session_writer
+from tracking.session.session_writer import companions
 
 
 def flip(file: Path, text: bytes = b"red coat") -> None:
@@ -81,7 +81,7 @@ def test_on_a_disk_without_second_names_the_original_is_copied(
     def refuse(*_: object) -> None:
         raise OSError(1, "Operation not permitted")
 
-    monkeypatch.setattr(saving.os, "link", refuse)
+    monkeypatch.setattr(session_writer.os, "link", refuse)
     original = damaged.read_bytes()
     saved(damaged)
     assert (companions(damaged) / "damaged-1.h5").read_bytes() == original
@@ -97,8 +97,8 @@ def test_where_the_original_cannot_be_kept_nothing_is_saved_over_it(
     with closing(Session.open(damaged)) as session:
         edit(session)
         with monkeypatch.context() as full:
-            full.setattr(saving.os, "link", refuse)
-            full.setattr(saving, "copy_file", refuse)
+            full.setattr(session_writer.os, "link", refuse)
+            full.setattr(session_writer, "copy_file", refuse)
             with pytest.raises(OutputError, match="cannot be kept"):
                 session.save()
         assert damaged.read_bytes() == original

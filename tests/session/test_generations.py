@@ -16,7 +16,7 @@ from made_up_sessions import make_run, state_of
 from tracking.editing import plan_rename, plan_swap
 from tracking.errors import OutputError, SessionError
 from tracking.session import Session, generations, list_generations
-from tracking.session.saving import companions
+from tracking.session.session_writer import companions
 
 
 @pytest.fixture
@@ -207,7 +207,7 @@ def test_a_crash_while_restoring_leaves_the_old_or_the_restored_one(
         shutil.copytree(companions(path), after / companions(path).name)
         raise OSError(errno.EIO, "the power went")
 
-    monkeypatch.setattr("tracking.session.saving._replace", crash)
+    monkeypatch.setattr("tracking.session.session_writer._replace", crash)
     with pytest.raises(OutputError):
         session.restore(4)
     monkeypatch.undo()

@@ -15,10 +15,10 @@ import pytest
 from made_up_sessions import edit, make_session
 
 from app.cli.restore import run_restore
-from app.presenters.files.opening import older_copy
+from app.presenters.files.document_loader import older_copy
 from tracking.errors import OutputError, SessionError, TrackwrightError, UnsafeFileError
 from tracking.session import Session, generations, list_generations, replace_damaged
-from tracking.session.saving import companions
+from tracking.session.session_writer import companions
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="links and pipes of POSIX")
 only_root = pytest.mark.skipif(

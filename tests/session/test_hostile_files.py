@@ -209,7 +209,7 @@ def test_what_a_session_never_holds_is_refused(
     copy: Path, spoil: Callable[[h5py.File], object], why: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     path = spoiled(copy, spoil)
-    monkeypatch.setattr("tracking.session.reading.check_file", in_this_process)
+    monkeypatch.setattr("tracking.session.session_reader.check_file", in_this_process)
     refused(path, why)
 
 
@@ -327,14 +327,14 @@ def test_a_manifest_of_many_megabytes_in_a_session_is_refused(
     copy: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     spoiled(copy, lambda file: replaced(file, "recording/manifest", data="#" * (2 << 20)))
-    monkeypatch.setattr("tracking.session.reading.check_file", in_this_process)
+    monkeypatch.setattr("tracking.session.session_reader.check_file", in_this_process)
     refused(copy, "more text at recording/manifest")
 
 
 def test_spoiled_bytes_never_end_in_anything_but_an_error(
     copy: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("tracking.session.reading.check_file", in_this_process_or_damaged)
+    monkeypatch.setattr("tracking.session.session_reader.check_file", in_this_process_or_damaged)
     chance, data = random.Random(5), copy.read_bytes()
     opened = 0
     for _ in range(60):

@@ -12,8 +12,8 @@ from made_up_sessions import edit, state_of
 
 from tracking.errors import OutputError
 from tracking.session import Session, describe
-from tracking.session.saving import companions
-from tracking.session.waiting import edits_wait
+from tracking.session.pending_edits import edits_wait
+from tracking.session.session_writer import companions
 
 ENDLESS = "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n) SELECT"
 STEPS = """CREATE TABLE steps (

@@ -14,9 +14,9 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from tracking.errors import SessionError
-from tracking.session.copying import copy_group
 from tracking.session.image_file import ImageFile
-from tracking.session.packing import Packer
+from tracking.session.session_copy import copy_group
+from tracking.session.table_writer import Packer
 
 ROWS = 300_000
 FLOAT = np.dtype(np.float64)

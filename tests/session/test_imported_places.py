@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from tracking.formats import Filmed, format_of
 from tracking.geometry import Camera, Ground, View
-from tracking.session.importing import Importable, ImportWish, importable
+from tracking.session.track_import import Importable, ImportWish, importable
 
 HEADS = np.array([[0.5, 4.0, 1.8], [-0.5, 5.0, 1.5]])
 """World metres of two heads."""

@@ -14,7 +14,7 @@ from made_up_sessions import crashed, edit, make_session, state_of
 from tracking.errors import SessionError
 from tracking.session import Session
 from tracking.session.journal import Journal
-from tracking.session.saving import companions
+from tracking.session.session_writer import companions
 
 WAL_HEADER, FRAME_HEADER = 32, 24
 

@@ -14,7 +14,7 @@ from made_up_sessions import crashed, edit, make_session
 
 from tracking.errors import SessionError
 from tracking.session import Session
-from tracking.session.saving import companions
+from tracking.session.session_writer import companions
 
 CODES = {
     "IOERR_READ": 266,

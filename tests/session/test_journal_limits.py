@@ -13,10 +13,10 @@ from made_up_sessions import crashed, edit
 
 from tracking.editing import plan_delete
 from tracking.errors import OutputError, SessionError
-from tracking.session import Session, describe, waiting
+from tracking.session import Session, describe, pending_edits
 from tracking.session.journal import Journal
 from tracking.session.journal_limits import TimeLimit
-from tracking.session.saving import companions
+from tracking.session.session_writer import companions
 
 MIB = 1 << 20
 ENDLESS = "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n) SELECT max(i) FROM n"
@@ -49,14 +49,14 @@ def beside(path: Path) -> dict[str, tuple[int, int]]:
 @pytest.fixture
 def copied(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     """The endings of the files that are copied from now on."""
-    copy, endings = waiting._copy, list[str]()
+    copy, endings = pending_edits._copy, list[str]()
 
     def copying(main: Path, target: Path, ending: str, most_bytes: int) -> None:
         copy(main, target, ending, most_bytes)
         if os.path.lexists(f"{target}{ending}"):
             endings.append(ending)
 
-    monkeypatch.setattr(waiting, "_copy", copying)
+    monkeypatch.setattr(pending_edits, "_copy", copying)
     return endings
 
 
@@ -334,7 +334,7 @@ def test_a_session_error_names_the_journal_and_not_its_copy(left: Path) -> None:
     with sqlite3.connect(journal_of(left)) as base:
         base.execute("INSERT INTO origin VALUES ('a', 'b')")
     base.close()
-    with pytest.raises(SessionError) as told, waiting._copied(journal_of(left)):
+    with pytest.raises(SessionError) as told, pending_edits._copied(journal_of(left)):
         pass
     assert str(told.value).startswith(f"{journal_of(left)}: ")
 

@@ -12,8 +12,8 @@ from tracking.editing import plan_swap
 from tracking.errors import OutputError
 from tracking.session import Session, describe
 from tracking.session.journal import Journal
-from tracking.session.saving import companions
-from tracking.session.waiting import edits_wait
+from tracking.session.pending_edits import edits_wait
+from tracking.session.session_writer import companions
 
 
 def edit(session: Session) -> None:

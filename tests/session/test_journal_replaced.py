@@ -14,7 +14,7 @@ import pytest
 from made_up_sessions import crashed, edit, state_of
 
 from tracking.session import Session, describe
-from tracking.session.saving import companions
+from tracking.session.session_writer import companions
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="open files cannot be moved there")
 

@@ -26,7 +26,7 @@ from tracking.editing import (
 )
 from tracking.errors import SessionError
 from tracking.session import Session
-from tracking.session.saving import companions
+from tracking.session.session_writer import companions
 from tracking.tracks import CountingLine, Labels, Occluder, PartLabel, Region, Verdict
 
 BOX = (10.25, 20.5, 0.1, 1e-3)
@@ -215,7 +215,7 @@ def test_labels_that_nobody_gave_are_refused(
 ) -> None:
     with h5py.File(copy, "a") as file:
         spoil(file)
-    monkeypatch.setattr("tracking.session.reading.check_file", looked_over)
+    monkeypatch.setattr("tracking.session.session_reader.check_file", looked_over)
     with pytest.raises(SessionError, match=why) as told:
         Session.open(copy)
     assert str(copy) in str(told.value)

@@ -16,7 +16,7 @@ from tracking.editing import plan_rename, plan_split
 from tracking.errors import OutputError, SessionError
 from tracking.session import Session, store
 from tracking.session.journal import Journal
-from tracking.session.saving import companions
+from tracking.session.session_writer import companions
 from tracking.session.store import Store
 
 

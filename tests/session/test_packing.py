@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
 
 from tracking.session.image_file import ImageFile
-from tracking.session.packing import Packer
+from tracking.session.table_writer import Packer
 
 KINDS = st.sampled_from([np.uint8, np.int32, np.float32, np.float64]).map(np.dtype)
 

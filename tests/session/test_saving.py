@@ -18,7 +18,7 @@ from tracking.editing import plan_swap
 from tracking.errors import OutputError, SessionError
 from tracking.session import Session, generations
 from tracking.session.lock import SessionLock
-from tracking.session.saving import companions
+from tracking.session.session_writer import companions
 
 
 def failing(number: int, after_bytes: int) -> object:

@@ -23,7 +23,7 @@ from tracking.editing import (
 )
 from tracking.errors import EditError, SessionError
 from tracking.session import Session
-from tracking.session.saving import companions
+from tracking.session.session_writer import companions
 from tracking.tracks import LARGEST_NUMBER, PartLabel
 
 

@@ -16,7 +16,7 @@ from made_up_sessions import edit, make_session
 
 from tracking.editing import plan_rename
 from tracking.errors import SessionError
-from tracking.session import Session, layout, reading, seal
+from tracking.session import Session, layout, seal, session_reader
 from tracking.session.inspection import inspect
 
 
@@ -52,7 +52,7 @@ def test_a_saved_session_bears_a_seal_that_holds_wherever_it_is_moved(copy):
 
 
 def test_a_sealed_session_passes_the_inspection_it_is_spared(copy):
-    assert inspect(copy) == reading.VERSION
+    assert inspect(copy) == session_reader.VERSION
 
 
 @settings(max_examples=60, deadline=None)
@@ -78,14 +78,14 @@ def test_a_file_cut_short_bears_no_seal(copy, kept):
 def test_a_session_that_another_program_wrote_into_is_looked_over_again(copy, monkeypatch):
     with h5py.File(copy, "a") as file:
         file["elsewhere"] = h5py.ExternalLink("/etc/passwd", "x")
-    monkeypatch.setattr(reading, "is_sealed", seal.holds)
+    monkeypatch.setattr(session_reader, "is_sealed", seal.holds)
     with pytest.raises(SessionError, match="link to somewhere else"):
         Session.open(copy)
 
 
 def test_a_sealed_session_opens_without_another_program(copy, monkeypatch):
-    monkeypatch.setattr(reading, "is_sealed", seal.holds)
-    monkeypatch.setattr(reading, "verdicts_on", lambda _: pytest.fail("asked"))
+    monkeypatch.setattr(session_reader, "is_sealed", seal.holds)
+    monkeypatch.setattr(session_reader, "verdicts_on", lambda _: pytest.fail("asked"))
     session = Session.open(copy)
     assert len(session.tracks)
     session.close()
@@ -166,7 +166,7 @@ def test_where_no_key_can_be_kept_sessions_are_saved_without_a_seal(tmp_path, mo
     session = make_session(tmp_path)
     session.close()
     assert not seal.holds(session.path)
-    assert inspect(session.path) == reading.VERSION
+    assert inspect(session.path) == session_reader.VERSION
 
 
 def test_a_seal_by_other_rules_counts_for_nothing(copy, monkeypatch):
@@ -194,7 +194,7 @@ def flipped(path: Path, word: bytes) -> Path:
 @pytest.mark.parametrize("key", ["own", "another", "none"])
 @pytest.mark.parametrize("word", [b"Swap 1 and 2", b"red coat", b"Lobby, camera", b"stretches"])
 def test_a_flipped_bit_in_plain_text_is_told(word, key, tmp_path, monkeypatch):
-    monkeypatch.setattr(reading, "is_sealed", seal.holds)
+    monkeypatch.setattr(session_reader, "is_sealed", seal.holds)
     if key == "none":
         monkeypatch.setattr(seal, "_key", lambda **_: None)
     session = make_session(tmp_path)

@@ -22,9 +22,9 @@ from hypothesis.stateful import (
 from made_up_sessions import make_recording, make_run, state_of
 
 from tracking.errors import EditError
-from tracking.session import Session, reading
+from tracking.session import Session, session_reader
 from tracking.session.layout import VERSION
-from tracking.session.saving import companions
+from tracking.session.session_writer import companions
 
 STEPS_BETWEEN_FILES = 4
 """Writing and reading files takes nearly all the time: steps between them find more."""
@@ -39,7 +39,7 @@ class SessionAgainstStates(RuleBasedStateMachine):
         super().__init__()
         self.patch = pytest.MonkeyPatch()
         # What is looked over here was written here; hostile files have tests of their own.
-        self.patch.setattr(reading, "check_file", lambda _: VERSION)
+        self.patch.setattr(session_reader, "check_file", lambda _: VERSION)
         # A crash is a copy of the files here: what the disk has not taken yet is not lost by it.
         self.patch.setattr(os, "fsync", lambda _: None)
         self.folder = Path(tempfile.mkdtemp())

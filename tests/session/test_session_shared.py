@@ -17,7 +17,7 @@ from tracking.errors import OutputError, SessionError
 from tracking.session import Session, generations
 from tracking.session.journal import Journal
 from tracking.session.journal_rows import numbered
-from tracking.session.saving import companions
+from tracking.session.session_writer import companions
 from tracking.session.store import Store
 
 
@@ -262,7 +262,7 @@ def test_edits_made_while_saving_elsewhere_outlive_a_second_save_that_fails(
         raise OutputError("no room")
 
     with monkeypatch.context() as patch:
-        patch.setattr("tracking.session.pending.replace_verified", full)
+        patch.setattr("tracking.session.pending_save.replace_verified", full)
         with pytest.raises(OutputError):
             session.finish_save(pending)
     session.abandon_save(pending)

@@ -12,7 +12,7 @@ from made_up_sessions import make_session, state_of
 from tracking.editing import plan_label_part, plan_rename, plan_swap
 from tracking.errors import EditError
 from tracking.session import Session
-from tracking.session.saving import companions
+from tracking.session.session_writer import companions
 from tracking.tracks import PartLabel
 
 

@@ -10,7 +10,7 @@ import pytest
 
 from tracking.errors import SessionError
 from tracking.session.hdf5 import opened, read_columns
-from tracking.session.unpacking import Unpacking
+from tracking.session.table_reader import Unpacking
 
 KINDS = [np.bool_, np.uint8, np.int32, np.int64, np.float32, np.float64]
 

@@ -17,7 +17,7 @@ from made_up_sessions import make_session, state_of
 from tracking.editing import plan_rename, plan_swap
 from tracking.errors import OutputError, SessionError, TrackwrightError
 from tracking.session import Session
-from tracking.session.saving import companions
+from tracking.session.session_writer import companions
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="open files cannot be moved there")
 

@@ -9,9 +9,9 @@ import pytest
 
 from tracking.editing import plan_delete, plan_swap
 from tracking.errors import OutputError, SessionError
-from tracking.session import Session, describe, waiting
-from tracking.session.saving import companions
-from tracking.session.waiting import edits_wait
+from tracking.session import Session, describe, pending_edits
+from tracking.session.pending_edits import edits_wait
+from tracking.session.session_writer import companions
 
 
 def edit(session: Session, *, swaps: int = 1) -> None:
@@ -83,7 +83,7 @@ def test_edits_that_cannot_be_copied_anywhere_wait_all_the_same(
 
     path = session.save()
     edit(session)
-    monkeypatch.setattr("tracking.session.waiting.tempfile.TemporaryDirectory", nowhere)
+    monkeypatch.setattr("tracking.session.pending_edits.tempfile.TemporaryDirectory", nowhere)
     assert edits_wait(path)
     with pytest.raises(OutputError, match=r"cannot be read .No usable temporary directory"):
         describe(path)
@@ -94,12 +94,12 @@ def test_a_journal_that_goes_while_it_is_read_is_no_failing_disk(
 ) -> None:
     path = session.save()
     edit(session)
-    copied = waiting.files_to_copy
+    copied = pending_edits.files_to_copy
 
     def saved_meanwhile(main: Path) -> list[str]:
-        monkeypatch.setattr(waiting, "files_to_copy", copied)
+        monkeypatch.setattr(pending_edits, "files_to_copy", copied)
         session.save()
         raise FileNotFoundError(errno.ENOENT, "it was there a moment ago")
 
-    monkeypatch.setattr(waiting, "files_to_copy", saved_meanwhile)
+    monkeypatch.setattr(pending_edits, "files_to_copy", saved_meanwhile)
     assert len(Session.look_into(path).history) == 1

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from tracking.stereo.levelling import Levelling
+from tracking.stereo.row_alignment import Levelling
 
 Grey = NDArray[np.uint8]
 STEP, DISPARITY_PX = 2, 9.0

@@ -33,7 +33,7 @@ from tests.sweeps.system_calls import calls, check, traced
 from tracking.editing import plan_rename, plan_swap
 from tracking.errors import TrackwrightError
 from tracking.session import Session, generations
-from tracking.session.saving import companions
+from tracking.session.session_writer import companions
 
 _READING = ("read", "pread64", "openat", "newfstatat", "statx", "getdents64", "flock")
 _WRITING = (

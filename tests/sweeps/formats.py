@@ -33,8 +33,8 @@ from tests.peers.environments import (
     Peer,
 )
 from tracking.formats import FORMATS
-from tracking.formats.reading import Filmed, with_all_columns
-from tracking.formats.writing import Exported, no_progress
+from tracking.formats.read_result import Filmed, with_all_columns
+from tracking.formats.track_writer import Exported, no_progress
 from tracking.tracks import TrackLabel, TrackTable
 
 _ANNOTATION = "annotation_tools.py"

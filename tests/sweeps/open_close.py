@@ -20,11 +20,11 @@ from PySide6.QtCore import QObject, QSettings
 
 from app.memory import map_large_blocks
 from app.views.application import start_application, wait_until
-from app.views.desk.desk import Desk
+from app.views.desk.recording_controller import RecordingController
 from app.views.files.files import GIVE_BACK_MS
-from app.views.widgets.remembered import Remembered
-from app.views.window.ending import take_down
+from app.views.widgets.user_settings import Remembered
 from app.views.window.main_window import MainWindow
+from app.views.window.shutdown_signals import take_down
 from tests.sweeps.long_run import resident_mb
 from tests.sweeps.shown_session import session_with_particles
 
@@ -79,7 +79,7 @@ def open_and_close(window: MainWindow, session: Path) -> None:
     wait_until(lambda: time.monotonic() > gone_s and threading.active_count() == 1)
 
 
-def play(desk: Desk | None) -> None:
+def play(desk: RecordingController | None) -> None:
     """Play the first frames; nothing holds the desk after that."""
     assert desk is not None
     desk.playback.toggle()

@@ -24,7 +24,7 @@ from tests.peers.environments import MOTMETRICS, TRACKEVAL, Peer
 from tests.peers.motmetrics_names import motmetrics_figures
 from tests.peers.trackeval_names import trackeval_figures
 from tracking.formats import FORMATS, Exported, Filmed, no_progress, read_mot
-from tracking.formats.reading import in_order, with_all_columns
+from tracking.formats.read_result import in_order, with_all_columns
 from tracking.scoring import Conventions, Score, ScoringTable, score
 from tracking.tracks import Columns, TrackLabel, TrackTable
 

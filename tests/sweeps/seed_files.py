@@ -22,8 +22,8 @@ from test_sleap_projects import csv_file, project
 from tracking.editing import plan_label_part, plan_rename, plan_swap
 from tracking.failure.samples import samples_from_rows
 from tracking.formats import FORMATS, write_samples
-from tracking.formats.reading import with_all_columns
-from tracking.formats.writing import Exported, no_progress
+from tracking.formats.read_result import with_all_columns
+from tracking.formats.track_writer import Exported, no_progress
 from tracking.synthesis import render_recording
 from tracking.tracks import PartLabel, TrackLabel, TrackTable
 
@@ -148,7 +148,7 @@ def show_window(settings: Path, opened: Sequence[Path] = ()) -> int:
     from PySide6.QtCore import QCoreApplication, QSettings
 
     from app.views.application import start_application
-    from app.views.widgets.remembered import Place, Remembered
+    from app.views.widgets.user_settings import Place, Remembered
     from app.views.window.main_window import MainWindow
 
     kept = QSettings(str(settings), QSettings.Format.IniFormat)

@@ -27,7 +27,7 @@ from tests.sweeps.runner import Findings, Plan, asked_plan, emptied, slowdown, s
 from tracking.editing import plan_rename
 from tracking.errors import TrackwrightError
 from tracking.session import Session, generations
-from tracking.session.saving import companions
+from tracking.session.session_writer import companions
 
 _TURNS = 14
 _REMOVED, _AT_ONCE = 0.4, 0.15

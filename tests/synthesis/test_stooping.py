@@ -13,7 +13,7 @@ from tracking.errors import SettingsError
 from tracking.recording import open_recording
 from tracking.synthesis import SCENES, Scene, render_recording
 from tracking.synthesis.crowd import Walk
-from tracking.synthesis.stooping import stoops_of
+from tracking.synthesis.postures import stoops_of
 
 FPS = 20.0
 SMALL = (180, 120)

@@ -7,8 +7,8 @@ from hypothesis import strategies as st
 from scipy.stats import multivariate_t
 
 from tracking.filtering import associate
+from tracking.trackers.joint.appearance import CUES, Telling
 from tracking.trackers.joint.evidence import place_density
-from tracking.trackers.joint.looks import CUES, Telling
 from tracking.trackers.joint.motion import measured_motion, predicted
 from tracking.trackers.joint.settings import JointSettings
 from tracking.trackers.population import nobody, unknown_motion

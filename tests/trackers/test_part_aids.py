@@ -23,7 +23,7 @@ from tracking.people import Observation
 from tracking.trackers import StepResult
 from tracking.trackers.three_part import ThreePartSettings
 from tracking.trackers.three_part.claims import both_in_one, claims_of
-from tracking.trackers.three_part.followed import Layout
+from tracking.trackers.three_part.people import Layout
 from tracking.trackers.three_part.settings import Aids
 from tracking.trackers.three_part.tracker import Camera, PartTracker
 

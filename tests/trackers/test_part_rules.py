@@ -17,10 +17,10 @@ from people_of_three_blocks import (
 
 from tracking.trackers import Resume
 from tracking.trackers.three_part import ThreePartSettings
-from tracking.trackers.three_part.followed import Layout
+from tracking.trackers.three_part.initiation import posed
 from tracking.trackers.three_part.occlusion import behind_others
+from tracking.trackers.three_part.people import Layout
 from tracking.trackers.three_part.poses import log_prior, pose_faults
-from tracking.trackers.three_part.starting import posed
 from tracking.trackers.three_part.tracker import Camera, PartTracker
 from tracking.tracks import TrackTable
 

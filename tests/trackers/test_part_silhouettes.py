@@ -13,10 +13,10 @@ from tracking.people.parts import ycbcr
 from tracking.trackers.three_part.births import without_pieces
 from tracking.trackers.three_part.bodies import outlined_boxes
 from tracking.trackers.three_part.claims import claims_of, seen_taller, seen_whole, sharing
-from tracking.trackers.three_part.finding import found_again
-from tracking.trackers.three_part.followed import Followed, Layout
+from tracking.trackers.three_part.initiation import begun, regions_rectangles
+from tracking.trackers.three_part.people import Followed, Layout
+from tracking.trackers.three_part.reidentification import found_again
 from tracking.trackers.three_part.silhouettes import drawn_home, legs_elsewhere
-from tracking.trackers.three_part.starting import begun, regions_rectangles
 from tracking.tracks import HEAD, HIP_LEG
 
 LAYOUT = Layout(parts=3, together=1)

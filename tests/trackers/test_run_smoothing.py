@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from people_on_a_floor import FPS, straight, view
 
 from tracking.geometry import View
-from tracking.trackers import smoothed, smoothing, tracker_named
+from tracking.trackers import run_smoother, smoothed, tracker_named
 from tracking.tracks import Run
 from tracking.tracks.columns import DETECTION_COLUMNS, TRACK_COLUMNS, empty
 from tracking.tracks.run import Particles
@@ -273,7 +273,7 @@ def test_tracks_smoothed_some_at_a_time_are_the_same_to_the_byte(
         astray(walk((0.7 * track - 1.0, 6.0), track), slice(30, 40 + track)) for track in (1, 2, 3)
     ]
     whole = smoothed(run_of(*people), VIEW, FPS)
-    monkeypatch.setattr(smoothing, "_BATCH_ROWS", rows)
+    monkeypatch.setattr(run_smoother, "_BATCH_ROWS", rows)
     parts = smoothed(run_of(*people), VIEW, FPS)
     for name, column in whole.tracks.items():
         assert parts.tracks[name].tobytes() == column.tobytes()

@@ -24,7 +24,7 @@ from tracking.trackers import Observation, StepResult, occluders_as_setting
 from tracking.trackers.occluders import occluders_from
 from tracking.trackers.three_part import ThreePartSettings, WholeBodySettings
 from tracking.trackers.three_part.claims import claims_of
-from tracking.trackers.three_part.followed import Layout
+from tracking.trackers.three_part.people import Layout
 from tracking.trackers.three_part.tracker import Camera, PartTracker
 from tracking.tracks import Occluder
 

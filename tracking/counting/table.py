@@ -6,10 +6,10 @@ import math
 from collections.abc import Iterator
 from pathlib import Path
 
+from tracking.atomic_output import replacing
 from tracking.cells import CsvWriter, cell_of
 from tracking.counting.counts import Counts, LineCount
 from tracking.counting.occupancy import Occupancy
-from tracking.replacing import replacing
 
 HEADINGS = (
     *("start_s", "end_s", "kind", "name", "forward", "backward"),

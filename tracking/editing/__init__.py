@@ -1,8 +1,10 @@
 """Edits: pure planners, one reversible Change, one function that applies it, the log."""
 
-from tracking.editing.boxes.dragging import plan_drag
+from tracking.editing.boxes.floor_boxes import body_position, standing_box
+from tracking.editing.boxes.floor_move import plan_drag
 from tracking.editing.boxes.gaps import Gap, gaps_of, plan_fill_gap, plan_fill_gaps
 from tracking.editing.boxes.interpolation import How
+from tracking.editing.boxes.keyframe_reduction import plan_thin
 from tracking.editing.boxes.keyframes import (
     keyframes_of,
     plan_add_keyframe,
@@ -16,34 +18,32 @@ from tracking.editing.boxes.rows import (
     plan_move_box,
     plan_new_track,
 )
-from tracking.editing.boxes.standing import body_position, standing_box
-from tracking.editing.boxes.thinning import plan_thin
 from tracking.editing.boxes.visibility import plan_mark_occluded
 from tracking.editing.change import Change, LabelState, State, apply_change
-from tracking.editing.identity.crossing import SwapFrame, propose_swap_frames
+from tracking.editing.identity.crossover import SwapFrame, propose_swap_frames
 from tracking.editing.identity.identities import plan_reassign, plan_split, plan_swap
-from tracking.editing.identity.merging import Keep, plan_merge_tracks
-from tracking.editing.identity.noticed import signals_of
-from tracking.editing.importing import Thinned, on_the_floor, plan_import, thin_dense
-from tracking.editing.labels.drawing import plan_lines, plan_occluders, plan_regions
-from tracking.editing.labels.labelling import plan_rename, plan_set_attribute, plan_set_notes
-from tracking.editing.labels.part_labelling import (
+from tracking.editing.identity.merge import Keep, plan_merge_tracks
+from tracking.editing.identity.run_signals import signals_of
+from tracking.editing.labels.part_labels import (
     plan_label_part,
     plan_unlabel_part,
     with_parts_carried,
 )
-from tracking.editing.labels.reviewing import (
+from tracking.editing.labels.review_labels import (
     plan_mark_reviewed,
     plan_unmark_reviewed,
     plan_verdict,
     with_verdict,
 )
+from tracking.editing.labels.shapes import plan_lines, plan_occluders, plan_regions
+from tracking.editing.labels.track_labels import plan_rename, plan_set_attribute, plan_set_notes
 from tracking.editing.log.alone import plan_undo_alone
+from tracking.editing.log.edit_footprint import touched
 from tracking.editing.log.history import Entry, History, Written
 from tracking.editing.log.text import rows_beyond_the_log, state_as_text, state_from_text
 from tracking.editing.log.touch_index import TOUCHED_COLUMNS, TouchIndex
-from tracking.editing.log.touched import touched
 from tracking.editing.scope import Scope
+from tracking.editing.track_import import Thinned, on_the_floor, plan_import, thin_dense
 from tracking.editing.tracking_again.differences import (
     Difference,
     compare_runs,
@@ -51,7 +51,7 @@ from tracking.editing.tracking_again.differences import (
     differing_rows,
 )
 from tracking.editing.tracking_again.protection import Protection, protected_stretches
-from tracking.editing.tracking_again.taking import plan_take
+from tracking.editing.tracking_again.run_adoption import plan_take
 
 __all__ = [
     "TOUCHED_COLUMNS",

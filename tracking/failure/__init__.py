@@ -3,9 +3,10 @@
 from tracking.failure.detector import FALSE_ALARMS, Detector, Judgement, Origin
 from tracking.failure.detector_file import built_in_detector, load_detector, save_detector
 from tracking.failure.features import FEATURE_NAMES, FEATURE_SPAN_S, STATE_NAMES, part_features
-from tracking.failure.labelled import part_states, samples_of
+from tracking.failure.label_suggestions import Suggestion, suggest
+from tracking.failure.labelled_samples import part_states, samples_of
 from tracking.failure.machines import Machine, Machines
-from tracking.failure.operating import Curve
+from tracking.failure.operating_points import Curve
 from tracking.failure.past import PastStates, states_before
 from tracking.failure.preparation import Preparation
 from tracking.failure.recordings import told_apart
@@ -17,7 +18,6 @@ from tracking.failure.samples import (
     joined,
     no_samples,
 )
-from tracking.failure.suggesting import Suggestion, suggest
 from tracking.failure.training import (
     Mistake,
     QuestionReport,

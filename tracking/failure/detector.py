@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from tracking.failure.features import Floats
 from tracking.failure.machines import Machines
-from tracking.failure.operating import Curve
+from tracking.failure.operating_points import Curve
 from tracking.failure.preparation import Preparation
 from tracking.tracks import PARTS
 

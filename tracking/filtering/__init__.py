@@ -14,8 +14,8 @@ from tracking.filtering.association import (
 )
 from tracking.filtering.clouds import cloud_shapes
 from tracking.filtering.direction import direction_cost, turning_angle
-from tracking.filtering.hiding import hiding_reach, out_of_hiding
 from tracking.filtering.histograms import bhattacharyya_distance
+from tracking.filtering.occlusion import hiding_reach, out_of_hiding
 from tracking.filtering.particles import (
     effective_share,
     likelihood,
@@ -38,7 +38,7 @@ from tracking.filtering.rectangles import (
     scattered,
     weighed_by,
 )
-from tracking.filtering.smoothing import (
+from tracking.filtering.track_smoother import (
     Chains,
     robust_levels,
     robust_paths,

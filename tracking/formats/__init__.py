@@ -1,5 +1,6 @@
 """Files of other tools."""
 
+from tracking.atomic_output import replacing
 from tracking.formats.catalogue import (
     FORMATS,
     READABLE,
@@ -12,13 +13,12 @@ from tracking.formats.measurable import Measurable, measurable
 from tracking.formats.mot_reading import people_in_mot, read_mot
 from tracking.formats.mot_writing import write_mot
 from tracking.formats.part_labels import GivenLabel, read_part_labels, write_part_labels
-from tracking.formats.reading import BadRow, Filmed, Imported, Stated
+from tracking.formats.read_result import BadRow, Filmed, Imported, Stated
 from tracking.formats.samples import sample_files, write_samples
 from tracking.formats.samples_reading import begins_as_hdf5, is_hdf5, read_samples, samples_at
 from tracking.formats.track_format import TrackFormat
-from tracking.formats.writing import Exported
+from tracking.formats.track_writer import Exported
 from tracking.progress import no_progress
-from tracking.replacing import replacing
 
 __all__ = [
     "FORMATS",

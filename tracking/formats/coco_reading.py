@@ -16,7 +16,7 @@ from tracking.formats.filled_rows import MOST_TRACKS
 from tracking.formats.json_stream import elements_of
 from tracking.formats.label_text import label_of
 from tracking.formats.line_survey import MOST_ROWS
-from tracking.formats.reading import FASTEST_FPS, Filmed, Imported, Reading
+from tracking.formats.read_result import FASTEST_FPS, Filmed, Imported, Reading
 from tracking.formats.row_rules import BOX, MAX_FRAME
 from tracking.progress import Progress, no_progress
 from tracking.tracks import LARGEST_NUMBER, TrackLabel

@@ -11,13 +11,13 @@ from typing import Any, TextIO
 import numpy as np
 
 import tracking
+from tracking.atomic_output import replacing
 from tracking.errors import FormatError
 from tracking.formats.label_text import PERSON, kind_of
 from tracking.formats.number_text import short_decimals
 from tracking.formats.row_rules import BOX
-from tracking.formats.writing import ROWS_AT_ONCE, Exported
+from tracking.formats.track_writer import ROWS_AT_ONCE, Exported
 from tracking.progress import Progress
-from tracking.replacing import replacing
 from tracking.tracks import Columns
 
 _VIDEO = 1

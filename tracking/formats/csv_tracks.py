@@ -17,14 +17,14 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.atomic_output import replacing_bytes
 from tracking.errors import FormatError
-from tracking.formats.delimited import NumberRows, Piece, RowShape, pieces_of
+from tracking.formats.delimited_text import NumberRows, Piece, RowShape, pieces_of
 from tracking.formats.number_text import Block, lines_of, numbers, short_decimals, whole_numbers
-from tracking.formats.reading import Filmed, Imported, Reading
+from tracking.formats.read_result import Filmed, Imported, Reading
 from tracking.formats.track_format import Content, TrackFormat
-from tracking.formats.writing import Exported
+from tracking.formats.track_writer import Exported
 from tracking.progress import Progress, no_progress
-from tracking.replacing import replacing_bytes
 from tracking.tracks import CORRECTED_COLUMNS, Columns
 
 _SEPARATORS = ",;\t"

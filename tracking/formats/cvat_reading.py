@@ -10,7 +10,7 @@ from pathlib import Path
 from tracking.errors import FormatError
 from tracking.formats.cvat_meta import Meta
 from tracking.formats.cvat_track import BOX_NUMBERS, CvatTrack, FileTracks
-from tracking.formats.reading import Filmed, Imported, Reading
+from tracking.formats.read_result import Filmed, Imported, Reading
 from tracking.formats.row_rules import MAX_FRAME
 from tracking.formats.xml_stream import ZIP, parse
 from tracking.progress import Progress, no_progress

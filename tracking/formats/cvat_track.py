@@ -16,7 +16,7 @@ from tracking.formats.cvat_interpolation import SIDES, filled, rows_filled
 from tracking.formats.cvat_meta import Meta
 from tracking.formats.filled_rows import MOST_TRACKS, FilledRows
 from tracking.formats.label_text import key_of, label_of
-from tracking.formats.reading import Imported, Reading
+from tracking.formats.read_result import Imported, Reading
 from tracking.tracks import LARGEST_NUMBER, Source, TrackLabel
 
 BOX_NUMBERS = ("xtl", "ytl", "xbr", "ybr")

@@ -8,14 +8,14 @@ from xml.sax.saxutils import escape, quoteattr
 
 import numpy as np
 
+from tracking.atomic_output import replacing
 from tracking.errors import FormatError
 from tracking.formats.cvat_interpolation import keyframes_of
 from tracking.formats.cvat_track import AUTOMATIC, NAME, OWN_KEYS, TRACK_ID, is_occluded
 from tracking.formats.label_text import PERSON, attributes_of, key_beside, kind_of, line
 from tracking.formats.row_rules import BOX
-from tracking.formats.writing import Exported
+from tracking.formats.track_writer import Exported
 from tracking.progress import Progress
-from tracking.replacing import replacing
 from tracking.tracks import Columns, Source, TrackLabel
 
 _MANUAL = "manual"

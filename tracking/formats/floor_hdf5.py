@@ -20,14 +20,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 import tracking
+from tracking.atomic_output import part_of
 from tracking.formats.floor_rows import Places, fps_of, on_floor, with_place
 from tracking.formats.hdf5_tracks import has_layout, number_of, opened
-from tracking.formats.reading import Filmed, Imported, Reading
+from tracking.formats.read_result import Filmed, Imported, Reading
 from tracking.formats.track_format import Content, TrackFormat
-from tracking.formats.writing import Exported
+from tracking.formats.track_writer import Exported
 from tracking.hdf5_image import Hdf5Image
 from tracking.progress import Progress, no_progress
-from tracking.replacing import part_of
 from tracking.tracks import Columns
 
 _ARCHIVE_ROW = np.dtype([("id", "<i4"), ("frame", "<i4"), ("x", "<f8"), ("y", "<f8"), ("z", "<f8")])

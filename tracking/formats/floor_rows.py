@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.errors import FormatError
-from tracking.formats.writing import ROWS_AT_ONCE, Exported
+from tracking.formats.track_writer import ROWS_AT_ONCE, Exported
 from tracking.tracks import Columns
 
 MARGIN_M = 1.0

@@ -23,16 +23,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.atomic_output import replacing_bytes
 from tracking.errors import UnitUnsaidError
-from tracking.formats.delimited import NumberRows, Piece, RowShape, pieces_of
+from tracking.formats.delimited_text import NumberRows, Piece, RowShape, pieces_of
 from tracking.formats.floor_rows import Places, fps_of, on_floor, with_place
 from tracking.formats.label_text import line
 from tracking.formats.number_text import constant, lines_of, numbers, whole_numbers
-from tracking.formats.reading import FASTEST_FPS, Filmed, Imported, Reading
+from tracking.formats.read_result import FASTEST_FPS, Filmed, Imported, Reading
 from tracking.formats.track_format import HEAD_BYTES, Content, TrackFormat
-from tracking.formats.writing import ROWS_AT_ONCE, Exported
+from tracking.formats.track_writer import ROWS_AT_ONCE, Exported
 from tracking.progress import Progress, no_progress
-from tracking.replacing import replacing_bytes
 from tracking.tracks import Columns
 
 _SHAPE = RowShape("text of places on the floor", 4, 40, " ")

@@ -13,7 +13,7 @@ import numpy as np
 
 from tracking.errors import FormatError
 from tracking.formats import hdf5_tracks_inspection
-from tracking.formats.reading import FASTEST_FPS
+from tracking.formats.read_result import FASTEST_FPS
 from tracking.untrusted import verdicts_of
 
 _SIGNATURE = b"\x89HDF\r\n\x1a\n"

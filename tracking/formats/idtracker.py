@@ -21,9 +21,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.errors import FormatError
-from tracking.formats.delimited import NumberRows, Piece, RowShape, pieces_of
+from tracking.formats.delimited_text import NumberRows, Piece, RowShape, pieces_of
 from tracking.formats.hdf5_tracks import has_layout, number_of, opened, text_of
-from tracking.formats.reading import Filmed, Imported, Reading
+from tracking.formats.read_result import Filmed, Imported, Reading
 from tracking.formats.sleap_points import labels_of
 from tracking.formats.track_format import TrackFormat
 from tracking.progress import Progress, no_progress

@@ -19,14 +19,14 @@ from pathlib import Path
 
 import numpy as np
 
+from tracking.atomic_output import part_of
 from tracking.errors import FormatError
 from tracking.formats.floor_rows import Places, fps_of, on_floor, with_place
-from tracking.formats.reading import FASTEST_FPS, Filmed, Imported, Reading
+from tracking.formats.read_result import FASTEST_FPS, Filmed, Imported, Reading
 from tracking.formats.sqlite_file import SIGNATURE, numbers_of, opened
 from tracking.formats.track_format import Content, TrackFormat
-from tracking.formats.writing import Exported
+from tracking.formats.track_writer import Exported
 from tracking.progress import Progress, no_progress
-from tracking.replacing import part_of
 from tracking.tracks import Columns
 
 _VERSION = 2

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.errors import FormatError
-from tracking.formats.delimited import NumberRows, Piece, RowShape, pieces_of
+from tracking.formats.delimited_text import NumberRows, Piece, RowShape, pieces_of
 from tracking.formats.kitti_values import (
     DONT_CARE,
     UNKNOWN_PLACE,
@@ -20,7 +20,7 @@ from tracking.formats.kitti_values import (
     kept_visibility,
     label_of_type,
 )
-from tracking.formats.reading import Filmed, Imported, Reading
+from tracking.formats.read_result import Filmed, Imported, Reading
 from tracking.progress import Progress, no_progress
 from tracking.tracks import Columns
 

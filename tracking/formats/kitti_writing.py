@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.atomic_output import replacing_bytes
 from tracking.formats.kitti_values import (
     PERSON,
     TYPES,
@@ -28,9 +29,8 @@ from tracking.formats.number_text import (
     whole_numbers,
 )
 from tracking.formats.row_rules import BOX
-from tracking.formats.writing import Exported
+from tracking.formats.track_writer import Exported
 from tracking.progress import Progress
-from tracking.replacing import replacing_bytes
 from tracking.tracks import Columns
 
 if TYPE_CHECKING:

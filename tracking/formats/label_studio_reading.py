@@ -18,7 +18,7 @@ from tracking.formats.json_numbers import number_of
 from tracking.formats.json_stream import JsonPath, values_of
 from tracking.formats.label_studio_region import PREDICTION, Region, upright
 from tracking.formats.label_text import left_out
-from tracking.formats.reading import Filmed, Imported, Reading
+from tracking.formats.read_result import Filmed, Imported, Reading
 from tracking.formats.row_rules import BOX
 from tracking.progress import Progress, no_progress
 from tracking.tracks import LARGEST_NUMBER, Source

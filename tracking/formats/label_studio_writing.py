@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from tracking.atomic_output import replacing
 from tracking.errors import FormatError
 from tracking.formats.cvat_interpolation import keyframes_of
 from tracking.formats.label_studio_region import (
@@ -20,9 +21,8 @@ from tracking.formats.label_studio_region import (
 )
 from tracking.formats.label_text import attributes_of, escaped, kind_of, line
 from tracking.formats.row_rules import BOX
-from tracking.formats.writing import Exported
+from tracking.formats.track_writer import Exported
 from tracking.progress import Progress
-from tracking.replacing import replacing
 from tracking.tracks import Columns, Source
 
 _BOX_TAG, _VIDEO_TAG = "box", "video"

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from tracking.formats.label_text import CLASS
 from tracking.formats.track_format import Content, TrackFormat
-from tracking.formats.writing import ROWS_AT_ONCE, Exported
+from tracking.formats.track_writer import ROWS_AT_ONCE, Exported
 from tracking.tracks import Source, TrackLabel
 
 _COLUMNS = {

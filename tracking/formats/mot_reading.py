@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.errors import FormatError
-from tracking.formats.delimited import NumberRows, RowShape, pieces_of
+from tracking.formats.delimited_text import NumberRows, RowShape, pieces_of
 from tracking.formats.mot_classes import kept_visibility, labels_of_classes
-from tracking.formats.reading import Filmed, Imported, Reading
+from tracking.formats.read_result import Filmed, Imported, Reading
 from tracking.formats.row_rules import BOX
 from tracking.formats.seqinfo import sequence_of
 from tracking.progress import Progress, no_progress

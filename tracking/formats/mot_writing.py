@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.atomic_output import replacing, replacing_bytes
 from tracking.formats.label_text import is_person
 from tracking.formats.mot_classes import PERSON, class_of_label, kept_visibility
 from tracking.formats.number_text import (
@@ -21,9 +22,8 @@ from tracking.formats.number_text import (
 )
 from tracking.formats.row_rules import BOX
 from tracking.formats.seqinfo import place_for, sequence_text
-from tracking.formats.writing import ROWS_AT_ONCE, Exported
+from tracking.formats.track_writer import ROWS_AT_ONCE, Exported
 from tracking.progress import Progress
-from tracking.replacing import replacing, replacing_bytes
 from tracking.tracks import Columns
 
 _UNKNOWN = b"-1"

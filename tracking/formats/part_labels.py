@@ -7,11 +7,11 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
+from tracking.atomic_output import replacing
 from tracking.cells import CsvWriter, cell_of
 from tracking.errors import EditError, FormatError
 from tracking.failure import FEATURE_NAMES
 from tracking.formats.lines import header_of, numbered_rows, place_of
-from tracking.replacing import replacing
 from tracking.tracks import PART_NAMES, PartLabel, check_part_label
 from tracking.tracks.part_labels import Box
 

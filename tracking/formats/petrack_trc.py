@@ -32,7 +32,7 @@ from numpy.typing import NDArray
 from tracking.errors import FormatError
 from tracking.formats.label_text import label_of
 from tracking.formats.line_survey import MOST_ROWS
-from tracking.formats.reading import Filmed, Imported, Reading
+from tracking.formats.read_result import Filmed, Imported, Reading
 from tracking.formats.row_rules import MAX_FRAME
 from tracking.formats.text_fields import number_in, numbered_lines, whole_in
 from tracking.formats.track_format import TrackFormat

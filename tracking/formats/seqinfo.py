@@ -6,8 +6,8 @@ import configparser
 from dataclasses import dataclass
 from pathlib import Path
 
-from tracking.formats.reading import Reading
-from tracking.formats.writing import Exported
+from tracking.formats.read_result import Reading
+from tracking.formats.track_writer import Exported
 
 NAME = "seqinfo.ini"
 _INSIDE = ("gt", "det")

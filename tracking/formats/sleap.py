@@ -24,7 +24,7 @@ from numpy.typing import NDArray
 
 from tracking.errors import FormatError
 from tracking.formats.hdf5_tracks import has_layout, opened, text_of
-from tracking.formats.reading import Filmed, Imported, Reading
+from tracking.formats.read_result import Filmed, Imported, Reading
 from tracking.formats.sleap_csv import import_sleap_csv, is_sleap_csv
 from tracking.formats.sleap_points import AROUND_POINTS, NO_TRACKS, boxes_around, labels_of
 from tracking.formats.sleap_project import PROJECT, import_sleap_project

@@ -18,10 +18,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.errors import FormatError
-from tracking.formats.delimited import TRIED_ROWS
+from tracking.formats.delimited_text import TRIED_ROWS
 from tracking.formats.label_text import label_of, left_out
 from tracking.formats.line_survey import MOST_ROWS
-from tracking.formats.reading import Filmed, Imported, Reading
+from tracking.formats.read_result import Filmed, Imported, Reading
 from tracking.formats.row_rules import MAX_FRAME
 from tracking.formats.sleap_points import (
     AROUND_POINTS,

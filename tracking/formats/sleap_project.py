@@ -25,7 +25,7 @@ from numpy.typing import NDArray
 from tracking.errors import FormatError
 from tracking.formats.hdf5_tracks import number_of, opened, text_of
 from tracking.formats.label_text import left_out
-from tracking.formats.reading import Filmed, Imported, Reading
+from tracking.formats.read_result import Filmed, Imported, Reading
 from tracking.formats.sleap_points import (
     AROUND_POINTS,
     NO_TRACKS,

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from tracking.errors import FormatError
 from tracking.formats.label_text import line
-from tracking.formats.reading import Reading
+from tracking.formats.read_result import Reading
 
 SIGNATURE = b"SQLite format 3\0"
 MOST_BYTES = 16 << 30

@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterator
 from pathlib import Path
 
-from tracking.formats.delimited import pieces_of
+from tracking.formats.delimited_text import pieces_of
 from tracking.progress import Progress
 from tracking.tracks import LARGEST_NUMBER
 

@@ -8,8 +8,8 @@ from enum import StrEnum
 from pathlib import Path
 from typing import Protocol
 
-from tracking.formats.reading import Filmed, Imported
-from tracking.formats.writing import Exported
+from tracking.formats.read_result import Filmed, Imported
+from tracking.formats.track_writer import Exported
 from tracking.progress import Progress
 from tracking.tracks import TrackLabel
 

@@ -13,10 +13,10 @@ from numpy.typing import NDArray
 
 from tracking.errors import FormatError
 from tracking.formats.cvat_track import kept_visibility
-from tracking.formats.delimited import TRIED_ROWS
+from tracking.formats.delimited_text import TRIED_ROWS
 from tracking.formats.filled_rows import MOST_TRACKS
 from tracking.formats.line_survey import MOST_ROWS, too_many
-from tracking.formats.reading import FASTEST_FPS, Filmed, Imported, Reading
+from tracking.formats.read_result import FASTEST_FPS, Filmed, Imported, Reading
 from tracking.formats.row_rules import BOX
 from tracking.formats.text_fields import fields_of, number_in, numbered_lines, whole_in
 from tracking.formats.viame_class import OF_TRACK, attribute_in, class_of_cell, label_in

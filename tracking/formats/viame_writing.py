@@ -9,16 +9,16 @@ from pathlib import Path
 import numpy as np
 
 import tracking
+from tracking.atomic_output import replacing
 from tracking.cells import CsvWriter
 from tracking.errors import FormatError
 from tracking.formats.cvat_track import is_occluded
 from tracking.formats.label_text import kind_of
 from tracking.formats.number_text import short_decimals
 from tracking.formats.row_rules import BOX
+from tracking.formats.track_writer import Exported
 from tracking.formats.viame_class import cell_of_class, cells_of_label
-from tracking.formats.writing import Exported
 from tracking.progress import Progress
-from tracking.replacing import replacing
 from tracking.tracks import Columns
 
 _HEADER = (

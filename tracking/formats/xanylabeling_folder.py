@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from tracking.errors import FormatError
-from tracking.formats.reading import Reading
+from tracking.formats.read_result import Reading
 from tracking.formats.row_rules import MAX_FRAME
 from tracking.formats.track_format import HEAD_BYTES
 

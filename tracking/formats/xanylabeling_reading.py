@@ -15,7 +15,7 @@ from tracking.formats.json_numbers import number_of, whole_of
 from tracking.formats.json_stream import MOST_BYTES, elements_of
 from tracking.formats.label_text import label_of, left_out
 from tracking.formats.line_survey import MOST_ROWS
-from tracking.formats.reading import Filmed, Imported, Reading
+from tracking.formats.read_result import Filmed, Imported, Reading
 from tracking.formats.row_rules import BOX
 from tracking.formats.xanylabeling_folder import ENDING, FrameFile, frame_files
 from tracking.progress import Progress, no_progress

@@ -8,14 +8,14 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+from tracking.atomic_output import replacing_folder
 from tracking.errors import FormatError
 from tracking.formats.label_text import attributes_of, kind_of, line
 from tracking.formats.number_text import short_decimals
 from tracking.formats.row_rules import BOX
-from tracking.formats.writing import Exported
+from tracking.formats.track_writer import Exported
 from tracking.formats.xanylabeling_folder import ENDING
 from tracking.progress import Progress
-from tracking.replacing import replacing_folder
 from tracking.tracks import Columns, TrackLabel
 
 _VERSION = "4.0.2"

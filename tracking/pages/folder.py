@@ -7,9 +7,9 @@ from collections.abc import Iterable, Mapping
 from contextlib import ExitStack
 from pathlib import Path
 
+from tracking.atomic_output import replacing
 from tracking.errors import OutputError
 from tracking.pages.page import is_page
-from tracking.replacing import replacing
 
 _HEAD_BYTES = 2048
 

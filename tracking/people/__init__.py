@@ -5,7 +5,7 @@ from tracking.people.eyes_watch import EyesWatch
 from tracking.people.first_lag import first_lag, lag_looks
 from tracking.people.observation import Observation, Overlays
 from tracking.people.perception import StereoPerception
-from tracking.people.ranging import RangedShare
+from tracking.people.range_check import RangedShare
 from tracking.people.settings import PeopleSettings
 from tracking.people.single_camera import SingleCameraPerception
 

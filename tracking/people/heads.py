@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.people.body_scale import Bodies, Standing
 from tracking.people.peaks import peaks_of
-from tracking.people.splitting import placed
-from tracking.people.standing import Bodies, Standing
+from tracking.people.silhouette_split import placed
 
 Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]

@@ -10,13 +10,13 @@ from numpy.typing import NDArray
 from tracking.foreground import PERHAPS, Subtraction
 from tracking.geometry import Camera, Ground, Rectification, View
 from tracking.people import upright
+from tracking.people.body_scale import Standing
 from tracking.people.boxes import recorded_boxes
-from tracking.people.describing import described
 from tracking.people.detections import Detections
 from tracking.people.ghosts import without_ghosts
+from tracking.people.region_features import described
 from tracking.people.regions_of_people import people_regions
 from tracking.people.settings import PeopleSettings
-from tracking.people.standing import Standing
 
 Mask = NDArray[np.uint8]
 Floats = NDArray[np.float64]

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.people.body_scale import Bodies, Standing, nobody
 from tracking.people.heads import bodies_in, lowest
+from tracking.people.silhouette_split import placed
 from tracking.people.silhouettes import Box, Labels, silhouettes
-from tracking.people.splitting import placed
-from tracking.people.standing import Bodies, Standing, nobody
 from tracking.people.upright import SHADOW, body_pixels
 
 _LEAST_HEIGHT = 1 / 16

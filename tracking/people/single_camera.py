@@ -18,12 +18,12 @@ from tracking.foreground import (
 )
 from tracking.geometry import View
 from tracking.people import upright
-from tracking.people.describing import described, in_full
+from tracking.people.body_scale import Standing
 from tracking.people.ghosts import without_ghosts
 from tracking.people.observation import Observation, Overlays
+from tracking.people.region_features import described, in_full
 from tracking.people.regions_of_people import people_regions
 from tracking.people.settings import PeopleSettings
-from tracking.people.standing import Standing
 from tracking.people.working_scale import shrink_of, shrunk
 from tracking.recording.frame import Image, StereoFrame
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.people.splitting import Placed
+from tracking.people.silhouette_split import Placed
 
 Bools = NDArray[np.bool_]
 

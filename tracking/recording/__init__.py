@@ -14,9 +14,9 @@ from tracking.recording.manifest import (
     read_manifest,
     write_manifest,
 )
-from tracking.recording.opening import open_from_manifest, open_recording
 from tracking.recording.options import OpenOptions
 from tracking.recording.recording import Recording
+from tracking.recording.recording_loader import open_from_manifest, open_recording
 
 __all__ = [
     "MANIFEST_NAME",

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from tracking.errors import RecordingError
 from tracking.recording.frame import Image
-from tracking.recording.pairing import pair_eyes
+from tracking.recording.frame_pairs import pair_eyes
 from tracking.recording.pictures import PictureSource
 
 Layout = Literal["side-by-side", "top-bottom"]

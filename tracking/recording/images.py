@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from tracking.errors import RecordingError
 from tracking.recording.frame import Image
 from tracking.recording.image_headers import looks_odd, why_not_decoded
-from tracking.recording.wording import counted
+from tracking.recording.plurals import counted
 
 IMAGE_SUFFIXES = frozenset(
     (".png", ".jpg", ".jpeg", ".bmp", ".pgm", ".ppm", ".tif", ".tiff", ".webp")

@@ -8,11 +8,11 @@ from dataclasses import dataclass
 from pathlib import Path, PurePath
 from typing import Any, TypeVar
 
+from tracking.atomic_output import replace_with
 from tracking.errors import CalibrationError, OutputError, RecordingError
 from tracking.geometry import Ground
 from tracking.recording.eyes import MOST_LAG, Layout, Side
 from tracking.recording.limits import checked_fps, checked_ground
-from tracking.replacing import replace_with
 
 MANIFEST_NAME = "recording.toml"
 TRUTH_NAME = "truth.txt"

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.recording.wording import counted
+from tracking.recording.plurals import counted
 
 _REGULAR_SHARE = 0.9
 

@@ -12,13 +12,13 @@ from numpy.typing import NDArray
 
 from tracking.errors import RecordingError
 from tracking.geometry import Ground, Rectification, StereoCalibration, View
-from tracking.recording.calibrated import Calibrated
 from tracking.recording.eyes import Eyes
 from tracking.recording.fingerprint import Fingerprint, fingerprint
 from tracking.recording.frame import StereoFrame
 from tracking.recording.locate import Located
 from tracking.recording.manifest import TRUTH_NAME
 from tracking.recording.oddities import first_frame_note
+from tracking.recording.recording_calibration import Calibrated
 
 
 class Recording:

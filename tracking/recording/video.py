@@ -17,8 +17,8 @@ from tracking.recording.conversion import bgr
 from tracking.recording.frame import Image
 from tracking.recording.pace import Pace, pace_of
 from tracking.recording.packet_index import PacketIndex, index_video, open_video
+from tracking.recording.plurals import counted
 from tracking.recording.video_cursor import NumberedFrame, VideoCursor
-from tracking.recording.wording import counted
 
 _RECENT_BYTES = 48 * 1024 * 1024
 _STEPS_BACK = 2

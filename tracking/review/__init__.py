@@ -2,9 +2,9 @@
 
 from tracking.review.measures import Mistake, ReviewMeasures, ReviewMeter, review_measures
 from tracking.review.queue import open_suspicions, ranked
-from tracking.review.searching import Lookout, find_suspicions
+from tracking.review.reason_phrases import KINDS
+from tracking.review.review_search import Lookout, find_suspicions
 from tracking.review.suspicion import Suspicion, SuspicionKey
-from tracking.review.wording import KINDS
 
 __all__ = [
     "KINDS",

@@ -8,15 +8,15 @@ import numpy as np
 
 from tracking.review.evidence import Floats, Rows, body_px, boxes, evidence_of
 from tracking.review.footage import AROUND_S, Footage
-from tracking.review.hazard.expected import Hazards
-from tracking.review.joining import joined_places, stacked
+from tracking.review.hazard.expected_errors import Hazards
 from tracking.review.likelihood import LEAST_WEIGHT, WEIGHTS, likelihoods
 from tracking.review.material import REACH_M, Material, reached
+from tracking.review.reason_groups import joined_places, stacked
+from tracking.review.reason_phrases import fix
+from tracking.review.reason_texts import Speaker
 from tracking.review.reasons import REASONS
-from tracking.review.speaking import Speaker
 from tracking.review.stretches import stretches
 from tracking.review.suspicion import Suspicion
-from tracking.review.wording import fix
 from tracking.tracks import Occluder, Run
 from tracking.tracks.run_rows import run_within
 

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from tracking.review.evidence import Evidence, Flags, Floats, Rows
-from tracking.review.hazard.expected import Hazards
-from tracking.review.joining import Places, Reasons
+from tracking.review.hazard.expected_errors import Hazards
+from tracking.review.reason_groups import Places, Reasons
 
 _VAGUE = frozenset({"margin", "shared", "crossing", "spread", "split", "colour", "height"})
 """Kinds of reasons that tell about when, not the very frame."""

@@ -15,8 +15,8 @@ from tracking.scoring.disagreements import Disagreement, stretches_of
 from tracking.scoring.either import EitherMatch
 from tracking.scoring.identity import identity
 from tracking.scoring.kappa import cohen_kappa
-from tracking.scoring.matching import Match
 from tracking.scoring.pairs import EPS
+from tracking.scoring.similarity import Match
 from tracking.scoring.table import Integers, ScoringTable
 
 

@@ -7,8 +7,8 @@ from collections.abc import Iterator
 import numpy as np
 
 from tracking.errors import FormatError
-from tracking.scoring.matching import Match
 from tracking.scoring.pairs import Candidates, Frames, Rows
+from tracking.scoring.similarity import Match
 from tracking.scoring.table import Floats, Integers, ScoringTable
 
 _PAIRS_AT_ONCE = 1 << 17

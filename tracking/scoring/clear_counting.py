@@ -9,7 +9,7 @@ import numpy as np
 from tracking.scoring.clear import Clear
 from tracking.scoring.comparison import Comparison
 from tracking.scoring.conventions import Conventions
-from tracking.scoring.numbering import grouped
+from tracking.scoring.id_index import grouped
 from tracking.scoring.pairs import Candidates
 from tracking.scoring.table import Flags, Floats, Integers
 

@@ -8,9 +8,9 @@ import numpy as np
 
 from tracking.scoring.assignment import assign
 from tracking.scoring.candidates import candidates
-from tracking.scoring.matching import Match
-from tracking.scoring.numbering import grouped, numbered
+from tracking.scoring.id_index import grouped, numbered
 from tracking.scoring.pairs import EPS, Candidates, Frames
+from tracking.scoring.similarity import Match
 from tracking.scoring.table import Flags, Integers, ScoringTable
 
 

@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from tracking.errors import FormatError
-from tracking.scoring.matching import BoxMatch, FloorMatch
 from tracking.scoring.pairs import Rows
+from tracking.scoring.similarity import BoxMatch, FloorMatch
 from tracking.scoring.table import Floats, ScoringTable
 
 

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from tracking.scoring.clear_counting import Successions, successions
 from tracking.scoring.examination import Examination, examine
-from tracking.scoring.matching import Match
+from tracking.scoring.similarity import Match
 from tracking.scoring.table import Flags, Floats, Integers, ScoringTable
 
 NOBODY = 0

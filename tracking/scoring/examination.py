@@ -9,9 +9,9 @@ import numpy as np
 from tracking.scoring.clear_matching import clear_matches
 from tracking.scoring.comparison import Comparison, compare
 from tracking.scoring.conventions import Conventions
-from tracking.scoring.matching import BoxMatch, FloorMatch, Match
 from tracking.scoring.motmetrics import motmetrics_admitted, motmetrics_matches
 from tracking.scoring.pairs import Candidates
+from tracking.scoring.similarity import BoxMatch, FloorMatch, Match
 from tracking.scoring.table import Flags, Floats, ScoringTable
 
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from tracking.scoring.clear_matching import clear_matches
 from tracking.scoring.comparison import compare
-from tracking.scoring.matching import BoxMatch, Match
+from tracking.scoring.similarity import BoxMatch, Match
 from tracking.scoring.table import Integers, ScoringTable
 
 

@@ -8,10 +8,10 @@ import numpy as np
 
 from tracking.scoring.clear_counting import successions
 from tracking.scoring.examination import Examination, examine
+from tracking.scoring.id_index import grouped
 from tracking.scoring.identity import naming
-from tracking.scoring.matching import Match
-from tracking.scoring.numbering import grouped
 from tracking.scoring.papers import PositionError, detected_and_kept
+from tracking.scoring.similarity import Match
 from tracking.scoring.table import Integers, ScoringTable
 
 

@@ -14,9 +14,9 @@ from tracking.scoring.figures import figures_of, lines_of
 from tracking.scoring.hota import Hota
 from tracking.scoring.hota_counting import hota
 from tracking.scoring.identity import Identity, identity
-from tracking.scoring.matching import Match
 from tracking.scoring.papers import People, PositionError, people
 from tracking.scoring.passages import PassageScore
+from tracking.scoring.similarity import Match
 from tracking.scoring.table import ScoringTable
 from tracking.scoring.track_map import TrackMap
 from tracking.scoring.track_map_matching import track_map

@@ -8,8 +8,8 @@ import numpy as np
 
 from tracking.scoring.comparison import Comparison
 from tracking.scoring.examination import Examination
-from tracking.scoring.matching import BoxMatch
 from tracking.scoring.pairs import EPS
+from tracking.scoring.similarity import BoxMatch
 from tracking.scoring.table import Flags, Floats, Integers, ScoringTable
 from tracking.scoring.track_map import OVERLAPS, SUBSETS, TrackMap
 from tracking.tracks.boxes import common_px2

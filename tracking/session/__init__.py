@@ -1,11 +1,23 @@
 """The document, its HDF5 file, and what keeps both whole."""
 
-from tracking.session.belonging import ids_by_now, parts_by_now
+from tracking.session.backup_restore import replace_damaged
 from tracking.session.body_parts import corrected_parts, labels_in_place, session_samples
 from tracking.session.document import Session
 from tracking.session.edit_log import log_as_json, write_log_csv, write_log_json
 from tracking.session.errors import RecordingMissing
-from tracking.session.importing import (
+from tracking.session.info import describe, recording_of
+from tracking.session.known_recordings import KnownRecordings
+from tracking.session.older import Generation, check_generation, list_generations
+from tracking.session.pending_edits import read_history, worked_on_s
+from tracking.session.pending_save import PendingSave
+from tracking.session.provenance import ids_by_now, parts_by_now
+from tracking.session.reference import RecordingReference, SourceFingerprint
+from tracking.session.runs import Runs
+from tracking.session.samples import boxes_of, places_of, samples_from, samples_with_boxes
+from tracking.session.session_writer import generations
+from tracking.session.stamps import author_named
+from tracking.session.store import is_open
+from tracking.session.track_import import (
     IMPORTED,
     Importable,
     ImportOrigin,
@@ -15,18 +27,6 @@ from tracking.session.importing import (
     session_of_import,
     take_into,
 )
-from tracking.session.info import describe, recording_of
-from tracking.session.known import KnownRecordings
-from tracking.session.older import Generation, check_generation, list_generations
-from tracking.session.pending import PendingSave
-from tracking.session.reference import RecordingReference, SourceFingerprint
-from tracking.session.replacing import replace_damaged
-from tracking.session.runs import Runs
-from tracking.session.samples import boxes_of, places_of, samples_from, samples_with_boxes
-from tracking.session.saving import generations
-from tracking.session.stamping import author_named
-from tracking.session.store import is_open
-from tracking.session.waiting import read_history, worked_on_s
 
 __all__ = [
     "IMPORTED",

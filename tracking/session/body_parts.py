@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from tracking.errors import FormatError
 from tracking.failure import Samples
 from tracking.formats import GivenLabel
-from tracking.session.belonging import parts_by_now
 from tracking.session.document import Session
+from tracking.session.provenance import parts_by_now
 from tracking.session.samples import samples_from
 from tracking.tracks import PART_NAMES, Columns, PartKey, PartLabel, Run, TrackTable
 from tracking.tracks.part_labels import Box

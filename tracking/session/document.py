@@ -12,17 +12,17 @@ from tracking.errors import EditError, OutputError, SessionError
 from tracking.owned_files import real_path
 from tracking.session.image import Stamps, empty_snapshot
 from tracking.session.journal import Act
-from tracking.session.known import KnownRecordings
+from tracking.session.known_recordings import KnownRecordings
 from tracking.session.notes import tell
 from tracking.session.older import read_generation, standing_in
 from tracking.session.on_disk import OnDisk
-from tracking.session.pending import PendingSave, next_stamps
-from tracking.session.reading import read_session
+from tracking.session.pending_edits import read_with_waiting
+from tracking.session.pending_save import PendingSave, next_stamps
 from tracking.session.reference import Footage, refer_to
-from tracking.session.saving import UNLIMITED, file_state, generations, keep_damaged
-from tracking.session.stamping import author_named, made_up, now, software
+from tracking.session.session_reader import read_session
+from tracking.session.session_writer import UNLIMITED, file_state, generations, keep_damaged
+from tracking.session.stamps import author_named, made_up, now, software
 from tracking.session.store import Store
-from tracking.session.waiting import read_with_waiting
 from tracking.tracks import Run, TrackTable
 
 if TYPE_CHECKING:

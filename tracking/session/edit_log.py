@@ -9,11 +9,11 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
+from tracking.atomic_output import replacing
 from tracking.cells import CsvWriter, cell_of
 from tracking.editing import Change, Entry, History, LabelState, State
 from tracking.errors import EditError
 from tracking.progress import Progress
-from tracking.replacing import replacing
 from tracking.session.edit_words import in_words
 from tracking.tracks import PART_NAMES, PartLabel
 

@@ -13,7 +13,7 @@ import numpy as np
 
 from tracking.errors import SessionError
 from tracking.session.layout import TEXT, Types
-from tracking.session.unpacking import Unpacking
+from tracking.session.table_reader import Unpacking
 
 _FAILURES = (
     *(OSError, KeyError, ValueError, TypeError),

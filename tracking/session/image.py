@@ -28,11 +28,11 @@ from tracking.session.layout import (
     TRAJECTORY_TYPE,
     VERSION,
 )
-from tracking.session.packing import Packer
 from tracking.session.reference import RecordingReference
 from tracking.session.run_notes import write_notes
 from tracking.session.runs import StoredRun
 from tracking.session.samples import KeptSamples
+from tracking.session.table_writer import Packer
 from tracking.tracks import (
     CORRECTED_COLUMNS,
     Columns,
@@ -43,7 +43,7 @@ from tracking.tracks import (
     TrackTable,
     empty,
 )
-from tracking.tracks.growing import ColumnInOrder
+from tracking.tracks.growable_columns import ColumnInOrder
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,13 +13,19 @@ import h5py
 import numpy as np
 
 from tracking.errors import EditError, SessionError
-from tracking.session.edited import Edited
+from tracking.session.edited_tracks import Edited
 from tracking.session.hdf5 import opened, text_attribute
 from tracking.session.label_tables import read_labels
-from tracking.session.reading import check_file, checked, read_recording, read_stamps, told_findings
+from tracking.session.pending_edits import may_wait, read_with_waiting
 from tracking.session.reference import RecordingReference
 from tracking.session.run_notes import read_notes
-from tracking.session.waiting import may_wait, read_with_waiting
+from tracking.session.session_reader import (
+    check_file,
+    checked,
+    read_recording,
+    read_stamps,
+    told_findings,
+)
 from tracking.trackers import changed_settings
 from tracking.tracks import PART_NAMES, Labels
 

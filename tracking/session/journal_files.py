@@ -16,7 +16,7 @@ from pathlib import Path
 
 from tracking.owned_files import look_at, sync_folder
 from tracking.session.journal import ENDINGS, FOREIGN_ENDING, Journal, Step
-from tracking.session.saving import telling_where
+from tracking.session.session_writer import telling_where
 
 JOURNAL = "journal.sqlite"
 NEXT = "journal-next.sqlite"

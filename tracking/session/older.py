@@ -13,11 +13,11 @@ import numpy as np
 
 from tracking.errors import SessionError, UnsafeFileError
 from tracking.owned_files import check_folder
-from tracking.session import reading
+from tracking.session import session_reader
 from tracking.session.hdf5 import opened, text_attribute
 from tracking.session.image import Snapshot
 from tracking.session.runs import StoredRun
-from tracking.session.saving import check_backup, companions, generations
+from tracking.session.session_writer import check_backup, companions, generations
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,7 +78,7 @@ def read_generation(path: Path, number: int) -> tuple[Path, Snapshot]:
     check_generation(path, number)
     files = generations(path)
     check_backup(path, files[number - 1])
-    snapshot = reading.read_session(files[number - 1])
+    snapshot = session_reader.read_session(files[number - 1])
     if snapshot.newer:
         raise SessionError(
             f"{files[number - 1]} was made by a newer trackwright; update to restore it"
@@ -101,7 +101,7 @@ def _found(path: Path, files: Sequence[Path]) -> list[tuple[str, str]]:
     """Why each of the files cannot be read, else what is damaged of it; "" where it is sound."""
     problems = [_problem(path, file) for file in files]
     own = [file for file, problem in zip(files, problems, strict=True) if not problem]
-    checked = dict(zip(own, reading.check_files(own), strict=True))
+    checked = dict(zip(own, session_reader.check_files(own), strict=True))
     return [
         (problem, "") if problem else checked[file]
         for file, problem in zip(files, problems, strict=True)

@@ -10,19 +10,19 @@ from tracking.editing import Entry
 from tracking.errors import OutputError, SessionError
 from tracking.owned_files import real_path
 from tracking.session.findings import Finding
-from tracking.session.held import Held
 from tracking.session.journal import Act
 from tracking.session.notes import tell, tell_damage
-from tracking.session.pending import PendingSave, next_stamps
-from tracking.session.reading import saved_as
+from tracking.session.pending_edits import edits_wait, notes_on_kept
+from tracking.session.pending_save import PendingSave, next_stamps
 from tracking.session.recovery import recover
-from tracking.session.saving import companions, keep_damaged
-from tracking.session.stamping import now
+from tracking.session.session_reader import saved_as
+from tracking.session.session_state import SessionState
+from tracking.session.session_writer import companions, keep_damaged
+from tracking.session.stamps import now
 from tracking.session.store import Store
-from tracking.session.waiting import edits_wait, notes_on_kept
 
 
-class OnDisk(Held):
+class OnDisk(SessionState):
     """Saves a session in three steps, keeps each edit in the journal, and finds both again."""
 
     def _make_sure(self, store: Store) -> None:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from tracking.errors import EditError, OutputError, SessionError
-from tracking.session.edited import Edited
+from tracking.session.edited_tracks import Edited
 from tracking.session.image import Stamps
 from tracking.session.journal import Journal, Step
 from tracking.session.notes import MAY_MISS

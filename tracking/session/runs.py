@@ -14,12 +14,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.errors import EditError, SessionError
-from tracking.session.copying import copy_group
 from tracking.session.hdf5 import opened, read_columns, text_attribute
 from tracking.session.image_file import ImageFile
 from tracking.session.layout import CHUNK_ROWS, LATER_RUN_COLUMNS, PARTICLE_TABLES, RUN_TABLES
 from tracking.session.run_notes import read_notes
-from tracking.session.stamping import now
+from tracking.session.session_copy import copy_group
+from tracking.session.stamps import now
 from tracking.tracks import (
     LARGEST_NUMBER,
     Columns,

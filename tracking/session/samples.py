@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from tracking.errors import TrackwrightError
 from tracking.failure import Samples, no_samples, part_states, samples_of
-from tracking.session.belonging import parts_by_now
 from tracking.session.notes import tell_damage
+from tracking.session.provenance import parts_by_now
 from tracking.tracks import Columns, Labels, PartKey, PartLabel, Run, TrackTable
 from tracking.tracks.part_labels import PartLabels
 

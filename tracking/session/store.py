@@ -9,15 +9,15 @@ from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import contextmanager
 from pathlib import Path
 
+from tracking.atomic_output import check_target
 from tracking.editing import Entry
 from tracking.errors import OutputError, SessionError
 from tracking.owned_files import make_folder, permissions_of, sync_folder
-from tracking.replacing import check_target
 from tracking.session import journal_files
 from tracking.session.journal import Act, Journal, Step
 from tracking.session.journal_files import JOURNAL
 from tracking.session.lock import SessionLock
-from tracking.session.saving import clear_leftovers, companions, telling_where
+from tracking.session.session_writer import clear_leftovers, companions, telling_where
 
 _TRIES = 20
 """Of taking the lock in a folder that another program takes away at that moment."""

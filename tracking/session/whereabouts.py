@@ -7,8 +7,8 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from tracking.session.finding import find_recording
-from tracking.session.known import KnownRecordings
+from tracking.session.known_recordings import KnownRecordings
+from tracking.session.recording_lookup import find_recording
 from tracking.session.reference import RecordingReference, relative
 
 if TYPE_CHECKING:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.stereo.areas import areas
-from tracking.stereo.levelling import Levelling
+from tracking.stereo.row_alignment import Levelling
 from tracking.stereo.settings import StereoSettings
 from tracking.stereo.sharpness import EvenSharpness
 from tracking.stereo.sight_lines import SightLines

@@ -1,11 +1,11 @@
 """Scenes of walking people, rendered for two eyes with exact truth."""
 
 from tracking.synthesis.circumstances import Circumstances
+from tracking.synthesis.recording_writer import check_seconds, render_recording
 from tracking.synthesis.scene import Scene
 from tracking.synthesis.scenes import SCENES
 from tracking.synthesis.specs import FloorSpec, LampSpec, SceneSpec, WallSpec
 from tracking.synthesis.truth import SceneTruth, Surfaces
-from tracking.synthesis.writing import check_seconds, render_recording
 
 __all__ = [
     "SCENES",

@@ -15,12 +15,12 @@ from tracking.synthesis.figures import Figures
 from tracking.synthesis.gait import Steps, steps_of
 from tracking.synthesis.itineraries import plan_itineraries
 from tracking.synthesis.passages import plan_passage
+from tracking.synthesis.postures import Stoops, stoops_of
 from tracking.synthesis.programme import Moment
 from tracking.synthesis.programmes import programme_of
 from tracking.synthesis.rig import Rig
 from tracking.synthesis.skeleton import Posture, skeleton_of
 from tracking.synthesis.specs import SceneSpec
-from tracking.synthesis.stooping import Stoops, stoops_of
 from tracking.synthesis.wardrobe import ATLAS, PATCHES, RED_AND_BROWN, random_outfit, texture
 
 Floats = NDArray[np.float64]

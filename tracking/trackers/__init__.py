@@ -14,8 +14,8 @@ from tracking.trackers.catalogue import (
 )
 from tracking.trackers.occluders import occluders_as_setting
 from tracking.trackers.protocol import ASSOCIATION_COLUMNS, Perception, StepResult, Tracker
-from tracking.trackers.resuming import Resume
-from tracking.trackers.smoothing import smoothed
+from tracking.trackers.resumption import Resume
+from tracking.trackers.run_smoother import smoothed
 
 __all__ = [
     "ASSOCIATION_COLUMNS",

@@ -17,7 +17,7 @@ from tracking.trackers.flow import finished as flow_finished
 from tracking.trackers.joint import JointSettings, build_joint
 from tracking.trackers.linking import linked
 from tracking.trackers.protocol import Perception, Tracker
-from tracking.trackers.smoothing import smoothed
+from tracking.trackers.run_smoother import smoothed
 from tracking.trackers.spheroid import SpheroidSettings, build_spheroid
 from tracking.trackers.spheroid import finished as spheroid_finished
 from tracking.trackers.stereo_paper import finished as stereo_finished

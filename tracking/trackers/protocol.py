@@ -12,7 +12,7 @@ import numpy as np
 from tracking.people.eyes_watch import EyesWatch
 from tracking.people.observation import Observation
 from tracking.recording.frame import StereoFrame
-from tracking.trackers.resuming import Resume
+from tracking.trackers.resumption import Resume
 from tracking.tracks.columns import (
     PART_COLUMNS,
     PART_PARTICLE_COLUMNS,

@@ -12,7 +12,7 @@ from tracking.filtering import move
 from tracking.geometry import View
 from tracking.people import Observation
 from tracking.trackers.population import Population, nobody
-from tracking.trackers.resuming import Resume
+from tracking.trackers.resumption import Resume
 from tracking.trackers.stereo_cues import Cues
 from tracking.trackers.stereo_resuming import resumed
 from tracking.trackers.stereo_settings import StereoFilterSettings, StereoTrackerSettings

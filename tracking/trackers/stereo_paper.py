@@ -13,7 +13,7 @@ from tracking.people import Detections, Observation
 from tracking.trackers.births_and_ends import Newcomers, confirmed, started
 from tracking.trackers.population import Population, joined
 from tracking.trackers.protocol import StepResult
-from tracking.trackers.smoothing import smoothed
+from tracking.trackers.run_smoother import smoothed
 from tracking.trackers.stereo_boxes import Bodies
 from tracking.trackers.stereo_cues import Costs, Cues, cue_values
 from tracking.trackers.stereo_filter import StereoFilter, predicted

@@ -12,7 +12,7 @@ from tracking.filtering import associate, scatter
 from tracking.geometry import View
 from tracking.people import Detections, Observation
 from tracking.trackers.population import Population, unknown_looks, unknown_motion
-from tracking.trackers.resuming import Resume, is_apart, is_seen, only
+from tracking.trackers.resumption import Resume, is_apart, is_seen, only
 from tracking.trackers.stereo_boxes import Bodies
 from tracking.trackers.stereo_cues import Cues
 from tracking.trackers.stereo_settings import StereoFilterSettings

@@ -17,10 +17,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from tracking.errors import EditError
 from tracking.tracks.columns import CORRECTED_COLUMNS, Columns, Source, empty
-from tracking.tracks.growing import ColumnInOrder, Growing
-from tracking.tracks.rewriting import Rewriting
+from tracking.tracks.growable_columns import ColumnInOrder, Growing
 from tracking.tracks.row_keys import row_keys
 from tracking.tracks.run import ParticleColumn
+from tracking.tracks.table_rewrite import Rewriting
 from tracking.tracks.validation import LARGEST_NUMBER, between, check_tracks, checked_columns
 
 Slots = NDArray[np.int64]

@@ -5,10 +5,10 @@ runs, so that help comes at once and no command waits for libraries it does not 
 """
 
 # isort: off
-from app.cli.commands import opening, tracking, measuring, counting, sessions
+from app.cli.commands import recordings, trackers, scores, counts, sessions
 
 # isort: on
-from app.cli.commands.opening import SCENE_NAMES
 from app.cli.commands.program import program
+from app.cli.commands.recordings import SCENE_NAMES
 
-__all__ = ["SCENE_NAMES", "counting", "measuring", "opening", "program", "sessions", "tracking"]
+__all__ = ["SCENE_NAMES", "counts", "program", "recordings", "scores", "sessions", "trackers"]

@@ -16,11 +16,11 @@ from app.presenters.commands import (
     tracks_menu,
     view_menu,
 )
-from app.presenters.commands.command import Command, Situation
+from app.presenters.commands.command import Command, CommandContext
+from app.presenters.i18n import tr
 from app.presenters.scenes import CommandItem
-from app.presenters.words import tr
 
-__all__ = ["COMMANDS", "MENUS", "Command", "Situation", "command_items"]
+__all__ = ["COMMANDS", "MENUS", "Command", "CommandContext", "command_items"]
 
 MENUS: Final = (
     "File",
@@ -48,12 +48,12 @@ COMMANDS: Final[tuple[Command, ...]] = (
 )
 
 
-def command_items(now: Situation, checked: frozenset[str]) -> tuple[CommandItem, ...]:
+def command_items(now: CommandContext, checked: frozenset[str]) -> tuple[CommandItem, ...]:
     """All commands as the views show them now; `checked` holds those that are on."""
     return tuple(_item(command, now, checked) for command in COMMANDS)
 
 
-def _item(command: Command, now: Situation, checked: frozenset[str]) -> CommandItem:
+def _item(command: Command, now: CommandContext, checked: frozenset[str]) -> CommandItem:
     why_not, in_brackets = command.check(now), command.now(now)
     one_camera = now.recording and not now.stereo
     title = tr(command.alone if one_camera and command.alone else command.title)

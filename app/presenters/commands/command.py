@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 
 @dataclass(frozen=True, slots=True)
-class Situation:
+class CommandContext:
     """What commands depend on.
 
     Attributes:
@@ -68,12 +68,12 @@ class Situation:
     why_no_tracking: str = ""
     read_only: bool = False
 
-    def while_busy(self) -> Situation:
+    def while_busy(self) -> CommandContext:
         """The same while other long work is going on."""
         return replace(self, busy=True)
 
 
-Check = Callable[[Situation], str]
+Check = Callable[[CommandContext], str]
 """Why a command cannot be done now; "" where it can."""
 
 
@@ -102,6 +102,6 @@ class Command:
     separated: bool = False
     icon: str = ""
     submenu: str = ""
-    now: Callable[[Situation], str] = lambda _: ""
+    now: Callable[[CommandContext], str] = lambda _: ""
     alone: str = ""
     also: str = ""

@@ -4,8 +4,15 @@ from __future__ import annotations
 
 from typing import Final
 
-from app.presenters.commands.checks import drawable, on_floor, placing, reaching, selected, waiting
 from app.presenters.commands.command import Command
+from app.presenters.commands.enablement import (
+    drawable,
+    on_floor,
+    placing,
+    reaching,
+    selected,
+    waiting,
+)
 
 _PEOPLE: Final = (
     Command("tracks.swap", "Correct", "Swap with...", ("X",), selected, icon="swap"),

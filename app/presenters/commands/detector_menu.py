@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import Final
 
-from app.presenters.commands.checks import editable, recording, session
-from app.presenters.commands.command import Command, Situation
-from app.presenters.words import tr
+from app.presenters.commands.command import Command, CommandContext
+from app.presenters.commands.enablement import editable, recording, session
+from app.presenters.i18n import tr
 
 
-def _parts(now: Situation) -> str:
+def _parts(now: CommandContext) -> str:
     """Body parts must have been tracked."""
     said = tr("no parts were tracked: track with three-part (Ctrl+T) first")
     if now.parts_elsewhere:
@@ -17,23 +17,23 @@ def _parts(now: Situation) -> str:
     return session(now) or ("" if now.parts else said)
 
 
-def _labelled(now: Situation) -> str:
+def _labelled(now: CommandContext) -> str:
     """Body parts must be there in a session that can be changed."""
     return editable(now) or _parts(now)
 
 
-def _part_truth(now: Situation) -> str:
+def _part_truth(now: CommandContext) -> str:
     """The recording must know exactly where the parts are."""
     said = tr("the recording has no truth_parts.csv: only rendered recordings have one")
     return _labelled(now) or ("" if now.part_truth else said)
 
 
-def _trained(now: Situation) -> str:
+def _trained(now: CommandContext) -> str:
     """A detector must have been trained."""
     return "" if now.trained else tr("train a detector first")
 
 
-def _in_use(now: Situation) -> str:
+def _in_use(now: CommandContext) -> str:
     """Which detector people are tracked with, where it is not the built-in one."""
     return now.detector
 

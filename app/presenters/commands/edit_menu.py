@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Final
 
-from app.presenters.commands.checks import editable
 from app.presenters.commands.command import Command
-from app.presenters.words import tr
+from app.presenters.commands.enablement import editable
+from app.presenters.i18n import tr
 
 COMMANDS: Final = (
     Command(

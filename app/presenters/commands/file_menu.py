@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Final
 
-from app.presenters.commands.checks import (
+from app.presenters.commands.command import Command
+from app.presenters.commands.enablement import (
     drawable,
     recording,
     replaceable,
@@ -12,7 +13,6 @@ from app.presenters.commands.checks import (
     savable,
     session,
 )
-from app.presenters.commands.command import Command
 
 COMMANDS: Final = (
     Command("file.open", "File", "Open...", ("Ctrl+O",), icon="open"),

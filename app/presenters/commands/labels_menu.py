@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Final
 
-from app.presenters.commands.checks import editable, selected, session
 from app.presenters.commands.command import Command
+from app.presenters.commands.enablement import editable, selected, session
 
 COMMANDS: Final = (
     Command("labels.parts", "Labels", "Body parts", ("Alt+1",), editable, True),

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Final
 
-from app.presenters.commands.checks import live, recording
 from app.presenters.commands.command import Command
+from app.presenters.commands.enablement import live, recording
 
 COMMANDS: Final = (
     Command("play.toggle", "Playback", "Play or pause", ("Space",), recording, icon="play"),

@@ -4,57 +4,57 @@ from __future__ import annotations
 
 from typing import Final
 
-from app.presenters.commands.checks import editable, recording, scored, session, trackable
-from app.presenters.commands.command import Command, Situation
-from app.presenters.words import tr
+from app.presenters.commands.command import Command, CommandContext
+from app.presenters.commands.enablement import editable, recording, scored, session, trackable
+from app.presenters.i18n import tr
 
 
-def _listed(now: Situation) -> str:
+def _listed(now: CommandContext) -> str:
     """Something must be left in the queue, or be compared."""
     if now.suspicions or now.comparing or now.suggesting:
         return ""
     return session(now) or tr("nothing is left to look at")
 
 
-def _looked_at(now: Situation) -> str:
+def _looked_at(now: CommandContext) -> str:
     """A suspicion must be looked at."""
     return session(now) or ("" if now.suspicion else tr("press N to go to a suspicion first"))
 
 
-def _decidable(now: Situation) -> str:
+def _decidable(now: CommandContext) -> str:
     """A suspicion must be looked at in a session that can be changed."""
     return editable(now) or _looked_at(now)
 
 
-def _fixable(now: Situation) -> str:
+def _fixable(now: CommandContext) -> str:
     """The suspicion must say what would put it right."""
     said = tr("this one can only be looked at: correct it by hand, or say that it is right")
     return _decidable(now) or ("" if now.fixable else said)
 
 
-def _watched(now: Situation) -> str:
+def _watched(now: CommandContext) -> str:
     """A stretch must have been watched."""
     return editable(now) or ("" if now.watched else tr("play a stretch first"))
 
 
-def _watched_of_some(now: Situation) -> str:
+def _watched_of_some(now: CommandContext) -> str:
     """A stretch must have been watched, with somebody selected."""
     return _watched(now) or ("" if now.selected else tr("select a person first"))
 
 
-def _tracked(now: Situation) -> str:
+def _tracked(now: CommandContext) -> str:
     """There must be corrected tracks, and a tracker that can go on from them."""
     return session(now) or trackable(now)
 
 
-def _unflagged(now: Situation) -> str:
+def _unflagged(now: CommandContext) -> str:
     """The tracks must be of no tracker, and not looked through yet."""
     if now.unflagged:
         return ""
     return session(now) or tr("the tracks are looked through already")
 
 
-def _with_truth(now: Situation) -> str:
+def _with_truth(now: CommandContext) -> str:
     """There must be tracks, and a truth beside the recording."""
     return session(now) or ("" if now.truth else tr("the recording has no truth.txt"))
 

@@ -4,28 +4,28 @@ from __future__ import annotations
 
 from typing import Final
 
-from app.presenters.commands.checks import selected, session, trackable
-from app.presenters.commands.command import Command, Situation
-from app.presenters.words import tr
+from app.presenters.commands.command import Command, CommandContext
+from app.presenters.commands.enablement import selected, session, trackable
+from app.presenters.i18n import tr
 
 
-def _anybody(now: Situation) -> str:
+def _anybody(now: CommandContext) -> str:
     """There must be somebody to select."""
     return "" if now.tracks else tr("there are no tracks yet")
 
 
-def _chosen(now: Situation) -> str:
+def _chosen(now: CommandContext) -> str:
     """A person must be selected, also while a tracker is at work."""
     return "" if now.selected else tr("select a person first")
 
 
-def _reachable(now: Situation) -> str:
+def _reachable(now: CommandContext) -> str:
     """They must be in view still when the playhead is moved."""
     shown_again = tr("moving the playhead shows your own tracks again: select one of those")
     return _chosen(now) or (shown_again if now.further else "")
 
 
-def _to_leave(now: Situation) -> str:
+def _to_leave(now: CommandContext) -> str:
     """There must be a selection, an edit or a label to leave."""
     return "" if now.selected or now.editing or now.labelling else tr("nobody is selected")
 

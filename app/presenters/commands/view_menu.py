@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Final
 
-from app.presenters.commands.checks import floor, recording, two_eyes
 from app.presenters.commands.command import Command
+from app.presenters.commands.enablement import floor, recording, two_eyes
 
 _LOOK = "theme colours"
 

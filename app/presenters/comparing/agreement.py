@@ -12,8 +12,8 @@ from app.presenters.comparing.agreement_scene import (
     DisagreementRow,
 )
 from app.presenters.comparing.other_people import OtherPeople
+from app.presenters.i18n import span_text, tr
 from app.presenters.track_colours import ColourOf
-from app.presenters.words import span_text, tr
 from tracking.errors import SessionError
 from tracking.progress import Progress
 from tracking.recording import Recording

@@ -9,18 +9,18 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from app.presenters.comparing.difference_search import Found, search_in
 from app.presenters.comparing.differences_scene import (
     DifferenceItem,
     DifferencesScene,
     Side,
     Sorted,
 )
-from app.presenters.comparing.finding import Found, search_in
 from app.presenters.document.session_tracks import SessionTracks
+from app.presenters.i18n import span_text, tr
 from app.presenters.reviewing.review_scene import ReviewPerson
 from app.presenters.scenes import PreviewTrail
 from app.presenters.track_colours import ColourOf
-from app.presenters.words import span_text, tr
 from tracking.editing import (
     Change,
     Difference,

@@ -1,16 +1,15 @@
 """Edits on their way: what they are, what they would do, how that is shown before Enter."""
 
-from app.presenters.correcting.beginning import begun_box, begun_place
+from app.presenters.correcting.edit_context import EditContext
 from app.presenters.correcting.flow import EditFlow, Fill, Range
-from app.presenters.correcting.footing import Footing, Place
-from app.presenters.correcting.ground import Ground
+from app.presenters.correcting.initial_box import begun_box, begun_place
 from app.presenters.correcting.kinds import (
     OF_SEVERAL,
     OF_TWO,
     PLACING,
     SCOPES,
     EditKind,
-    Reach,
+    EditScope,
     Way,
 )
 from app.presenters.correcting.preview import (
@@ -20,23 +19,24 @@ from app.presenters.correcting.preview import (
     replaced_rows,
     shown_edit,
 )
-from app.presenters.correcting.previewed import PreviewedTracks
+from app.presenters.correcting.preview_tracks import PreviewedTracks
+from app.presenters.correcting.recording_geometry import Place, RecordingGeometry
 
 __all__ = [
     "OF_SEVERAL",
     "OF_TWO",
     "PLACING",
     "SCOPES",
+    "EditContext",
     "EditFlow",
     "EditKind",
+    "EditScope",
     "Fill",
-    "Footing",
-    "Ground",
     "Place",
     "PlannedEdit",
     "PreviewedTracks",
     "Range",
-    "Reach",
+    "RecordingGeometry",
     "Way",
     "begun_box",
     "begun_place",

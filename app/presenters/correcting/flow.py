@@ -5,17 +5,17 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from enum import Enum
 
-from app.presenters.correcting.footing import Place
 from app.presenters.correcting.kinds import (
     OF_TWO,
     PLACING,
     SCOPES,
     WAYS,
     EditKind,
+    EditScope,
     Longest,
-    Reach,
     Way,
 )
+from app.presenters.correcting.recording_geometry import Place
 from tracking.editing import SwapFrame
 from tracking.tracks import Box
 
@@ -30,7 +30,7 @@ class Fill(Enum):
     FILL = "fill between them"
 
 
-Option = Reach | Way | Fill | Longest
+Option = EditScope | Way | Fill | Longest
 """One of the things that can be chosen between."""
 
 
@@ -58,7 +58,7 @@ class EditFlow:
     end: int
     also: tuple[int, ...] = ()
     other: int = 0
-    scope: Reach = Reach.ON
+    scope: EditScope = EditScope.ON
     way: Way = Way.FLOOR
     fill: Fill = Fill.LEAVE
     longest: Longest = Longest.SECOND
@@ -79,7 +79,7 @@ class EditFlow:
         frame: int,
         fps: float,
         *,
-        scope: Reach | None = None,
+        scope: EditScope | None = None,
         marked: Range | None = None,
         has_floor: bool = False,
     ) -> EditFlow:
@@ -119,12 +119,12 @@ class EditFlow:
     @property
     def has_cut(self) -> bool:
         """Whether the cut can be moved."""
-        return not self.places and self.scope not in (Reach.WHOLE,)
+        return not self.places and self.scope not in (EditScope.WHOLE,)
 
     @property
     def has_end(self) -> bool:
         """Whether the end can be moved."""
-        return self.scope is Reach.RANGE
+        return self.scope is EditScope.RANGE
 
     @property
     def leads(self) -> bool:
@@ -139,12 +139,12 @@ class EditFlow:
     @property
     def start(self) -> int:
         """The first frame the edit may touch."""
-        return 0 if self.scope is Reach.WHOLE else self.cut
+        return 0 if self.scope is EditScope.WHOLE else self.cut
 
     @property
     def stop(self) -> int | None:
         """The frame the edit ends before; None: it goes on to the end."""
-        return {Reach.RANGE: self.end, Reach.FRAME: self.cut + 1}.get(self.scope)
+        return {EditScope.RANGE: self.end, EditScope.FRAME: self.cut + 1}.get(self.scope)
 
     # steps
 
@@ -179,13 +179,15 @@ class EditFlow:
     def with_range(self, start: int, end: int) -> EditFlow:
         """The edit over a range; where it can go that far, it does from now on."""
         ranged = replace(self, marked=(start, end))
-        return ranged.with_scope(Reach.RANGE) if Reach.RANGE in SCOPES[self.kind] else ranged
+        return (
+            ranged.with_scope(EditScope.RANGE) if EditScope.RANGE in SCOPES[self.kind] else ranged
+        )
 
-    def with_scope(self, scope: Reach) -> EditFlow:
+    def with_scope(self, scope: EditScope) -> EditFlow:
         """The edit going as far; a range is the one the user has set, where there is one."""
         if scope not in SCOPES[self.kind]:
             return self
-        if scope is Reach.RANGE and self.marked is not None:
+        if scope is EditScope.RANGE and self.marked is not None:
             start, end = self.marked
             return replace(self, scope=scope, cut=start, end=end, proposed=False)
         return replace(self, scope=scope)
@@ -201,7 +203,7 @@ class EditFlow:
         if self.kind is EditKind.FILL_ALL:
             return tuple(Longest), ways
         if self.kind is EditKind.DRAW and not self.track:
-            return (Reach.FRAME,), ()
+            return (EditScope.FRAME,), ()
         return SCOPES[self.kind], ways
 
     def chosen(self, row: int) -> int:
@@ -216,7 +218,7 @@ class EditFlow:
         if not options:
             return self
         option = options[number % len(options)]
-        if isinstance(option, Reach):
+        if isinstance(option, EditScope):
             return self.with_scope(option)
         if isinstance(option, Longest):
             return replace(self, longest=option)

@@ -29,7 +29,7 @@ class EditKind(Enum):
     REVIEW = "review"
 
 
-class Reach(Enum):
+class EditScope(Enum):
     """How far an edit goes."""
 
     ON = "from here on"
@@ -66,25 +66,25 @@ class Way(Enum):
     FLOOR = "floor"
 
 
-_ANY: Final = (Reach.ON, Reach.RANGE, Reach.FRAME, Reach.WHOLE)
-_STRETCH: Final = (Reach.FRAME, Reach.RANGE, Reach.ON, Reach.WHOLE)
+_ANY: Final = (EditScope.ON, EditScope.RANGE, EditScope.FRAME, EditScope.WHOLE)
+_STRETCH: Final = (EditScope.FRAME, EditScope.RANGE, EditScope.ON, EditScope.WHOLE)
 _PATHS: Final = (Way.FLOOR, Way.LINEAR)
 
-SCOPES: Final[Mapping[EditKind, tuple[Reach, ...]]] = {
+SCOPES: Final[Mapping[EditKind, tuple[EditScope, ...]]] = {
     EditKind.SWAP: _ANY,
-    EditKind.SPLIT: (Reach.ON,),
-    EditKind.MERGE: (Reach.WHOLE,),
+    EditKind.SPLIT: (EditScope.ON,),
+    EditKind.MERGE: (EditScope.WHOLE,),
     EditKind.REASSIGN: _ANY,
     EditKind.DELETE: _ANY,
-    EditKind.DRAW: (Reach.FRAME, Reach.JOINED),
-    EditKind.MOVE: (Reach.FRAME,),
-    EditKind.FLOOR: (Reach.FRAME,),
-    EditKind.INTERPOLATE: (Reach.BETWEEN, Reach.RANGE),
-    EditKind.FILL: (Reach.GAP,),
-    EditKind.FILL_ALL: (Reach.WHOLE,),
-    EditKind.KEYFRAME: (Reach.FRAME,),
-    EditKind.NO_KEYFRAME: (Reach.FRAME,),
-    EditKind.THIN: (Reach.RANGE, Reach.ON, Reach.WHOLE),
+    EditKind.DRAW: (EditScope.FRAME, EditScope.JOINED),
+    EditKind.MOVE: (EditScope.FRAME,),
+    EditKind.FLOOR: (EditScope.FRAME,),
+    EditKind.INTERPOLATE: (EditScope.BETWEEN, EditScope.RANGE),
+    EditKind.FILL: (EditScope.GAP,),
+    EditKind.FILL_ALL: (EditScope.WHOLE,),
+    EditKind.KEYFRAME: (EditScope.FRAME,),
+    EditKind.NO_KEYFRAME: (EditScope.FRAME,),
+    EditKind.THIN: (EditScope.RANGE, EditScope.ON, EditScope.WHOLE),
     EditKind.OCCLUDE: _STRETCH,
     EditKind.SHOW: _STRETCH,
     EditKind.REVIEW: _STRETCH,

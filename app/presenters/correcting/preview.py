@@ -8,15 +8,15 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from app.presenters.correcting.edit_context import EditContext
+from app.presenters.correcting.edit_planner import plan_of
+from app.presenters.correcting.edit_texts import preview_scene
 from app.presenters.correcting.flow import EditFlow, Range
-from app.presenters.correcting.ground import Ground
-from app.presenters.correcting.planning import plan_of
-from app.presenters.correcting.previewed import changed_rows, within
-from app.presenters.correcting.wording import preview_scene
-from app.presenters.document.shown import joined
+from app.presenters.correcting.preview_tracks import changed_rows, within
+from app.presenters.document.track_reader import joined
+from app.presenters.i18n import tr
 from app.presenters.scenes import EditPreview, PreviewTrail
 from app.presenters.track_colours import ColourOf
-from app.presenters.words import tr
 from tracking.editing import Change
 from tracking.errors import EditError
 from tracking.tracks import Columns
@@ -43,7 +43,7 @@ class PlannedEdit:
     after: tuple[Columns, ...] = ()
 
 
-def planned_edit(flow: EditFlow, on: Ground, problem: str = "") -> PlannedEdit:
+def planned_edit(flow: EditFlow, on: EditContext, problem: str = "") -> PlannedEdit:
     """Plan the edit and say what it would do; a plan that does not apply says why.
 
     `problem` is said instead where the other person was not to be found.
@@ -59,7 +59,7 @@ def planned_edit(flow: EditFlow, on: Ground, problem: str = "") -> PlannedEdit:
     return shown_edit(flow, on, change, problem)
 
 
-def shown_edit(flow: EditFlow, on: Ground, change: Change, problem: str = "") -> PlannedEdit:
+def shown_edit(flow: EditFlow, on: EditContext, change: Change, problem: str = "") -> PlannedEdit:
     """An edit whose change is known already, shown around its cut."""
     around = round(AROUND_S * on.footing.fps)
     window = max(0, flow.cut - around), flow.cut + around
@@ -89,7 +89,7 @@ def replaced_rows(planned: PlannedEdit | None, frame: int) -> Columns | None:
     return rows if len(rows["frame"]) else None
 
 
-def _rows_of(on: Ground, change: Change, window: Range) -> Columns:
+def _rows_of(on: EditContext, change: Change, window: Range) -> Columns:
     """The rows of everybody the change is about, around it."""
     parts = [on.table.of_track(track, *window) for track in change.tracks]
     return joined(parts)

@@ -7,9 +7,9 @@ from typing import TypeVar
 import numpy as np
 
 from app.presenters.counting.counting_scene import Floats, FlowScene
+from app.presenters.i18n import tr
 from app.presenters.pictures.colour_scales import VIRIDIS
 from app.presenters.scenes import LegendEntry
-from app.presenters.words import tr
 from tracking.counting import FlowMap
 
 Share = TypeVar("Share", float, Floats)

@@ -16,7 +16,7 @@ from app.presenters.counting.counting_scene import (
     CountPlot,
     Floats,
 )
-from app.presenters.words import tr
+from app.presenters.i18n import tr
 from tracking.counting import Counts, Occupancy, Passages, Steps
 
 Flags = NDArray[np.bool_]

@@ -5,15 +5,16 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 
 from app.presenters.comparing.differences import Comparison
-from app.presenters.correcting import EditFlow, Footing, Ground, PlannedEdit
-from app.presenters.correcting.correcting import Correcting
-from app.presenters.correcting.planning import refuse_too_large
-from app.presenters.document.instant import Instant
-from app.presenters.document.instants import Instants
-from app.presenters.document.own_colours import ColoursDue
+from app.presenters.correcting import EditContext, EditFlow, PlannedEdit, RecordingGeometry
+from app.presenters.correcting.correction import Correcting
+from app.presenters.correcting.edit_planner import refuse_too_large
+from app.presenters.document.frame_state import FrameState
+from app.presenters.document.frame_state_builder import FrameStateBuilder
 from app.presenters.document.selection import Selection
-from app.presenters.document.showing import Showing
-from app.presenters.document.shown import WholeTracks
+from app.presenters.document.session_colours import ColoursDue
+from app.presenters.document.track_reader import WholeTracks
+from app.presenters.document.track_source import TrackSource
+from app.presenters.i18n import tr
 from app.presenters.panels import EditMarks, HistoryList, track_card
 from app.presenters.parts.detector_choice import DetectorChoice, PartsAsked
 from app.presenters.parts.part_curve import LaneScore
@@ -23,7 +24,6 @@ from app.presenters.pictures.pictures import PicturePresenter
 from app.presenters.scenes import Colour, HistoryItem, TimelineMark, TimelineScene, TrackCard
 from app.presenters.timeline.lanes import TimelinePresenter
 from app.presenters.track_colours import TrackColours
-from app.presenters.words import tr
 from tracking.editing import Change, Written
 from tracking.errors import EditError, SessionError
 from tracking.pipeline import KeptSteps
@@ -49,14 +49,16 @@ class Document:
     def __init__(self, recording: Recording, session: Session | None = None) -> None:
         self.recording = recording
         self.selection = Selection()
-        self._showing = Showing(session)
+        self._showing = TrackSource(session)
         self._author = ""
-        self._footing = Footing.of(recording)
+        self._footing = RecordingGeometry.of(recording)
         self.correcting = Correcting(self.selection, self._footing, self._ground)
         self.pictures = PicturePresenter(recording)
         self.overhead = OverheadPresenter(recording)
         self._timeline = TimelinePresenter(recording.frame_count, recording.fps)
-        self._instants = Instants(self._showing, self.selection, self.correcting, self.pictures)
+        self._instants = FrameStateBuilder(
+            self._showing, self.selection, self.correcting, self.pictures
+        )
         self.settle: Settle | None = None
         self.edited: tuple[int, ...] = ()
         self.detector, self.detector_chosen = DetectorChoice(), False
@@ -189,7 +191,7 @@ class Document:
 
     # what the views show
 
-    def instant(self, frame: int) -> Instant:
+    def instant(self, frame: int) -> FrameState:
         """The frame as the pictures and the floor show it: with what is compared, too."""
         return self._instants.compared(frame, self.comparison)
 
@@ -249,7 +251,7 @@ class Document:
         here: list[int] = self.tracks.of_frame(frame)["track"].tolist()
         return here or list(self.tracks.ids)
 
-    def _ground(self) -> Ground | None:
+    def _ground(self) -> EditContext | None:
         """What edits are planned on; None: they cannot be planned now."""
         return self._showing.ground(self._footing)
 

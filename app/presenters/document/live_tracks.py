@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from app.presenters.document.shown import ShownTracks, Spans, WholeTracks, joined
+from app.presenters.document.track_reader import Spans, TrackReader, WholeTracks, joined
 from tracking.pipeline import KeptSteps
 from tracking.trackers import StepResult
 from tracking.tracks import PART_COLUMNS, TRACK_COLUMNS, Columns, empty
@@ -119,7 +119,7 @@ class LiveTracks:
 
     def keyframes(
         self,
-        tracks: Iterable[int] | None = None,  # noqa: ARG002 - part of `ShownTracks`
+        tracks: Iterable[int] | None = None,  # noqa: ARG002 - part of `TrackReader`
     ) -> dict[int, NDArray[np.int64]]:
         """None: a tracker is no person."""
         return {}
@@ -256,7 +256,7 @@ class ContinuedTracks:
 
         return read
 
-    def _part(self, frame: int) -> ShownTracks:
+    def _part(self, frame: int) -> TrackReader:
         return self._before if frame < self._frame else self._live
 
     def _joined(self, late: dict[int, Spans]) -> dict[int, Spans]:

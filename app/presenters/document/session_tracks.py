@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from app.presenters.document.shown import Spans
+from app.presenters.document.track_reader import Spans
 from app.presenters.scenes import SpanKind
 from tracking.errors import SessionError
 from tracking.session import ids_by_now, parts_by_now

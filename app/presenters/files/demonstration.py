@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from app.presenters.files.opening import own_folder
+from app.presenters.files.document_loader import own_folder
 from tracking.errors import OutputError, TrackwrightError
 from tracking.recording import open_recording
 from tracking.synthesis import render_recording

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Final
 
-from app.presenters.words import tr
+from app.presenters.i18n import tr
 from tracking.formats import FORMATS, TrackFormat
 
 _BOXES: Final = "Boxes of the left picture, places on the floor where they are known; for scorers."

@@ -7,9 +7,9 @@ from collections.abc import Mapping
 from datetime import datetime
 from pathlib import Path
 
-from app.presenters.files.opening import unsaved_folder
+from app.presenters.files.document_loader import unsaved_folder
+from app.presenters.i18n import tr
 from app.presenters.scenes import RecentItem, WelcomeScene
-from app.presenters.words import tr
 
 
 def first_page(recent: Mapping[Path, str]) -> WelcomeScene:

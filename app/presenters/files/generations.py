@@ -9,8 +9,8 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from app.presenters.i18n import counted, tr
 from app.presenters.panels import local_time
-from app.presenters.words import counted, tr
 from tracking.editing import Entry
 from tracking.progress import Progress
 from tracking.session import Generation, list_generations

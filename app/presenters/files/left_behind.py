@@ -6,13 +6,13 @@ import logging
 from dataclasses import replace
 from pathlib import Path
 
-from app.presenters.files.opening import (
+from app.presenters.files.document_loader import (
     Opened,
     is_unsaved_place,
     open_path,
     unsaved_folder,
 )
-from app.presenters.words import tr
+from app.presenters.i18n import tr
 from tracking.errors import TrackwrightError
 from tracking.progress import Progress
 from tracking.recording import OpenOptions, Recording

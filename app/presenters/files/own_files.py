@@ -16,8 +16,8 @@ from pathlib import Path
 
 from platformdirs import user_state_path
 
+from tracking.atomic_output import replacing
 from tracking.errors import OutputError
-from tracking.replacing import replacing
 
 _MOST_FILES = 2000
 """The oldest are forgotten: about 300 kB of names and digests."""

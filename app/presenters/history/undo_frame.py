@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from app.presenters.document.shown import ShownTracks
+from app.presenters.document.track_reader import TrackReader
 from tracking.editing import Change
 
 
-def is_seen_at(change: Change, frame: int, tracks: ShownTracks) -> bool:
+def is_seen_at(change: Change, frame: int, tracks: TrackReader) -> bool:
     """Whether somebody at a frame sees what a change is about, and need not go elsewhere.
 
     Rows are looked at where they change. Labels are seen in all frames they are about: of a track

@@ -5,19 +5,19 @@ from __future__ import annotations
 from collections import Counter
 from dataclasses import dataclass, replace
 
-from app.presenters.correcting import Reach
+from app.presenters.correcting import EditScope
 from app.presenters.document.document import Document
+from app.presenters.i18n import tr
 from app.presenters.labelling.labelling_scene import PartLine, Suggested
 from app.presenters.labelling.parts import parts_of, parts_over
-from app.presenters.parts.picturing import part_name
+from app.presenters.parts.part_views import part_name
 from app.presenters.scenes import ChoiceRow
-from app.presenters.words import tr
 from tracking.editing import Change, plan_label_part, plan_unlabel_part
 from tracking.errors import EditError
 from tracking.tracks import PART_NAMES, Box, Labels, PartLabel, PartLabels, Run
 
 SAID: dict[bool | None, str] = {True: "on", False: "off", None: "unsure"}
-SCOPES = (Reach.FRAME, Reach.RANGE)
+SCOPES = (EditScope.FRAME, EditScope.RANGE)
 _Counts = Counter[tuple[int, bool | None]]
 
 
@@ -33,7 +33,7 @@ class PartChoice:
 
     part: int = 0
     step: int = 1
-    scope: Reach = Reach.FRAME
+    scope: EditScope = EditScope.FRAME
     suggested: Suggested | None = None
 
 
@@ -96,7 +96,7 @@ class PartLabelling:
 
     def _meant(self, frame: int) -> list[PartLabel]:
         """The rectangles an answer is about."""
-        if self.choice.scope is Reach.RANGE:
+        if self.choice.scope is EditScope.RANGE:
             return self._in_range()
         there = self.parts(frame).get(self.choice.part)
         if there is None:
@@ -140,7 +140,7 @@ class PartLabelling:
 
     def plan_forget(self, frame: int) -> Change:
         """Take back what was said of the chosen part in the frame, or in the range."""
-        if self.choice.scope is Reach.FRAME:
+        if self.choice.scope is EditScope.FRAME:
             return plan_unlabel_part(self._labels, (frame, self._track, self.choice.part))
         keys = [one.key for one in self._in_range() if one.key in self._labels.parts]
         return plan_unlabel_part(self._labels, *keys)

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
+from app.presenters.i18n import tr
 from app.presenters.labelling.labelling_scene import PartMark, Suggested
 from app.presenters.labelling.part_labelling import SAID
+from app.presenters.parts.part_views import part_name
 from app.presenters.parts.parts_scene import CardLine, PartBox, PartCard, Verdict
-from app.presenters.parts.picturing import part_name
 from app.presenters.scenes import Colour
 from app.presenters.track_colours import ColourOf
-from app.presenters.words import tr
 
 
 def cards_of(

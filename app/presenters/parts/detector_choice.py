@@ -9,7 +9,7 @@ from datetime import datetime
 from pathlib import Path
 from typing import Any
 
-from app.presenters.words import tr
+from app.presenters.i18n import tr
 from tracking.failure import Detector, built_in_detector, load_detector
 from tracking.trackers import occluders_as_setting, settings_fields, settings_from
 from tracking.tracks import Occluder

@@ -7,8 +7,8 @@ from collections.abc import Callable, Iterator
 import numpy as np
 from numpy.typing import NDArray
 
+from app.presenters.parts.part_views import by_rule
 from app.presenters.parts.parts_scene import Failure
-from app.presenters.parts.picturing import by_rule
 from tracking.tracks import Columns
 
 Ids = Callable[[int], dict[int, int]]

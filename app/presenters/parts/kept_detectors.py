@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from app.presenters.files import opening
+from app.presenters.files import document_loader
 from app.presenters.parts.detector_choice import DetectorChoice
 from tracking.failure import Detector, save_detector
 
@@ -12,7 +12,7 @@ def kept(detector: Detector) -> DetectorChoice:
 
     Raises OutputError, or OSError, where it cannot be written.
     """
-    folder = opening.own_folder() / "detectors"
+    folder = document_loader.own_folder() / "detectors"
     folder.mkdir(parents=True, exist_ok=True)
     path = folder / kept_name(detector)
     save_detector(path, detector)

@@ -10,8 +10,8 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from app.presenters.parts.taught import Source, known_box
 from app.presenters.parts.training_result import MistakeItem
+from app.presenters.parts.training_set import Source, known_box
 from tracking.errors import CancelledError, TrackwrightError
 from tracking.progress import Progress
 from tracking.recording import Recording

@@ -7,22 +7,22 @@ from collections.abc import Callable
 import numpy as np
 
 from app.presenters.document.document import Document
-from app.presenters.document.instant import Instant, Pictured
+from app.presenters.document.frame_state import FrameState, ViewOptions
 from app.presenters.labelling.labelling_scene import PictureLabels, Suggested
 from app.presenters.parts.cards import cards_of
 from app.presenters.parts.failures import PartFailures
 from app.presenters.parts.part_curve import LaneScore, PartCurve
+from app.presenters.parts.part_views import (
+    curves_of,
+    curves_scene,
+    pictured_boxes,
+    with_particles,
+)
 from app.presenters.parts.parts_scene import (
     CurvesScene,
     Failure,
     PartBox,
     PicturedParts,
-)
-from app.presenters.parts.picturing import (
-    curves_of,
-    curves_scene,
-    pictured_boxes,
-    with_particles,
 )
 from app.presenters.parts.truth_labels import truth_path
 from tracking.session import ids_by_now
@@ -70,8 +70,8 @@ class PartsPresenter:
 
     def picture(
         self,
-        instant: Instant,
-        pictured: Pictured,
+        instant: FrameState,
+        pictured: ViewOptions,
         labels: PictureLabels = _NO_LABELS,
         suggested: Suggested | None = None,
     ) -> PicturedParts:
@@ -93,7 +93,7 @@ class PartsPresenter:
             return parts
         return with_particles(parts, instant, self._chosen())
 
-    def curves(self, instant: Instant) -> CurvesScene:
+    def curves(self, instant: FrameState) -> CurvesScene:
         """The plots of the selected person."""
         recording, curves = self._document.recording, self._curves_now()
         part = self._chosen()

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
+from app.presenters.i18n import time_text, tr
 from app.presenters.labelling.labelling_scene import Suggested
 from app.presenters.palette import NOBODY
 from app.presenters.parts.detector_choice import DetectorChoice
-from app.presenters.parts.picturing import part_name
-from app.presenters.words import time_text, tr
+from app.presenters.parts.part_views import part_name
 from tracking.errors import EditError
 from tracking.failure import Suggestion, suggest
-from tracking.session.belonging import parts_by_now
+from tracking.session.provenance import parts_by_now
 from tracking.tracks import Labels, Run, TrackTable
 
 

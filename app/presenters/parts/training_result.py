@@ -7,9 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from app.presenters.parts.picturing import part_name
-from app.presenters.parts.taught import Source, Taught
-from app.presenters.words import time_text, tr
+from app.presenters.i18n import time_text, tr
+from app.presenters.parts.part_views import part_name
+from app.presenters.parts.training_set import Source, TrainingSet
 from tracking.failure import Curve, Detector, Trained
 from tracking.failure.training import Mistake
 from tracking.tracks import PART_NAMES, Box
@@ -128,7 +128,7 @@ class TrainingResult:
         chosen: the part whose point is moved; -1: that of all.
     """
 
-    def __init__(self, trained: Trained, taught: Taught) -> None:
+    def __init__(self, trained: Trained, taught: TrainingSet) -> None:
         self.trained = trained
         self.taught = taught
         self.detector: Detector = trained.detector

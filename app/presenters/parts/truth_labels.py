@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from app.presenters.words import tr
+from app.presenters.i18n import tr
 from tracking.editing import Change, plan_label_part
 from tracking.errors import EditError
 from tracking.failure import labels_from_truth
 from tracking.recording import Recording
-from tracking.session.belonging import parts_by_now
+from tracking.session.provenance import parts_by_now
 from tracking.tracks import Labels, Run, TrackTable
 from tracking.truth import TRUE_PARTS, read_true_parts
 

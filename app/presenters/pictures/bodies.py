@@ -9,11 +9,11 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from app.presenters.document.instant import Instant, Pictured
+from app.presenters.document.frame_state import FrameState, ViewOptions
+from app.presenters.i18n import tr
 from app.presenters.pictures.of_run import MadeBy, settings_of
 from app.presenters.pictures.overhead import relative_weights
 from app.presenters.scenes import Colour, LegendEntry
-from app.presenters.words import tr
 from tracking.geometry import View
 from tracking.trackers.flow import FlowSettings, kernel_rectangles
 from tracking.trackers.spheroid import SpheroidSettings, outlines, region_of_evaluation
@@ -48,7 +48,7 @@ class BodyPainter:
         self._view = view
 
     def over(
-        self, instant: Instant, pictured: Pictured, below: Rgba | None, shape: tuple[int, ...]
+        self, instant: FrameState, pictured: ViewOptions, below: Rgba | None, shape: tuple[int, ...]
     ) -> Rgba:
         """What is asked for over what lies over the left picture already, if anything does.
 
@@ -60,7 +60,7 @@ class BodyPainter:
         layer = _straight(layer)
         return layer if below is None else _laid_over(layer, below)
 
-    def _paint(self, instant: Instant, pictured: Pictured, below: Rgba) -> None:
+    def _paint(self, instant: FrameState, pictured: ViewOptions, below: Rgba) -> None:
         """Paint what is asked for; colours are multiplied by their opacity, see `_ink`."""
         if self._view is not None and pictured.evaluation and _has_regions(instant.run):
             self._paint_region(self._view, instant, below)
@@ -71,7 +71,7 @@ class BodyPainter:
             if self._view is not None and _has_kernels(instant):
                 self._paint_kernel(self._view, instant, below)
 
-    def _paint_outlines(self, view: View, instant: Instant, below: Rgba) -> None:
+    def _paint_outlines(self, view: View, instant: FrameState, below: Rgba) -> None:
         """Of the selected person's particles, or of everybody's; the heavier the clearer."""
         particles = instant.tracks.particles(instant.frame)
         weights = relative_weights(particles)
@@ -87,7 +87,7 @@ class BodyPainter:
         drawn = outlines(view, xy, tall, settings.radius_m, _POINTS)
         _stroke(below, drawn, instant.colours.of_all(tracks), weights[rows])
 
-    def _paint_region(self, view: View, instant: Instant, below: Rgba) -> None:
+    def _paint_region(self, view: View, instant: FrameState, below: Rgba) -> None:
         """Where a hypothesis at the selected person's place is judged, less what others cover.
 
         As published ([Waechter2013] eq. 2): only runs with the setting `paper` have one.
@@ -118,7 +118,7 @@ class BodyPainter:
         edge = _ink(_REGION_COLOUR, _EDGE_ALPHA)
         cv2.polylines(below, _fixed(region.outline[None]), True, edge, 2, cv2.LINE_AA, _SUBPIXEL)
 
-    def _paint_kernel(self, view: View, instant: Instant, below: Rgba) -> None:
+    def _paint_kernel(self, view: View, instant: FrameState, below: Rgba) -> None:
         """The rectangle in which mean shift gathers tracklets round the selected person's middle.
 
         A run that holds tracklets gathers so only those that are nobody's yet.
@@ -138,7 +138,7 @@ class BodyPainter:
             cv2.polylines(below, _fixed(corners), True, shade, width, cv2.LINE_AA, _SUBPIXEL)
 
 
-def legend_of(instant: Instant, pictured: Pictured) -> tuple[LegendEntry, ...]:
+def legend_of(instant: FrameState, pictured: ViewOptions) -> tuple[LegendEntry, ...]:
     """What is laid over the picture, as far as it is seen in the frame."""
     said = {
         "outlines": (_LIGHT, tr("hypotheses: the clearer, the likelier")),
@@ -152,11 +152,11 @@ def legend_of(instant: Instant, pictured: Pictured) -> tuple[LegendEntry, ...]:
     return tuple(entries)
 
 
-def _seen(instant: Instant, name: str) -> bool:
+def _seen(instant: FrameState, name: str) -> bool:
     return not why_nothing(instant, name)
 
 
-def why_nothing(instant: Instant, name: str) -> str:
+def why_nothing(instant: FrameState, name: str) -> str:
     """What to do where something that was asked for is not seen in the frame; "": it is."""
     tracks, frame = instant.tracks, instant.frame
     if name == "tracklets" and not len(tracks.tracklets(frame)["track"]):
@@ -180,14 +180,14 @@ def _has_regions(run: MadeBy | None) -> bool:
     return settings_of(run, "spheroid", SpheroidSettings).paper
 
 
-def _has_kernels(instant: Instant) -> bool:
+def _has_kernels(instant: FrameState) -> bool:
     """Whether tracklets are gathered by mean shift here."""
     if instant.run is None:
         return bool(len(instant.tracks.tracklets(instant.frame)["track"]))
     return instant.run.tracker == "flow"
 
 
-def _heights(instant: Instant, tracks: NDArray[np.int32], settings: SpheroidSettings) -> Floats:
+def _heights(instant: FrameState, tracks: NDArray[np.int32], settings: SpheroidSettings) -> Floats:
     """(n,) m of the bodies of tracks (n,): as estimated, else as newcomers'."""
     rows = instant.tracks.signals(instant.frame)
     known = np.isfinite(rows["height_m"])
@@ -197,7 +197,7 @@ def _heights(instant: Instant, tracks: NDArray[np.int32], settings: SpheroidSett
     return np.array([estimated.get(track, settings.newcomer_m) for track in tracks.tolist()])
 
 
-def _paint_tracklets(instant: Instant, below: Rgba) -> None:
+def _paint_tracklets(instant: FrameState, below: Rgba) -> None:
     """Last positions as strokes in their person's colour, a dot where each point is now."""
     rows = instant.tracks.tracklets(instant.frame)
     ways = _ways(rows)

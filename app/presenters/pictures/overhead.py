@@ -7,11 +7,11 @@ from collections.abc import Iterator, Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from app.presenters.document.instant import Instant
+from app.presenters.document.frame_state import FrameState
+from app.presenters.i18n import tr
 from app.presenters.pictures.extent import MARGIN_M, Bounds, extent, reach_m, united
 from app.presenters.pictures.trails import TRAIL_S, floor_points, trails_by_track
 from app.presenters.scenes import FloorPerson, OverheadScene
-from app.presenters.words import tr
 from tracking.recording import Recording
 from tracking.tracks import Columns
 
@@ -55,7 +55,7 @@ class OverheadPresenter:
         """Left, bottom, right and top of the floor worth showing, m."""
         return self._bounds
 
-    def scene(self, instant: Instant) -> OverheadScene:
+    def scene(self, instant: FrameState) -> OverheadScene:
         """The floor at the instant."""
         particles = instant.tracks.particles(instant.frame)
         measured = instant.tracks.detections(instant.frame)
@@ -76,21 +76,21 @@ class OverheadPresenter:
             movable=instant.movable and not instant.waits,
         )
 
-    def _people(self, instant: Instant) -> tuple[FloorPerson, ...]:
+    def _people(self, instant: FrameState) -> tuple[FloorPerson, ...]:
         recent = instant.tracks.recent(instant.frame, self._trail_frames)
         trails = trails_by_track(recent, floor_points(recent))
         people = _floor_people(instant.tracks.of_frame(instant.frame), instant, trails)
         return tuple(sorted(people, key=lambda person: person.selected))
 
 
-def _ghosts(instant: Instant) -> tuple[FloorPerson, ...]:
+def _ghosts(instant: FrameState) -> tuple[FloorPerson, ...]:
     """People where they are before an edit that waits, as far as it moves or takes them out."""
     rows = instant.replaced
     return () if rows is None else tuple(_floor_people(rows, instant, {}))
 
 
 def _floor_people(
-    rows: Columns, instant: Instant, trails: Mapping[int, Floats]
+    rows: Columns, instant: FrameState, trails: Mapping[int, Floats]
 ) -> Iterator[FloorPerson]:
     """Whoever of the rows has a known place."""
     names = ("track", "x", "y", "vx", "vy", "predicted")

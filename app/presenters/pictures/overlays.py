@@ -9,10 +9,10 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from app.presenters.i18n import tr
 from app.presenters.pictures.colour_scales import VIRIDIS
 from app.presenters.pictures.of_run import MadeBy
 from app.presenters.scenes import Colour, LegendEntry
-from app.presenters.words import tr
 from tracking.errors import CalibrationError, SettingsError
 from tracking.geometry import Rectification
 from tracking.people import Overlays, StereoPerception

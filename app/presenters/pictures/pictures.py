@@ -8,13 +8,13 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from app.presenters.document.instant import NO_OVERLAY, Instant, Pictured, PictureOverlay
+from app.presenters.document.frame_state import NO_OVERLAY, FrameState, PictureOverlay, ViewOptions
+from app.presenters.i18n import tr
 from app.presenters.pictures.anaglyph import Anaglyph
 from app.presenters.pictures.bodies import BodyPainter, legend_of
 from app.presenters.pictures.right_eye import boxes_in_right_eye
 from app.presenters.pictures.trails import TRAIL_S, floor_points, foot_points, trails_by_track
 from app.presenters.scenes import Eye, LegendEntry, PersonMark, PictureScene, PreviewTrail
-from app.presenters.words import tr
 from tracking.recording import Image, Recording, StereoFrame
 from tracking.tracks import Columns, Source
 
@@ -38,8 +38,8 @@ class PicturePresenter:
         self,
         eye: Eye,
         frame: StereoFrame | None,
-        instant: Instant,
-        pictured: Pictured,
+        instant: FrameState,
+        pictured: ViewOptions,
         laid: PictureOverlay = NO_OVERLAY,
     ) -> PictureScene:
         """One eye at the instant; without a frame, a scene that says it is being read.
@@ -69,8 +69,8 @@ class PicturePresenter:
     def anaglyph(
         self,
         frame: StereoFrame | None,
-        instant: Instant,
-        pictured: Pictured,
+        instant: FrameState,
+        pictured: ViewOptions,
         laid: PictureOverlay = NO_OVERLAY,
     ) -> PictureScene:
         """Both eyes in one picture for red and cyan glasses, with the left eye's people."""
@@ -78,13 +78,13 @@ class PicturePresenter:
         return scene if frame is None else self._anaglyph.scene(frame, scene)
 
     def _legend(
-        self, eye: Eye, instant: Instant, pictured: Pictured, laid: PictureOverlay
+        self, eye: Eye, instant: FrameState, pictured: ViewOptions, laid: PictureOverlay
     ) -> tuple[LegendEntry, ...]:
         if not pictured.bodies or eye is not Eye.LEFT:
             return laid.legend
         return (*legend_of(instant, pictured), *laid.legend)
 
-    def _preview(self, eye: Eye, instant: Instant) -> tuple[PreviewTrail, ...]:
+    def _preview(self, eye: Eye, instant: FrameState) -> tuple[PreviewTrail, ...]:
         """The trails of an edit that waits; for the right eye from their places on the floor."""
         if eye is Eye.LEFT:
             return instant.picture_preview
@@ -93,19 +93,21 @@ class PicturePresenter:
             replace(trail, points=points[np.isfinite(points).all(axis=1)]) for trail, points in seen
         )
 
-    def _people(self, eye: Eye, instant: Instant, pictured: Pictured) -> tuple[PersonMark, ...]:
+    def _people(
+        self, eye: Eye, instant: FrameState, pictured: ViewOptions
+    ) -> tuple[PersonMark, ...]:
         rows = instant.tracks.of_frame(instant.frame)
         trails = self._trails(eye, instant) if pictured.trails else {}
         marks = self._marks(eye, rows, instant, trails)
         return tuple(sorted(marks, key=lambda mark: mark.selected))
 
-    def _ghosts(self, eye: Eye, instant: Instant) -> tuple[PersonMark, ...]:
+    def _ghosts(self, eye: Eye, instant: FrameState) -> tuple[PersonMark, ...]:
         """People where they are before an edit that waits, as far as it moves or takes them out."""
         rows = instant.replaced
         return () if rows is None else tuple(self._marks(eye, rows, instant, {}))
 
     def _marks(
-        self, eye: Eye, rows: Columns, instant: Instant, trails: Mapping[int, Floats]
+        self, eye: Eye, rows: Columns, instant: FrameState, trails: Mapping[int, Floats]
     ) -> Iterator[PersonMark]:
         boxes = np.column_stack([rows[name] for name in ("left", "top", "width", "height")])
         if eye is Eye.RIGHT:
@@ -131,7 +133,7 @@ class PicturePresenter:
                     movable=track == movable,
                 )
 
-    def _trails(self, eye: Eye, instant: Instant) -> dict[int, Floats]:
+    def _trails(self, eye: Eye, instant: FrameState) -> dict[int, Floats]:
         rows = instant.tracks.recent(instant.frame, self._trail_frames)
         if eye is Eye.LEFT:
             return trails_by_track(rows, self.left_foot_points(rows))
@@ -166,8 +168,8 @@ class PicturePresenter:
     def _overlay(
         self,
         eye: Eye,
-        instant: Instant,
-        pictured: Pictured,
+        instant: FrameState,
+        pictured: ViewOptions,
         image: Image,
         laid: NDArray[np.uint8] | None,
     ) -> NDArray[np.uint8] | None:
@@ -177,7 +179,7 @@ class PicturePresenter:
         return self._particles(eye, instant, image, laid) if pictured.particles else laid
 
     def _particles(
-        self, eye: Eye, instant: Instant, image: Image, below: NDArray[np.uint8] | None
+        self, eye: Eye, instant: FrameState, image: Image, below: NDArray[np.uint8] | None
     ) -> NDArray[np.uint8]:
         """The particles as dots of their person's colour in a picture to lay over."""
         particles = instant.tracks.particles(instant.frame)

@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from app.presenters.i18n import tr
 from app.presenters.pictures.colour_scales import INFERNO
 from app.presenters.pictures.of_run import MadeBy, settings_of
 from app.presenters.pictures.overlays import Kinds
 from app.presenters.scenes import LegendEntry
-from app.presenters.words import tr
 from tracking.errors import CalibrationError
 from tracking.pipeline import background_samples
 from tracking.recording import Recording, StereoFrame

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from app.presenters.words import tr
+from app.presenters.i18n import tr
 from tracking.session import IMPORTED, Session
 
 _NO_TRACKERS = (0.0, 1.0)

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Final
 
+from app.presenters.i18n import time_text, tr
 from app.presenters.reviewing.review_scene import Order, ReviewItem, ReviewKind, ReviewPerson
 from app.presenters.scenes import MarkKind, TimelineMark
 from app.presenters.track_colours import ColourOf
-from app.presenters.words import time_text, tr
 from tracking.editing import Change, plan_verdict, with_verdict
 from tracking.review import Suspicion, SuspicionKey, open_suspicions, ranked
 from tracking.tracks import Labels, TrackTable, Verdict

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Final
 
-from app.presenters.words import counted, tr
+from app.presenters.i18n import counted, tr
 from tracking.editing import History
 from tracking.formats import read_mot
 from tracking.recording import Recording

@@ -8,10 +8,10 @@ from typing import Final
 
 import numpy as np
 
-from app.presenters.commands.checks import read_only
+from app.presenters.commands.enablement import read_only
+from app.presenters.i18n import counted, tr
 from app.presenters.panels import local_time
 from app.presenters.scoring.figures import figure_named
-from app.presenters.words import counted, tr
 from tracking.formats import read_mot
 from tracking.progress import Progress
 from tracking.recording import Recording

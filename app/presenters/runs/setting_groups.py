@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from app.presenters.words import tr
+from app.presenters.i18n import tr
 
 _GROUPS: Final = (
     ("Particles and motion", ("particle", "spread", "start_spread", "largest_spread")),

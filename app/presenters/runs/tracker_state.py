@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from app.presenters.i18n import tr, unstopped
 from app.presenters.parts.detector_choice import DETECTOR
-from app.presenters.words import tr, unstopped
 from tracking.errors import TrackwrightError
 from tracking.recording import Recording
 from tracking.session import Session

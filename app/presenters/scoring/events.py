@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from app.presenters.words import tr
+from app.presenters.i18n import tr
 from tracking.scoring import NOBODY, ErrorKind, ErrorTable
 
 Integers = NDArray[np.int64]

@@ -7,8 +7,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Final
 
+from app.presenters.i18n import tr
 from app.presenters.scoring.score_scene import ScoreRow
-from app.presenters.words import tr
 from tracking.scoring import Score
 
 

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from app.presenters.i18n import counted, tr
 from app.presenters.scoring.figures import hota_moved
 from app.presenters.scoring.subject import Scored
-from app.presenters.words import counted, tr
 from tracking.editing import History
 from tracking.scoring import Score
 

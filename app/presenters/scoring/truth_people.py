@@ -7,7 +7,8 @@ import math
 import numpy as np
 
 from app.presenters.comparing.other_people import OtherPeople
-from app.presenters.document.instant import Instant
+from app.presenters.document.frame_state import FrameState
+from app.presenters.i18n import tr
 from app.presenters.pictures.extent import extent, reach_m
 from app.presenters.pictures.right_eye import boxes_in_right_eye
 from app.presenters.scenes import Eye, LegendEntry
@@ -20,7 +21,6 @@ from app.presenters.scoring.score_scene import (
     TruthPlace,
 )
 from app.presenters.track_colours import TrackColours
-from app.presenters.words import tr
 from tracking.recording import Recording
 from tracking.scoring import ErrorKind, ErrorTable
 from tracking.tracks import Columns, TrackTable
@@ -40,7 +40,7 @@ class TruthPeople:
         self._people = OtherPeople(recording, people, TrackColours().of)
         self._bounds = extent(people.by_track(("x", "y")), reach_m(recording))
 
-    def picture(self, eye: Eye, instant: Instant) -> PicturedTruth:
+    def picture(self, eye: Eye, instant: FrameState) -> PicturedTruth:
         """Everybody of the truth in one eye, and which of the result's are nobody."""
         missed, alarms = self._wrong(instant.frame)
         people = tuple(
@@ -50,7 +50,7 @@ class TruthPeople:
         told = legend() if eye is Eye.LEFT else ()
         return PicturedTruth(people, self._alarms(eye, instant, alarms), told)
 
-    def floor(self, instant: Instant) -> FlooredTruth:
+    def floor(self, instant: FrameState) -> FlooredTruth:
         """The same on the floor."""
         missed, alarms = self._wrong(instant.frame)
         people = tuple(
@@ -71,7 +71,7 @@ class TruthPeople:
         alarms = self._errors.result[first:stop][kind == ErrorKind.FALSE_ALARM]
         return set(missed.tolist()), set(alarms.tolist())
 
-    def _alarms(self, eye: Eye, instant: Instant, alarms: set[int]) -> tuple[TruthMark, ...]:
+    def _alarms(self, eye: Eye, instant: FrameState, alarms: set[int]) -> tuple[TruthMark, ...]:
         rows = _of_tracks(instant, alarms)
         boxes = np.column_stack([rows[name] for name in _SIDE]).astype(np.float64)
         rectification = self._recording.rectification
@@ -97,7 +97,7 @@ def legend() -> tuple[LegendEntry, ...]:
     )
 
 
-def _of_tracks(instant: Instant, tracks: set[int]) -> Columns:
+def _of_tracks(instant: FrameState, tracks: set[int]) -> Columns:
     rows = instant.tracks.of_frame(instant.frame)
     chosen = np.isin(rows["track"], sorted(tracks))
     return {name: column[chosen] for name, column in rows.items()}

@@ -11,11 +11,11 @@ from pathlib import Path
 import numpy as np
 
 from app.presenters.comparing.agreement import refuse_other_recording
-from app.presenters.runs.whose import name_of_run
-from app.presenters.words import counted, tr
+from app.presenters.i18n import counted, tr
+from app.presenters.runs.track_sources import name_of_run
 from tracking.errors import FormatError, SessionError
 from tracking.formats import FORMATS, Filmed, Measurable, format_of, is_hdf5, measurable
-from tracking.formats.reading import in_order, positive_ids, with_all_columns
+from tracking.formats.read_result import in_order, positive_ids, with_all_columns
 from tracking.formats.track_format import HEAD_BYTES
 from tracking.recording import Recording
 from tracking.scoring import ScoringTable

@@ -8,8 +8,8 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from app.presenters.document.instant import Instant
-from app.presenters.document.shown import ShownTracks, Spans
+from app.presenters.document.frame_state import FrameState
+from app.presenters.document.track_reader import Spans, TrackReader
 from app.presenters.parts.part_curve import LaneScore
 from app.presenters.scenes import Lane, TimelineMark, TimelineScene
 from tracking.tracks import ReviewedRange
@@ -47,7 +47,7 @@ class TimelinePresenter:
         self._chosen: tuple[int, ...] | None = None
         self._score: LaneScore | None = None
 
-    def take(self, tracks: ShownTracks, marks: Marks) -> None:
+    def take(self, tracks: TrackReader, marks: Marks) -> None:
         """Take all lanes anew."""
         before, self._spans = self._spans, tracks.spans()
         self._keyframes = tracks.keyframes()
@@ -59,7 +59,7 @@ class TimelinePresenter:
     def take_changed(
         self,
         changed: Iterable[int],
-        tracks: ShownTracks,
+        tracks: TrackReader,
         frames: tuple[NDArray[np.int32], NDArray[np.int32]],
         marks: Marks,
     ) -> None:
@@ -114,7 +114,7 @@ class TimelinePresenter:
     def scene(
         self,
         playhead: int,
-        instant: Instant,
+        instant: FrameState,
         loaded: tuple[tuple[int, int], ...],
         cut: int | None,
         message: str = "",
@@ -164,7 +164,7 @@ class TimelinePresenter:
         activity[first:stop] = np.clip(people, 0, _MOST_PEOPLE)
         self._activity = activity
 
-    def _make_stale(self, instant: Instant) -> None:
+    def _make_stale(self, instant: FrameState) -> None:
         """Make the lanes anew that show something else by now, and put all in order."""
         for track in self._stale:
             self._plain.pop(track, None)
@@ -176,7 +176,7 @@ class TimelinePresenter:
         self._row = {lane.track: row for row, lane in enumerate(self._order)}
         self._chosen = None
 
-    def _make_lane(self, track: int, instant: Instant) -> Lane:
+    def _make_lane(self, track: int, instant: FrameState) -> Lane:
         first, end = int(self._spans[track][0, 0]), int(self._spans[track][-1, 1])
         # Where a track no longer reaches, an older edit of it is not on its lane either.
         edits = [mark for mark in self._edits.get(track, ()) if first <= mark.frame <= end]

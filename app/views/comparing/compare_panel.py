@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.presenters.comparing.agreement_scene import AgreementScene, DisagreementRow
-from app.presenters.words import counted
+from app.presenters.i18n import counted
 from app.views.look.theme import scaled_font
 from app.views.widgets.parts import NOTICE_MARGINS, quiet
 

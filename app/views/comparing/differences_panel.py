@@ -13,7 +13,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.presenters.comparing.differences_scene import DifferencesScene, Sorted
-from app.presenters.words import counted, tr
+from app.presenters.i18n import counted, tr
 from app.views.comparing.difference_list import DifferenceModel, DifferenceView
 from app.views.look.icons import IconButton
 from app.views.look.theme import scaled_font

@@ -20,8 +20,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.presenters.i18n import counted
 from app.presenters.scenes import TrackCard
-from app.presenters.words import counted
 from app.views.correcting.attributes import AttributesTable
 from app.views.look.theme import scaled_font
 from app.views.widgets.parts import Panel, Swatch, bring_into_view, heading, quiet

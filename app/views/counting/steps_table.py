@@ -17,7 +17,7 @@ from PySide6.QtCore import (
 from PySide6.QtGui import QFont, QGuiApplication, QKeyEvent, QKeySequence, QShowEvent
 from PySide6.QtWidgets import QAbstractItemView, QTableView, QWidget
 
-from app.presenters.words import time_text, tr
+from app.presenters.i18n import time_text, tr
 from tracking.counting import Counts, number_as_text
 
 _Index = QModelIndex | QPersistentModelIndex

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
+from app.presenters.i18n import tr
 from app.presenters.runs.runs import CORRECTED, RunList
-from app.presenters.words import tr
-from app.views.desk.desk import Desk
+from app.views.desk.recording_controller import RecordingController
 from app.views.runs.runs_dialog import RunsDialog
 from app.views.runs.track_dialog import TrackDialog
 from tracking.errors import TrackwrightError
 
 
-def ask_again(desk: Desk) -> None:
+def ask_again(desk: RecordingController) -> None:
     """Ask from where on, and with what, the recording is tracked again.
 
     Proposed are the range that is set, else all from the playhead on, with the tracker and the
@@ -40,14 +40,14 @@ def ask_again(desk: Desk) -> None:
     dialog.open()
 
 
-def _begin(desk: Desk, dialog: TrackDialog) -> None:
+def _begin(desk: RecordingController, dialog: TrackDialog) -> None:
     try:
         desk.tracking.track_again(*dialog.answer())
     except TrackwrightError as error:
         desk.failed.emit(error)
 
 
-def show_runs(desk: Desk) -> None:
+def show_runs(desk: RecordingController) -> None:
     """List the session's runs, to be compared."""
     session = desk.document.session
     if session is None:

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 from app.views.desk.workspace import Workspace
 
 if TYPE_CHECKING:
-    from app.views.desk.desk import Desk
+    from app.views.desk.recording_controller import RecordingController
 
 
-def connect_gestures(desk: Desk, view: Workspace) -> None:
+def connect_gestures(desk: RecordingController, view: Workspace) -> None:
     """Connect the views to the desk's parts; each connection ends with the desk."""
     for picker in (view.left, view.right, view.overhead, view.timeline):
         picker.track_picked.connect(desk.editing.pick)

@@ -8,7 +8,7 @@ from PySide6.QtCore import QObject, Signal
 
 from app.presenters.document.document import Document
 from app.presenters.pictures.of_run import AtWork
-from app.presenters.runs.ended import (
+from app.presenters.runs.run_summary import (
     kept_as_first,
     kept_beside,
     kept_first,
@@ -17,8 +17,8 @@ from app.presenters.runs.ended import (
     meanwhile,
 )
 from app.presenters.runs.tracker_state import TrackerState, TrackerWords
-from app.views.comparing.comparing import Comparing
-from app.views.desk.following import Following
+from app.views.comparing.comparison_controller import Comparing
+from app.views.desk.follow_mode import Following
 from app.views.playing.playback import Playback
 from app.views.runs.live import LiveTracking
 from tracking.session import Session

@@ -38,7 +38,7 @@ from app.views.scoring.score_panel import ScorePanel
 from app.views.timeline import TimelineView
 from app.views.widgets.gripped_splitter import GrippedSplitter
 from app.views.widgets.parts import bring_into_view
-from app.views.widgets.remembered import Remembered
+from app.views.widgets.user_settings import Remembered
 
 _PANEL_LETTERS = 48
 _LOW_LINES = 36

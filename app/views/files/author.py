@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Qt
 from PySide6.QtWidgets import QInputDialog
 
-from app.presenters.words import tr
-from app.views.widgets.remembered import Remembered
+from app.presenters.i18n import tr
+from app.views.widgets.user_settings import Remembered
 
 if TYPE_CHECKING:
     from app.views.window.main_window import MainWindow

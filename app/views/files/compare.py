@@ -15,13 +15,13 @@ from app.presenters.comparing.agreement import (
     read_other,
 )
 from app.presenters.comparing.other_people import OtherPeople
+from app.presenters.i18n import tr
 from app.presenters.scenes import Eye
-from app.presenters.words import tr
 from app.views.widgets.questions import choose_file
 from app.views.widgets.work import Work
 
 if TYPE_CHECKING:
-    from app.views.desk.desk import Desk
+    from app.views.desk.recording_controller import RecordingController
     from app.views.window.main_window import MainWindow
 
 _SESSIONS = "trackwright (*.h5)"
@@ -74,7 +74,7 @@ class SessionsBeside(QObject):
         compared = desk.comparing.dashed if desk is not None else None
         self._draw_people(desk, compared or (shown.people if shown and panel else None))
 
-    def _draw_people(self, desk: Desk | None, people: OtherPeople | None) -> None:
+    def _draw_people(self, desk: RecordingController | None, people: OtherPeople | None) -> None:
         """Draw a run's or the other session's people, dashed; None: nobody else's."""
         view = self._window.workspace
         if desk is None or people is None:
@@ -87,7 +87,7 @@ class SessionsBeside(QObject):
         view.right.show_others(people.picture(Eye.RIGHT, frame) if desk.eyes == "both" else ())
         view.overhead.show_others(people.floor(frame))
 
-    def _show(self, desk: Desk, other: OtherSession) -> None:
+    def _show(self, desk: RecordingController, other: OtherSession) -> None:
         if desk is self._window.desk:
             self._shown = AgreementPresenter(
                 desk.document.recording, other, desk.document.colour_of

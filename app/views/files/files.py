@@ -10,31 +10,31 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, QTimer, QUrl, Signal
 
 from app.memory import give_back
-from app.presenters.document.instant import pictured_from
-from app.presenters.files import left_behind, opening
+from app.presenters.document.frame_state import pictured_from
+from app.presenters.files import document_loader, left_behind
 from app.presenters.files.demonstration import Demonstration
+from app.presenters.files.document_loader import Opened
 from app.presenters.files.first_page import first_page
-from app.presenters.files.importing import holds_tracks_alone
-from app.presenters.files.opening import Opened
-from app.presenters.runs.ended import told_of_tracking
+from app.presenters.files.track_import import holds_tracks_alone
+from app.presenters.i18n import tr
+from app.presenters.runs.run_summary import told_of_tracking
 from app.presenters.scenes import WelcomeScene
-from app.presenters.words import tr
-from app.views.desk.desk import Desk
+from app.views.desk.recording_controller import RecordingController
 from app.views.files.author import Author
+from app.views.files.close_prompts import Leaving, Then
 from app.views.files.compare import SessionsBeside
-from app.views.files.exporting import Exporting
+from app.views.files.export_controller import Exporting
 from app.views.files.generations import OlderStates
-from app.views.files.importing import Importing
-from app.views.files.keeping import Keeping
-from app.views.files.leaving import Leaving, Then
-from app.views.files.mishaps import Mishaps
-from app.views.files.saving import Saving
+from app.views.files.import_controller import Importing
+from app.views.files.open_recovery import Mishaps
+from app.views.files.result_storage import Keeping
+from app.views.files.save_controller import Saving
 from app.views.files.whereabouts import Whereabouts
 from app.views.parts.detectors import Detectors
 from app.views.runs.track_dialog import TrackDialog
 from app.views.widgets.literal import literal_title
 from app.views.widgets.questions import choose_file
-from app.views.widgets.remembered import Remembered
+from app.views.widgets.user_settings import Remembered
 from app.views.widgets.work import Work
 from tracking.recording import OpenOptions
 from tracking.session import Session
@@ -69,7 +69,7 @@ class Files(QObject):
         self._whereabouts = Whereabouts(remembered, self)
         self._greeting = ""
         self._leaving = Leaving(self, window)
-        self.desk: Desk | None = None
+        self.desk: RecordingController | None = None
         self.author = Author(window, remembered, self)
         self.exporting = Exporting(window, work, self)
         self.exporting.said.connect(self.said)
@@ -159,7 +159,7 @@ class Files(QObject):
     def _show(self, opened: Opened, from_start: bool) -> None:
         self.close()
         path = opened.path
-        self.desk = desk = Desk(opened.document, self._window.workspace, self)
+        self.desk = desk = RecordingController(opened.document, self._window.workspace, self)
         self.saving.begin(desk.document.session)
         self.author.sign()
         self.detectors.begin(desk)
@@ -171,7 +171,7 @@ class Files(QObject):
         desk.tracking.tracked.connect(self.keeping.keep)
         desk.tracking.noted.connect(self._tell_of_tracking)
         desk.scoring.truth_asked.connect(self._ask_truth)
-        if not opening.is_unsaved_place(path):
+        if not document_loader.is_unsaved_place(path):
             self._remembered.add_recent(path.resolve(), opened.document.recording.name)
         self._window.workspace.show_whole()  # how another recording was zoomed says nothing here
         self._window.show_workspace()
@@ -309,7 +309,7 @@ class Files(QObject):
         recording, session = self.desk.document.recording, self.session
         name = literal_title(recording.name)
         if session is not None and session.path is not None:
-            kept = not opening.is_unsaved_place(session.path)
+            kept = not document_loader.is_unsaved_place(session.path)
             place = literal_title(session.path.name) if kept else tr("not saved yet")
             name = f"{name} \u2013 {place}"
         return f"{name}[*] \u2013 trackwright"

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal
 
 from app.background import Job
-from app.presenters.explaining import explain
+from app.presenters.error_messages import explain
 from app.presenters.files.generations import older_states, what_differs
-from app.presenters.words import tr
+from app.presenters.i18n import tr
 from app.views.files.generations_dialog import GenerationsDialog
 from app.views.widgets.work import Work
 from tracking.session import Session

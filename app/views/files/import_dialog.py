@@ -21,8 +21,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.presenters.files.importing import USUAL_TOLERANCE_PX, ImportChoice, ImportScene
-from app.presenters.words import counted
+from app.presenters.files.track_import import USUAL_TOLERANCE_PX, ImportChoice, ImportScene
+from app.presenters.i18n import counted
 from app.views.widgets.number_boxes import NumberBox, tell_beside
 from app.views.widgets.parts import heading, quiet
 

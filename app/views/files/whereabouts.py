@@ -6,8 +6,8 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, QTimer
 
-from app.views.desk.desk import Desk
-from app.views.widgets.remembered import Place, Remembered
+from app.views.desk.recording_controller import RecordingController
+from app.views.widgets.user_settings import Place, Remembered
 
 _NOTE_MS = 2000
 
@@ -18,13 +18,13 @@ class Whereabouts(QObject):
     def __init__(self, remembered: Remembered, parent: QObject) -> None:
         super().__init__(parent)
         self._remembered = remembered
-        self._desk: Desk | None = None
+        self._desk: RecordingController | None = None
         self._opened = Path()
         self._noted: tuple[tuple[Path, ...], Place] | None = None
         self._timer = QTimer(self, interval=_NOTE_MS)
         self._timer.timeout.connect(self.note)
 
-    def begin(self, desk: Desk, opened: Path, from_start: bool) -> None:
+    def begin(self, desk: RecordingController, opened: Path, from_start: bool) -> None:
         """Go where the document was left, unless it is to be seen from its start."""
         self._desk, self._opened, self._noted = desk, opened, None
         place = Place() if from_start else self._remembered.place(self._paths()[0])

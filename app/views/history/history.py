@@ -8,7 +8,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from app.presenters.document.document import Document
 from app.presenters.history.undo_frame import is_seen_at
-from app.presenters.words import tr
+from app.presenters.i18n import tr
 from app.views.history.history_panel import HistoryPanel
 from app.views.playing.playback import Playback
 from tracking.errors import TrackwrightError

@@ -16,8 +16,8 @@ from PySide6.QtWidgets import (
 )
 
 from app.presenters.history.history_filter import HistoryFilter
+from app.presenters.i18n import counted
 from app.presenters.scenes import HistoryItem
-from app.presenters.words import counted
 from app.views.history.history_model import ITEM, EditDelegate, HistoryModel, row_height
 from app.views.look.icons import IconButton
 from app.views.widgets.literal import literal

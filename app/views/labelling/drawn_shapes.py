@@ -7,7 +7,15 @@ from functools import partial
 
 from PySide6.QtCore import QObject, Signal
 
-from app.presenters.labelling.drawing import (
+from app.presenters.i18n import tr
+from app.presenters.labelling.label_tools import LabellingPresenter
+from app.presenters.labelling.labelling_scene import (
+    LINE_COLOUR,
+    OCCLUDER_COLOUR,
+    REGION_COLOUR,
+    Tool,
+)
+from app.presenters.labelling.shape_planner import (
     corners_of,
     drawn_where,
     drawn_with,
@@ -16,14 +24,6 @@ from app.presenters.labelling.drawing import (
     plan_reshaped,
     plan_taken_away,
 )
-from app.presenters.labelling.labelling import LabellingPresenter
-from app.presenters.labelling.labelling_scene import (
-    LINE_COLOUR,
-    OCCLUDER_COLOUR,
-    REGION_COLOUR,
-    Tool,
-)
-from app.presenters.words import tr
 from app.views.desk.workspace import Workspace
 from app.views.labelling.shapes import ShapesLayer
 from app.views.playing.playback import Playback

@@ -17,8 +17,8 @@ from app.presenters.labelling.labelling_scene import LabellingScene, Tool
 from app.views.labelling.lists import DrawnList, RangesList
 from app.views.labelling.verdicts import PartsGrid
 from app.views.look.theme import scaled_font
+from app.views.widgets.fitted_scroll import ScrolledPanel
 from app.views.widgets.parts import NOTICE_MARGINS, quiet
-from app.views.widgets.scrolled import ScrolledPanel
 
 
 class LabellingPanel(ScrolledPanel):

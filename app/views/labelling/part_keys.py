@@ -6,13 +6,13 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QObject, Signal
 
-from app.presenters.correcting import Reach
+from app.presenters.correcting import EditScope
 from app.presenters.document.document import Document
+from app.presenters.i18n import tr
 from app.presenters.labelling.labelling_scene import Suggested
 from app.presenters.labelling.part_labelling import PartLabelling
-from app.presenters.parts.picturing import part_name
-from app.presenters.words import tr
-from app.views.labelling.suggesting import Suggesting
+from app.presenters.parts.part_views import part_name
+from app.views.labelling.suggestion_search import Suggesting
 from app.views.playing.playback import Playback
 from tracking.editing import Change
 from tracking.tracks import PART_NAMES, Box, PartLabels
@@ -100,7 +100,7 @@ class PartKeys(QObject):
             return
         choice = self._presenter.choice
         choice.part = (choice.part + 1) % len(PART_NAMES)
-        if choice.part == 0 and choice.step and choice.scope is Reach.FRAME:
+        if choice.part == 0 and choice.step and choice.scope is EditScope.FRAME:
             self._playback.step(choice.step)
         self.changed.emit()
 
@@ -174,7 +174,7 @@ class PartKeys(QObject):
             self.said.emit(tr("Nothing suggested is left to label"))
         else:
             frame, track, choice.part = suggested.key
-            choice.scope = Reach.FRAME
+            choice.scope = EditScope.FRAME
             self._playback.pause()
             self._playback.go(frame)  # first: it may show the session's tracks again
             self._document.selection.choose(track)

@@ -10,21 +10,21 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal
 
 from app.presenters.document.document import Document
-from app.presenters.files.opening import known_recordings
+from app.presenters.files.document_loader import known_recordings
+from app.presenters.i18n import tr
 from app.presenters.parts.detector_choice import DetectorChoice, known_choice
+from app.presenters.parts.detector_training import TrainingSettings, trained_from
 from app.presenters.parts.kept_detectors import kept, kept_name
 from app.presenters.parts.mistake_pictures import Here, Search, cut_outs, is_of
-from app.presenters.parts.taught import Source, Taught, with_labels
-from app.presenters.parts.training import TrainingSettings, trained_from
 from app.presenters.parts.training_result import MistakeItem, TrainingResult
+from app.presenters.parts.training_set import Source, TrainingSet, with_labels
 from app.presenters.parts.truth_labels import plan_truth_labels
-from app.presenters.words import tr
-from app.views.desk.desk import Desk
-from app.views.files.exporting import beside
+from app.views.desk.recording_controller import RecordingController
+from app.views.files.export_controller import beside
 from app.views.parts.result_dialog import ResultDialog
 from app.views.parts.train_dialog import TrainDialog
 from app.views.widgets.questions import choose_file, choose_new_file
-from app.views.widgets.remembered import Remembered
+from app.views.widgets.user_settings import Remembered
 from app.views.widgets.work import Work
 from tracking.editing import Change
 from tracking.errors import TrackwrightError
@@ -60,7 +60,7 @@ class Detectors(QObject):
         self._learnt: tuple[Path, ...] = ()
         self._dialog: ResultDialog | None = None
 
-    def begin(self, desk: Desk) -> None:
+    def begin(self, desk: RecordingController) -> None:
         """A recording was opened: it is tracked with the detector in use."""
         desk.document.detector = self.choice
 
@@ -96,7 +96,7 @@ class Detectors(QObject):
             return
         self.train(taught, settings)
 
-    def train(self, taught: Taught, settings: TrainingSettings) -> None:
+    def train(self, taught: TrainingSet, settings: TrainingSettings) -> None:
         """Train in the background, then show what came of it.
 
         What is learnt from is proposed again the next time, also where training is cancelled.
@@ -105,7 +105,7 @@ class Detectors(QObject):
         work = partial(trained_from, taught.samples, settings)
         self._work.run(tr("Training the detector"), work, partial(self._take, taught))
 
-    def _take(self, taught: Taught, trained: Trained) -> None:
+    def _take(self, taught: TrainingSet, trained: Trained) -> None:
         self.result = TrainingResult(trained, taught)
         self.changed.emit()
         self.show_result()

@@ -5,13 +5,13 @@ from __future__ import annotations
 from PySide6.QtCore import QObject, QRectF, Signal
 
 from app.presenters.document.document import Document
-from app.presenters.document.instant import Instant, Pictured
+from app.presenters.document.frame_state import FrameState, ViewOptions
+from app.presenters.i18n import tr
+from app.presenters.parts.part_views import part_name
 from app.presenters.parts.parts import PartsPresenter
 from app.presenters.parts.parts_scene import Failure, PicturedParts
-from app.presenters.parts.picturing import part_name
-from app.presenters.words import tr
 from app.views.desk.workspace import Workspace
-from app.views.labelling.labelling import Labelling
+from app.views.labelling.label_controller import Labelling
 from app.views.playing.playback import Playback
 
 _SMALL = 0.25
@@ -47,7 +47,7 @@ class Parts(QObject):
         self._workspace.left.show_parts(PicturedParts())
         self._workspace.curves.show_scene(None)
 
-    def draw(self, instant: Instant, pictured: Pictured) -> None:
+    def draw(self, instant: FrameState, pictured: ViewOptions) -> None:
         """Show an instant."""
         labelling, presenter = self._labelling, self.presenter
         parts = presenter.picture(instant, pictured, labelling.shown, labelling.suggested)

@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.presenters.explaining import explain
+from app.presenters.error_messages import explain
 from app.presenters.labelling.labelling_scene import PART_COLOURS
 from app.presenters.parts.training_result import PartFigures, ResultScene, TrainingResult
 from app.views.look.theme import scaled_font

@@ -22,19 +22,19 @@ from PySide6.QtWidgets import (
 )
 
 from app.background import Job, Progress
-from app.presenters.explaining import explain
-from app.presenters.parts.taught import Source, Taught, source_at, taught_by
-from app.presenters.parts.training import (
+from app.presenters.error_messages import explain
+from app.presenters.i18n import tr
+from app.presenters.parts.detector_training import (
     PartCount,
     SettingsOfTraining,
     TrainingSettings,
     counts_of,
 )
-from app.presenters.words import tr
+from app.presenters.parts.training_set import Source, TrainingSet, source_at, taught_by
 from app.views.runs.settings_form import SettingsForm
 from app.views.widgets.parts import heading, quiet
 from app.views.widgets.questions import choose_file
-from app.views.widgets.remembered import LastFolder
+from app.views.widgets.user_settings import LastFolder
 
 _TAUGHT = "Sessions and samples (*.h5 *.csv)"
 _ROWS = 4
@@ -234,7 +234,7 @@ class TrainDialog(QDialog):
         for cell, text in zip(cells, texts, strict=True):
             cell.setText(text)
 
-    def answer(self) -> tuple[Taught, TrainingSettings]:
+    def answer(self) -> tuple[TrainingSet, TrainingSettings]:
         """What is learnt from and the settings."""
         settings: TrainingSettings = self._form.settings()
         return taught_by(self._chosen()), settings

@@ -8,12 +8,12 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 
+from app.presenters.i18n import tr
 from app.presenters.scenes import OverheadScene
-from app.presenters.words import tr
 from app.views.look.theme import Theme, faded
 from app.views.pictures.floor_people import draw_arrow, walks
 from app.views.pictures.marks import draw_fading_trail
-from app.views.pictures.measured import draw_measured
+from app.views.pictures.measurement_marks import draw_measured
 
 _PAD, _GAP, _SIGN_PX = 7.0, 8.0, 16.0
 _MOST_OF_AREA = 0.3

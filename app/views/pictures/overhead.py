@@ -30,7 +30,7 @@ from app.views.pictures.floor_people import draw_floor_ghost, draw_floor_person
 from app.views.pictures.flow_map import FlowDrawing
 from app.views.pictures.legend import draw_legend
 from app.views.pictures.marks import draw_fading_trail, draw_preview
-from app.views.pictures.measured import draw_measured
+from app.views.pictures.measurement_marks import draw_measured
 from app.views.pictures.name_plates import draw_message
 from app.views.pictures.particles import darkened, draw_particles
 from app.views.scoring.truth_marks import draw_truth_places

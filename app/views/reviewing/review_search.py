@@ -8,8 +8,8 @@ from typing import Any
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from app.background import Job, Progress
+from app.presenters.i18n import tr
 from app.presenters.reviewing.review_meter import measured, measures_text
-from app.presenters.words import tr
 from tracking.recording import Recording
 from tracking.review import Lookout
 from tracking.tracks import Labels, Run, TrackTable

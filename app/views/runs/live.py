@@ -8,8 +8,8 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal
 
 from app.background import LiveTracker
-from app.presenters.runs.ended import Ended
-from app.presenters.words import tr
+from app.presenters.i18n import tr
+from app.presenters.runs.run_summary import RunSummary
 from tracking.pipeline import KeptSteps
 from tracking.recording import Recording
 from tracking.trackers import Resume, StepResult
@@ -38,7 +38,7 @@ class LiveTracking(QObject):
         self.tracker = ""
         self.done = 0
         self.notes: tuple[str, ...] = ()
-        self.ended: Ended | None = None
+        self.ended: RunSummary | None = None
         self._recording = recording
         self._frames = (0, recording.frame_count)
         self._worker: LiveTracker | None = None

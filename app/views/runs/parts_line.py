@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QComboBox, QFormLayout, QWidget
 
+from app.presenters.i18n import counted
 from app.presenters.parts.detector_choice import DETECTOR, OCCLUDERS, DetectorChoice, PartsAsked
-from app.presenters.words import counted
 from app.views.widgets.parts import quiet
 from tracking.trackers import settings_fields
 

@@ -20,10 +20,10 @@ from PySide6.QtWidgets import (
 )
 
 from app.background import Job
-from app.presenters.explaining import explain
+from app.presenters.error_messages import explain
+from app.presenters.i18n import tr
 from app.presenters.runs.runs import CORRECTED, RUN_FIGURES, RunList, RunRow, RunsScene
 from app.presenters.scoring.figures import Figure
-from app.presenters.words import tr
 from app.views.widgets.parts import quiet
 from tracking.scoring import Score
 

@@ -16,8 +16,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.presenters.i18n import tr
 from app.presenters.runs.setting_groups import group_of
-from app.presenters.words import tr
 from app.views.look.theme import scaled_font
 from app.views.runs.settings_search import FoldButton, SettingRow, show_found
 from app.views.widgets.number_boxes import NumberBox, WholeBox, tell, why_refused

@@ -8,8 +8,8 @@ from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QFont, QFontMetricsF, QHelpEvent, QMouseEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
+from app.presenters.i18n import time_text
 from app.presenters.scoring.score_scene import ErrorLane, ErrorLanes
-from app.presenters.words import time_text
 from app.views.look.theme import Theme, current_theme, scaled_font
 from app.views.scoring.error_signs import draw_signs, error_colour
 from app.views.timeline.axis import TimeAxis

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QHBoxLayout, QMenu, QToolButton, QWidget
 
 from app.views.look.icons import IconButton
 from app.views.timeline.rows import Arrangement, LaneHeight, LaneOrder
-from app.views.widgets.remembered import Remembered
+from app.views.widgets.user_settings import Remembered
 
 _ICON_PX, _BUTTON_PX = 16, 24
 _STYLE = "QToolButton { padding: 2px; } QToolButton::menu-indicator { image: none; }"

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from app.presenters.i18n import time_text, tr
 from app.presenters.scenes import Lane, SpanKind, TimelineMark, TimelineScene
-from app.presenters.words import time_text, tr
 
 _WORDS = {
     SpanKind.MEASURED: "measured",

@@ -7,7 +7,7 @@ from PySide6.QtGui import QColor, QPainter, QPen
 
 from app.presenters.labelling.labelling_scene import PART_COLOURS
 from app.presenters.parts.part_curve import THRESHOLD, LaneScore
-from app.presenters.parts.picturing import part_name
+from app.presenters.parts.part_views import part_name
 from app.views.look.theme import Theme, contrast, faded, scaled_font
 from app.views.timeline.axis import TimeAxis
 from app.views.timeline.curves import curve_path, score_span, stretches

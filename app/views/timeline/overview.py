@@ -16,8 +16,8 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QToolTip, QWidget
 
+from app.presenters.i18n import time_text
 from app.presenters.scenes import TimelineScene
-from app.presenters.words import time_text
 from app.views.look.theme import Theme, current_theme, faded
 from app.views.timeline.axis import TimeAxis
 from app.views.timeline.overview_picture import draw_band, draw_overview

@@ -8,7 +8,7 @@ from PySide6.QtCore import QPoint, Signal
 from PySide6.QtGui import QValidator
 from PySide6.QtWidgets import QDoubleSpinBox, QSpinBox, QToolTip, QWidget
 
-from app.presenters.words import tr
+from app.presenters.i18n import tr
 
 _State = QValidator.State
 Validated = tuple[QValidator.State, str, int]

@@ -8,8 +8,8 @@ from pathlib import Path
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
-from app.presenters.words import tr
-from app.views.widgets.remembered import LastFolder
+from app.presenters.i18n import tr
+from app.views.widgets.user_settings import LastFolder
 
 OnPath = Callable[[Path], object]
 

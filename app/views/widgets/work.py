@@ -9,7 +9,7 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal
 
 from app.background import Job, Progress
-from app.presenters.words import tr
+from app.presenters.i18n import tr
 from app.views.widgets.progress_strip import ProgressStrip
 
 _TELL_LEFT_AFTER_S = 1.0

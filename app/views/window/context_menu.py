@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Final
 from PySide6.QtCore import QObject, QPoint
 from PySide6.QtWidgets import QMenu
 
-from app.presenters.words import tr
+from app.presenters.i18n import tr
 
 if TYPE_CHECKING:
     from app.views.window.main_window import MainWindow

@@ -6,7 +6,7 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QApplication
 
 from app.views.look.theme import Look, apply_look
-from app.views.widgets.remembered import Remembered
+from app.views.widgets.user_settings import Remembered
 
 
 class LookChoice(QObject):

@@ -17,11 +17,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.presenters.commands import Situation, command_items
-from app.presenters.explaining import explain
+from app.presenters.commands import CommandContext, command_items
+from app.presenters.error_messages import explain
+from app.presenters.i18n import tr
 from app.presenters.scenes import CommandItem
-from app.presenters.words import tr
-from app.views.desk.desk import Desk
+from app.views.desk.recording_controller import RecordingController
 from app.views.desk.workspace import Workspace
 from app.views.files.files import Files
 from app.views.look.icons import application_icon
@@ -29,15 +29,15 @@ from app.views.pictures.canvas import Canvas
 from app.views.welcome.welcome import WelcomePage
 from app.views.widgets.notice import NoticeBar
 from app.views.widgets.progress_strip import ProgressStrip
-from app.views.widgets.remembered import Remembered
+from app.views.widgets.user_settings import Remembered
 from app.views.widgets.work import Work
+from app.views.window.command_handlers import runnable_commands
 from app.views.window.command_palette import CommandPalette
 from app.views.window.context_menu import ContextMenu
-from app.views.window.fitting import fit_to_screen, keep_on_screen
 from app.views.window.look_choice import LookChoice
 from app.views.window.menus import Menus, TypingGuard
 from app.views.window.refusal_notice import RefusalNotice
-from app.views.window.runnable import runnable_commands
+from app.views.window.screen_fit import fit_to_screen, keep_on_screen
 
 _FIRST_SIZE = QSize(1440, 900)
 _NOTE_MS = 6000
@@ -138,7 +138,7 @@ class MainWindow(QMainWindow):
     # what is shown
 
     @property
-    def desk(self) -> Desk | None:
+    def desk(self) -> RecordingController | None:
         """The open recording; None while the welcome page is shown."""
         return self.files.desk
 
@@ -191,8 +191,8 @@ class MainWindow(QMainWindow):
         else:
             self.progress.finish()
 
-    def _situation(self) -> Situation:
-        situation = Situation() if self.desk is None else self.desk.situation
+    def _situation(self) -> CommandContext:
+        situation = CommandContext() if self.desk is None else self.desk.situation
         detectors, unkept = self.files.detectors, self.files.keeping.holds
         in_use = detectors.choice.name if detectors.choice.path else ""
         trained = detectors.result is not None

@@ -19,8 +19,8 @@ from PySide6.QtWidgets import (
 )
 
 from app.presenters.commands import COMMANDS, MENUS, Command
+from app.presenters.i18n import tr
 from app.presenters.scenes import CommandItem
-from app.presenters.words import tr
 from app.views.correcting.attributes import AttributesTable
 from app.views.look.icons import icon
 from app.views.widgets.id_edit import IdEdit

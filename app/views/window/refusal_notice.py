@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from app.presenters.i18n import tr, unstopped
 from app.presenters.scenes import CommandItem
-from app.presenters.words import tr, unstopped
 from app.views.window.menus import TypingGuard
 
 if TYPE_CHECKING:

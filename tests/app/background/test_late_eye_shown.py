@@ -13,7 +13,7 @@ from PySide6.QtCore import QObject
 
 from app.background import FrameReader, OverlayMaker
 from app.presenters.document.document import Document
-from app.presenters.document.instant import Pictured
+from app.presenters.document.frame_state import ViewOptions
 from app.presenters.pictures.overlays import Kinds
 from app.presenters.scenes import Eye
 from tests.benchmarks.stereo.troubles import Trouble, troubled
@@ -85,7 +85,7 @@ def test_the_right_picture_says_which_frame_it_is(recording, tiny_session):
         instant = document.instant(number)
         frame = instants.read(number)
         eyes = (Eye.LEFT, Eye.RIGHT)
-        scenes = [document.pictures.scene(e, frame, instant, Pictured()) for e in eyes]
+        scenes = [document.pictures.scene(e, frame, instant, ViewOptions()) for e in eyes]
         said.append([scene.message for scene in scenes])
     document.session.close()
     assert said[0] == ["", "Frame 26 of this eye: the same instant"]

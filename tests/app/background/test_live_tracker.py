@@ -13,7 +13,7 @@ from PySide6.QtCore import QObject
 from pytestqt.qtbot import QtBot
 
 from app.background import LiveTracker, live
-from app.presenters.runs.ended import Ended
+from app.presenters.runs.run_summary import RunSummary
 from app.tracking_process import TrackerProcess
 from tracking.errors import RecordingError
 from tracking.pipeline import track
@@ -80,11 +80,11 @@ def test_a_run_that_ended_early_is_kept_with_its_reason_where_nothing_can_be_tol
         yield tuple(steps[:5])
         raise RecordingError("left.mp4 breaks off")
 
-    def fails(*_: object) -> Ended:
+    def fails(*_: object) -> RunSummary:
         raise ValueError("nothing can be compared")
 
     monkeypatch.setattr(TrackerProcess, "batches", ends_early)
-    monkeypatch.setattr(live.Ended, "of", fails)
+    monkeypatch.setattr(live.RunSummary, "of", fails)
     with qtbot.waitSignal(tracker.finished, timeout=PATIENCE_MS) as finished:
         tracker.start()
     (run,) = finished.args

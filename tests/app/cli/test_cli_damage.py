@@ -15,7 +15,7 @@ from command_line import Trackwright
 from tracking.editing import plan_rename, plan_swap
 from tracking.session import Session
 from tracking.session.journal_files import JOURNAL
-from tracking.session.saving import companions
+from tracking.session.session_writer import companions
 
 DAMAGED = "its checksum does not hold"
 MISSING = "edits made after the session was saved last may be missing"
@@ -151,7 +151,7 @@ def test_edits_that_another_program_is_making_are_read_and_never_told_as_damage(
     trackwright: Trackwright, named: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Between the copies of a journal's files another program writes a step, and saves."""
-    from tracking.session import waiting
+    from tracking.session import pending_edits
 
     with closing(Session.open(named)) as other:
         first, second = other.tracks.track_ids[:2]
@@ -160,14 +160,14 @@ def test_edits_that_another_program_is_making_are_read_and_never_told_as_damage(
             other.save,
         ]
         other.apply(plan_swap(other.tracks, first, second, 10))
-        copy = waiting._copy
+        copy = pending_edits._copy
 
         def copy_slowly(main: Path, place: Path, ending: str, most_bytes: int) -> None:
             copy(main, place, ending, most_bytes)
             if steps:
                 steps.pop(0)()
 
-        monkeypatch.setattr(waiting, "_copy", copy_slowly)
+        monkeypatch.setattr(pending_edits, "_copy", copy_slowly)
         _, printed, told = trackwright("log", named)
     assert "missing" not in told
     assert len(printed.splitlines()) == 3

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 from command_line import Trackwright
 
-from app.presenters.files.opening import open_path
+from app.presenters.files.document_loader import open_path
 from tracking.editing import plan_delete
 from tracking.session import Session
 

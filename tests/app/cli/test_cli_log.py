@@ -132,7 +132,7 @@ def test_edits_that_cannot_be_copied_to_a_full_temporary_folder_are_not_left_out
         raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
 
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("tracking.session.waiting.shutil.copyfileobj", full)
+    monkeypatch.setattr("tracking.session.pending_edits.shutil.copyfileobj", full)
     status, printed, said = trackwright(words[0], edited, *words[1:])
     assert (status, printed, len(said.splitlines())) == (1, "", 1)
     assert "edits that wait in its journal cannot be read (No space left on device)" in said

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from command_line import Trackwright
 
-from app.cli.scored import part_rates
+from app.cli.score_inputs import part_rates
 from app.cli.tracks import tracks_at
 from tracking.editing import plan_delete, plan_label_part
 from tracking.recording import open_recording

@@ -10,13 +10,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.presenters.document.instant import Instant, Pictured
+from app.presenters.document.frame_state import FrameState, ViewOptions
 from app.presenters.pictures.bodies import BodyPainter, _laid_over, legend_of, why_nothing
 from app.presenters.pictures.of_run import AtWork
 from app.presenters.track_colours import TrackColours
 from tracking.geometry import Camera, Ground, View
 from tracking.trackers.flow import FlowSettings, kernel_table
-from tracking.trackers.flow.clustering import inside
+from tracking.trackers.flow.mean_shift import inside
 from tracking.trackers.spheroid import SpheroidSettings, outlines
 from tracking.tracks import (
     DETECTION_COLUMNS,
@@ -31,7 +31,7 @@ from tracking.tracks import (
 )
 
 SIZE = (320, 240)
-NOTHING = Pictured(trails=False)
+NOTHING = ViewOptions(trails=False)
 
 
 def rows_of(types: Any, **columns: Any) -> Columns:
@@ -95,7 +95,7 @@ def painted(
     run: Run | None = None,
     **asked: bool,
 ) -> np.ndarray:
-    instant = Instant(0, tracks, selected=selected, run=run)
+    instant = FrameState(0, tracks, selected=selected, run=run)
     shape = (SIZE[1], SIZE[0], 3)
     return BodyPainter(view).over(instant, replace(NOTHING, **asked), None, shape)
 
@@ -140,7 +140,7 @@ def test_outlines_are_as_tall_as_the_tracker_thinks(view: View) -> None:
 
 def test_what_a_tracker_at_work_thinks_is_drawn_with_its_own_settings(view: View) -> None:
     at_work = AtWork.of("spheroid", SpheroidSettings(radius_m=0.4, paper=True))
-    instant = Instant(0, OneFrame(PEOPLE, PARTICLES), selected=1, run=at_work)
+    instant = FrameState(0, OneFrame(PEOPLE, PARTICLES), selected=1, run=at_work)
     asked = replace(NOTHING, outlines=True, evaluation=True)
     picture = BodyPainter(view).over(instant, asked, None, (SIZE[1], SIZE[0], 3))
     (stout,) = outlines(view, np.array([(-0.8, 4.0)]), 1.72, 0.4)
@@ -150,7 +150,7 @@ def test_what_a_tracker_at_work_thinks_is_drawn_with_its_own_settings(view: View
 
 def test_the_legend_tells_of_what_is_seen_alone() -> None:
     asked = replace(NOTHING, outlines=True, evaluation=True, tracklets=True)
-    instant = Instant(0, OneFrame(PEOPLE, PARTICLES), selected=1, run=PUBLISHED)
+    instant = FrameState(0, OneFrame(PEOPLE, PARTICLES), selected=1, run=PUBLISHED)
     texts = " ".join(entry.text for entry in legend_of(instant, asked))
     assert "hypotheses" in texts
     assert "region of evaluation" in texts
@@ -252,7 +252,7 @@ def test_the_region_of_evaluation_is_as_large_as_the_run_had_it(view: View) -> N
 @pytest.mark.parametrize("run", [None, run_of("spheroid"), run_of("flow"), run_of("three-part")])
 def test_runs_that_judge_in_no_region_show_none_and_say_why(view: View, run: Run | None) -> None:
     assert not painted(view, OneFrame(PEOPLE), 1, run, evaluation=True).any()
-    said = why_nothing(Instant(0, OneFrame(PEOPLE), selected=1, run=run), "evaluation")
+    said = why_nothing(FrameState(0, OneFrame(PEOPLE), selected=1, run=run), "evaluation")
     assert "setting 'paper'" in said
 
 

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from app.presenters.correcting import EditKind
-from app.presenters.document import own_colours
+from app.presenters.document import session_colours
 from app.presenters.document.document import Document
-from app.presenters.files import opening
+from app.presenters.files import document_loader
 from app.presenters.palette import TRACK_COLOURS, usual_place
 from app.presenters.track_colours import TrackColours
 from tracking.editing import plan_reassign, plan_split
@@ -152,7 +152,7 @@ def test_who_was_watched_while_a_tracker_worked_keeps_the_colour_when_its_run_is
     recording, document, monkeypatch, quick
 ):
     if not quick:
-        monkeypatch.setattr(own_colours, "_QUICK_ROWS", 0)
+        monkeypatch.setattr(session_colours, "_QUICK_ROWS", 0)
     live, session = Document(recording), document.session
     session.colours = {}  # as one that was made a moment ago
     live.begin_live()
@@ -214,7 +214,7 @@ def test_people_keep_the_colours_they_were_watched_in_when_their_session_is_open
     ids = np.unique(tiny_run.tracks["track"]).tolist()
     seen = TrackColours.kept({one: (usual_place(one) + 5) % len(TRACK_COLOURS) for one in ids})
     path = tmp_path / "watched.h5"
-    opening.keep_run(recording, tiny_run, path, seen).close()
+    document_loader.keep_run(recording, tiny_run, path, seen).close()
     first, again = (_looked_at(recording, path, ids) for _ in range(2))
     assert first == again == [seen.of(one) for one in ids]
 
@@ -239,7 +239,7 @@ def test_colours_of_the_run_that_is_corrected_no_more_are_not_those_of_another(
 ):
     ids = np.unique(tiny_run.tracks["track"]).tolist()
     seen = TrackColours.kept({one: (usual_place(one) + 5) % len(TRACK_COLOURS) for one in ids})
-    session = opening.keep_run(recording, tiny_run, tmp_path / "two.h5", seen)
+    session = document_loader.keep_run(recording, tiny_run, tmp_path / "two.h5", seen)
     session.adopt_run(session.add_run(tiny_run, adopt=False))
     assert not session.colours
     session.close()

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from two_people import FRAMES, columns
 
-from app.presenters.counting.counting import CountingPresenter, least_step_s
+from app.presenters.counting.counts import CountingPresenter, least_step_s
 from app.presenters.counting.plots import plots_of
 from app.presenters.counting.subject import Length, worked_out
 from app.presenters.document.document import Document

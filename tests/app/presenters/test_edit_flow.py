@@ -2,18 +2,18 @@ import pytest
 import two_people
 
 from app.presenters.correcting import (
+    EditContext,
     EditFlow,
     EditKind,
-    Footing,
-    Ground,
+    EditScope,
     PreviewedTracks,
-    Reach,
+    RecordingGeometry,
     planned_edit,
     preview_trails,
 )
-from app.presenters.correcting.cuts import changed_over
-from app.presenters.correcting.planning import plan_of
-from app.presenters.correcting.wording import rows_changed
+from app.presenters.correcting.edit_planner import plan_of
+from app.presenters.correcting.edit_texts import rows_changed
+from app.presenters.correcting.swap_candidates import changed_over
 from app.presenters.document.session_tracks import SessionTracks
 from app.presenters.pictures.trails import floor_points
 from app.presenters.track_colours import TrackColours
@@ -29,8 +29,8 @@ def table():
     return two_people.table()
 
 
-def _on(table) -> Ground:
-    return Ground(table, Labels(), Footing(None, two_people.FRAMES, FPS, (640, 480)))
+def _on(table) -> EditContext:
+    return EditContext(table, Labels(), RecordingGeometry(None, two_people.FRAMES, FPS, (640, 480)))
 
 
 def _swap(table, frame=30) -> EditFlow:
@@ -91,18 +91,18 @@ def test_the_scope_goes_round_and_says_where_the_edit_ends(table):
         flow = flow.with_choice(0, flow.chosen(0) + 1)
     cut = flow.cut
     assert stops == [
-        (Reach.ON, cut, None),
-        (Reach.RANGE, cut, cut + 20),
-        (Reach.FRAME, cut, cut + 1),
-        (Reach.WHOLE, 0, None),
-        (Reach.ON, cut, None),
+        (EditScope.ON, cut, None),
+        (EditScope.RANGE, cut, cut + 20),
+        (EditScope.FRAME, cut, cut + 1),
+        (EditScope.WHOLE, 0, None),
+        (EditScope.ON, cut, None),
     ]
 
 
 def test_a_range_the_user_has_set_is_the_one_that_is_meant():
     flow = EditFlow.begin(EditKind.DELETE, 4, 30, FPS, marked=(12, 18))
     assert (flow.cut, flow.stop) == (30, None)
-    ranged = flow.with_scope(Reach.RANGE)
+    ranged = flow.with_scope(EditScope.RANGE)
     assert (ranged.cut, ranged.stop) == (12, 18)
 
 
@@ -195,7 +195,7 @@ def test_a_merge_can_fill_what_lies_between_the_two(table):
 
 
 def test_the_rows_of_a_frame_are_previewed_as_applying_the_change_leaves_them(table):
-    change = plan_of(_swap(table).with_scope(Reach.RANGE), _on(table))
+    change = plan_of(_swap(table).with_scope(EditScope.RANGE), _on(table))
     seen = PreviewedTracks(SessionTracks(table, None), change)
     previewed = [seen.of_frame(frame) for frame in range(two_people.FRAMES)]
     apply_change(table, Labels(), change)

@@ -1,6 +1,6 @@
 import logging
 
-from app.presenters.explaining import explain
+from app.presenters.error_messages import explain
 from tracking.errors import FormatError, SessionError
 
 

@@ -4,8 +4,8 @@ import numpy as np
 from two_people import columns
 from two_people import run as made_run
 
-from app.presenters.runs.ended import Ended, kept_beside
-from app.presenters.words import use_translator
+from app.presenters.i18n import use_translator
+from app.presenters.runs.run_summary import RunSummary, kept_beside
 
 ASKED = (0, 100)
 
@@ -18,14 +18,14 @@ def _with_ids(rows, **ids):
 
 
 def test_a_run_that_says_what_was_seen_on_the_way_tells_of_no_other_ids():
-    words = Ended.of(made_run(), [columns()], ASKED).words(kept_beside(2))
+    words = RunSummary.of(made_run(), [columns()], ASKED).words(kept_beside(2))
     assert words.startswith(
         "Tracked 100 frames with stereo-direction. Found 2 tracks. Kept as run 2"
     )
 
 
 def test_ids_that_were_put_right_afterwards_are_counted():
-    ended = Ended.of(made_run(), [_with_ids(columns(), t7=9)], ASKED)
+    ended = RunSummary.of(made_run(), [_with_ids(columns(), t7=9)], ASKED)
     assert (ended.tracks, ended.seen, ended.changed) == (2, 2, 1)
     assert (
         "whole recording: 1 of the 2 ids you saw while it was tracked has changed"
@@ -37,18 +37,18 @@ def test_guesses_that_were_left_out_afterwards_are_no_other_ids():
     run = made_run()
     seen = ~run.tracks["predicted"].astype(bool)
     run = replace(run, tracks={name: column[seen] for name, column in run.tracks.items()})
-    assert Ended.of(run, [columns()], ASKED).changed == 0
+    assert RunSummary.of(run, [columns()], ASKED).changed == 0
 
 
 def test_rows_may_come_in_pieces():
     rows = columns()
     early = rows["frame"] < 40
     pieces = [{n: c[part] for n, c in rows.items()} for part in (early, np.invert(early))]
-    assert Ended.of(made_run(), pieces, ASKED) == Ended.of(made_run(), [rows], ASKED)
+    assert RunSummary.of(made_run(), pieces, ASKED) == RunSummary.of(made_run(), [rows], ASKED)
 
 
 def test_a_tracking_that_was_stopped_says_how_far_it_came():
-    words = Ended.of(made_run(), [columns()], (0, 300)).words("")
+    words = RunSummary.of(made_run(), [columns()], (0, 300)).words("")
     assert words.startswith("Stopped early: tracked 100 of 300 frames with")
 
 
@@ -56,7 +56,7 @@ def test_what_is_told_is_made_of_whole_sentences_that_can_be_translated():
     asked = []
     use_translator(lambda text: asked.append(text) or text)
     try:
-        Ended.of(made_run(), [_with_ids(columns(), t7=9)], ASKED).words("")
+        RunSummary.of(made_run(), [_with_ids(columns(), t7=9)], ASKED).words("")
     finally:
         use_translator(None)
     assert len(asked) == 3

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from app.presenters.files import left_behind, opening
+from app.presenters.files import document_loader, left_behind
 from tracking.editing import plan_rename
 from tracking.errors import CancelledError
 from tracking.progress import no_progress
@@ -22,7 +22,7 @@ def left(tiny_recording: Path, tiny_session: Path) -> Callable[[int], Path]:
     """Puts a session of the recording among those that were never saved."""
 
     def put(number: int) -> Path:
-        path = opening.unsaved_folder() / f"{tiny_recording.stem}-{number}.h5"
+        path = document_loader.unsaved_folder() / f"{tiny_recording.stem}-{number}.h5"
         path.parent.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(tiny_session, path)
         return path
@@ -94,7 +94,7 @@ def test_work_that_is_open_right_now_is_not_offered(
 ) -> None:
     older = left(1)
     with open_recording(tiny_recording) as recording:
-        session = opening.session_by_hand(recording)
+        session = document_loader.session_by_hand(recording)
         assert left_behind.left_behind(recording, no_progress) == older
         session.close()
         assert left_behind.left_behind(recording, no_progress) == session.path

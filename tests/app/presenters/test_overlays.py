@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from app.presenters.document.document import Document
-from app.presenters.document.instant import Pictured, PictureOverlay
+from app.presenters.document.frame_state import PictureOverlay, ViewOptions
 from app.presenters.pictures.anaglyph import anaglyph_image
 from app.presenters.pictures.overlays import (
     FOREGROUND,
@@ -112,10 +112,10 @@ def test_what_is_laid_over_stays_the_same_array_and_particles_are_drawn_on_a_cop
     image = np.zeros((240, 320, 4), np.uint8)
     frame, instant = document.recording.read(CROWDED), document.instant(CROWDED)
     pictures = document.pictures
-    plain = pictures.scene(Eye.LEFT, frame, instant, Pictured(), PictureOverlay(image))
+    plain = pictures.scene(Eye.LEFT, frame, instant, ViewOptions(), PictureOverlay(image))
     assert plain.overlay is image
     dotted = pictures.scene(
-        Eye.LEFT, frame, instant, Pictured(particles=True), PictureOverlay(image)
+        Eye.LEFT, frame, instant, ViewOptions(particles=True), PictureOverlay(image)
     )
     assert dotted.overlay.any()
     assert not image.any()
@@ -138,7 +138,7 @@ def test_the_right_eye_is_moved_and_what_one_eye_alone_has_is_black(shift):
 
 def test_the_floor_in_the_middle_lies_in_the_plane_of_an_anaglyph(document):
     scene = document.pictures.anaglyph(
-        document.recording.read(0), document.instant(0), Pictured(trails=False)
+        document.recording.read(0), document.instant(0), ViewOptions(trails=False)
     )
     assert scene.eye is Eye.BOTH
     red, green = (scene.image[110:130, 120:200, channel].astype(float) for channel in (2, 1))
@@ -149,8 +149,8 @@ def test_the_floor_in_the_middle_lies_in_the_plane_of_an_anaglyph(document):
 def test_people_move_along_with_the_rectified_picture_of_an_anaglyph(turned, tiny_session):
     document = Document(turned, Session.open(tiny_session))
     frame, instant = turned.read(CROWDED), document.instant(CROWDED)
-    recorded = document.pictures.scene(Eye.LEFT, frame, instant, Pictured()).people
-    moved = document.pictures.anaglyph(frame, instant, Pictured()).people
+    recorded = document.pictures.scene(Eye.LEFT, frame, instant, ViewOptions()).people
+    moved = document.pictures.anaglyph(frame, instant, ViewOptions()).people
     for before, after in zip(recorded, moved, strict=True):
         middle = np.array(
             [[b + s / 2 for b, s in zip(before.box[:2], before.box[2:], strict=True)]]

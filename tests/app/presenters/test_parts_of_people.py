@@ -9,11 +9,11 @@ import two_people
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from app.presenters.document.instant import Instant
+from app.presenters.document.frame_state import FrameState
 from app.presenters.document.live_tracks import LiveTracks
 from app.presenters.document.session_tracks import SessionTracks
 from app.presenters.parts.failures import PartFailures, first_failures
-from app.presenters.parts.picturing import curves_of, curves_scene, pictured_boxes, verdict_text
+from app.presenters.parts.part_views import curves_of, curves_scene, pictured_boxes, verdict_text
 from tracking.tracks import PART_COLUMNS
 
 
@@ -49,7 +49,7 @@ def test_a_verdict_is_said_in_words_and_figures(failed, occluded, score, said):
 
 def test_the_selected_persons_parts_are_drawn_last_the_chosen_one_on_top(tracks):
     first, second = tracks.ids[:2]
-    boxes = pictured_boxes(Instant(50, tracks, selected=first), 2)
+    boxes = pictured_boxes(FrameState(50, tracks, selected=first), 2)
     assert [box.track for box in boxes] == [second] * 3 + [first] * 3
     assert boxes[-1].part == 2
     assert [box.chosen for box in boxes] == [False] * 5 + [True]
@@ -59,19 +59,19 @@ def test_a_rectangle_that_is_not_known_is_left_out(run):
     parts = {name: column.copy() for name, column in run.parts.items()}
     parts["cx"][parts["part"] == 0] = np.nan
     tracks = SessionTracks(two_people.table(), replace(run, parts=parts))
-    assert {box.part for box in pictured_boxes(Instant(50, tracks), 0)} == {1, 2}
+    assert {box.part for box in pictured_boxes(FrameState(50, tracks), 0)} == {1, 2}
 
 
 def test_curves_say_the_figures_of_the_frame_and_what_to_do_without_any(tracks):
     track = tracks.ids[0]
     curves = curves_of(tracks.parts_of_track(track))
-    scene = curves_scene(Instant(50, tracks, selected=track), curves, 0, 200, 20.0)
+    scene = curves_scene(FrameState(50, tracks, selected=track), curves, 0, 200, 20.0)
     at = int(np.searchsorted(curves[0].frames, 50))
     assert f"score {curves[0].score[at]:+.2f}" in scene.said[0]
     assert f"{curves[0].particles[at]:.0f} particles" in scene.said[0]
-    nobody = curves_scene(Instant(50, tracks), (), 0, 200, 20.0)
+    nobody = curves_scene(FrameState(50, tracks), (), 0, 200, 20.0)
     assert nobody.message.startswith("Click a person")
-    whole = curves_scene(Instant(50, tracks, selected=track), (), 0, 200, 20.0)
+    whole = curves_scene(FrameState(50, tracks, selected=track), (), 0, 200, 20.0)
     assert "three-part" in whole.message
 
 
@@ -171,5 +171,5 @@ def test_the_figures_say_that_a_rule_called_a_part_failed(run, score, said):
     curves = curves_of(tracks.parts_of_track(track))
     part = next(number for number, curve in enumerate(curves) if curve.failed.any())
     frame = int(curves[part].frames[curves[part].failed][0])
-    scene = curves_scene(Instant(frame, tracks, selected=track), curves, part, 200, 20.0)
+    scene = curves_scene(FrameState(frame, tracks, selected=track), curves, part, 200, 20.0)
     assert said in scene.said[part]

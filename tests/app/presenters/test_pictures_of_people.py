@@ -6,7 +6,7 @@ import two_people
 
 from app.presenters.correcting import EditKind
 from app.presenters.document.document import Document
-from app.presenters.document.instant import Instant, Pictured
+from app.presenters.document.frame_state import FrameState, ViewOptions
 from app.presenters.document.session_tracks import SessionTracks
 from app.presenters.panels import track_card
 from app.presenters.pictures.extent import MARGIN_M
@@ -27,7 +27,7 @@ def document(tiny_recording, tiny_session):
         document.session.close()
 
 
-def _scene(document, eye=Eye.LEFT, pictured=Pictured()):  # noqa: B008 - frozen
+def _scene(document, eye=Eye.LEFT, pictured=ViewOptions()):  # noqa: B008 - frozen
     frame = document.recording.read(CROWDED)
     return document.pictures.scene(eye, frame, document.instant(CROWDED), pictured)
 
@@ -77,26 +77,26 @@ def test_trails_end_where_the_people_stand(document):
 
 
 def test_without_trails_none_are_made(document):
-    people = _scene(document, pictured=Pictured(trails=False)).people
+    people = _scene(document, pictured=ViewOptions(trails=False)).people
     assert all(len(mark.trail) == 0 for mark in people)
 
 
 def test_particles_are_laid_over_the_picture_near_their_people(document):
-    scene = _scene(document, pictured=Pictured(particles=True))
+    scene = _scene(document, pictured=ViewOptions(particles=True))
     assert scene.overlay.shape == (*scene.image.shape[:2], 4)
     assert scene.overlay[..., 3].any()
     assert _scene(document).overlay is None
 
 
 def test_the_floor_grid_is_made_once_and_lies_in_view(document):
-    first = _scene(document, pictured=Pictured(grid=True)).grid
+    first = _scene(document, pictured=ViewOptions(grid=True)).grid
     assert len(first) > 20
-    assert _scene(document, pictured=Pictured(grid=True)).grid is first
+    assert _scene(document, pictured=ViewOptions(grid=True)).grid is first
     assert len(_scene(document).grid) == 0
 
 
 def test_a_frame_that_is_being_read_is_said(document):
-    scene = document.pictures.scene(Eye.LEFT, None, document.instant(0), Pictured())
+    scene = document.pictures.scene(Eye.LEFT, None, document.instant(0), ViewOptions())
     assert scene.image is None
     assert scene.message == "Reading..."
 
@@ -123,10 +123,10 @@ def test_weights_are_relative_to_the_heaviest_particle_of_each_person():
 def test_people_without_metres_are_left_out_of_the_floor_but_not_of_the_picture(document):
     rows = dict(two_people.columns())
     rows["x"] = np.where(rows["track"] == 7, np.nan, rows["x"])
-    instant = Instant(50, SessionTracks(TrackTable(rows), None))
+    instant = FrameState(50, SessionTracks(TrackTable(rows), None))
     assert [person.track for person in document.overhead.scene(instant).people] == [4]
     frame = document.recording.read(50)
-    marks = document.pictures.scene(Eye.LEFT, frame, instant, Pictured()).people
+    marks = document.pictures.scene(Eye.LEFT, frame, instant, ViewOptions()).people
     assert [mark.track for mark in marks] == [4, 7]
 
 

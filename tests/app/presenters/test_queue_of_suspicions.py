@@ -7,7 +7,7 @@ from app.presenters.scenes import MarkKind
 from app.presenters.track_colours import TrackColours
 from tracking.editing import apply_change, plan_mark_reviewed, plan_swap
 from tracking.review import Suspicion
-from tracking.review.wording import KINDS
+from tracking.review.reason_phrases import KINDS
 from tracking.tracks import Labels
 
 FPS = 10.0

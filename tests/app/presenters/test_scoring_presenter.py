@@ -8,11 +8,11 @@ import pytest
 from two_people import steps
 
 from app.__main__ import run
-from app.cli.scored import true_table
+from app.cli.score_inputs import true_table
 from app.cli.tracks import truth_at
 from app.presenters.document.document import Document
 from app.presenters.scenes import Eye
-from app.presenters.scoring.scoring import ScoringPresenter
+from app.presenters.scoring.scorer import ScoringPresenter
 from app.presenters.scoring.subject import worked_out
 from app.presenters.scoring.truths import TruthKind, TruthSource
 from tracking.editing import plan_delete

@@ -1,7 +1,7 @@
 from dataclasses import replace
 
 from app.presenters.labelling.labelling_scene import Suggested
-from app.presenters.labelling.suggesting import SuggestionQueue
+from app.presenters.labelling.suggestion_list import SuggestionQueue
 from tracking.tracks import PartLabels
 
 

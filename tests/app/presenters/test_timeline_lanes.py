@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import two_people
 
-from app.presenters.document.instant import Instant
+from app.presenters.document.frame_state import FrameState
 from app.presenters.document.session_tracks import SessionTracks
 from app.presenters.panels import EditMarks
 from app.presenters.scenes import MarkKind, SpanKind, TimelineMark
@@ -42,7 +42,7 @@ def timeline(tracks) -> TimelinePresenter:
 
 
 def _scene(timeline, tracks, frame=0, **known):
-    return timeline.scene(frame, Instant(frame, tracks, **known), (0, 0), None)
+    return timeline.scene(frame, FrameState(frame, tracks, **known), (0, 0), None)
 
 
 def _edit(timeline, tracks, table, change):

@@ -6,8 +6,8 @@ from pathlib import Path
 import pytest
 from two_people import table
 
+from app.presenters.comparing.difference_search import Found
 from app.presenters.comparing.differences import Comparison
-from app.presenters.comparing.finding import Found
 from tracking.editing import Difference
 from tracking.recording import open_recording
 from tracking.session import Session

@@ -5,8 +5,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from app.presenters.co_occurrence import closeness, meetings_of
 from app.presenters.colour_sight import alike, of_one_hue
-from app.presenters.meetings import closeness, meetings_of
 from app.presenters.palette import NOBODY, TRACK_COLOURS
 from app.presenters.shown_colours import THEMES, standing_out
 from app.presenters.track_colours import TrackColours

@@ -6,10 +6,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.presenters.parts.taught import Source, taught_by
-from app.presenters.parts.training import TrainingSettings, counts_of, trained_from
+from app.presenters.i18n import time_text
+from app.presenters.parts.detector_training import TrainingSettings, counts_of, trained_from
 from app.presenters.parts.training_result import TrainingResult
-from app.presenters.words import time_text
+from app.presenters.parts.training_set import Source, taught_by
 from tracking.errors import CancelledError
 from tracking.failure import FEATURE_NAMES, Samples
 from tracking.failure.samples import samples_from_rows

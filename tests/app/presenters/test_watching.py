@@ -5,7 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from app.presenters.reviewing.review_meter import _corrections
-from app.presenters.reviewing.watching import Watching
+from app.presenters.reviewing.watched_ranges import Watching
 
 FPS = 10.0
 

@@ -4,9 +4,16 @@ import numpy as np
 import pytest
 import two_people
 
-from app.presenters.correcting import EditFlow, EditKind, Footing, Ground, cuts, planned_edit
-from app.presenters.correcting.correcting import Correcting
-from app.presenters.correcting.suspected import first_shown
+from app.presenters.correcting import (
+    EditContext,
+    EditFlow,
+    EditKind,
+    RecordingGeometry,
+    planned_edit,
+    swap_candidates,
+)
+from app.presenters.correcting.correction import Correcting
+from app.presenters.correcting.review_target import first_shown
 from app.presenters.document.selection import Selection
 from tracking.editing import SwapFrame
 from tracking.review import Suspicion
@@ -15,12 +22,12 @@ from tracking.tracks import CORRECTED_COLUMNS, Labels, TrackTable
 
 def test_of_frames_about_as_likely_the_nearest_comes_first():
     found = (SwapFrame(900, 0.4, "far"), SwapFrame(110, 0.3, "near"), SwapFrame(90, 0.05, "no"))
-    assert [one.frame for one in cuts.nearest_of_likely(found, 100)] == [110, 900, 90]
+    assert [one.frame for one in swap_candidates.nearest_of_likely(found, 100)] == [110, 900, 90]
 
 
 def test_one_that_is_much_likelier_stays_first():
     found = (SwapFrame(900, 0.9, "far"), SwapFrame(110, 0.1, "near"))
-    assert [one.frame for one in cuts.nearest_of_likely(found, 100)] == [900, 110]
+    assert [one.frame for one in swap_candidates.nearest_of_likely(found, 100)] == [900, 110]
 
 
 def _said_of(apart_m: float, others: int) -> str:
@@ -28,7 +35,7 @@ def _said_of(apart_m: float, others: int) -> str:
     rows = dict(two_people.columns())
     late = rows["track"] == 7
     rows["y"] = np.where(late, 5.0 + apart_m, rows["y"]).astype(rows["y"].dtype)
-    on = Ground(TrackTable(rows), Labels(), Footing(None, 100, 10.0, (640, 480)))
+    on = EditContext(TrackTable(rows), Labels(), RecordingGeometry(None, 100, 10.0, (640, 480)))
     found = (SwapFrame(50, 1.0 - 0.2 * others, "reasons"), *[SwapFrame(80, 0.2, "less")] * others)
     flow = EditFlow.begin(EditKind.SWAP, 4, 50, 10.0).with_other(7, found)
     return planned_edit(flow, on).scene.details[0]
@@ -49,7 +56,7 @@ def test_two_who_are_far_apart_are_not_told_as_having_changed_over():
 
 def test_where_nothing_speaks_for_a_frame_that_is_said():
     found = (SwapFrame(50, 0.9, "reasons", False), SwapFrame(80, 0.1, "less"))
-    on = Ground(two_people.table(), Labels(), Footing(None, 100, 10.0, (640, 480)))
+    on = EditContext(two_people.table(), Labels(), RecordingGeometry(None, 100, 10.0, (640, 480)))
     flow = EditFlow.begin(EditKind.SWAP, 4, 50, 10.0).with_other(7, found)
     said = planned_edit(flow, on).scene.details[0]
     assert said == "Frame 50 (00:05.00), no sign of a swap here: reasons"
@@ -57,7 +64,7 @@ def test_where_nothing_speaks_for_a_frame_that_is_said():
 
 @pytest.fixture
 def correcting():
-    on = Ground(two_people.table(), Labels(), Footing(None, 100, 10.0, (640, 480)))
+    on = EditContext(two_people.table(), Labels(), RecordingGeometry(None, 100, 10.0, (640, 480)))
     selection = Selection()
     selection.choose(4)
     selection.add(7)

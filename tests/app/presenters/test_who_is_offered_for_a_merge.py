@@ -3,8 +3,8 @@
 import numpy as np
 import two_people
 
-from app.presenters.correcting import EditKind, Footing, Ground
-from app.presenters.correcting.correcting import Correcting
+from app.presenters.correcting import EditContext, EditKind, RecordingGeometry
+from app.presenters.correcting.correction import Correcting
 from app.presenters.document.selection import Selection
 from tracking.tracks import Labels, TrackTable
 
@@ -25,7 +25,7 @@ def _merging(on_floor=True):
     rows = {name: np.concatenate([part[name] for part in parts]) for name in all_rows}
     order = np.lexsort((rows["track"], rows["frame"]))
     table = TrackTable({name: column[order] for name, column in rows.items()})
-    on = Ground(table, Labels(), Footing(None, 100, 10.0, (640, 480)))
+    on = EditContext(table, Labels(), RecordingGeometry(None, 100, 10.0, (640, 480)))
     selection = Selection()
     selection.choose(4)
     correcting = Correcting(selection, on.footing, lambda: on)

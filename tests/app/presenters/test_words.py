@@ -1,31 +1,31 @@
 import pytest
 
-from app.presenters import words
+from app.presenters import i18n
 
 
 def test_places_in_a_text_are_filled():
-    assert words.tr("Swap {a} with...", a=4) == "Swap 4 with..."
+    assert i18n.tr("Swap {a} with...", a=4) == "Swap 4 with..."
 
 
 def test_an_installed_translator_is_asked():
-    words.use_translator({"Open...": "開く..."}.get)
+    i18n.use_translator({"Open...": "開く..."}.get)
     try:
-        assert words.tr("Open...") == "開く..."
+        assert i18n.tr("Open...") == "開く..."
     finally:
-        words.use_translator(None)
-    assert words.tr("Open...") == "Open..."
+        i18n.use_translator(None)
+    assert i18n.tr("Open...") == "Open..."
 
 
 def test_times_are_said_as_on_a_clock():
-    assert words.time_text(41.7) == "00:41.70"
-    assert words.time_text(3725.5) == "1:02:05.50"
+    assert i18n.time_text(41.7) == "00:41.70"
+    assert i18n.time_text(3725.5) == "1:02:05.50"
 
 
 def test_a_stretch_is_said_by_both_its_ends_and_one_frame_by_its_time():
-    assert words.span_text(16.25, 16.3) == "00:16.25 to 00:16.30"
-    assert words.span_text(16.25, 16.25) == "00:16.25"
+    assert i18n.span_text(16.25, 16.3) == "00:16.25 to 00:16.30"
+    assert i18n.span_text(16.25, 16.25) == "00:16.25"
 
 
 @pytest.mark.parametrize(("count", "said"), [(0, "0 frames"), (1, "1 frame"), (2, "2 frames")])
 def test_one_is_not_said_in_the_plural(count, said):
-    assert words.counted(count, "{n} frame", "{n} frames") == said
+    assert i18n.counted(count, "{n} frame", "{n} frames") == said

@@ -4,8 +4,8 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QWidget
 
+from app.presenters.files.export import refuse_to_lose
 from app.presenters.files.export_formats import export_formats, proposed_folder, proposed_name
-from app.presenters.files.exporting import refuse_to_lose
 from app.views.files.export_dialog import ExportDialog
 from tracking.errors import OutputError
 

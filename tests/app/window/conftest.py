@@ -12,8 +12,8 @@ from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 from shifted_runs import AGAIN_AT, SHIFTED
 
-from app.presenters.files import opening
-from app.views.desk.desk import Desk
+from app.presenters.files import document_loader
+from app.views.desk.recording_controller import RecordingController
 from app.views.window.main_window import MainWindow
 from tracking.recording import open_recording
 from tracking.session import Session
@@ -23,7 +23,7 @@ Press = Callable[..., None]
 
 
 @pytest.fixture
-def desk(window: MainWindow, qtbot: QtBot, tiny_session: Path) -> Desk:
+def desk(window: MainWindow, qtbot: QtBot, tiny_session: Path) -> RecordingController:
     """The desk once its first frame is shown."""
     window.files.open_path(tiny_session)
     qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
@@ -32,7 +32,7 @@ def desk(window: MainWindow, qtbot: QtBot, tiny_session: Path) -> Desk:
 
 
 @pytest.fixture
-def press(window: MainWindow, desk: Desk, qtbot: QtBot) -> Press:
+def press(window: MainWindow, desk: RecordingController, qtbot: QtBot) -> Press:
     """Press a key where the keyboard is."""
 
     def press(key: Qt.Key, modifiers: Qt.KeyboardModifier = Qt.KeyboardModifier.NoModifier) -> None:
@@ -60,13 +60,13 @@ def shifted_session(tiny_recording: Path, shifted_run: tuple[Run, int], tmp_path
     path = tmp_path / "shifted.h5"
     with open_recording(tiny_recording) as recording:
         session = Session.create(recording, [shifted_run[0]], path)
-        opening.remember_place(session, recording)
+        document_loader.remember_place(session, recording)
         session.close()
     return path
 
 
 @pytest.fixture
-def shifted_desk(window: MainWindow, qtbot: QtBot, shifted_session: Path) -> Desk:
+def shifted_desk(window: MainWindow, qtbot: QtBot, shifted_session: Path) -> RecordingController:
     """The desk on that session, at the frame to track again from."""
     window.files.open_path(shifted_session)
     qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)

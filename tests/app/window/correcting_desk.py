@@ -13,7 +13,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu, QWidget
 from pytestqt.qtbot import QtBot
 
-from app.views.desk.desk import Desk
+from app.views.desk.recording_controller import RecordingController
 from app.views.window.main_window import MainWindow
 
 CROWDED = 60
@@ -22,7 +22,9 @@ CTRL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModi
 LEFT = Qt.MouseButton.LeftButton
 
 
-def opened_desk(window: MainWindow, qtbot: QtBot, path: Path, frame: int = CROWDED) -> Desk:
+def opened_desk(
+    window: MainWindow, qtbot: QtBot, path: Path, frame: int = CROWDED
+) -> RecordingController:
     """The desk once the frame is shown in both eyes and the window has the keyboard."""
     window.files.open_path(path)
     qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
@@ -49,7 +51,7 @@ class Hands:
     """Whoever sits before the window: presses keys, clicks, drags; looks at the session's rows."""
 
     window: MainWindow
-    desk: Desk
+    desk: RecordingController
     qtbot: QtBot
 
     def press(self, key: Qt.Key, modifiers: Qt.KeyboardModifier = NO_KEY) -> None:

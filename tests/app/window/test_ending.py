@@ -7,7 +7,7 @@ from unittest.mock import Mock
 
 import pytest
 
-from app.views.window import ending
+from app.views.window import shutdown_signals
 
 
 def test_a_terminal_that_is_closed_keeps_nobody_from_ending(monkeypatch):
@@ -24,12 +24,12 @@ def test_a_fault_in_closing_keeps_nobody_from_ending(monkeypatch):
     window.files.told_at_end.side_effect = RuntimeError
     with pytest.raises(RuntimeError):
         _ended(monkeypatch, window)
-    assert ending.QCoreApplication.quit.called
+    assert shutdown_signals.QCoreApplication.quit.called
 
 
 def _ended(monkeypatch, window):
-    monkeypatch.setattr(ending, "QCoreApplication", Mock())
+    monkeypatch.setattr(shutdown_signals, "QCoreApplication", Mock())
     stand_in = SimpleNamespace(_window=window)
-    stand_in._close = lambda: ending.EndBySignal._close(stand_in)
-    ending.EndBySignal._end(stand_in)
-    return ending.QCoreApplication.quit.called
+    stand_in._close = lambda: shutdown_signals.EndBySignal._close(stand_in)
+    shutdown_signals.EndBySignal._end(stand_in)
+    return shutdown_signals.QCoreApplication.quit.called

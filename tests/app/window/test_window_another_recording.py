@@ -4,7 +4,7 @@ import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
 
-from app.presenters.files import opening
+from app.presenters.files import document_loader
 from app.views.pictures.canvas import Canvas
 from app.views.pictures.viewport import Viewport
 from tracking.recording import open_recording
@@ -33,7 +33,7 @@ def other_session(tiny_recording, tiny_run, tmp_path):
     path = tmp_path / "other.h5"
     with open_recording(tiny_recording) as recording:
         session = Session.create(recording, [tiny_run], path)
-        opening.remember_place(session, recording)
+        document_loader.remember_place(session, recording)
         session.close()
     return path
 

@@ -10,11 +10,11 @@ from PySide6.QtCore import QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QPushButton
 
-from app.presenters.files.opening import known_recordings
+from app.presenters.files.document_loader import known_recordings
 from app.presenters.parts.detector_choice import DetectorChoice, known_choice
 from app.presenters.parts.mistake_pictures import Here, Search, cut_outs
-from app.presenters.parts.taught import source_at, taught_by
 from app.presenters.parts.training_result import MistakeItem
+from app.presenters.parts.training_set import source_at, taught_by
 from app.views.parts.detectors import _labels_here
 from app.views.parts.result_dialog import ResultDialog
 from app.views.parts.train_dialog import TrainDialog

@@ -4,7 +4,7 @@ import pytest
 from correcting_desk import CROWDED, CTRL, SHIFT, Hands, opened_desk
 from PySide6.QtCore import Qt
 
-from app.presenters.correcting import EditKind, Reach
+from app.presenters.correcting import EditKind, EditScope
 from app.presenters.correcting.kinds import Longest
 from app.views.correcting.attributes import AttributesTable
 from tracking.tracks import Source
@@ -172,7 +172,7 @@ def test_occluded_and_visible_are_marked_over_a_scope(hands, track):
     before, after = (hands.row(track, frame)["visibility"] for frame in (59, 68))
     hands.press(Key.Key_H)
     hands.press(Key.Key_R)
-    assert hands.desk.document.flow.scope is Reach.RANGE
+    assert hands.desk.document.flow.scope is EditScope.RANGE
     hands.press(Key.Key_Return)
     marked = [hands.row(track, frame)["visibility"] for frame in (59, 60, 67, 68)]
     assert marked == [before, 0, 0, after]

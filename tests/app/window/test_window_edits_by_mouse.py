@@ -10,7 +10,7 @@ from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QToolButton
 
-from app.presenters.correcting import Reach
+from app.presenters.correcting import EditScope
 from app.presenters.scenes import Eye
 from tests.pace import pace
 from tracking.tracks import Source
@@ -94,7 +94,7 @@ def test_a_new_id_is_given_by_its_chip_over_a_range_chosen_by_its_button(hands, 
     QTest.mouseClick(_chip(hands, f"new {new}"), LEFT)
     QTest.mouseClick(_chip(hands, "this range"), LEFT)
     flow = hands.desk.document.flow
-    assert flow.scope is Reach.RANGE
+    assert flow.scope is EditScope.RANGE
     _apply(hands)
     assert hands.frames(new) == [frame for frame in before if flow.cut <= frame < flow.end]
 

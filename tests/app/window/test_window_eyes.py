@@ -5,7 +5,7 @@ from correcting_desk import opened_desk
 from PySide6.QtCore import QSettings
 
 from app.views.desk.workspace import Workspace
-from app.views.widgets.remembered import Remembered
+from app.views.widgets.user_settings import Remembered
 
 
 @pytest.fixture

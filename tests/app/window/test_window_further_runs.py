@@ -8,9 +8,9 @@ from patient import PATIENCE_S
 from PySide6.QtCore import Qt
 
 from app.presenters.correcting import EditKind
-from app.presenters.document import own_colours
+from app.presenters.document import session_colours
 from app.presenters.track_colours import TrackColours
-from app.views.desk.desk import Desk
+from app.views.desk.recording_controller import RecordingController
 from tracking.errors import EditError, RecordingError
 from tracking.session import Session
 from tracking.trackers import StepResult
@@ -21,14 +21,14 @@ Key = Qt.Key
 
 
 @pytest.fixture
-def untracked(window, qtbot, tiny_recording) -> Desk:
+def untracked(window, qtbot, tiny_recording) -> RecordingController:
     window.files.open_path(tiny_recording)
     qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
     return window.desk
 
 
 @pytest.fixture
-def looked_away(desk) -> Desk:
+def looked_away(desk) -> RecordingController:
     """The desk with a further tracker at work, while the session's tracks are looked at."""
     desk.document.begin_live()
     assert desk.document.show_live(on=False)
@@ -44,7 +44,7 @@ def _steps(run, until):
 
 
 @pytest.fixture
-def followed(desk, tiny_run, monkeypatch) -> Desk:
+def followed(desk, tiny_run, monkeypatch) -> RecordingController:
     """The desk that follows a further tracker at work, whose people it shows."""
     monkeypatch.setattr(type(desk.live), "running", property(lambda _: True))
     desk.document.begin_live()
@@ -55,7 +55,7 @@ def followed(desk, tiny_run, monkeypatch) -> Desk:
 
 
 @pytest.fixture
-def swapping(followed) -> Desk:
+def swapping(followed) -> RecordingController:
     """The same desk once somebody has looked away from it and begun to correct."""
     desk, document = followed, followed.document
     desk.playback.go(40)
@@ -232,9 +232,9 @@ def test_a_colour_stays_as_runs_end_and_are_dropped(desk, tiny_run):
 
 
 @pytest.fixture
-def long(desk, monkeypatch) -> Desk:
+def long(desk, monkeypatch) -> RecordingController:
     """The desk where every session counts as long, and everybody wears another colour then."""
-    monkeypatch.setattr(own_colours, "_QUICK_ROWS", 0)
+    monkeypatch.setattr(session_colours, "_QUICK_ROWS", 0)
     of_session = TrackColours.of_session
     desk.made_in = []
 

@@ -14,9 +14,9 @@ from PySide6.QtCore import Qt, QUrl
 from PySide6.QtWidgets import QMessageBox
 
 from app.cli.export import check_is_own
+from app.presenters.files.export import exported
 from app.presenters.files.export_formats import export_formats
-from app.presenters.files.exporting import exported
-from app.views.files import exporting, importing
+from app.views.files import export_controller, import_controller
 from app.views.files.import_dialog import ImportDialog
 from tracking.errors import OutputError
 from tracking.formats import format_of, read_mot
@@ -77,7 +77,7 @@ def test_what_a_format_does_not_hold_stays_said_until_it_is_read(window, desk, q
 def test_an_export_that_was_cancelled_writes_nothing(window, desk, qtbot, tmp_path, monkeypatch):
     cancelled, whole = threading.Event(), exported(desk.document.session)
     put_together = lambda: cancelled.wait(PATIENCE_S) and whole  # noqa: E731
-    monkeypatch.setattr(exporting, "exporting", lambda *_: put_together)
+    monkeypatch.setattr(export_controller, "exporting", lambda *_: put_together)
     window.files.exporting.tracks_to(tmp_path / "tracks.txt")
     window.work.cancel()
     cancelled.set()
@@ -181,7 +181,7 @@ def test_a_file_is_not_imported_by_dropping_it_while_other_work_is_going_on(
 def test_each_ending_is_offered_once_though_formats_share_it(window, desk, monkeypatch):
     offered = []
     monkeypatch.setattr(
-        importing, "choose_file", lambda _w, _title, filters, *_: offered.append(filters)
+        import_controller, "choose_file", lambda _w, _title, filters, *_: offered.append(filters)
     )
     window.files.importing.ask()
     endings = re.findall(r"\*\.\w+", offered[0])

@@ -5,7 +5,7 @@ import errno
 import pytest
 from PySide6.QtWidgets import QMessageBox
 
-from app.presenters.files import opening
+from app.presenters.files import document_loader
 from tracking.errors import OutputError
 
 
@@ -26,8 +26,8 @@ class FullDisk:
 
 @pytest.fixture
 def disk(monkeypatch):
-    disk = FullDisk(opening.keep_run)
-    monkeypatch.setattr(opening, "keep_run", disk)
+    disk = FullDisk(document_loader.keep_run)
+    monkeypatch.setattr(document_loader, "keep_run", disk)
     return disk
 
 
@@ -98,7 +98,7 @@ def test_a_folder_that_cannot_be_made_is_no_bug(
     def refuse(*_):
         raise OSError(errno.EACCES, "Permission denied")
 
-    monkeypatch.setattr(opening, "keep_run", refuse)
+    monkeypatch.setattr(document_loader, "keep_run", refuse)
     window.files.open_path(tiny_recording)
     qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
     window.desk.tracking.tracked.emit(tiny_run)

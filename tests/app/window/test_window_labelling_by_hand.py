@@ -6,7 +6,7 @@ import pytest
 from correcting_desk import CTRL, Hands, opened_desk
 from PySide6.QtCore import Qt
 
-from app.views.files import saving
+from app.views.files import save_controller
 from tracking.session import Session
 from tracking.tracks import Source
 
@@ -69,7 +69,7 @@ def test_leaving_the_first_box_undone_makes_no_session(hands):
 
 def test_what_was_labelled_is_saved_where_the_dialog_says(hands, tmp_path, monkeypatch):
     path = tmp_path / "labelled.h5"
-    monkeypatch.setattr(saving, "choose_new_file", lambda *given: given[4](path))
+    monkeypatch.setattr(save_controller, "choose_new_file", lambda *given: given[4](path))
     _draw(hands, (30, 20))
     hands.press(Key.Key_S, CTRL)
     hands.qtbot.waitUntil(lambda: path.is_file() and not hands.window.work.busy)

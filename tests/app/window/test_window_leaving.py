@@ -10,7 +10,7 @@ from patient import PATIENCE_S
 from PySide6.QtCore import QCoreApplication, QEvent
 from PySide6.QtWidgets import QMessageBox
 
-from tracking.session.saving import companions
+from tracking.session.session_writer import companions
 
 _BUTTON = QMessageBox.StandardButton
 

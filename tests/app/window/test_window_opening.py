@@ -8,10 +8,10 @@ from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog
 
-from app.presenters.files import demonstration, left_behind, opening
+from app.presenters.files import demonstration, document_loader, left_behind
 from app.presenters.files.demonstration import Demonstration
 from app.views.timeline.tracks_area import TracksArea
-from app.views.widgets.remembered import Place
+from app.views.widgets.user_settings import Place
 from tracking.errors import CancelledError
 from tracking.recording import open_recording
 
@@ -48,7 +48,7 @@ def test_what_was_told_as_a_session_was_tracked_is_said_once_and_goes_by_itself(
     path = tmp_path / "noted.h5"
     run = replace(tiny_run, notes=("tiny: the right eye was dark for 4 s.",))
     with open_recording(tiny_recording) as recording:
-        opening.keep_run(recording, run, path).close()
+        document_loader.keep_run(recording, run, path).close()
     window.files.open_path(path)
     qtbot.waitUntil(lambda: window.desk is not None)
     assert "As it was tracked: tiny: the right eye was dark" in window.notice.text
@@ -99,7 +99,7 @@ def test_the_layout_and_the_look_are_remembered(window, qtbot, remembered):
 
 
 def test_unsaved_sessions_stand_on_the_first_page_after_a_crash(window, own_folder, tiny_session):
-    left: Path = opening.unsaved_folder() / "lost-1.h5"
+    left: Path = document_loader.unsaved_folder() / "lost-1.h5"
     left.parent.mkdir(parents=True)
     left.write_bytes(tiny_session.read_bytes())
     recent = window.files.welcome_scene().recent
@@ -110,7 +110,7 @@ def test_unsaved_sessions_stand_on_the_first_page_after_a_crash(window, own_fold
 def test_work_that_was_never_saved_is_offered_with_its_recording(
     window, qtbot, tiny_recording, tiny_session
 ):
-    left = opening.unsaved_folder() / f"{tiny_recording.stem}-7.h5"
+    left = document_loader.unsaved_folder() / f"{tiny_recording.stem}-7.h5"
     left.parent.mkdir(parents=True)
     tiny_session.rename(left)
     (left.parent / f"{tiny_recording.stem}-8.h5").write_bytes(b"no session")
@@ -127,7 +127,7 @@ def test_work_that_was_never_saved_is_offered_with_its_recording(
 def test_work_on_another_recording_of_the_same_name_is_not_offered(
     window, qtbot, tiny_recording, tiny_session, tmp_path
 ):
-    left = opening.unsaved_folder() / f"{tiny_recording.stem}-1.h5"
+    left = document_loader.unsaved_folder() / f"{tiny_recording.stem}-1.h5"
     left.parent.mkdir(parents=True)
     tiny_session.rename(left)
     other = tmp_path / "elsewhere" / tiny_recording.name
@@ -224,7 +224,7 @@ def test_opening_that_was_cancelled_leaves_nothing_open(tiny_session, own_folder
 
     with pytest.raises(CancelledError):
         left_behind.open_with_unsaved(tiny_session, None, None, cancel)
-    opened = opening.open_path(tiny_session)
+    opened = document_loader.open_path(tiny_session)
     assert not opened.document.session.read_only  # nobody holds the lock
     opened.close()
 
@@ -273,7 +273,7 @@ def test_a_wrong_file_is_told_in_one_line_with_what_to_do_and_the_window_goes_on
 
 
 def test_a_damaged_session_offers_the_copy_that_was_saved_before(window, qtbot, tiny_session):
-    session = opening.open_path(tiny_session)
+    session = document_loader.open_path(tiny_session)
     session.document.session.save(tiny_session)
     session.close()
     _damaged(tiny_session)

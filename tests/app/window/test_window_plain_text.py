@@ -25,7 +25,7 @@ from PySide6.QtWidgets import (
 from pytestqt.qtbot import QtBot
 from shiboken6 import isValid
 
-from app.presenters.files import opening
+from app.presenters.files import document_loader
 from app.views.window.main_window import MainWindow
 from tracking.editing import (
     plan_lines,
@@ -60,7 +60,7 @@ def hostile_session(tiny_recording: Path, tiny_run: Run, tmp_path: Path) -> Path
     with open_recording(folder) as recording:
         runs = [tiny_run, replace(tiny_run, notes=(MARKED,))]
         session = Session.create(recording, runs, path, author=MARKED)
-        opening.remember_place(session, recording)
+        document_loader.remember_place(session, recording)
     _describe(session)
     session.save()
     session.close()

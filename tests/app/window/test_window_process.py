@@ -13,7 +13,7 @@ from patient import PATIENCE_S
 from PySide6.QtCore import QSettings
 
 from app.views.application import borrowed_window, show_document
-from app.views.widgets.remembered import Place, Remembered
+from app.views.widgets.user_settings import Place, Remembered
 from app.views.window.main_window import MainWindow
 
 _PROGRAM = """
@@ -100,7 +100,7 @@ import os, signal, sys
 from PySide6.QtCore import QEvent, QObject
 from PySide6.QtWidgets import QMainWindow
 from app.views import application
-from app.views.widgets.remembered import Remembered
+from app.views.widgets.user_settings import Remembered
 
 class Interrupt(QObject):
     done = False
@@ -119,7 +119,7 @@ _QUIT_BY_THE_SYSTEM = """
 import sys
 from PySide6.QtCore import QCoreApplication, QTimer
 from app.views import application
-from app.views.widgets.remembered import Remembered
+from app.views.widgets.user_settings import Remembered
 
 application.start_application(Remembered())
 timer = QTimer(interval=200)

@@ -8,8 +8,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLineEdit
 
-from app.presenters.correcting import EditKind, Reach
-from app.presenters.files import opening
+from app.presenters.correcting import EditKind, EditScope
+from app.presenters.files import document_loader
 from app.presenters.playing.clock import LONGEST_STALL_S
 from app.presenters.reviewing.review_scene import Order
 from app.views.reviewing.review_panel import ReviewPanel
@@ -39,7 +39,7 @@ def swapped_session(tiny_recording, tiny_run, tmp_path):
     with open_recording(tiny_recording) as recording:
         run = replace(tiny_run, tracks=tracks, signals=signals)
         session = Session.create(recording, [run], path)
-        opening.remember_place(session, recording)
+        document_loader.remember_place(session, recording)
         session.close()
     return path, {one, other}
 
@@ -232,7 +232,7 @@ def test_marking_a_whole_track_leaves_the_playhead_and_marks_only_its_frames(des
     desk.playback.go(stop - 1)
     desk.document.selection.choose(late)
     for choose in (True, False):
-        desk.editing.begin(EditKind.REVIEW, Reach.WHOLE)
+        desk.editing.begin(EditKind.REVIEW, EditScope.WHOLE)
         if choose:
             assert desk.playback.clock.frame == stop - 1
         desk.editing.confirm()
@@ -359,7 +359,7 @@ def imported(window, qtbot, swapped_session, tiny_recording, request, tmp_path):
         tracks = {**run.tracks, "confidence": request.param(run.tracks["confidence"])}
         made = replace(run, tracker=IMPORTED, tracks=tracks)
         session = Session.create(recording, [made], tmp_path / "imported.h5")
-        opening.remember_place(session, recording)
+        document_loader.remember_place(session, recording)
         session.close()
     window.files.open_path(session.path)
     qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)

@@ -1,8 +1,8 @@
 import numpy as np
 import pytest
 
-from app.presenters.files import opening
-from app.presenters.runs.ended import Ended
+from app.presenters.files import document_loader
+from app.presenters.runs.run_summary import RunSummary
 from app.views.runs.track_dialog import TrackDialog
 from tracking.session import Session
 
@@ -25,7 +25,7 @@ def test_the_first_play_tracks_live_and_ends_in_a_session_kept_on_disk(opened, q
     assert desk.live.running
     qtbot.waitUntil(lambda: _tracked(opened))
     session = opened.files.session
-    assert session.path.parent == opening.unsaved_folder()
+    assert session.path.parent == document_loader.unsaved_folder()
     assert len(session.tracks.track_ids) >= 4
     assert opened.files.saving.unsaved  # nobody gave it a place yet
 
@@ -161,7 +161,7 @@ def test_what_there_is_to_tell_of_a_tracking_is_shown_when_it_ends(opened, tiny_
 def test_a_result_for_a_session_without_any_says_that_it_is_to_be_saved(opened, tiny_run):
     desk = opened.desk
     desk.document.take_session(Session.create(desk.document.recording))
-    desk.live.ended = Ended.of(tiny_run, [tiny_run.tracks], tiny_run.frames)
+    desk.live.ended = RunSummary.of(tiny_run, [tiny_run.tracks], tiny_run.frames)
     desk.tracking.add_run(tiny_run)
     assert "Kept as run 0, and its tracks are the ones to correct now" in opened.notice.text
     assert "on disk" not in opened.notice.text
@@ -172,7 +172,7 @@ def test_which_run_is_corrected_is_told_until_another_one_is(opened, tiny_run, q
     desk = opened.desk
     desk.document.take_session(Session.create(desk.document.recording, [tiny_run]))
     desk.document.begin_live()
-    desk.live.ended = Ended.of(tiny_run, [tiny_run.tracks], tiny_run.frames)
+    desk.live.ended = RunSummary.of(tiny_run, [tiny_run.tracks], tiny_run.frames)
     desk.live.notes = ("Lobby: are the eyes swapped?",)
     desk.tracking.add_run(tiny_run)
     opened.bring_up_to_date()

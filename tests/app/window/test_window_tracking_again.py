@@ -10,7 +10,7 @@ from PySide6.QtTest import QTest
 from shifted_runs import AGAIN_AT, SHIFTED, boxes, items, place
 
 from app.presenters.comparing.differences import Comparison
-from app.presenters.words import span_text
+from app.presenters.i18n import span_text
 from app.views.runs.track_dialog import TrackDialog
 from tracking.editing import plan_mark_reviewed
 

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.trackers.flow import KernelTable
-from tracking.trackers.flow.clustering import MOST_STEPS
+from tracking.trackers.flow.mean_shift import MOST_STEPS
 
 Vectors = NDArray[np.float64]
 

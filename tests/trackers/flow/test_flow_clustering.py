@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from plain_mean_shift import plain_settled, plain_step
 
 from tracking.trackers.flow import kernel_table
-from tracking.trackers.flow.clustering import cold, inside, joined, settled, shifted, shrunk, warm
+from tracking.trackers.flow.mean_shift import cold, inside, joined, settled, shifted, shrunk, warm
 
 Vectors = NDArray[np.float64]
 

@@ -8,9 +8,9 @@ import pytest
 from tests.trackers.flow.flow_scenes import FPS
 from tests.trackers.flow.tracklet_runs import VIEW, Walker, run_with
 from tracking.trackers.flow.floor import Floor
-from tracking.trackers.flow.footing import foot_lines
-from tracking.trackers.flow.retelling import retold
-from tracking.trackers.flow.standing import feet_cost, feet_misfit, feet_say, ratios
+from tracking.trackers.flow.foot_evidence import foot_lines
+from tracking.trackers.flow.foot_fit import feet_cost, feet_misfit, feet_say, ratios
+from tracking.trackers.flow.relabel_run import retold
 
 FLOOR = Floor(VIEW)
 ROWS, COLUMNS = 240, 320

@@ -9,8 +9,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tracking.trackers.flow.floor import Floor, sight_axes
-from tracking.trackers.flow.holding import Holds, adapted, moved, released, said
 from tracking.trackers.flow.silhouettes import BODY, SHADE, cover_of, drawn, fits
+from tracking.trackers.flow.tracklet_owners import Holds, adapted, moved, released, said
 from tracking.trackers.flow.walkers import Walkers, begun, measured, predicted
 
 FLOOR = Floor(view_of(3.0, 35.0))

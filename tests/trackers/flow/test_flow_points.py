@@ -7,7 +7,7 @@ import pytest
 from flow_scenes import SIZE, floor_picture
 from numpy.typing import NDArray
 
-from tracking.trackers.flow.following import PointFollower
+from tracking.trackers.flow.point_tracker import PointFollower
 from tracking.trackers.flow.settings import PointSettings
 
 Grey = NDArray[np.uint8]

@@ -10,9 +10,9 @@ from tests.trackers.flow.tracklet_runs import FRAMES, VIEW, Walker, run_with
 from tracking.trackers.flow import finished
 from tracking.trackers.flow.bundles import Way, bundle_of
 from tracking.trackers.flow.chains import chains_of
-from tracking.trackers.flow.choosing import Walk, without_twins
 from tracking.trackers.flow.floor import Floor
-from tracking.trackers.flow.retelling import pieces_of, retold
+from tracking.trackers.flow.relabel_run import pieces_of, retold
+from tracking.trackers.flow.way_selection import Walk, without_twins
 from tracking.tracks.columns import Columns
 
 COMING = Walker((-0.7, 12.0), (0.0, -1.1))

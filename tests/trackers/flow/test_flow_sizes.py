@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from tracking.geometry import Camera, View
 from tracking.trackers import StepResult
 from tracking.trackers.flow.floor import Floor
-from tracking.trackers.flow.halving import doubled, half_size, halved
+from tracking.trackers.flow.half_resolution import doubled, half_size, halved
 from tracking.trackers.flow.perception import FlowPerception
 from tracking.trackers.flow.silhouettes import BODY, cover_of, fits
 

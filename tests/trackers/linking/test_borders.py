@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from tracking.trackers.linking import linked
 from tracking.trackers.linking.borders import birth_costs, death_costs
-from tracking.trackers.linking.seen import begins, seen_of
+from tracking.trackers.linking.seen_rows import begins, seen_of
 from tracking.trackers.linking.tracklets import tracklets
 from tracking.tracks import Run
 

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 from linked_runs import BLUE, FPS, RED, VIEW, Stretch, run_of, straight
 
-from tracking.trackers.linking.hiding import hidden_shares
-from tracking.trackers.linking.looks import Looks, looks_of
+from tracking.trackers.linking.appearance import Looks, looks_of
 from tracking.trackers.linking.motion import walk_likelihood
-from tracking.trackers.linking.seen import begins, seen_of
+from tracking.trackers.linking.occlusion import hidden_shares
+from tracking.trackers.linking.seen_rows import begins, seen_of
 from tracking.trackers.linking.tracklets import State, Tracklets, tracklets
 from tracking.tracks import Run
 

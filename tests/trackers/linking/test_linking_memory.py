@@ -10,7 +10,7 @@ from linked_runs import BLUE, FPS, RED, VIEW, Stretch, run_of, straight
 from scipy.optimize import linear_sum_assignment
 
 from tracking.trackers.linking import candidates, linked
-from tracking.trackers.linking.choosing import _cheapest
+from tracking.trackers.linking.link_selection import _cheapest
 from tracking.trackers.linking.links import Links
 
 RIGHT, LEFT = straight((-2, 6), (2, 6.5), 80), straight((2, 6), (-2, 6.5), 80)

@@ -11,7 +11,7 @@ from tracking.geometry import FlatView, ellipses_of, standing_ellipses
 from tracking.trackers.spheroid.births import unexplained
 from tracking.trackers.spheroid.feet import feet_of, feet_parts, feet_said
 from tracking.trackers.spheroid.floor_cells import FloorCells
-from tracking.trackers.spheroid.judging import Evidence, covered
+from tracking.trackers.spheroid.hypothesis_scores import Evidence, covered
 
 FLAT = FlatView(view(2.5, 20.0))
 ALONG = np.arange(3.4, 7.0, 0.1)

@@ -8,10 +8,10 @@ from people_of_one_colour import Body, followed, frames_of, places, standing, vi
 
 from tracking.geometry import FlatView, standing_ellipses
 from tracking.trackers.spheroid import SpheroidSettings
-from tracking.trackers.spheroid.followed import begun
-from tracking.trackers.spheroid.judging import Evidence, covered
-from tracking.trackers.spheroid.swallowed import parted, two_places
-from tracking.trackers.spheroid.weighing import silhouettes
+from tracking.trackers.spheroid.hypotheses import begun
+from tracking.trackers.spheroid.hypothesis_scores import Evidence, covered
+from tracking.trackers.spheroid.split_merged import parted, two_places
+from tracking.trackers.spheroid.weights import silhouettes
 
 FLAT = FlatView(view())
 SETTINGS = SpheroidSettings()

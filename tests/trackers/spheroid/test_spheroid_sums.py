@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from people_of_one_colour import view
 
 from tracking.geometry import Ellipses, FlatView, standing_ellipses
-from tracking.trackers.spheroid.judging import Evidence, covered, judged, windows_of
+from tracking.trackers.spheroid.hypothesis_scores import Evidence, covered, judged, windows_of
 from tracking.trackers.spheroid.sums import sums_inside, window
 
 SHAPE = (240, 320)

@@ -25,10 +25,10 @@ from tracking.errors import SettingsError
 from tracking.recording.frame import StereoFrame
 from tracking.trackers import Resume
 from tracking.trackers.spheroid import SpheroidSettings
-from tracking.trackers.spheroid.followed import begun
-from tracking.trackers.spheroid.moving import predicted, weighed
+from tracking.trackers.spheroid.filter_steps import predicted, weighed
+from tracking.trackers.spheroid.hypotheses import begun
 from tracking.trackers.spheroid.support import still_there
-from tracking.trackers.spheroid.weighing import taken
+from tracking.trackers.spheroid.weights import taken
 from tracking.tracks.table import TrackTable
 
 BARREL = (-0.2, 0.05, 0.0, 0.0, 0.0)

@@ -7,10 +7,10 @@ from people_of_one_colour import view
 
 from tracking.geometry import FlatView
 from tracking.trackers.spheroid import SpheroidSettings
-from tracking.trackers.spheroid.followed import Followed, begun
-from tracking.trackers.spheroid.telling import bodies_told
-from tracking.trackers.spheroid.viewing import headless, near_side_hidden, seen_steeply
-from tracking.trackers.spheroid.weighing import axes_of, hypotheses_of, silhouettes
+from tracking.trackers.spheroid.hypotheses import Followed, begun
+from tracking.trackers.spheroid.perception_hints import bodies_told
+from tracking.trackers.spheroid.view_model import headless, near_side_hidden, seen_steeply
+from tracking.trackers.spheroid.weights import axes_of, hypotheses_of, silhouettes
 
 DOWN = FlatView(view())
 SLOPING = FlatView(view(4.0, 40.0))

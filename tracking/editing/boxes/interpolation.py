@@ -8,7 +8,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.editing.boxes.standing import (
+from tracking.editing.boxes.floor_boxes import (
     SIDES,
     Floats,
     body_heights,

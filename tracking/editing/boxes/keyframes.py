@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.editing.boxes.floor_boxes import places_of
 from tracking.editing.boxes.interpolation import How, Way
-from tracking.editing.boxes.standing import places_of
 from tracking.editing.boxes.stretches import (
     replaced,
     respanned,

@@ -6,9 +6,7 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from tracking.editing.boxes.interpolation import How, Way
-from tracking.editing.boxes.keyframes import key_row_change, standing_row, vouch_for
-from tracking.editing.boxes.standing import (
+from tracking.editing.boxes.floor_boxes import (
     SIDES,
     USUAL_HEIGHT_M,
     body_position,
@@ -17,6 +15,8 @@ from tracking.editing.boxes.standing import (
     places_of,
     standing_box,
 )
+from tracking.editing.boxes.interpolation import How, Way
+from tracking.editing.boxes.keyframes import key_row_change, standing_row, vouch_for
 from tracking.editing.change import Change, State
 from tracking.editing.scope import (
     Scope,

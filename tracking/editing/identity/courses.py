@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.editing.boxes.standing import USUAL_HEIGHT_M, boxes_of, places_of
+from tracking.editing.boxes.floor_boxes import USUAL_HEIGHT_M, boxes_of, places_of
 from tracking.tracks import Columns, TrackTable
 
 Floats = NDArray[np.float64]

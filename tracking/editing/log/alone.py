@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from tracking.editing.change import Change
+from tracking.editing.log.edit_footprint import differing_fields
 from tracking.editing.log.history import History
-from tracking.editing.log.touched import differing_fields
 from tracking.errors import EditError
 from tracking.tracks import Labels, TrackLabel
 

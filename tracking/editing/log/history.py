@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.editing.change import Change
+from tracking.editing.log.edit_footprint import touched
 from tracking.editing.log.text import state_as_text, state_from_text
 from tracking.editing.log.touch_index import TouchIndex
-from tracking.editing.log.touched import touched
 from tracking.editing.log.traces import Trace, parts_at_its_frame
 from tracking.editing.scope import Scope
 from tracking.errors import EditError

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.editing.log.touched import KINDS, Boxes, meeting
+from tracking.editing.log.edit_footprint import KINDS, Boxes, meeting
 from tracking.errors import EditError
 from tracking.tracks import LARGEST_NUMBER
 

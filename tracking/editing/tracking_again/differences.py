@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from tracking.editing.log.history import History
 from tracking.editing.tracking_again.alignment import Alignment, Exchange, aligned, exchanged
+from tracking.editing.tracking_again.difference_groups import folded
 from tracking.editing.tracking_again.difference_text import Ends, Stretch, text_of
-from tracking.editing.tracking_again.folding import folded
 from tracking.editing.tracking_again.protection import Protection, protected_stretches
 from tracking.progress import Progress
 from tracking.tracks import Columns, Labels, Run, TrackTable

@@ -1,9 +1,9 @@
 """From samples to a detector: folds by person, grid search, operating points, report."""
 
-from tracking.failure.training.fitting import GRID, Candidate
+from tracking.failure.training.detector_training import Trained, TrainingPlan, train
 from tracking.failure.training.page import check_training_folder, page_of, write_report
 from tracking.failure.training.report import Mistake, QuestionReport, TrainingReport
-from tracking.failure.training.training import Trained, TrainingPlan, train
+from tracking.failure.training.svm_fit import GRID, Candidate
 
 __all__ = [
     "GRID",

@@ -10,11 +10,11 @@ from numpy.typing import NDArray
 
 from tracking.failure.features import Floats
 from tracking.failure.machines import Machines
-from tracking.failure.operating import Curve
+from tracking.failure.operating_points import Curve
 from tracking.failure.preparation import Preparation
-from tracking.failure.training.fitting import Candidate, fitted
 from tracking.failure.training.questions import SEVERAL, Question
 from tracking.failure.training.steps import Steps
+from tracking.failure.training.svm_fit import Candidate, fitted
 from tracking.tracks import PARTS
 
 

@@ -1,6 +1,6 @@
 """How likely a track goes wrong in each of its rows: what puts suspicions in order and in place."""
 
-from tracking.review.hazard.expected import Hazards
+from tracking.review.hazard.expected_errors import Hazards
 from tracking.review.hazard.features import FEATURES, NOTICED, features
 from tracking.review.hazard.trees import Trees, built_in_trees
 

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.review.appearance import EVERY_S, changed_over, unlikeness
-from tracking.review.crowding import crowding
+from tracking.review.crowd_density import crowding
 from tracking.review.evidence import Evidence, Floats, Rows
 from tracking.review.material import Material
 from tracking.review.reasons.jumps import steps_off

@@ -17,7 +17,7 @@ from tracking.review.reasons.particles import split_particles, spread_particles
 from tracking.review.reasons.parts import failed_parts
 from tracking.review.reasons.predictions import drifts, long_predictions
 from tracking.review.reasons.reversals import reversals
-from tracking.review.reasons.shared import shared_regions
+from tracking.review.reasons.shared_detections import shared_regions
 from tracking.review.reasons.turns import turns
 
 REASONS: Mapping[str, Callable[[Material], Found]] = MappingProxyType(

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.scoring.parts.judging import Judged
+from tracking.scoring.parts.part_verdicts import Judged
 from tracking.scoring.parts.rectangles import Bools, Floats
 from tracking.tracks import PART_WORDS, PARTS
 

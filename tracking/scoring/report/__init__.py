@@ -11,7 +11,8 @@ from tracking.scoring.report.findings import (
 )
 from tracking.scoring.report.on_sequence import Shown
 from tracking.scoring.report.page import page_of
-from tracking.scoring.report.shown import shown_of
+from tracking.scoring.report.page_pictures import shown_of
+from tracking.scoring.report.report_writer import check_score_folder, write_score_report
 from tracking.scoring.report.subject import Footage, Source, Subject
 from tracking.scoring.report.switch_pictures import (
     MOST_SWITCHES,
@@ -19,7 +20,6 @@ from tracking.scoring.report.switch_pictures import (
     place_picture,
     switch_pictures,
 )
-from tracking.scoring.report.writing import check_score_folder, write_score_report
 
 __all__ = [
     "MOST_SWITCHES",

@@ -6,13 +6,13 @@ from typing import Any
 
 import tracking
 from tracking.scoring.errors import ErrorKind, ErrorTable
-from tracking.scoring.matching import FloorMatch
 from tracking.scoring.per_person import PersonScore
 from tracking.scoring.report.distances import distances_data
 from tracking.scoring.report.findings import Finding, ScoreReport
 from tracking.scoring.report.measures import finite
 from tracking.scoring.report.sources import sources_data
 from tracking.scoring.report.stretches import Stretches
+from tracking.scoring.similarity import FloorMatch
 from tracking.scoring.table import Integers
 
 FORMAT = "trackwright-score-report"

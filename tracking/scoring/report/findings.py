@@ -6,17 +6,17 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 
-from tracking.scoring.combining import combined
+from tracking.scoring.combined_scores import combined
 from tracking.scoring.conventions import Conventions
 from tracking.scoring.errors import ErrorTable, errors_of
 from tracking.scoring.examination import examine
-from tracking.scoring.matching import BoxMatch, Match
 from tracking.scoring.parts import Rates
 from tracking.scoring.per_distance import DistanceScore
 from tracking.scoring.per_person import PersonScore, per_person_of
 from tracking.scoring.report.distances import distances_of
 from tracking.scoring.report.subject import Subject
 from tracking.scoring.score import Score, score, score_of
+from tracking.scoring.similarity import BoxMatch, Match
 
 EQUAL_RANGES = 5
 """Into so many a recording is divided where no ranges are asked for."""

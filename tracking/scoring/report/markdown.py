@@ -10,8 +10,8 @@ from tracking.scoring.report import tables
 from tracking.scoring.report.curves import PART_HEAD, part_rows
 from tracking.scoring.report.distances import NO_PLACES, distance_rows
 from tracking.scoring.report.findings import Finding, ScoreReport
-from tracking.scoring.report.lacking import lacking_said
 from tracking.scoring.report.measures import by_group
+from tracking.scoring.report.missing_values import lacking_said
 from tracking.scoring.report.page import how, title_of
 from tracking.scoring.report.sources import sources_said
 

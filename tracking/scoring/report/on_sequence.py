@@ -12,8 +12,8 @@ from tracking.scoring.report.curves import PART_HEAD, part_curves, part_rows
 from tracking.scoring.report.error_map import MOST_MARKS, error_map, left_out
 from tracking.scoring.report.findings import Finding, ScoreReport
 from tracking.scoring.report.ground_plan import ground_plan
-from tracking.scoring.report.lacking import lacking_said
 from tracking.scoring.report.marks import TITLES, key
+from tracking.scoring.report.missing_values import lacking_said
 from tracking.scoring.report.over_time import MOST_PEOPLE, Clock, errors_over_time
 from tracking.scoring.report.sources import sources_said
 from tracking.scoring.report.switch_pictures import SwitchPictures

@@ -7,12 +7,12 @@ from collections.abc import Iterator, Mapping
 import tracking
 from tracking.pages import Content, Element, element, name, page
 from tracking.scoring.conventions import Conventions
-from tracking.scoring.matching import FloorMatch
 from tracking.scoring.report import tables
 from tracking.scoring.report.curves import hota_curves
 from tracking.scoring.report.findings import Finding, ScoreReport
 from tracking.scoring.report.marks import STYLE
 from tracking.scoring.report.on_sequence import Shown, lacking, on_sequence, sources_of
+from tracking.scoring.similarity import FloorMatch
 
 KIND = "trackwright score report"
 

@@ -86,7 +86,7 @@ def _pictures(finding: Finding, found: ErrorTable, row: int) -> Iterator[SwitchP
     every = np.array([box for pair in boxes for box in pair])
     if np.isnan(every).any():
         return
-    from tracking.scoring.report.painting import painted  # brings OpenCV
+    from tracking.scoring.report.box_pictures import painted  # brings OpenCV
 
     images = [_image(subject, frame) for frame, _, _ in instants]
     window = _window(every, images[0].shape) if images[0] is not None else None
@@ -139,6 +139,6 @@ def place_picture(subject: Subject) -> bytes | None:
     image = _image(subject, subject.start)
     if image is None:
         return None
-    from tracking.scoring.report.painting import shrunk
+    from tracking.scoring.report.box_pictures import shrunk
 
     return shrunk(image, _PLACE_PX)

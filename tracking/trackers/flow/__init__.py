@@ -1,7 +1,6 @@
 """People followed by bundles of tracklets, gathered by mean shift [Yoneji2013]."""
 
-from tracking.trackers.flow.building import build_flow
-from tracking.trackers.flow.finishing import finished
+from tracking.trackers.flow.finisher import finished
 from tracking.trackers.flow.kernels import (
     KernelTable,
     kernel_rectangles,
@@ -9,6 +8,7 @@ from tracking.trackers.flow.kernels import (
     kernel_table,
 )
 from tracking.trackers.flow.settings import FlowSettings
+from tracking.trackers.flow.setup import build_flow
 
 __all__ = [
     "FlowSettings",

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.trackers.flow.floor import Floor
-from tracking.trackers.flow.seen import paces
+from tracking.trackers.flow.flow_frame import paces
 from tracking.trackers.flow.silhouettes import Cover, fits
 
 Floats = NDArray[np.float64]

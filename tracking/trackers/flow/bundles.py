@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from tracking.trackers.flow.chains import Chains, Rows
 from tracking.trackers.flow.floor import Floor, sight_axes
-from tracking.trackers.flow.standing import feet_misfit, ratios
+from tracking.trackers.flow.foot_fit import feet_misfit, ratios
 
 Floats = NDArray[np.float64]
 Flags = NDArray[np.bool_]

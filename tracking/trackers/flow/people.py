@@ -8,16 +8,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.trackers.flow.births import Newcomer, newcomer
-from tracking.trackers.flow.claiming import claims
 from tracking.trackers.flow.floor import Floor, sight_axes
-from tracking.trackers.flow.gathering import Gathering
-from tracking.trackers.flow.holding import Holds, adapted, moved, released, said
+from tracking.trackers.flow.flow_frame import POSITIONS, Seen, speeds
 from tracking.trackers.flow.kernels import KernelTable
-from tracking.trackers.flow.lasting import lasting
-from tracking.trackers.flow.seen import POSITIONS, Seen, speeds
+from tracking.trackers.flow.mode_updates import Gathering
 from tracking.trackers.flow.settings import FlowSettings
 from tracking.trackers.flow.sightings import FloorGrid, Sightings
 from tracking.trackers.flow.silhouettes import cover_of, drawn
+from tracking.trackers.flow.track_retention import lasting
+from tracking.trackers.flow.tracklet_owners import Holds, adapted, moved, released, said
+from tracking.trackers.flow.unclaimed_tracklets import claims
 from tracking.trackers.flow.walkers import (
     Walkers,
     begun,

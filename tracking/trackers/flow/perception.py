@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from tracking.foreground import BackgroundModel, ForegroundSettings, ShadowRemover, Subtraction
 from tracking.people import Detections, Observation, Overlays
 from tracking.recording.frame import Image, StereoFrame
-from tracking.trackers.flow.halving import doubled, halved
+from tracking.trackers.flow.half_resolution import doubled, halved
 from tracking.trackers.flow.silhouettes import BODY, SHADE
 
 Mask = NDArray[np.uint8]

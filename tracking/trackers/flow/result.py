@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.geometry import View
-from tracking.trackers.flow.following import Tracklets
+from tracking.trackers.flow.point_tracker import Tracklets
 from tracking.trackers.flow.silhouettes import USUAL_HEIGHT_M
 from tracking.trackers.flow.walkers import Walkers
 from tracking.trackers.protocol import ASSOCIATION_COLUMNS, StepResult

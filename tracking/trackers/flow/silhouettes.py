@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.trackers.flow.floor import Floor, sight_axes
-from tracking.trackers.flow.halving import half_size
+from tracking.trackers.flow.half_resolution import half_size
 
 Floats = NDArray[np.float64]
 Mask = NDArray[np.uint8]

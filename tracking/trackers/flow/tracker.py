@@ -11,19 +11,19 @@ from numpy.typing import NDArray
 from tracking.foreground import CameraWatch
 from tracking.geometry import View
 from tracking.people import Observation
-from tracking.trackers.flow.clustered import ClusteredPeople
+from tracking.trackers.flow.cluster_people import ClusteredPeople
 from tracking.trackers.flow.floor import Floor
-from tracking.trackers.flow.following import PointFollower
-from tracking.trackers.flow.footing import foot_lines
+from tracking.trackers.flow.flow_frame import POSITIONS, Seen, speeds
+from tracking.trackers.flow.foot_evidence import foot_lines
 from tracking.trackers.flow.kernels import kernel_table
 from tracking.trackers.flow.people import HeldPeople
 from tracking.trackers.flow.perception import FlowObservation
+from tracking.trackers.flow.point_tracker import PointFollower
 from tracking.trackers.flow.result import step_result
-from tracking.trackers.flow.resuming import resumed
-from tracking.trackers.flow.seen import POSITIONS, Seen, speeds
+from tracking.trackers.flow.resumption import resumed
 from tracking.trackers.flow.settings import FlowSettings
 from tracking.trackers.protocol import StepResult
-from tracking.trackers.resuming import Resume
+from tracking.trackers.resumption import Resume
 
 _SPACING_PX = (4.0, 24.0)
 

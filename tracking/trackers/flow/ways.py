@@ -11,7 +11,7 @@ from scipy.linalg import solveh_banded
 from tracking.trackers.flow.bundles import Bundle, Way
 from tracking.trackers.flow.chains import Chains, Rows
 from tracking.trackers.flow.floor import Floor, sight_axes
-from tracking.trackers.flow.standing import feet_say, ratios
+from tracking.trackers.flow.foot_fit import feet_say, ratios
 
 Floats = NDArray[np.float64]
 Flags = NDArray[np.bool_]

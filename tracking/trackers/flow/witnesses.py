@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.trackers.flow.floor import Floor
-from tracking.trackers.flow.standing import ratios
+from tracking.trackers.flow.foot_fit import ratios
 from tracking.tracks.run import Run
 
 Floats = NDArray[np.float64]

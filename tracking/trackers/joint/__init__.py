@@ -9,7 +9,7 @@ clips with seeds 60xx, later also clips with seeds from 6301 on that had been re
 Which clip decided which number is not recorded.
 """
 
-from tracking.trackers.joint.building import build_joint
 from tracking.trackers.joint.settings import JointSettings
+from tracking.trackers.joint.setup import build_joint
 
 __all__ = ["JointSettings", "build_joint"]

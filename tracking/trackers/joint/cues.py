@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.people import Detections
-from tracking.trackers.joint.looks import colours_of
+from tracking.trackers.joint.appearance import colours_of
 from tracking.trackers.joint.settings import JointSettings
 from tracking.trackers.population import Population
 from tracking.trackers.stereo_walking import WalkingCues

@@ -12,17 +12,17 @@ from tracking.filtering import Association, resample
 from tracking.geometry import View
 from tracking.people import Detections, Observation
 from tracking.trackers.births_and_ends import Newcomers, confirmed, newcomers
+from tracking.trackers.joint.appearance import Telling, differences, looks_of, trust
+from tracking.trackers.joint.association import NAT, explained
 from tracking.trackers.joint.cues import JointCues
 from tracking.trackers.joint.edges import here_and_a_step_off
 from tracking.trackers.joint.evidence import Evidence, arrivals, evidence_of, found_share
-from tracking.trackers.joint.explaining import NAT, explained
-from tracking.trackers.joint.finding import found_again
-from tracking.trackers.joint.looks import Telling, differences, looks_of, trust
 from tracking.trackers.joint.motion import predicted
 from tracking.trackers.joint.noise import Noise
+from tracking.trackers.joint.reidentification import found_again
 from tracking.trackers.joint.settings import JointSettings
-from tracking.trackers.joint.staying import hiding, staying, told
-from tracking.trackers.joint.updating import matched
+from tracking.trackers.joint.track_management import hiding, staying, told
+from tracking.trackers.joint.track_update import matched
 from tracking.trackers.population import Population, joined
 from tracking.trackers.protocol import StepResult
 from tracking.trackers.stereo_boxes import Bodies, expected_visibility, outlined

@@ -10,6 +10,6 @@ Where no source stands beside a constant, it was chosen on rendered clips: tunin
 which number is not recorded.
 """
 
-from tracking.trackers.linking.linked import linked
+from tracking.trackers.linking.linker import linked
 
 __all__ = ["linked"]

@@ -8,8 +8,8 @@ from __future__ import annotations
 import numpy as np
 
 from tracking.geometry import View
-from tracking.trackers.linking.hiding import hidden_shares
-from tracking.trackers.linking.seen import BODY_M, Flags, Floats, Seen
+from tracking.trackers.linking.occlusion import hidden_shares
+from tracking.trackers.linking.seen_rows import BODY_M, Flags, Floats, Seen
 from tracking.trackers.linking.tracklets import State, Tracklets
 from tracking.tracks.columns import Columns
 

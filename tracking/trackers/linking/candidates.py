@@ -14,12 +14,12 @@ from numpy.typing import NDArray
 
 from tracking.geometry import View
 from tracking.trackers.linking.borders import birth_costs, death_costs, return_costs
-from tracking.trackers.linking.choosing import least_rows
 from tracking.trackers.linking.doubts import Doubt
-from tracking.trackers.linking.hiding import hidden_shares
+from tracking.trackers.linking.link_selection import least_rows
 from tracking.trackers.linking.links import Links
 from tracking.trackers.linking.motion import fresh_likelihood, walk_likelihood
-from tracking.trackers.linking.seen import Floats, Integers, Seen
+from tracking.trackers.linking.occlusion import hidden_shares
+from tracking.trackers.linking.seen_rows import Floats, Integers, Seen
 from tracking.trackers.linking.tracklets import Tracklets
 from tracking.tracks.columns import Columns
 

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from tracking.trackers.linking.edges import Return
 from tracking.trackers.linking.encounters import NEAR_M, Encounters
-from tracking.trackers.linking.seen import Flags, Seen, begins, found_again
+from tracking.trackers.linking.seen_rows import Flags, Seen, begins, found_again
 
 _GAP_S = 0.25
 """Somebody unseen for so long may be somebody else when seen again."""

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.geometry import View
-from tracking.trackers.linking.seen import (
+from tracking.trackers.linking.seen_rows import (
     EDGE_SHARE,
     Flags,
     Floats,

@@ -8,7 +8,7 @@ from dataclasses import dataclass, fields
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.trackers.linking.seen import Floats
+from tracking.trackers.linking.seen_rows import Floats
 
 Rows = NDArray[np.intp]
 

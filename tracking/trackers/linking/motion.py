@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.trackers.linking.seen import Floats
+from tracking.trackers.linking.seen_rows import Floats
 from tracking.trackers.linking.tracklets import State
 
 Rows = NDArray[np.intp]

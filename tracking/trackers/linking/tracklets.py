@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.trackers.linking.seen import Floats, Integers, Seen, place_errors
+from tracking.trackers.linking.seen_rows import Floats, Integers, Seen, place_errors
 
 _WINDOW_S = 0.6
 """Of a tracklet's end from which place and velocity there are taken."""

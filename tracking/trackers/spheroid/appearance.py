@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.geometry import FlatView
-from tracking.trackers.spheroid.followed import Floats, Followed
+from tracking.trackers.spheroid.hypotheses import Floats, Followed
 
 Picture = NDArray[np.uint8]
 Colours = NDArray[np.float32]

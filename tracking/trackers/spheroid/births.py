@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from tracking.trackers.spheroid.feet import Feet, feet_said, part_of
 from tracking.trackers.spheroid.floor_cells import FloorCells
-from tracking.trackers.spheroid.judging import bounds, enlarged, silhouette
+from tracking.trackers.spheroid.hypothesis_scores import bounds, enlarged, silhouette
 from tracking.trackers.spheroid.sums import Window, sums_inside, window
 
 Floats = NDArray[np.float64]

@@ -8,8 +8,8 @@ import numpy as np
 
 from tracking.geometry import Ellipses, FlatView
 from tracking.people.boxes import standing_boxes
-from tracking.trackers.spheroid.followed import Floats, Followed
-from tracking.trackers.spheroid.judging import (
+from tracking.trackers.spheroid.hypotheses import Floats, Followed
+from tracking.trackers.spheroid.hypothesis_scores import (
     Evidence,
     bounds,
     enlarged,

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.geometry import Ellipses, FlatView, ellipses_of
-from tracking.trackers.spheroid.judging import Evidence
+from tracking.trackers.spheroid.hypothesis_scores import Evidence
 
 Floats = NDArray[np.float64]
 Whole = NDArray[np.intp]

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from tracking.geometry import Ellipses, FlatView, standing_ellipses
 from tracking.trackers.spheroid.feet import Feet, feet_of
-from tracking.trackers.spheroid.viewing import Flags, steep_places
+from tracking.trackers.spheroid.view_model import Flags, steep_places
 
 Floats = NDArray[np.float64]
 

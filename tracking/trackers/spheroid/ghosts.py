@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from tracking.foreground import Subtraction
 from tracking.geometry import Ellipses, FlatView
-from tracking.trackers.spheroid.judging import bounds, silhouette
+from tracking.trackers.spheroid.hypothesis_scores import bounds, silhouette
 
 Picture = NDArray[np.uint8]
 

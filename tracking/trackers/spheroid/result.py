@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from tracking.filtering import cloud_shapes
 from tracking.trackers.protocol import ASSOCIATION_COLUMNS, StepResult
 from tracking.trackers.spheroid.appearance import bgr_of
-from tracking.trackers.spheroid.followed import Followed
+from tracking.trackers.spheroid.hypotheses import Followed
 from tracking.tracks.columns import (
     CLOTHES,
     DETECTION_COLUMNS,

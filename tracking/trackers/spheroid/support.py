@@ -6,12 +6,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.geometry import FlatView
-from tracking.trackers.spheroid.followed import Floats, Followed
-from tracking.trackers.spheroid.judging import bounds
+from tracking.trackers.spheroid.hypotheses import Floats, Followed
+from tracking.trackers.spheroid.hypothesis_scores import bounds
 from tracking.trackers.spheroid.settings import SpheroidSettings
 from tracking.trackers.spheroid.sums import Window, sums_inside
-from tracking.trackers.spheroid.viewing import seen_steeply
-from tracking.trackers.spheroid.weighing import silhouettes
+from tracking.trackers.spheroid.view_model import seen_steeply
+from tracking.trackers.spheroid.weights import silhouettes
 
 _SEEN = 0.35
 """Share of what can be seen of a silhouette that must be foreground."""

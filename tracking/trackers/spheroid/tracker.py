@@ -9,26 +9,26 @@ from numpy.typing import NDArray
 
 from tracking.people import Observation
 from tracking.trackers.protocol import StepResult
-from tracking.trackers.resuming import Resume
+from tracking.trackers.resumption import Resume
 from tracking.trackers.spheroid import births
 from tracking.trackers.spheroid.appearance import ColourLook, colours_learnt, likeness
 from tracking.trackers.spheroid.boxes import drawn
+from tracking.trackers.spheroid.coasted_people import Lost, found_again
 from tracking.trackers.spheroid.feet import foot_zones
+from tracking.trackers.spheroid.filter_steps import heights_learnt, predicted, resampled
 from tracking.trackers.spheroid.floor_cells import FloorCells
-from tracking.trackers.spheroid.followed import Followed, begun, nobody, together
 from tracking.trackers.spheroid.ghosts import are_ghosts
-from tracking.trackers.spheroid.judging import Evidence, covered
-from tracking.trackers.spheroid.moving import heights_learnt, predicted, resampled
+from tracking.trackers.spheroid.hypotheses import Followed, begun, nobody, together
+from tracking.trackers.spheroid.hypothesis_scores import Evidence, covered
 from tracking.trackers.spheroid.perception import FlatObservation, SpheroidPerception
-from tracking.trackers.spheroid.remembering import Lost, found_again
+from tracking.trackers.spheroid.perception_hints import bodies_told
 from tracking.trackers.spheroid.result import clothes_of, step_result
-from tracking.trackers.spheroid.resuming import resumed
+from tracking.trackers.spheroid.resumption import resumed
 from tracking.trackers.spheroid.settings import SpheroidSettings
+from tracking.trackers.spheroid.split_merged import parted
 from tracking.trackers.spheroid.support import seen_whole, still_there, supported
-from tracking.trackers.spheroid.swallowed import parted
-from tracking.trackers.spheroid.telling import bodies_told
-from tracking.trackers.spheroid.viewing import seen_steeply
-from tracking.trackers.spheroid.weighing import (
+from tracking.trackers.spheroid.view_model import seen_steeply
+from tracking.trackers.spheroid.weights import (
     axes_of,
     hypotheses_of,
     judged_and_weighed,

@@ -1,12 +1,12 @@
 """People followed by rectangles in the picture: three parts each, or whole [ZhaoLee2009]."""
 
-from tracking.trackers.three_part.building import (
+from tracking.trackers.three_part.detectors import detector_fingerprint
+from tracking.trackers.three_part.settings import ThreePartSettings, WholeBodySettings
+from tracking.trackers.three_part.setup import (
     build_three_part,
     build_three_part_joint,
     build_whole_body,
 )
-from tracking.trackers.three_part.detectors import detector_fingerprint
-from tracking.trackers.three_part.settings import ThreePartSettings, WholeBodySettings
 
 __all__ = [
     "ThreePartSettings",

@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 from tracking.people import Detections
 from tracking.people.parts import inner_rectangle, part_regions
 from tracking.trackers.three_part.claims import Claims, seen_whole
-from tracking.trackers.three_part.followed import Flags, Floats, Followed
-from tracking.trackers.three_part.moving import carried
+from tracking.trackers.three_part.part_filter import carried
+from tracking.trackers.three_part.people import Flags, Floats, Followed
 from tracking.trackers.three_part.poses import pose_faults
 from tracking.tracks import HEAD, HIP_LEG, TORSO
 

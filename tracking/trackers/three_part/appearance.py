@@ -13,7 +13,7 @@ from tracking.people.parts import (
     level_histograms,
     similarities,
 )
-from tracking.trackers.three_part.followed import Flags, Floats
+from tracking.trackers.three_part.people import Flags, Floats
 
 Levels = NDArray[np.float32]
 

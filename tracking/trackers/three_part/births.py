@@ -9,7 +9,7 @@ import numpy as np
 from tracking.people import Detections
 from tracking.trackers.three_part.bodies import covered_shares, share_inside
 from tracking.trackers.three_part.claims import Claims
-from tracking.trackers.three_part.followed import Flags, Floats, Followed, Indices
+from tracking.trackers.three_part.people import Flags, Floats, Followed, Indices
 from tracking.trackers.three_part.settings import WholeBodySettings
 
 _SAME = 0.5

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.trackers.three_part.followed import Flags, Floats
+from tracking.trackers.three_part.people import Flags, Floats
 from tracking.tracks.boxes import common_px2
 
 _ROUND = 0.95

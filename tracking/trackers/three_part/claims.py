@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.people import Detections
-from tracking.trackers.three_part.followed import Flags, Floats, Indices
+from tracking.trackers.three_part.people import Flags, Floats, Indices
 
 _GRID = (np.arange(5) + 0.5) / 5 - 0.5
 """Where a rectangle is probed, across and down, as shares of its size from its middle."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from tracking.people import Detections, Observation
 from tracking.people.parts import ycbcr
 from tracking.trackers.three_part.claims import Claims, claims_of
-from tracking.trackers.three_part.followed import Floats, Followed
+from tracking.trackers.three_part.people import Floats, Followed
 
 
 class Frame:

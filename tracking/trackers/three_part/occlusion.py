@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.trackers.occluders import Polygons
-from tracking.trackers.three_part.followed import Flags, Floats
+from tracking.trackers.three_part.people import Flags, Floats
 
 _TOUCH = 1.25
 """Parts touch where their inner rectangles, larger by this, overlap."""

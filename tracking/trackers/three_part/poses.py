@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.trackers.three_part.followed import Flags, Floats
+from tracking.trackers.three_part.people import Flags, Floats
 from tracking.tracks import HEAD, HIP_LEG, TORSO
 
 _HEAD_FROM_TORSO = ((-0.28, -0.48), (0.28, -0.08))

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from tracking.people import Detections, Observation
 from tracking.trackers.protocol import ASSOCIATION_COLUMNS, StepResult
-from tracking.trackers.three_part.followed import Flags, Floats, Followed, Indices, Layout
+from tracking.trackers.three_part.people import Flags, Floats, Followed, Indices, Layout
 from tracking.tracks.columns import (
     CLOTHES,
     DETECTION_COLUMNS,

@@ -9,8 +9,8 @@ from tracking.filtering import Clouds
 from tracking.people import Detections
 from tracking.people.parts import around, part_regions
 from tracking.trackers.three_part.claims import Claims, seen_whole
-from tracking.trackers.three_part.followed import Flags, Floats, Followed, Layout
-from tracking.trackers.three_part.starting import by_filter, regions_rectangles
+from tracking.trackers.three_part.initiation import by_filter, regions_rectangles
+from tracking.trackers.three_part.people import Flags, Floats, Followed, Layout
 from tracking.tracks import HIP_LEG
 from tracking.tracks.on_part import MOST_FOREIGN, corners_of, foreign_share
 

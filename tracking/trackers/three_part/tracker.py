@@ -13,11 +13,16 @@ from tracking.geometry import View
 from tracking.people import Observation
 from tracking.trackers.occluders import Polygons
 from tracking.trackers.protocol import StepResult
-from tracking.trackers.resuming import Resume
+from tracking.trackers.resumption import Resume
 from tracking.trackers.stages import Stages
 from tracking.trackers.three_part import births
 from tracking.trackers.three_part.adjustment import Scene, adjusted, clear_failures
 from tracking.trackers.three_part.appearance import looked_at, resemblance
+from tracking.trackers.three_part.appearance_update import (
+    colours_learnt,
+    places_learnt,
+    poses_learnt,
+)
 from tracking.trackers.three_part.bodies import (
     outlined_boxes,
     outlines_after,
@@ -34,8 +39,22 @@ from tracking.trackers.three_part.claims import (
     sharing,
 )
 from tracking.trackers.three_part.detectors import NO_DETECTOR
-from tracking.trackers.three_part.finding import found_again
-from tracking.trackers.three_part.followed import (
+from tracking.trackers.three_part.failure_watch import Watch
+from tracking.trackers.three_part.frame import Frame
+from tracking.trackers.three_part.initiation import (
+    all_seen,
+    begun,
+    begun_anew,
+    known_anew,
+    regions_rectangles,
+)
+from tracking.trackers.three_part.occlusion import (
+    behind_others,
+    behind_what_is_drawn,
+    covered_mask,
+)
+from tracking.trackers.three_part.part_filter import carried, moved, weighed
+from tracking.trackers.three_part.people import (
     Flags,
     Floats,
     Followed,
@@ -44,26 +63,11 @@ from tracking.trackers.three_part.followed import (
     nobody,
     together,
 )
-from tracking.trackers.three_part.frame import Frame
-from tracking.trackers.three_part.learning import colours_learnt, places_learnt, poses_learnt
-from tracking.trackers.three_part.moving import carried, moved, weighed
-from tracking.trackers.three_part.occlusion import (
-    behind_others,
-    behind_what_is_drawn,
-    covered_mask,
-)
+from tracking.trackers.three_part.reidentification import found_again
 from tracking.trackers.three_part.result import Shown, step_result
-from tracking.trackers.three_part.resuming import resumed
+from tracking.trackers.three_part.resumption import resumed
 from tracking.trackers.three_part.settings import WholeBodySettings
 from tracking.trackers.three_part.silhouettes import drawn_home, legs_elsewhere
-from tracking.trackers.three_part.starting import (
-    all_seen,
-    begun,
-    begun_anew,
-    known_anew,
-    regions_rectangles,
-)
-from tracking.trackers.three_part.watching import Watch
 from tracking.tracks import HIP_LEG
 
 _STOOPED, _STRETCHED = 0.6, 1.1

@@ -8,8 +8,8 @@ from PySide6.QtGui import QFontMetricsF
 
 from app.presenters.parts.part_curve import PartCurve
 from app.presenters.parts.parts_scene import CurvesScene
-from app.presenters.parts.taught import Source
 from app.presenters.parts.training_result import MistakeItem
+from app.presenters.parts.training_set import Source
 from app.views.look.theme import scaled_font
 from app.views.parts.curves_plot import CurvesPlot
 from app.views.parts.mistakes import MistakesList

@@ -6,7 +6,7 @@ import pytest
 from PySide6.QtCore import QSettings
 
 from app.views.look.theme import Look
-from app.views.widgets.remembered import Remembered
+from app.views.widgets.user_settings import Remembered
 from app.views.window.look_choice import look_of
 
 

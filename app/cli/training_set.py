@@ -1,0 +1,36 @@
+"""Samples from whatever `train` is pointed at: sessions, and exported samples."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from app.presenters.parts.training_set import Source, TrainingSet, source_at, taught_by
+from tracking.session import RecordingMissing
+
+
+def all_taught(paths: Sequence[Path], *, from_truth: bool, allow_outside: bool) -> TrainingSet:
+    """The samples of sessions and tables, different recordings under different names.
+
+    Args:
+        from_truth: labels are made from the truth beside rendered recordings.
+        allow_outside: a recording outside of its session's folder may be opened.
+
+    Raises as `source_at`; where a recording is missing it says what `train` can be told.
+    """
+    return taught_by([_source(path, from_truth, allow_outside) for path in paths])
+
+
+def _source(path: Path, from_truth: bool, allow_outside: bool) -> Source:
+    try:
+        return source_at(path, from_truth=from_truth, allow_outside=allow_outside)
+    except RecordingMissing as missing:
+        raise RecordingMissing(f"{path}: {with_advice(missing, allow_outside)}") from missing
+
+
+def with_advice(error: Exception, allow_outside: bool) -> str:
+    """The message of an error; how to find a recording as a command that takes no place for it."""
+    if not isinstance(error, RecordingMissing):
+        return str(error)
+    way = "put it beside the session" if allow_outside else "allow it (--allow-outside)"
+    return str(error.advising(way))

@@ -1,0 +1,89 @@
+"""An instant as the views show it: as it is, as an edit would make it, and compared."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from app.presenters.comparing.differences import Comparison
+from app.presenters.correcting import PreviewedTracks, preview_trails, replaced_rows
+from app.presenters.correcting.correction import Correcting
+from app.presenters.document.frame_state import FrameState
+from app.presenters.document.selection import Selection
+from app.presenters.document.track_reader import TrackReader
+from app.presenters.document.track_source import TrackSource
+from app.presenters.pictures.pictures import PicturePresenter
+from app.presenters.pictures.trails import floor_points
+from tracking.editing import Change
+
+
+class FrameStateBuilder:
+    """Makes the instants of one recording from what is shown, selected and being corrected."""
+
+    def __init__(
+        self,
+        showing: TrackSource,
+        selection: Selection,
+        correcting: Correcting,
+        pictures: PicturePresenter,
+    ) -> None:
+        self._showing, self._selection = showing, selection
+        self._correcting, self._pictures = correcting, pictures
+
+    def corrected(self, frame: int) -> FrameState:
+        """The tracks that are shown; with an edit that waits as they would be after it."""
+        planned, flow = self._correcting.planned, self._correcting.flow
+        change = planned.change if planned is not None else None
+        shown = planned is not None and change is not None
+        tracks: TrackReader = self._showing.tracks
+        in_picture, colours = self._pictures.left_foot_points, self._showing.colours
+        if change:
+            tracks = PreviewedTracks(self._showing.tracks, change)
+            colours = self._showing.colours_after(change, tracks)
+        return FrameState(
+            frame=frame,
+            tracks=tracks,
+            names=self._showing.names,
+            selected=self._selection.track,
+            other=flow.other if flow is not None else 0,
+            also=self._emphasised(change),
+            run=self._showing.made_by(frame),
+            preview=preview_trails(planned, floor_points, colours.of) if planned and shown else (),
+            picture_preview=preview_trails(planned, in_picture, colours.of)
+            if planned and shown
+            else (),
+            replaced=replaced_rows(planned, frame),
+            colours=colours,
+            movable=self._correcting.can_place,
+            waits=self._correcting.waits,
+            drawing=flow is not None and flow.drawing,
+        )
+
+    def compared(self, frame: int, comparison: Comparison | None) -> FrameState:
+        """The same, with the ways of the people in question in both versions.
+
+        Where two runs are compared, its people are those of the one that is drawn solid.
+        """
+        instant, planned = self.corrected(frame), self._correcting.planned
+        if comparison is None or (planned is not None and planned.change is not None):
+            return instant
+        if comparison.solid is not None:
+            asked = comparison.current
+            instant = FrameState(
+                frame,
+                comparison.solid,
+                selected=asked.track if asked is not None else 0,
+                other=asked.other if asked is not None else 0,
+                run=comparison.base_run,
+                colours=instant.colours,
+            )
+        return replace(
+            instant,
+            preview=comparison.trails(frame, floor_points),
+            picture_preview=comparison.trails(frame, self._pictures.left_foot_points),
+        )
+
+    def _emphasised(self, change: Change | None) -> tuple[int, ...]:
+        """Who is drawn like the selected person: others selected too, and who is being drawn."""
+        flow = self._correcting.flow
+        new = change.tracks if change is not None and flow and not flow.track else ()
+        return (*self._selection.also, *new)

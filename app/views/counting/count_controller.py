@@ -1,0 +1,130 @@
+"""Counting on the desk: counters at lines and regions, the panel, the flow map."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import cache, partial
+
+from PySide6.QtCore import QObject, Qt, Signal
+
+from app.background import Newest
+from app.presenters.counting.counts import CountingPresenter
+from app.presenters.counting.subject import SHOWN, Counted, Length, Subject, loader, worked_out
+from app.presenters.document.document import Document
+from app.presenters.document.frame_state import FrameState, ViewOptions
+from app.presenters.i18n import counted, tr
+from app.presenters.labelling.label_tools import CountText
+from app.views.desk.workspace import Workspace
+from app.views.playing.playback import Playback
+from tracking.counting import Counts
+from tracking.progress import Progress
+
+Work = Callable[[Progress], Counted]
+
+
+class Counting(QObject):
+    """Counts in the background what is asked for, and shows it.
+
+    Signals: `changed()`, there are other counts; `said(text)`.
+    """
+
+    changed = Signal()
+    said = Signal(str)
+
+    def __init__(
+        self, document: Document, playback: Playback, workspace: Workspace, parent: QObject
+    ) -> None:
+        super().__init__(parent)
+        self._document, self._workspace = document, workspace
+        self.presenter = CountingPresenter(document)
+        self._search = Newest("counting", self._prepare, self)
+        self._search.found.connect(self._take)
+        self._search.failed.connect(self._refuse)
+        self._search.changed.connect(self.changed, Qt.ConnectionType.QueuedConnection)
+        panel = workspace.counting
+        panel.frame_sought.connect(playback.go)
+        panel.picked.connect(self._pick)
+        panel.whose_chosen.connect(self._choose_whose)
+        panel.step_chosen.connect(self._choose_step)
+        panel.jitter_chosen.connect(self._choose_jitter)
+        panel.jitter_px_chosen.connect(self._choose_jitter_px)
+        panel.copied.connect(self._tell_copied)
+
+    def close(self) -> None:
+        """End the thread; leave nothing on the views, which outlive the document."""
+        self._search.stop()
+        self._workspace.counting.show_scene(None)
+        self._workspace.overhead.show_flow(None)
+
+    @property
+    def counts(self) -> Counts | None:
+        """What was counted last; None while nothing was."""
+        counted = self.presenter.counted
+        return counted.counts if counted is not None else None
+
+    def work(self) -> Work | None:
+        """Counts the tracks of now anew, on any thread; None where nothing is drawn."""
+        subject = self.presenter.wanted(mapped=False)
+        return None if subject.is_empty else self._prepare(subject)
+
+    def draw(self, instant: FrameState, pictured: ViewOptions) -> None:
+        """Show an instant; what is missing for it is counted."""
+        subject = self.presenter.wanted(mapped=pictured.flow_map)
+        if pictured.counts or pictured.counting or pictured.flow_map:
+            self._ask(subject)
+        self._workspace.overhead.show_flow(self.presenter.flow() if pictured.flow_map else None)
+        doing = tr("Counting...") if self._search.busy else ""
+        panel = self.presenter.scene(instant, doing) if pictured.counting else None
+        self._workspace.counting.show_scene(panel)
+
+    def texts_at(self, instant: FrameState, pictured: ViewOptions) -> CountText:
+        """Gives what to write at lines and regions in an instant."""
+        if not pictured.counts:
+            return lambda *_: ""
+        return cache(partial(self.presenter.said_of, instant))
+
+    def _ask(self, subject: Subject) -> None:
+        if not subject.is_empty:
+            self._search.ask(subject)
+
+    def _prepare(self, subject: Subject) -> Work:
+        """Takes hold of the tracks; counting them is for another thread."""
+        document = self._document
+        load, recording = loader(document, subject.whose), document.recording
+        length = Length(recording.fps, recording.frame_count, self.presenter.frames)
+        bounds = document.overhead.bounds
+        return lambda report: worked_out(subject, load, length, bounds, report)
+
+    def _take(self, found: Counted) -> None:
+        self.presenter.take(found)
+
+    def _refuse(self, subject: Subject, error: Exception) -> None:
+        self.presenter.refuse(subject, error)
+
+    # choices
+
+    def _pick(self, is_line: bool, name: str) -> None:
+        self.presenter.pick(is_line, name)
+        self.changed.emit()
+
+    def _choose_whose(self, number: int) -> None:
+        self.presenter.choice.whose = number - 1 if number > 0 else SHOWN
+        self.changed.emit()
+
+    def _choose_step(self, step_s: float) -> None:
+        self._settle(step_s=step_s)
+
+    def _choose_jitter(self, jitter_m: float) -> None:
+        self._settle(jitter_m=jitter_m)
+
+    def _choose_jitter_px(self, jitter_px: float) -> None:
+        self._settle(jitter_px=jitter_px)
+
+    def _settle(self, **values: float) -> None:
+        """Count in another way from now on."""
+        self.presenter.choice.settings = replace(self.presenter.choice.settings, **values)
+        self.changed.emit()
+
+    def _tell_copied(self, steps: int) -> None:
+        self.said.emit(counted(steps, "{n} step copied", "{n} steps copied"))

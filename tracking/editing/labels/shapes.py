@@ -1,0 +1,93 @@
+"""Planners of what is drawn into the picture and on the floor: occluders, lines, regions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from typing import TypeVar
+
+from tracking.editing.change import Change, LabelState, State
+from tracking.editing.labels.track_labels import writable
+from tracking.errors import EditError
+from tracking.tracks import (
+    CountingLine,
+    Labels,
+    Occluder,
+    Region,
+    check_line,
+    check_name,
+    check_occluder,
+    check_region,
+)
+
+_Drawn = TypeVar("_Drawn", Occluder, CountingLine, Region)
+
+
+def plan_occluders(labels: Labels, occluders: Sequence[Occluder], frame: int = 0) -> Change:
+    """Set all occluders of the picture. frame: where to look at it.
+
+    Raises EditError for a polygon with less than three corners or a corner that is no number, a
+    missing name, and a name given twice.
+    """
+    out, into = _exchange(labels.occluders, occluders, check_occluder, "occluder")
+    text = _text(out, into, "occluder")
+    before, after = LabelState(occluders=out), LabelState(occluders=into)
+    return Change("occluders", text, frame, State(labels=before), State(labels=after))
+
+
+def plan_lines(labels: Labels, lines: Sequence[CountingLine], frame: int = 0) -> Change:
+    """Set all counting lines. frame: where to look at it.
+
+    Raises EditError for a line without length or name, an end that is no number, a name given
+    twice.
+    """
+    out, into = _exchange(labels.lines, lines, check_line, "counting line")
+    text = _text(out, into, "counting line")
+    before, after = LabelState(lines=out), LabelState(lines=into)
+    return Change("lines", text, frame, State(labels=before), State(labels=after))
+
+
+def plan_regions(labels: Labels, regions: Sequence[Region], frame: int = 0) -> Change:
+    """Set all regions. frame: where to look at it.
+
+    Raises EditError for a polygon with less than three corners, a corner that is no number or
+    edges that cross, a missing name, and a name given twice.
+    """
+    out, into = _exchange(labels.regions, regions, check_region, "region")
+    text = _text(out, into, "region")
+    before, after = LabelState(regions=out), LabelState(regions=into)
+    return Change("regions", text, frame, State(labels=before), State(labels=after))
+
+
+def _exchange(
+    present: Sequence[_Drawn],
+    wanted: Sequence[_Drawn],
+    check: Callable[[_Drawn], None],
+    what: str,
+) -> tuple[tuple[_Drawn, ...], tuple[_Drawn, ...]]:
+    """What leaves and what comes, sorted; EditError where it is nonsense or nothing."""
+    new = [replace(item, name=" ".join(writable(item.name).split())) for item in wanted]
+    names = [item.name for item in new]
+    for item in new:
+        check(item)
+        check_name(item.name, f"the {what}")
+        if names.count(item.name) > 1:
+            raise EditError(f"two {what}s are called {item.name!r}; give each a name of its own")
+    out = tuple(sorted(set(present) - set(new)))
+    into = tuple(sorted(set(new) - set(present)))
+    if not (out or into):
+        raise EditError(f"the {what}s are what they were; nothing to change")
+    return out, into
+
+
+def _text(out: Sequence[_Drawn], into: Sequence[_Drawn], what: str) -> str:
+    """What is done in words: one thing by its name, several by their number."""
+    if len(into) == 1 and not out:
+        return f'Draw {what} "{into[0].name}"'
+    if len(out) == 1 and not into:
+        return f'Take {what} "{out[0].name}" away'
+    if len(out) == len(into) == 1:
+        if out[0].name == into[0].name:
+            return f'Change {what} "{into[0].name}"'
+        return f'Put {what} "{into[0].name}" in place of "{out[0].name}"'
+    return f"Change {what}s: {len(into)} drawn, {len(out)} taken away"

@@ -1,0 +1,241 @@
+"""A tracker over a recording, frame by frame: decode, rectify, see, follow, keep."""
+
+from __future__ import annotations
+
+from collections.abc import Generator, Iterator, Mapping
+from pathlib import Path
+from types import TracebackType
+from typing import Any
+
+import numpy as np
+
+from tracking.errors import SettingsError
+from tracking.people import EyesWatch, RangedShare, first_lag
+from tracking.pipeline.run_buffer import KeptSteps
+from tracking.pipeline.set_up import changed_matching, doubt_of, require_sense
+from tracking.recording import Instants, Recording, StereoFrame
+from tracking.trackers import (
+    Observation,
+    Perception,
+    Resume,
+    StepResult,
+    Tracker,
+    TrackerSpec,
+    best_tracker,
+    require,
+    settings_values,
+    tracker_named,
+)
+from tracking.trackers.stages import Stages
+from tracking.tracks import Run
+
+BACKGROUND_SAMPLES = 15
+"""Frames spread over the recording that the background is learnt from before the first step."""
+
+
+def track(
+    recording: Recording,
+    tracker: str | None = None,
+    settings: Any = None,
+    seed: int = 0,
+    frames: tuple[int, int] | None = None,
+    resume: Resume | None = None,
+    *,
+    spool: Path | None = None,
+    keep: bool = True,
+) -> Tracking:
+    """Start a tracker on a recording; nothing is read until the first step is asked for.
+
+    Args:
+        recording: where the frames come from; stays open until the tracking is closed.
+        tracker: name in the catalogue; None takes the best one for the recording.
+        settings: of the tracker's `settings_type`; None takes the defaults.
+        seed: of all random numbers; the same seed gives the same arrays, byte for byte.
+        frames: half-open range to track; None takes the whole recording, from where to resume.
+        resume: tracks again from a frame of corrected tracks on, with their people: ids go on.
+        spool: the folder for particles that are too many for the memory, see `KeptSteps`.
+        keep: False: only the steps are asked for; the run has no frames then.
+
+    Raises `SettingsError` for an unknown tracker, settings that exclude each other, an empty range
+    or one that does not begin where to resume, `RecordingError` or `CalibrationError` where the
+    tracker cannot work on the recording.
+    """
+    spec = tracker_named(tracker or best_tracker(recording))
+    require(spec, recording)
+    asked = _asked_frames(recording, frames, resume)
+    settings = settings or spec.settings_type()
+    require_sense(settings_values(settings))
+    kept = KeptSteps(spool, asked[0]) if keep else None
+    return Tracking(recording, spec, settings, seed, asked, resume, kept)
+
+
+def _asked_frames(
+    recording: Recording, frames: tuple[int, int] | None, resume: Resume | None
+) -> tuple[int, int]:
+    """The half-open range to track; see `track`."""
+    first = resume.frame if resume is not None else 0
+    start, stop = frames or (first, recording.frame_count)
+    if not 0 <= start < stop <= recording.frame_count:
+        raise SettingsError(
+            f"frames {start}:{stop} are not in the recording: "
+            f"choose a range within 0:{recording.frame_count}"
+        )
+    if resume is not None and start != first:
+        raise SettingsError(
+            f"frames {start}:{stop} do not begin at frame {first}, where to go on: "
+            f"choose {first}:{stop}"
+        )
+    return start, stop
+
+
+class Tracking:
+    """A tracker at work: iterate for a `StepResult` a frame, close to cancel.
+
+    The background is learnt first, from frames spread over the whole recording, so that a range
+    that starts late and a scene that starts with people are seen like any other. Where an eye is
+    late, which is looked for first and all along, each frame is the left eye's, with the right
+    picture of its instant. All calls belong to one thread.
+
+    Attributes:
+        frames: half-open range being tracked. done: frames of it tracked so far.
+        observation: what was seen in the last frame, with its overlays; None before the first.
+        doubt: what cannot be right of two eyes, height and tilt, known from the first step on and
+            one of the notes; "": nothing.
+    """
+
+    def __init__(
+        self,
+        recording: Recording,
+        spec: TrackerSpec,
+        settings: Any,
+        seed: int,
+        frames: tuple[int, int],
+        resume: Resume | None = None,
+        kept: KeptSteps | None = None,
+    ) -> None:
+        """See `track`; kept: where to keep the steps, None: nowhere."""
+        self.frames = frames
+        self.done = 0
+        self.observation: Observation | None = None
+        self._stages = Stages("learn", "decode", "perception", "tracker", "keep")
+        self._recording = recording
+        self._spec = spec
+        self._settings = settings
+        self._seed = seed
+        self._resume = resume
+        self._tracker: Tracker | None = None
+        self._perception: Perception | None = None
+        self._kept = kept
+        self._followed = False
+        self.doubt = ""
+        self._ranged = RangedShare()
+        self._steps = self._work()
+
+    def __iter__(self) -> Iterator[StepResult]:
+        return self
+
+    def __next__(self) -> StepResult:
+        return next(self._steps)
+
+    def __enter__(self) -> Tracking:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Stop; what was tracked so far stays available from `run`."""
+        self._steps.close()
+
+    def run(self) -> Run:
+        """Everything tracked so far as one immutable run."""
+        kept = self._kept or KeptSteps(first=self.frames[0])
+        return kept.run(*self._asked())
+
+    def run_so_far(self) -> Run | None:
+        """The same of a tracker that could not go on; None: nothing can be kept of it."""
+        return None if self._kept is None else self._kept.run_so_far(*self._asked())
+
+    def _asked(self) -> tuple[str, dict[str, Any], int, Recording, Resume | None]:
+        """What was asked for, as a run has it."""
+        settings = settings_values(self._settings)
+        return self._spec.name, settings, self._seed, self._recording, self._resume
+
+    @property
+    def stage_s(self) -> dict[str, float]:
+        """Seconds spent so far in "learn", "decode", "perception", "tracker" and "keep".
+
+        Of a tracker that tells its own stages those, too: "tracker_filters" and so on.
+        """
+        inner: Mapping[str, float] = getattr(self._tracker, "stage_s", {})
+        return {**self._stages.spent_s, **{f"tracker_{name}": s for name, s in inner.items()}}
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What the user should be told of the frames tracked so far, a line each."""
+        told = self._tracker.notes if self._tracker is not None else ()
+        told = (*told, *(self._perception.notes if self._perception is not None else ()))
+        doubt = self.doubt or self._without_distances()
+        return (*told, doubt) if doubt else told
+
+    def _without_distances(self) -> str:
+        """What is told where hardly anything that moves has a distance; "": it has one."""
+        if self._followed or not self._spec.needs_stereo or not self._ranged.is_too_small:
+            return ""
+        eyes = "are the eyes swapped, or is the calibration of other cameras?"
+        changed = changed_matching(self._spec.name, self._settings)
+        asked = f"{changed}, is that right? If so, {eyes}" if changed else eyes
+        return f"{self._recording.name}: no distance for what moves: {asked}"
+
+    def _work(self) -> Generator[StepResult]:
+        timed = self._stages.timed
+        perception, tracker = self._spec.build(self._recording, self._settings, self._seed)
+        self._perception, self._tracker = perception, tracker
+        timed("learn", self._learn, perception)
+        eyes, instants = perception.eyes, Instants(self._recording)
+        if eyes is not None:
+            timed("learn", begin_pairing, eyes, instants, self.frames[0])
+        if self._resume is not None:
+            seen = (perception.observe(instants.read(n)) for n in self._resume.looks)
+            timed("learn", tracker.resume, self._resume, seen)
+        pictures = instants.frames(*self.frames)
+        while (frame := timed("decode", next, pictures, None)) is not None:
+            self.observation = timed("perception", perception.observe, frame)
+            if eyes is not None:
+                instants.lag = eyes.pairing
+            self._ranged.add(self.observation.overlays)
+            result = timed("tracker", tracker.step, self.observation)
+            self._followed |= bool(len(result.tracks["track"]))
+            if self._kept is not None:
+                timed("keep", self._kept.add, (result,))
+            self.done += 1
+            yield result
+
+    def _learn(self, perception: Perception) -> None:
+        """The background; two eyes are looked at for whether they can be as told."""
+        samples = background_samples(self._recording)
+        if self._spec.needs_stereo:
+            self.doubt = doubt_of(self._recording, samples)
+        perception.learn(samples)
+
+
+def background_samples(recording: Recording) -> list[StereoFrame]:
+    """Frames spread evenly over the recording; raises `RecordingError` where one is unreadable."""
+    count = min(BACKGROUND_SAMPLES, recording.frame_count)
+    numbers = np.linspace(0, recording.frame_count - 1, count).astype(int)
+    return [recording.read(int(number)) for number in numbers]
+
+
+def begin_pairing(eyes: EyesWatch, instants: Instants, start: int) -> None:
+    """Begin with the lag that the footage shows from a frame on, or recording.toml tells.
+
+    Whoever reads on takes `eyes.pairing` over to `instants.lag` after each frame looked at.
+    """
+    recording = instants.recording
+    eyes.begin(first_lag(recording, start) or 0, recording.right_lag)
+    instants.lag = eyes.pairing

@@ -1,0 +1,93 @@
+"""Opening whatever a recording may be."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from tracking.errors import RecordingError
+from tracking.recording.eyes import Eyes, OneEye, Side, SplitEyes, TwoEyes
+from tracking.recording.locate import Located, from_manifest, locate
+from tracking.recording.manifest import MANIFEST_NAME
+from tracking.recording.options import OpenOptions
+from tracking.recording.pictures import PictureSource
+from tracking.recording.places import is_pattern, open_pictures, place_inside
+from tracking.recording.recording import Recording
+from tracking.recording.recording_calibration import read_calibrated
+
+
+def open_recording(path: Path, options: OpenOptions | None = None) -> Recording:
+    """Open a recording.
+
+    Args:
+        path: a folder with recording.toml, a bare video, an image folder, a KITTI sequence
+            folder, or a folder with left and right videos or image folders. With `options.left`
+            given it only names the recording.
+        options: what to take instead of what the recording says.
+
+    Raises:
+        RecordingError: missing, unreadable, empty, or eyes that do not belong together.
+        CalibrationError: the calibration is unreadable or does not fit the pictures.
+    """
+    options = options or OpenOptions()
+    return _open(locate(path, options), options)
+
+
+def open_from_manifest(place: Path, text: str, options: OpenOptions | None = None) -> Recording:
+    """Open a recording whose manifest was kept elsewhere, as in a session.
+
+    Args:
+        place: what the manifest's paths are relative to (`Recording.folder`); or the left (or
+            only) eye's pictures, by whatever name they have now, with all else beside them.
+        text: the manifest (`Recording.manifest_text`).
+        options: only `allow_outside` counts.
+
+    Raises:
+        RecordingError, CalibrationError: as `open_recording`.
+    """
+    return _open(from_manifest(place, text), options or OpenOptions())
+
+
+def _open(located: Located, options: OpenOptions) -> Recording:
+    inside = located.trusted or options.allow_outside
+    eyes = _open_eyes(located, inside)
+    files = list(options.calibration) or [
+        place_inside(located.folder, file, inside) for file in located.manifest.calibration
+    ]
+    calibrated = read_calibrated(files, eyes.size, eyes.is_stereo, located.manifest.ground)
+    return Recording(located, eyes, calibrated)
+
+
+def _open_eyes(located: Located, allow_outside: bool) -> Eyes:
+    manifest = located.manifest
+    left = _opened(located, manifest.left, "left", allow_outside)
+    if manifest.layout is not None:
+        return SplitEyes(left, manifest.layout, manifest.first)
+    if manifest.right is None:
+        return OneEye(left)
+    return TwoEyes(left, _opened(located, manifest.right, "right", allow_outside))
+
+
+def _opened(located: Located, source: str, eye: Side, allow_outside: bool) -> PictureSource:
+    """The pictures of an eye."""
+    place = place_inside(located.folder, source, allow_outside)
+    if located.own and (lacking := _lacking(place)):
+        instead = ", or leave [right] out for one camera" if eye == "right" else ""
+        raise RecordingError(
+            f"{located.folder / MANIFEST_NAME}: {_called(located, eye)} is {lacking}: {place}",
+            f"put it there{instead}",
+        )
+    return open_pictures(place, source)
+
+
+def _called(located: Located, eye: Side) -> str:
+    """What a source shows, in the words of its manifest."""
+    if located.manifest.layout is not None:
+        return "the video of both eyes"
+    return "the video" if located.manifest.right is None else f"the {eye} eye"
+
+
+def _lacking(place: Path) -> str:
+    """What is wrong with a file that recording.toml names, before anything is read; "": nothing."""
+    if not place.exists():
+        return "" if is_pattern(str(place)) else "missing, no such video"
+    return "" if place.is_dir() or place.stat().st_size else "empty"

@@ -1,0 +1,153 @@
+"""A finished run of the flow tracker looked over: pieces joined, ways led back and on."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.geometry import View
+from tracking.trackers.flow.floor import Floor
+from tracking.trackers.flow.pieces import Ends, ends, joined
+from tracking.trackers.flow.relabel_run import retold
+from tracking.trackers.flow.result import BODY_WIDTH_M
+from tracking.trackers.flow.silhouettes import USUAL_HEIGHT_M
+from tracking.trackers.flow.witnesses import Witnesses
+from tracking.trackers.run_smoother import smoothed
+from tracking.tracks.columns import TRACK_COLUMNS, Columns
+from tracking.tracks.run import Run
+
+Floats = NDArray[np.float64]
+Rows = NDArray[np.intp]
+
+_USUAL_LED_S = 1.5
+"""Of runs made before there was a setting for it."""
+_LEAST_LED_S = 1.0
+_LEAST_M_S, _LEAST_WAY_M = 0.5, 0.8
+"""Who was followed for less, or is slower, or has come less far, leads nowhere."""
+_MEMORY_S = 0.25
+"""Places seen err for longer than those of two eyes do: more of them make a path."""
+_CHEST_M = 1.2
+
+
+def finished(run: Run, view: View, fps: float, given: Columns | None = None) -> Run:
+    """The run as seen from its end.
+
+    Beyond [Yoneji2013], which counts frame by frame. In a crowd people are found late and lost
+    early, behind others; whoever walked on was there before and after:
+        - people are those whose ways explain the tracklets over all their time, see `retold`;
+        - pieces that lead from one to the other are one track;
+        - where a track has no rows in between, the person walked straight;
+        - paths are smoothed, see `trackers.smoothed`;
+        - ways are led back and on for a while, at the pace they had, within the picture, as long
+          as the tracklets leave room for somebody there, see `Witnesses`.
+    What was added counts as predicted. With `hold` off runs are only smoothed.
+
+    Args:
+        view: the camera. fps: frames a second. given: see `trackers.smoothed`.
+    """
+    if not run.settings.get("hold"):
+        return smoothed(run, view, fps, given)
+    run = joined(retold(run, view, fps), fps)
+    run = replace(run, tracks=_without_gaps(run.tracks, view, fps))
+    run = smoothed(run, view, fps, given, memory_s=_MEMORY_S)
+    led_s = float(run.settings.get("led_s", _USUAL_LED_S))
+    return replace(run, tracks=_led(run, view, fps, led_s))
+
+
+def _without_gaps(tracks: Columns, view: View, fps: float) -> Columns:
+    """With rows in between for those who are out of sight within their track."""
+    order = np.lexsort((tracks["frame"], tracks["track"]))
+    frame, track = tracks["frame"][order], tracks["track"][order]
+    place = np.stack((tracks["x"][order], tracks["y"][order]), axis=1)
+    missing = np.where(track[1:] == track[:-1], np.diff(frame) - 1, 0)
+    before = np.repeat(np.arange(len(missing)), missing)
+    nth = np.arange(len(before)) - np.repeat(np.cumsum(missing) - missing, missing) + 1
+    share = (nth / (missing[before] + 1))[:, None]
+    way = place[before + 1] - place[before]
+    pace = way * fps / (missing[before] + 1)[:, None]
+    added = _rows(frame[before] + nth, track[before], place[before] + share * way, pace, view)
+    return _with(tracks, added)
+
+
+def _led(run: Run, view: View, fps: float, led_s: float) -> Columns:
+    """The tracks with ways led back to before their beginning and on after their end."""
+    tracks, witnesses = run.tracks, Witnesses(run, Floor(view))
+    order = np.lexsort((tracks["frame"], tracks["track"]))
+    pieces = np.split(order, np.flatnonzero(np.diff(tracks["track"][order])) + 1)
+    pieces = [rows for rows in pieces if len(rows) and _leads(tracks, rows, fps)]
+    name = np.array([tracks["track"][rows[0]] for rows in pieces], np.int64)
+    for last in (False, True):
+        end = ends(tracks, pieces, fps, last=last)
+        steps = np.arange(1, round(led_s * fps) + 1) * (1 if last else -1)
+        added = _line(end, name, run.frames, fps, steps, witnesses)
+        tracks = _with(tracks, added)
+        pieces = _found_again(tracks, name)
+    return tracks
+
+
+def _leads(tracks: Columns, rows: Rows, fps: float) -> bool:
+    """Whether a track shows where somebody walks."""
+    way = np.hypot(np.ptp(tracks["x"][rows]), np.ptp(tracks["y"][rows]))
+    return bool(len(rows) >= _LEAST_LED_S * fps and way >= _LEAST_WAY_M)
+
+
+def _found_again(tracks: Columns, name: NDArray[np.int64]) -> list[Rows]:
+    """The rows of each track, by time."""
+    order = np.lexsort((tracks["frame"], tracks["track"]))
+    first = np.searchsorted(tracks["track"][order], name)
+    stop = np.searchsorted(tracks["track"][order], name, side="right")
+    return [order[low:high] for low, high in zip(first, stop, strict=True)]
+
+
+def _line(
+    end: Ends,
+    name: NDArray[np.int64],
+    frames: tuple[int, int],
+    fps: float,
+    steps: NDArray[np.int64],
+    witnesses: Witnesses,
+) -> Columns:
+    """Rows along straight lines, so many frames from ends.
+
+    They end where they leave the picture, or come to where nobody can be.
+    """
+    view = witnesses.floor.view
+    frame = np.rint(end.time_s * fps).astype(np.int64)[:, None] + steps
+    place = end.place[:, None] + (steps / fps)[:, None] * end.pace[:, None]
+    flat = place.reshape(-1, 2)
+    chest = view.pixel_from_world(np.column_stack((flat, np.full(len(flat), _CHEST_M))))
+    inside = ((chest > 0) & (chest < np.array(view.camera.size))).all(axis=1)
+    inside = inside.reshape(frame.shape) & (frame >= frames[0]) & (frame < frames[1])
+    inside &= (np.hypot(*end.pace.T) >= _LEAST_M_S)[:, None]
+    inside &= witnesses.allow_for_a_while(place, frame)
+    kept = np.logical_and.accumulate(inside, axis=1)
+    track = np.broadcast_to(name[:, None], frame.shape)[kept]
+    pace = np.broadcast_to(end.pace[:, None], place.shape)[kept]
+    return _rows(frame[kept], track, place[kept], pace, view)
+
+
+def _rows(
+    frame: NDArray[np.int64], track: NDArray[np.int64], place: Floats, pace: Floats, view: View
+) -> Columns:
+    """Rows of people who are not seen."""
+    box = view.box_of_person(place, USUAL_HEIGHT_M, BODY_WIDTH_M)
+    values = {
+        "frame": frame,
+        "track": track,
+        **dict(zip(("left", "top", "width", "height"), box.T, strict=True)),
+        **dict(zip(("x", "y"), place.T, strict=True)),
+        **dict(zip(("vx", "vy"), pace.T, strict=True)),
+        "confidence": np.zeros(len(frame)),
+        "visibility": np.zeros(len(frame)),
+        "predicted": np.ones(len(frame), bool),
+    }
+    return {name: np.asarray(values[name], dtype) for name, dtype in TRACK_COLUMNS.items()}
+
+
+def _with(tracks: Columns, added: Columns) -> Columns:
+    """With more rows, by frame, then track."""
+    both = {name: np.concatenate((column, added[name])) for name, column in tracks.items()}
+    order = np.lexsort((both["track"], both["frame"]))
+    return {name: column[order] for name, column in both.items()}

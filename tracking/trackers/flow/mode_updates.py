@@ -1,0 +1,31 @@
+"""Mean shift frame after frame: the modes of one are where the next begins."""
+
+from __future__ import annotations
+
+from tracking.trackers.flow.kernels import KernelTable
+from tracking.trackers.flow.mean_shift import Clusters, Vectors, cold, warm
+from tracking.trackers.flow.settings import ClusterSettings
+
+
+class Gathering:
+    """Gathers the tracklets of frames that follow each other [Yoneji2013] section 4.
+
+    Args:
+        settings: of clusters. table: of the kernels.
+    """
+
+    def __init__(self, settings: ClusterSettings, table: KernelTable) -> None:
+        self._settings = settings
+        self._table = table
+        self._modes: Vectors | None = None
+
+    def of(self, tracklets: Vectors) -> Clusters:
+        """The clusters of a frame's tracklets (n, t, 2)."""
+        settings, table = self._settings, self._table
+        bounds = settings.fewest, settings.join
+        if self._modes is None or not settings.warm:
+            found = cold(tracklets, table, *bounds, occlusion=settings.occlusion)
+        else:
+            found = warm(self._modes, tracklets, table, *bounds, occlusion=settings.occlusion)
+        self._modes = found.mode
+        return found

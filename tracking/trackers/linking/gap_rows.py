@@ -1,0 +1,79 @@
+"""Predicted rows where somebody is out of sight between two places where they were seen.
+
+Standard term: linear interpolation of gaps.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.geometry import View
+from tracking.trackers.linking.seen_rows import SIDES, Floats
+from tracking.trackers.stereo_boxes import visibility
+from tracking.tracks.columns import TRACK_COLUMNS, Columns, typed
+
+Rows = NDArray[np.intp]
+
+_SURE_S = 2.0
+"""So long it is known about where somebody walks unseen."""
+
+
+def filled(tracks: Columns, signals: Columns, view: View, fps: float) -> tuple[Columns, Columns]:
+    """The rows of people with an id, sorted, without short gaps; and their signals.
+
+    In a gap people walk straight and their boxes change evenly, as a beginning for smoothing.
+    Longer ones stay: somebody may have stood still or turned behind what hid them.
+
+    Args:
+        tracks: `TRACK_COLUMNS`; rows of track 0 are left out. signals: a row for each, or none.
+    """
+    order = np.lexsort((tracks["frame"], tracks["track"]))
+    order = order[tracks["track"][order] > 0]
+    old = {name: column[order] for name, column in tracks.items()}
+    added, before = _between(old, round(_SURE_S * fps))
+    whole = {name: np.concatenate((old[name], added[name])) for name in TRACK_COLUMNS}
+    sort = np.lexsort((whole["track"], whole["frame"]))
+    whole = {name: column[sort] for name, column in whole.items()}
+    is_new = np.append(np.zeros(len(order), bool), np.ones(len(before), bool))[sort]
+    expect_visibility(whole, is_new, view)
+    if len(signals["frame"]) != len(tracks["frame"]):
+        return whole, signals
+    row = np.append(order, order[before])[sort]
+    noticed = {name: column[row] for name, column in signals.items()}
+    for name in noticed.keys() - {"frame", "track"}:
+        noticed[name][is_new] = np.nan
+    return whole, {**noticed, "frame": whole["frame"], "track": whole["track"]}
+
+
+def _between(tracks: Columns, longest: int) -> tuple[dict[str, NDArray[Any]], Rows]:
+    """Rows for the frames that tracks, sorted by track and frame, leave out; the rows before.
+
+    Args:
+        longest: where more are missing, none is added.
+    """
+    step = np.diff(tracks["frame"].astype(np.int64))
+    short = (np.diff(tracks["track"]) == 0) & (step - 1 <= longest)
+    missing = np.where(short, step - 1, 0)
+    before = np.repeat(np.arange(len(missing)), missing)
+    nth = np.arange(len(before)) - np.repeat(np.cumsum(missing) - missing, missing) + 1
+    share = nth / (missing[before] + 1)
+    values = {name: tracks[name][before] for name in TRACK_COLUMNS}
+    for name in ("x", "y", *SIDES, "vx", "vy"):
+        values[name] = values[name] + share * (tracks[name][before + 1] - values[name])
+    values["frame"] = values["frame"] + nth
+    values["confidence"] = np.zeros(len(before))
+    values["predicted"] = np.ones(len(before), bool)
+    return typed(values, TRACK_COLUMNS), before
+
+
+def expect_visibility(tracks: Columns, is_new: NDArray[np.bool_], view: View) -> None:
+    """Put what others leave to be seen of the new rows in them."""
+    box: Floats = np.stack([tracks[name] for name in SIDES], axis=1)
+    range_m = np.hypot(tracks["x"], tracks["y"])
+    for frame in np.unique(tracks["frame"][is_new]).tolist():
+        rows = slice(*np.searchsorted(tracks["frame"], (frame, frame + 1)))
+        shown = visibility(box[rows], range_m[rows], view.camera.size)
+        tracks["visibility"][rows][is_new[rows]] = shown[is_new[rows]]

@@ -1,0 +1,23 @@
+"""A finished run of the spheroid tracker looked over once more."""
+
+from __future__ import annotations
+
+from tracking.geometry import View
+from tracking.trackers.linking import linked
+from tracking.trackers.run_smoother import smoothed
+from tracking.tracks.columns import Columns
+from tracking.tracks.run import Run
+
+
+def finished(run: Run, view: View, fps: float, given: Columns | None = None) -> Run:
+    """The run with one id for each person, smoothed from both ends; see `linked`.
+
+    Beyond [Waechter2013]: behind pillars and other people somebody seen by one eye is lost and
+    found again under a new id, and who meets somebody may be taken for them. Runs made as published
+    keep the ids they were given.
+
+    Args:
+        given: rows of frames before the run's that stand fast, as corrected by people.
+    """
+    as_published = bool(run.settings.get("paper", False))
+    return (smoothed if as_published else linked)(run, view, fps, given)

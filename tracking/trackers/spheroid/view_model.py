@@ -1,0 +1,49 @@
+"""How the camera sees people: steeply, cut off at the head, with somebody before their feet."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.geometry import Ellipses, FlatView
+from tracking.trackers.spheroid.hypotheses import Followed
+
+Flags = NDArray[np.bool_]
+
+_BEFORE_M = 0.4
+"""What hides the floor so far before somebody's feet hides the near side of the body."""
+
+
+def seen_steeply(people: Followed, flat: FlatView, slope: float = 1.0) -> Flags:
+    """(people,) whom the camera looks down on by more than 45 degrees, or than another slope."""
+    return steep_places(people.xy, flat, slope)
+
+
+def steep_places(xy: NDArray[np.float64], flat: FlatView, slope: float = 1.0) -> Flags:
+    """(n,) whether the camera looks down so on places xy (n, 2) m of the floor."""
+    eye = np.asarray(flat.eye)
+    return np.asarray(slope * np.hypot(*(xy - eye[:2]).T) < eye[2])
+
+
+def headless(people: Followed, flat: FlatView) -> Flags:
+    """(people,) whose head is out of the picture where they are expected."""
+    head = flat.flat_from_world(np.column_stack((people.xy, people.height)))
+    inside = (head >= 0) & (head <= np.array(flat.size) - 1)
+    return np.asarray(~inside.all(axis=1))
+
+
+def near_side_hidden(people: Followed, outlines: Ellipses, flat: FlatView) -> Flags:
+    """(people,) before whose feet, as the camera sees it, there is somebody else.
+
+    Args:
+        outlines: (people) their silhouettes.
+    """
+    towards = flat.eye[:2] - people.xy
+    away_m = np.maximum(np.hypot(*towards.T), 1e-6)
+    before = people.xy + towards * np.minimum(_BEFORE_M / away_m, 1.0)[:, None]
+    u, v = flat.flat_from_world(np.column_stack((before, np.zeros(len(people))))).T
+    begin, end = outlines.ends(np.broadcast_to(v, (len(people), len(people))))
+    with np.errstate(invalid="ignore"):
+        inside = (u >= begin) & (u <= end)
+    np.fill_diagonal(inside, False)
+    return np.asarray(inside.any(axis=0))

@@ -1,0 +1,179 @@
+"""Weights of hypotheses: what they explain, their colours, and who stands there already."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.geometry import Ellipses, FlatView, standing_ellipses
+from tracking.trackers.spheroid.feet import feet_of, feet_parts, feet_said
+from tracking.trackers.spheroid.filter_steps import weighed
+from tracking.trackers.spheroid.hypotheses import Floats, Followed
+from tracking.trackers.spheroid.hypothesis_scores import LINES, Evidence, judged, windows_of
+from tracking.trackers.spheroid.settings import SpheroidSettings
+from tracking.trackers.spheroid.sums import Window, sums_inside
+from tracking.trackers.spheroid.view_model import headless, near_side_hidden, seen_steeply
+
+Flags = NDArray[np.bool_]
+
+_BALANCE, _CUT_BALANCE = 0.45, 0.3
+"""B from which on a pixel speaks for a hypothesis, below against; and of people whose heads are out
+of the picture: legs fill but half of a spheroid's width."""
+_STEEP_BALANCE, _STEEP_CUT_BALANCE = 0.35, 0.27
+"""The same seen steeply: feet and head, the ends of a body, are narrower there than a spheroid's,
+and what these leave empty would push it outwards and make it short."""
+_HIDDEN_CUT_BALANCE = 0.1
+"""The same seen steeply with the near side hidden, too: what a spheroid leaves empty at its sides
+would push it outwards, and nothing that is seen holds it."""
+_HEIGHT_SD_M = 0.15
+"""Of the body heights of people: how unlikely it is that one is far from the usual."""
+_LEAN_S = 0.05
+"""Who walks leans ahead: seconds of walking by which the body's axis is before where he stands."""
+_SHARPNESS = 40.0
+"""Logarithm of the weight of a hypothesis that explains everything, over one of nothing."""
+_FEET = 4.0
+"""The same of one whose legs end where legs are seen to end, over one without legs."""
+
+
+def silhouettes(
+    people: Followed, flat: FlatView, settings: SpheroidSettings, scale: float = 1.0
+) -> Ellipses:
+    """(people) the spheroids at their estimates, px of the flat picture; enlarged by a scale."""
+    axes = axes_of(people, settings)
+    return standing_ellipses(flat.projection, axes, people.height, settings.radius_m, scale)
+
+
+def axes_of(people: Followed, settings: SpheroidSettings) -> Floats:
+    """(people, 2) m where the axes of the bodies are, that of those who walk ahead of the feet."""
+    return people.xy + _lean_s(settings) * people.mean[:, 2:]
+
+
+def hypotheses_of(people: Followed, settings: SpheroidSettings) -> tuple[Floats, Floats]:
+    """Axes (people, N, 2) and body heights (people, N) of all hypotheses, m."""
+    ahead_m = axes_of(people, settings) - people.xy
+    return people.state[..., :2] + ahead_m[:, None], people.tall.astype(np.float64)
+
+
+def _lean_s(settings: SpheroidSettings) -> float:
+    return 0.0 if settings.paper else _LEAN_S
+
+
+def judged_and_weighed(
+    people: Followed,
+    evidence: Evidence,
+    flat: FlatView,
+    settings: SpheroidSettings,
+    alike: Floats | None = None,
+) -> tuple[Followed, list[Window]]:
+    """The people with their hypotheses weighed, and the windows in which that was done.
+
+    Args:
+        evidence: with the silhouettes of everybody's expected places as cover.
+        alike: (people, N) logarithms of weights by colour; None: colours say nothing.
+    """
+    axes, tall = hypotheses_of(people, settings)
+    short, steep = headless(people, flat), seen_steeply(people, flat)
+    if not settings.paper:
+        # Short and far out looks like tall and near as long as no head is seen.
+        tall = np.where((short & steep)[:, None], people.height[:, None], tall)
+    seen = standing_ellipses(flat.projection, axes, tall, settings.radius_m)
+    own = silhouettes(people, flat, settings)
+    if settings.paper:
+        log_weight, windows = _scored(people, evidence, seen, own, flat, settings)
+    else:
+        windows = windows_of(evidence, seen, own, LINES)
+        balance = _balances(people, own, flat, short, steep)
+        log_weight = _gains(windows, seen, own, balance)
+        rows = np.flatnonzero(~steep)
+        log_weight[rows] += _feet_gains(people, evidence, own, axes, rows, flat, settings)
+        log_weight -= 0.5 * ((tall - settings.usual_height_m) / _HEIGHT_SD_M) ** 2
+    if alike is not None:
+        log_weight += alike
+    log_weight[taken(people, settings) | ~np.isfinite(seen.u)] = -np.inf
+    return weighed(people, log_weight), windows
+
+
+def _scored(
+    people: Followed,
+    evidence: Evidence,
+    seen: Ellipses,
+    own: Ellipses,
+    flat: FlatView,
+    settings: SpheroidSettings,
+) -> tuple[Floats, list[Window]]:
+    """(people, N) logarithms of the plain scores, as published, and the windows they are of.
+
+    Each hypothesis has its own region of evaluation.
+    """
+    scale = settings.region_scale
+    axes, tall = hypotheses_of(people, settings)
+    region = standing_ellipses(flat.projection, axes, tall, settings.radius_m, scale)
+    windows = windows_of(evidence, _joined(seen, region), own, 0)
+    with np.errstate(divide="ignore"):
+        return np.log(judged(windows, seen, region).scores()), windows
+
+
+def _gains(windows: list[Window], seen: Ellipses, own: Ellipses, balance: Floats) -> Floats:
+    """(people, N) logarithms of weights: what speaks for hypotheses less what speaks against.
+
+    Where we differ from [Waechter2013] eq. 2: C hardly tells near hypotheses apart, and foreground
+    of people not followed yet, anywhere in the region, makes all alike. Here a pixel in the
+    silhouette counts by how far its B lies above or below a balance: the logarithm of a likelihood
+    ratio. What is outside of the silhouettes is the same for all hypotheses and cancels out.
+    """
+    inside = sums_inside(windows, seen)
+    area = np.maximum(np.nan_to_num(own.areas(), nan=1.0), 1.0)
+    return _SHARPNESS * (inside.ramp - balance[:, None] * inside.area) / area[:, None]
+
+
+def _feet_gains(
+    people: Followed,
+    evidence: Evidence,
+    own: Ellipses,
+    axes: Floats,
+    rows: NDArray[np.intp],
+    flat: FlatView,
+    settings: SpheroidSettings,
+) -> Floats:
+    """(rows, N) logarithms of weights by what feet say; steeply seen, bodies hide them."""
+    if len(rows) == 0:
+        return np.zeros((0, axes.shape[1]))
+    feet = feet_of(flat, axes[rows])
+    parts = feet_parts(evidence, flat, own, axes_of(people, settings), feet, rows)
+    return _FEET * feet_said(parts, feet)
+
+
+def _balances(
+    people: Followed, own: Ellipses, flat: FlatView, short: Flags, steep: Flags
+) -> Floats:
+    """(people,) B from which on a pixel speaks for them.
+
+    Args:
+        own: (people) their silhouettes. short: (people,) whose head is out of the picture.
+        steep: who is seen steeply.
+    """
+    level = np.where(short, _CUT_BALANCE, _BALANCE)
+    balance = np.where(steep, np.where(short, _STEEP_CUT_BALANCE, _STEEP_BALANCE), level)
+    cut = short & steep
+    if cut.any():
+        balance[cut & near_side_hidden(people, own, flat)] = _HIDDEN_CUT_BALANCE
+    return balance
+
+
+def taken(people: Followed, settings: SpheroidSettings) -> Flags:
+    """(people, N) hypotheses too close to where somebody else stands ([Waechter2013] 3.2.2)."""
+    close = np.zeros(people.weight.shape, bool)
+    reach = 2 * settings.radius_m if settings.paper else settings.apart_m
+    apart = np.hypot(*(people.xy[:, None] - people.xy[None]).transpose(2, 0, 1))
+    width = np.abs(people.state[..., :2] - people.xy[:, None]).max(axis=(1, 2), initial=0.0)
+    for one, other in zip(*np.nonzero(apart < reach + np.sqrt(2) * width[:, None]), strict=True):
+        if one != other:
+            offset = people.state[one, :, :2] - people.xy[other]
+            close[one] |= np.hypot(offset[:, 0], offset[:, 1]) < reach
+    return close
+
+
+def _joined(one: Ellipses, other: Ellipses) -> Ellipses:
+    """Both of each person's, (people, n + k)."""
+    pairs = ((getattr(one, name), getattr(other, name)) for name in one.__slots__)
+    return Ellipses(*(np.concatenate(pair, axis=1) for pair in pairs))

@@ -1,0 +1,148 @@
+"""People begun, and parts begun anew: particles, colours and where they come from."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.filtering import restarted, scattered
+from tracking.people import Detections
+from tracking.people.parts import inner_rectangle, part_regions
+from tracking.trackers.three_part.appearance import looked_at
+from tracking.trackers.three_part.bodies import outlined_boxes
+from tracking.trackers.three_part.people import Flags, Floats, Followed, Indices, Layout, unknown
+
+_START_PARTICLES = 400
+_START_SPREAD = (0.1, 0.1, 0.08, 0.08, 1.0, 1.0)
+"""Of X, Y, W, H in sizes of the part, and of dX, dY in sizes a second."""
+_ALIKE_AT_FIRST = 0.95
+
+
+def regions_rectangles(
+    seen: Detections, rows: Indices, picture: NDArray[np.uint8], layout: Layout
+) -> Floats:
+    """(n, parts, 4) the inner rectangles of some regions; NaN where a part is not seen.
+
+    Args:
+        picture: (height, width, 3) of `ycbcr`.
+    """
+    found = np.full((len(rows), layout.parts, 4), np.nan)
+    for at, row in enumerate(rows):
+        found[at] = rectangles_in(seen.regions, int(row) + 1, seen.box[row], picture, layout)
+    return found
+
+
+def rectangles_in(
+    regions: NDArray[np.integer],
+    label: int,
+    box: Floats,
+    picture: NDArray[np.uint8],
+    layout: Layout,
+) -> Floats:
+    """(parts, 4) the inner rectangles of the person whose pixels bear a label."""
+    if layout.parts == 1:
+        return inner_rectangle(regions == label, box)[None]
+    return part_regions(regions, label, picture, box).rectangles
+
+
+def begun(
+    track: NDArray[np.int32],
+    rectangles: Floats,
+    pace: Floats,
+    picture: NDArray[np.uint8],
+    layout: Layout,
+    random: np.random.Generator,
+) -> Followed:
+    """People followed from here on.
+
+    Args:
+        track: (n,) ids. rectangles: (n, parts, 4) of their parts. pace: (n, 2) px/s.
+        picture: (height, width, 3) of `ycbcr`, where their colours are learnt.
+    """
+    people, parts = rectangles.shape[:2]
+    state = np.empty((people, parts, 6))
+    state[..., :4], state[..., 4:] = rectangles, pace[:, None]
+    filters = by_filter(state, layout)
+    count = np.full(len(filters), _START_PARTICLES, np.int64)
+    clouds = scattered(filters, _start_spread(filters), count, random)
+    model = looked_at(picture, rectangles)
+    alike = np.full((people, parts), _ALIKE_AT_FIRST)
+    return unknown(track, parts, clouds).replace(
+        state=state,
+        pace=pace,
+        model=model,
+        looks=model,
+        similarity=alike,
+        usual=alike,
+        pose=posed(rectangles),
+        height=outlined_boxes(rectangles, np.zeros((people, 4)))[:, 3],
+    )
+
+
+def begun_anew(
+    people: Followed,
+    rectangles: Floats,
+    picture: NDArray[np.uint8],
+    layout: Layout,
+    random: np.random.Generator,
+) -> Followed:
+    """The people with some parts put elsewhere, particles and colour model re-made there.
+
+    Args:
+        rectangles: (people, parts, 4) where parts are put; NaN: left alone.
+    """
+    which = np.isfinite(rectangles).all(axis=2)
+    if not which.any():
+        return people
+    state, model = people.state.copy(), people.model.copy()
+    state[which, :4] = rectangles[which]
+    state[which, 4:] = np.broadcast_to(people.pace[:, None], (*which.shape, 2))[which]
+    model[which] = looked_at(picture, rectangles[which][:, None])[:, 0]
+    filters = by_filter(state, layout)
+    chosen = which.reshape(-1, layout.together)
+    spread = _start_spread(filters)
+    clouds = restarted(people.clouds, chosen, filters, spread, random)
+    return people.replace(state=state, model=model, clouds=clouds)
+
+
+def known_anew(people: Followed, rows: Indices) -> Followed:
+    """The people, of some of whom nothing counts but where their parts are now."""
+    rectangles = people.rectangles[rows]
+    changed = {
+        "looks": people.model[rows],
+        "pose": posed(rectangles),
+        "outline": np.zeros((len(rows), 4)),
+        "height": outlined_boxes(rectangles, np.zeros((len(rows), 4)))[:, 3],
+    }
+    columns = {name: getattr(people, name).copy() for name in changed}
+    for name, values in changed.items():
+        columns[name][rows] = values
+    return people.replace(**columns)
+
+
+def posed(rectangles: Floats) -> Floats:
+    """(people, parts, 4) `Followed.pose` of rectangles (people, parts, 4)."""
+    middle = rectangles[..., :2]
+    away = middle - middle.mean(axis=1, keepdims=True)
+    return np.concatenate((away, rectangles[..., 2:]), axis=-1)
+
+
+def by_filter(state: NDArray[Any], layout: Layout) -> NDArray[Any]:
+    """States (people, parts, n) as (filters of all people, parts together, n)."""
+    return state.reshape(-1, layout.together, state.shape[-1])
+
+
+def part_sizes(state: Floats) -> Floats:
+    """(...) px, the side of a square as large as the part; states (..., 6)."""
+    return np.asarray(np.sqrt(np.maximum(state[..., 2] * state[..., 3], 1.0)))
+
+
+def _start_spread(filters: Floats) -> Floats:
+    return np.asarray(part_sizes(filters)[..., None] * np.array(_START_SPREAD))
+
+
+def all_seen(rectangles: Floats) -> Flags:
+    """(n,) of whom all parts (n, parts, 4) are known."""
+    return np.asarray(np.isfinite(rectangles).all(axis=(1, 2)))

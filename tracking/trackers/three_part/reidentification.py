@@ -1,0 +1,78 @@
+"""People who were lost, found again by their colours."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.filtering import associate
+from tracking.people import Detections
+from tracking.trackers.three_part.appearance import looked_at, resemblance
+from tracking.trackers.three_part.initiation import all_seen, regions_rectangles
+from tracking.trackers.three_part.people import Flags, Floats, Followed, Indices, Layout
+
+_REACH = 0.6
+_REACH_GROWTH = 1.2
+"""How far from the place expected somebody is looked for, in body heights: at once, and more for
+each second they were missed."""
+_ALIKE = 0.75
+"""Mean similarity of the parts from which on a region may be somebody lost."""
+_SIZE = (0.6, 1.6)
+"""Height of such a region, in heights of the person."""
+_BETTER = 0.06
+"""By how much more somebody who shares a region must look like themselves elsewhere."""
+
+
+def found_again(
+    people: Followed,
+    boxes: Floats,
+    lost: Flags,
+    sharing: Flags,
+    seen: Detections,
+    free: Indices,
+    picture: NDArray[np.uint8],
+    layout: Layout,
+) -> tuple[Floats, Indices]:
+    """Where people who were lost have come up again, each in a region nobody has.
+
+    [ZhaoLee2009] says nothing of it: after an occlusion its person is where motion said. People
+    turn and stop behind others, so here they are looked for around that place by the colours they
+    had before.
+
+    Args:
+        boxes: (people, 4) as expected. lost: (people,) who to look for.
+        free: regions.
+
+    Returns:
+        (people, parts, 4) the parts of those found, NaN for the others; the regions still free.
+    """
+    parts = np.full((len(people), layout.parts, 4), np.nan)
+    who = np.flatnonzero(lost | sharing)
+    if not len(who) or not len(free):
+        return parts, free
+    rectangles = regions_rectangles(seen, free, picture, layout)
+    look = looked_at(picture, np.nan_to_num(rectangles))
+    alike = resemblance(
+        np.broadcast_to(look[None], (len(who), *look.shape)),
+        np.broadcast_to(people.looks[who][:, None], (len(who), *look.shape)),
+    ).mean(axis=2)
+    here = resemblance(looked_at(picture, people.rectangles[who]), people.looks[who]).mean(axis=1)
+    needed = np.where(sharing[who], np.maximum(here + _BETTER, _ALIKE), _ALIKE)[:, None]
+    possible = _near(people, boxes, who, seen, free) & (alike >= needed) & all_seen(rectangles)
+    # Who gains most goes: of two in a region only one does not belong there.
+    pairs = associate(1.0 - alike + needed, possible, 2.0)
+    parts[who[pairs.track]] = rectangles[pairs.detection]
+    return parts, np.delete(free, pairs.detection)
+
+
+def _near(people: Followed, boxes: Floats, who: Indices, seen: Detections, free: Indices) -> Flags:
+    """(lost, regions) within reach, and of about the size."""
+    height = boxes[who, 3]
+    middle = boxes[who, :2] + boxes[who, 2:] / 2
+    there = seen.box[free, :2] + seen.box[free, 2:] / 2
+    away = np.linalg.norm(middle[:, None] - there[None], axis=2)
+    missed_s = np.maximum(people.missed_s, people.hidden_s)[who]
+    reach = height * (_REACH + _REACH_GROWTH * missed_s)
+    ratio = seen.box[free, 3][None] / np.maximum(height, 1.0)[:, None]
+    fits = (ratio > _SIZE[0]) & (ratio < _SIZE[1])
+    return np.asarray((away <= reach[:, None]) & fits)

@@ -1,0 +1,153 @@
+"""The people to go on with: as corrected, in the colours the footage shows."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.people import Detections, Observation
+from tracking.people.parts import ycbcr
+from tracking.trackers.resumption import CLEAR, Resume, is_seen, only
+from tracking.trackers.three_part.appearance import looked_at
+from tracking.trackers.three_part.initiation import begun, rectangles_in
+from tracking.trackers.three_part.people import Floats, Followed, Indices, Layout
+from tracking.tracks.columns import Columns
+
+_USUAL = ((0.5, 0.08, 0.25, 0.09), (0.5, 0.30, 0.45, 0.19), (0.5, 0.62, 0.40, 0.25))
+"""Where head, torso and hip-leg are in a box nothing is known of: cx, cy, width, height as shares
+of it."""
+_USUAL_WHOLE = ((0.5, 0.5, 0.5, 0.55),)
+_FILLED = 0.15
+"""Share of a corrected box that one region must fill to be its person."""
+_SLOPE_S = 0.5
+_LED_ON_S = 1.0
+"""Who has no row in the last frames is thought to have walked on for so long."""
+_MEMORY = 0.9
+"""Of the colour models, a look."""
+
+
+@dataclass(slots=True, eq=False)
+class _Looks:
+    """What was seen of the people; filled look by look.
+
+    Attributes:
+        shares: person -> (parts, 4) rectangles as shares of the box, a look each.
+        model: (people, parts, 3, 256), running mean. seen: (people,) how many looks it is of.
+        picture: the last one. time_s: its time.
+    """
+
+    model: NDArray[np.float32]
+    seen: NDArray[np.int64]
+    shares: dict[int, list[Floats]] = field(default_factory=dict)
+    picture: NDArray[np.uint8] = field(default_factory=lambda: np.zeros((1, 1, 3), np.uint8))
+    time_s: float = 0.0
+
+
+def resumed(
+    resume: Resume,
+    observations: Iterable[Observation],
+    layout: Layout,
+    random: np.random.Generator,
+) -> tuple[Followed, float]:
+    """Everybody to be followed on, and the seconds at which they stand so.
+
+    Boxes are those of the corrected rows; where parts lie in them, and their colours, is learnt
+    from the regions seen there, from good views first. Somebody hidden is started where the rows
+    lead, as one who was missed.
+
+    Args:
+        observations: of the frames `resume.looks`, in order.
+    """
+    people = np.unique(resume.rows["track"])
+    looks = _looks(resume.rows, people, observations, layout)
+    box, pace, missed_s = _now(resume, people)
+    usual = np.array(_USUAL if layout.parts > 1 else _USUAL_WHOLE)
+    share = np.array([np.median(looks.shares.get(k, [usual]), axis=0) for k in range(len(people))])
+    rectangles = share.reshape(-1, layout.parts, 4) * np.tile(box[:, None, 2:], 2)
+    rectangles[..., :2] += box[:, None, :2]
+    new = begun(people.astype(np.int32), rectangles, pace, looks.picture, layout, random)
+    known = (looks.seen > 0)[:, None, None, None]
+    model = np.where(known, looks.model, new.model)
+    return new.replace(model=model, looks=model, missed_s=missed_s), looks.time_s
+
+
+def _looks(
+    rows: Columns, people: NDArray[np.int32], observations: Iterable[Observation], layout: Layout
+) -> _Looks:
+    shape = (len(people), layout.parts, 3, 256)
+    looks = _Looks(np.zeros(shape, np.float32), np.zeros(len(people), np.int64))
+    for observation in observations:
+        assert observation.picture is not None, "perception of one camera hands the picture on"
+        looks.picture, looks.time_s = ycbcr(observation.picture), observation.time_s
+        here = only(rows, (rows["frame"] == observation.frame) & is_seen(rows))
+        for row, rectangles in _parts_of(here, observation.people, looks.picture, layout):
+            person = int(np.searchsorted(people, here["track"][row]))
+            _look(looks, person, rectangles, _box(here)[row])
+    return looks
+
+
+def _look(looks: _Looks, person: int, rectangles: Floats, box: Floats) -> None:
+    seen = looked_at(looks.picture, rectangles[None])[0]
+    count = looks.seen[person]
+    share = np.float32(max(1.0 - _MEMORY, 1.0 / (count + 1)))
+    looks.model[person] += share * (seen - looks.model[person])
+    looks.seen[person] += 1
+    share_of_box = rectangles.copy()
+    share_of_box[:, :2] -= box[:2]
+    looks.shares.setdefault(person, []).append(share_of_box / np.tile(box[2:], 2))
+
+
+def _parts_of(
+    rows: Columns, seen: Detections, picture: NDArray[np.uint8], layout: Layout
+) -> Iterator[tuple[int, Floats]]:
+    """The rows of a frame in which a person is well seen, with their rectangles (parts, 4)."""
+    for row, box in enumerate(_box(rows)):
+        if rows["visibility"][row] < CLEAR:
+            continue
+        low = np.clip(np.rint(box[:2]), 0, picture.shape[1::-1]).astype(int)
+        high = np.clip(np.rint(box[:2] + box[2:]), low, picture.shape[1::-1]).astype(int)
+        inside = seen.regions[low[1] : high[1], low[0] : high[0]]
+        count = np.bincount(inside.ravel(), minlength=2)
+        region = int(count[1:].argmax()) + 1
+        if count[region] < _FILLED * max(inside.size, 1):
+            continue
+        rectangles = rectangles_in(seen.regions, region, box, picture, layout)
+        if np.isfinite(rectangles).all():
+            yield row, rectangles
+
+
+def _now(resume: Resume, people: NDArray[np.int32]) -> tuple[Floats, Floats, Floats]:
+    """Box (people, 4), pace (people, 2) px/s and seconds missed in the frame before the first."""
+    rows, now = resume.rows, resume.frame - 1
+    last = _last_rows(rows, people)
+    gap_s = (now - rows["frame"][last]) / resume.fps
+    pace = _slopes(rows, people, resume)
+    box = _box(rows)[last]
+    box[:, :2] += pace * np.minimum(gap_s, _LED_ON_S)[:, None]
+    return box, pace, gap_s
+
+
+def _last_rows(rows: Columns, people: NDArray[np.int32]) -> Indices:
+    last = np.zeros(len(people), np.intp)
+    last[np.searchsorted(people, rows["track"])] = np.arange(len(rows["track"]))
+    return last
+
+
+def _slopes(rows: Columns, people: NDArray[np.int32], resume: Resume) -> Floats:
+    """(people, 2) px/s of the boxes' middles along the last rows; 0 for a single one."""
+    late = rows["frame"] >= resume.frame - round(_SLOPE_S * resume.fps)
+    number = np.searchsorted(people, rows["track"][late])
+    box = _box(rows)[late]
+    count = np.maximum(np.bincount(number, minlength=len(people)), 1)
+    time = rows["frame"][late] / resume.fps
+    time = time - (np.bincount(number, time, len(people)) / count)[number]
+    length = np.maximum(np.bincount(number, time**2, len(people)), 1e-9)
+    middle = box[:, :2] + box[:, 2:] / 2
+    return np.column_stack([np.bincount(number, time * m, len(people)) / length for m in middle.T])
+
+
+def _box(rows: Columns) -> Floats:
+    return np.column_stack([rows[name] for name in ("left", "top", "width", "height")])
