@@ -9,7 +9,7 @@ import sys
 from importlib import import_module
 from typing import Any
 
-from tests.benchmarks.telling import table, told
+from tests.benchmarks.page_texts import table, told
 
 GROUPS = (
     "pipeline",

@@ -14,9 +14,9 @@ sys.path.append(str(Path(__file__).parents[1] / "trackers"))
 
 from people_on_a_floor import Walker, observations, straight, view
 
-from tests.benchmarks.tracker_peers.comparing import chosen_settings
+from tests.benchmarks.tracker_peers.comparison import chosen_settings
 from tests.peers.followers import STONESOUP_GNN
-from tests.peers.following import SEEN
+from tests.peers.peer_runs import SEEN
 from tracking.filtering import (
     associate,
     bhattacharyya_distance,

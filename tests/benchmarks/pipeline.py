@@ -11,9 +11,9 @@ from pathlib import Path
 import cv2
 import numpy as np
 
-from tests.benchmarks.kept import rendering
+from tests.benchmarks.kept_results import rendering
 from tests.benchmarks.peers import Obvious, Primitives
-from tests.benchmarks.rendered import Clip, folder_of
+from tests.benchmarks.rendered_clips import Clip, folder_of
 from tracking.pipeline import Tracking, track
 from tracking.recording import StereoFrame, open_recording
 

@@ -6,8 +6,8 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
-from tests.benchmarks.asking import Asked, asked, one_core
-from tests.benchmarks.telling import told
+from tests.benchmarks.options import Asked, asked, one_core
+from tests.benchmarks.page_texts import told
 
 if TYPE_CHECKING:
     import numpy as np

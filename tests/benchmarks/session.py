@@ -25,7 +25,7 @@ from app.presenters.document.session_tracks import SessionTracks
 from app.presenters.timeline.lanes import TimelinePresenter
 from app.views.timeline import TimelineView
 from tests.benchmarks.large_sessions import NoPictures, crowd
-from tests.benchmarks.telling import tell
+from tests.benchmarks.page_texts import tell
 from tracking.editing import plan_swap
 from tracking.session import Session, session_reader
 

@@ -18,7 +18,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from tests.benchmarks.rendered import Clip, folder_of
+from tests.benchmarks.rendered_clips import Clip, folder_of
 from tracking.editing import apply_change, plan_swap, propose_swap_frames, signals_of
 from tracking.formats import read_mot
 from tracking.pipeline import track

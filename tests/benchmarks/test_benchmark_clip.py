@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.benchmarks import pipeline, rendered
-from tests.benchmarks.rendered import Clip
+from tests.benchmarks import pipeline, rendered_clips
+from tests.benchmarks.rendered_clips import Clip
 
 
 @pytest.fixture
@@ -20,7 +20,7 @@ def made(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> list[Path]:
         folder.mkdir(parents=True)
         (folder / "truth.txt").touch()
 
-    monkeypatch.setattr(rendered, "render_recording", render)
+    monkeypatch.setattr(rendered_clips, "render_recording", render)
     monkeypatch.setattr(pipeline, "_KEPT", tmp_path)
     return folders
 

@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from tests.benchmarks import pages, results
+from tests.benchmarks.page_texts import table, unit_of
 from tests.benchmarks.results import Contents
-from tests.benchmarks.telling import table, unit_of
 
 
 @pytest.fixture

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tests.peers.environments import MOTPY, NORFAIR, STONESOUP, TRACKERS, Peer
-from tests.peers.following import read_followed, write_detections
+from tests.peers.peer_runs import read_followed, write_detections
 
 Seen = tuple[int, float, NDArray[np.float64]]
 """Frames, frames a second, and (n, 8) detections; see `following.SEEN`."""

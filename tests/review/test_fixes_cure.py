@@ -29,7 +29,7 @@ from tracking.editing import (
 )
 from tracking.review import find_suspicions
 from tracking.review.evidence import gathered
-from tracking.review.found import Found
+from tracking.review.findings import Found
 from tracking.review.material import Material
 from tracking.review.reason_phrases import fix
 from tracking.review.reasons import REASONS

@@ -18,7 +18,7 @@ from walks_on_a_floor import (
 )
 
 from tracking.review.evidence import gathered
-from tracking.review.found import Found
+from tracking.review.findings import Found
 from tracking.review.material import Material
 from tracking.review.reason_phrases import sentence
 from tracking.review.reasons import REASONS

@@ -9,7 +9,7 @@ from walks_on_a_floor import FPS, Walk, crossing, made_run, straight, swapped
 
 from tracking.editing import apply_change, plan_move_box
 from tracking.review.evidence import LOOKS, gathered
-from tracking.review.found import peaks
+from tracking.review.findings import peaks
 from tracking.review.neighbours import neighbours
 from tracking.tracks import Labels, TrackTable
 

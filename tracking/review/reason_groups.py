@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.review.found import Found, peaks
+from tracking.review.findings import Found, peaks
 from tracking.tracks import row_keys
 
 Rows = NDArray[np.int64]

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from tracking.synthesis.body import topology
 from tracking.synthesis.cast import Cast
-from tracking.synthesis.lighting import FloorShade, FloorShadows
+from tracking.synthesis.light import FloorShade, FloorShadows
 from tracking.synthesis.painter import FINE, Drawn, Painter, composite
 from tracking.synthesis.pillars import Pillars
 from tracking.synthesis.rig import Rig

@@ -9,21 +9,21 @@ from __future__ import annotations
 
 from typing import Any
 
-from tests.benchmarks.asking import Asked
+from tests.benchmarks.options import Asked
 from tests.benchmarks.results import Contents, run
 
 SECTIONS = ("scenes", "real", "speed")
 
 
 def _contents(wish: Asked) -> Contents:
-    from tests.benchmarks.flow import clips, counting, real, report, words
+    from tests.benchmarks.flow import clips, counts, real, report, words
 
     known = clips.REPORTED if wish.report else clips.TUNED
     return Contents(
         words.INTRODUCTION,
         report.writers(),
         {
-            "scenes": lambda: counting.scenes(known, wish.clips),
+            "scenes": lambda: counts.scenes(known, wish.clips),
             "real": lambda: real.measure(wish.data),
             "speed": _speed,
         },

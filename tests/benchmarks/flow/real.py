@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from tests.benchmarks.flow.counting import JITTER_M, TRACKERS, counts_of
-from tests.benchmarks.rendered import run_of
+from tests.benchmarks.flow.counts import JITTER_M, TRACKERS, counts_of
+from tests.benchmarks.rendered_clips import run_of
 from tracking.counting import Passages, passages
 from tracking.formats import read_mot
 from tracking.recording import open_recording

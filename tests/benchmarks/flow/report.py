@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from tests.benchmarks.flow import words
-from tests.benchmarks.flow.counting import STRETCH_S
+from tests.benchmarks.flow.counts import STRETCH_S
 from tests.benchmarks.pages import Figures, met, table
 from tracking.counting import PAPER_STEP_S
 from tracking.pages import Panel, svg

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from tests.benchmarks.flow import clips, report
-from tests.benchmarks.flow.counting import hits_of, people_inside
+from tests.benchmarks.flow.counts import hits_of, people_inside
 from tests.benchmarks.flow.real import BY_EYE, hits_by_eye
-from tests.benchmarks.rendered import Columns
+from tests.benchmarks.rendered_clips import Columns
 from tracking.counting import Passages
 
 FPS = 10.0

@@ -15,7 +15,7 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any
 
-from tests.benchmarks.asking import parser_of
+from tests.benchmarks.options import parser_of
 
 _DOCS = Path(__file__).parents[3] / "docs"
 SECTIONS = ("rates", "crouching", "equalisation", "detector", "real", "speed")
@@ -57,16 +57,16 @@ def _data() -> Path | None:
 
 def _report(sections: tuple[str, ...] | list[str], clips: Path | None, data: Path | None) -> None:
     from tests.benchmarks.parts import clips as known
-    from tests.benchmarks.parts import measuring
+    from tests.benchmarks.parts import part_rates
 
     detector_clips = (*known.REPORTED, *known.REPORTED_CROUCHING, *known.REPORTED_ELSEWHERE)
     measures: dict[str, Callable[[], Iterable[Any]]] = {
-        "rates": lambda: measuring.rates_one_by_one(known.REPORTED, clips),
-        "crouching": lambda: [measuring.crouching(known.REPORTED_CROUCHING, clips)],
-        "equalisation": lambda: [measuring.equalisation()],
-        "detector": lambda: [measuring.detector(detector_clips, clips)],
-        "real": lambda: [measuring.real(data)],
-        "speed": lambda: [measuring.speed()],
+        "rates": lambda: part_rates.rates_one_by_one(known.REPORTED, clips),
+        "crouching": lambda: [part_rates.crouching(known.REPORTED_CROUCHING, clips)],
+        "equalisation": lambda: [part_rates.equalisation()],
+        "detector": lambda: [part_rates.detector(detector_clips, clips)],
+        "real": lambda: [part_rates.real(data)],
+        "speed": lambda: [part_rates.speed()],
     }
     path = _DOCS / "results.json"
     anew = set(sections) == set(SECTIONS)  # then nothing on the page is older than the rest
@@ -84,7 +84,7 @@ def _picture(clips: Path | None) -> None:
     from tests.benchmarks.pages import save_jpeg
     from tests.benchmarks.parts import clips as known
     from tests.benchmarks.parts import pictures
-    from tests.benchmarks.parts.running import ADJUSTED, PLAIN
+    from tests.benchmarks.parts.tracker_runs import ADJUSTED, PLAIN
 
     shown = pictures.side_by_side(known.REPORTED[0], (ADJUSTED, PLAIN), (150, 190), clips)
     save_jpeg(_DOCS / "parts-walkway.jpg", shown)
@@ -118,10 +118,10 @@ def _write(figures: dict[str, Any]) -> None:
 
 def _tune(clips: Path | None) -> None:
     from tests.benchmarks.parts import clips as known
-    from tests.benchmarks.parts import measuring, report
+    from tests.benchmarks.parts import part_rates, report
 
-    print(report.rates_tables(measuring.rates(known.TUNED, clips)))
-    print(report.crouching_table(measuring.crouching(known.TUNED_CROUCHING, clips)))
+    print(report.rates_tables(part_rates.rates(known.TUNED, clips)))
+    print(report.crouching_table(part_rates.crouching(known.TUNED_CROUCHING, clips)))
 
 
 if __name__ == "__main__":

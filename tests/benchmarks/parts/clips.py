@@ -9,7 +9,7 @@ from pathlib import Path
 
 from platformdirs import user_cache_path
 
-from tests.benchmarks.kept import rendering as rendered_with
+from tests.benchmarks.kept_results import rendering as rendered_with
 from tests.benchmarks.parts import scenes
 from tests.benchmarks.parts.scenes import ELSEWHERE
 from tracking.synthesis import SCENES, SceneSpec, render_recording

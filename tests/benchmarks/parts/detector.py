@@ -18,8 +18,8 @@ import numpy as np
 
 import resources
 from tests.benchmarks.parts.clips import TRAINED
-from tests.benchmarks.parts.labelling import samples_of_clips
-from tests.benchmarks.parts.running import PLAIN
+from tests.benchmarks.parts.label_effort import samples_of_clips
+from tests.benchmarks.parts.tracker_runs import PLAIN
 from tracking.failure import Samples, save_detector
 from tracking.failure.detector_file import BUILT_IN
 from tracking.failure.training import Trained, TrainingPlan, train

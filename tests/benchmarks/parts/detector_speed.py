@@ -16,7 +16,7 @@ from sklearn.pipeline import Pipeline
 from sklearn.preprocessing import FunctionTransformer
 from sklearn.svm import SVC
 
-from tests.benchmarks.asking import parser_of
+from tests.benchmarks.options import parser_of
 from tracking.failure import Detector, Machine, built_in_detector, load_detector
 
 PEOPLE = 15

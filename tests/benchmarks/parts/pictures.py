@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from tests.benchmarks.pages import save_jpeg
 from tests.benchmarks.parts.clips import Clip, folder_of
 from tests.benchmarks.parts.real import folders_in
-from tests.benchmarks.parts.running import ADJUSTED, PLAIN, Variant, fresh_run
+from tests.benchmarks.parts.tracker_runs import ADJUSTED, PLAIN, Variant, fresh_run
 from tracking.recording import open_recording
 from tracking.tracks import Columns
 

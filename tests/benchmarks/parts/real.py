@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tests.benchmarks.parts.running import ADJUSTED, Variant, run_of, tracked_by
+from tests.benchmarks.parts.tracker_runs import ADJUSTED, Variant, run_of, tracked_by
 from tracking.formats import read_mot
 from tracking.recording import open_recording
 from tracking.scoring.parts import Judged, PartTruth, judge

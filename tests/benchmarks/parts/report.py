@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from tests.benchmarks.parts.running import ADJUSTED, PLAIN, WHOLE
+from tests.benchmarks.parts.tracker_runs import ADJUSTED, PLAIN, WHOLE
 from tests.benchmarks.parts.words import (
     CROUCHING,
     DETECTOR,

@@ -7,8 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.benchmarks.parts import clips, kept
-from tests.benchmarks.parts.kept import Seen, kept_run
+from tests.benchmarks.parts import clips, kept_people
+from tests.benchmarks.parts.kept_people import Seen, kept_run
 from tests.benchmarks.parts.real import RECORDINGS, folders_in
 
 
@@ -45,7 +45,7 @@ def test_other_settings_and_other_sources_are_tracked_anew(
     kept_run(folder, ("three-part",), False, tracker)
     kept_run(folder, ("three-part", ("adjust", False)), False, tracker)
     assert tracker.runs == 2
-    monkeypatch.setattr(kept, "sources", lambda: "edited")
+    monkeypatch.setattr(kept_people, "sources", lambda: "edited")
     assert kept_run(folder, ("three-part",), False, tracker).parts["part"].tolist() == [3]
 
 
@@ -57,7 +57,7 @@ def test_another_clip_under_the_same_name_and_other_libraries_are_tracked_anew(
         (folder / "left.mkv").write_bytes(picture)
         kept_run(folder, ("three-part",), False, tracker)
     assert tracker.runs == 2
-    monkeypatch.setattr(kept, "LIBRARIES", "numpy of tomorrow")
+    monkeypatch.setattr(kept_people, "LIBRARIES", "numpy of tomorrow")
     assert kept_run(folder, ("three-part",), False, tracker).parts["part"].tolist() == [3]
 
 
@@ -86,8 +86,8 @@ def test_another_detector_counts_for_those_who_act_on_it(
     tracker = Tracker()
     for judged in (True, False):
         kept_run(folder, ("three-part", judged), judged, tracker)
-    other = kept.built_in_detector().with_operating_point(0.5)
-    monkeypatch.setattr(kept, "built_in_detector", lambda: other)
+    other = kept_people.built_in_detector().with_operating_point(0.5)
+    monkeypatch.setattr(kept_people, "built_in_detector", lambda: other)
     for judged in (True, False):
         kept_run(folder, ("three-part", judged), judged, tracker)
     assert tracker.runs == 3

@@ -20,8 +20,8 @@ from tests.benchmarks.parts.clips import (
     Clip,
 )
 from tests.benchmarks.parts.detector import resized
+from tests.benchmarks.parts.postures import stoops_in
 from tests.benchmarks.parts.real import kept_parts, truth_of_boxes
-from tests.benchmarks.parts.stooping import stoops_in
 from tracking.failure import SAMPLE_COLUMNS, Samples
 from tracking.pages import Panel, svg
 from tracking.scoring.parts import Judged

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from tests.benchmarks.asking import Asked
+from tests.benchmarks.options import Asked
 from tests.benchmarks.results import Contents, run
 
 SECTIONS = ("marks", "situations", "real", "places", "befallen", "speed")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from tests.benchmarks.rendered import Clip
+from tests.benchmarks.rendered_clips import Clip
 from tracking.synthesis import Circumstances
 
 SITUATIONS = tuple(f"situation-{number}" for number in range(1, 16))

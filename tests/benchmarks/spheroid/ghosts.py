@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tests.benchmarks.rendered import Clip, Columns, folder_of, tracked
-from tests.benchmarks.spheroid.following import table_of
+from tests.benchmarks.rendered_clips import Clip, Columns, folder_of, tracked
+from tests.benchmarks.spheroid.people_kept import table_of
 from tests.benchmarks.spheroid.recordings import RADIUS_M, told
 from tests.benchmarks.spheroid.spots import TRACKER
 from tracking.formats import read_mot

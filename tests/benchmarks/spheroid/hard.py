@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from tests.benchmarks.rendered import Clip, Columns, folder_of, moments, run_of
-from tests.benchmarks.spheroid.following import Followed, follow
+from tests.benchmarks.rendered_clips import Clip, Columns, folder_of, moments, run_of
+from tests.benchmarks.spheroid.people_kept import Followed, follow
 from tests.benchmarks.spheroid.spots import TRACKER
 from tracking.formats import read_mot
 

@@ -9,7 +9,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from tests.benchmarks.rendered import Clip, folder_of, run_of
+from tests.benchmarks.rendered_clips import Clip, folder_of, run_of
 from tests.benchmarks.spheroid.spots import TRACKER
 from tracking.geometry import View
 from tracking.recording import open_recording

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from tests.benchmarks.rendered import Clip, folder_of, run_of
+from tests.benchmarks.rendered_clips import Clip, folder_of, run_of
 from tracking.formats import read_mot
 from tracking.scoring import FloorMatch, Score, ScoringTable, score
 

@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tests.benchmarks.rendered import Clip, floor_truth, folder_of, moments, run_of
-from tests.benchmarks.spheroid.following import Followed, follow
+from tests.benchmarks.rendered_clips import Clip, floor_truth, folder_of, moments, run_of
+from tests.benchmarks.spheroid.people_kept import Followed, follow
 from tracking.synthesis.marks import MARKS_M
 
 TRACKER = "spheroid"

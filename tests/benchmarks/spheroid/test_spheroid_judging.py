@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tests.benchmarks.rendered import Columns
-from tests.benchmarks.spheroid.following import Followed, follow
+from tests.benchmarks.rendered_clips import Columns
 from tests.benchmarks.spheroid.ghosts import ghosts_s
 from tests.benchmarks.spheroid.hard import verdict
+from tests.benchmarks.spheroid.people_kept import Followed, follow
 from tests.benchmarks.spheroid.recordings import told
 from tests.benchmarks.spheroid.spots import told_of
 

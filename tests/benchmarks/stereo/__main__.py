@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from tests.benchmarks.asking import Asked
+from tests.benchmarks.options import Asked
 from tests.benchmarks.results import Contents, run
 
 SECTIONS = ("tables", "trackers", "goals", "real", "lost", "befallen", "peers")
@@ -23,8 +23,8 @@ def _contents(wish: Asked) -> Contents:
     from tests.benchmarks.stereo import (
         befallen,
         choice,
+        clip_scores,
         clips,
-        measuring,
         pictures,
         real,
         report,
@@ -43,9 +43,9 @@ def _contents(wish: Asked) -> Contents:
         words.INTRODUCTION,
         report.writers(),
         {
-            "tables": lambda: measuring.tables(known.of_scene, wish.clips),
+            "tables": lambda: clip_scores.tables(known.of_scene, wish.clips),
             "trackers": lambda: choice.measure(fresh or known.of_scene, wish.clips),
-            "goals": lambda: measuring.both(fresh, known.of_scene, wish.clips),
+            "goals": lambda: clip_scores.both(fresh, known.of_scene, wish.clips),
             "peers": lambda: _peers(known, wish),
             "real": lambda: real.measure(wish.data),
             "lost": lambda: _lost(known, wish),
@@ -59,16 +59,16 @@ def _contents(wish: Asked) -> Contents:
 def _peers(known: Any, wish: Asked) -> dict[str, Any]:
     from tests.benchmarks.stereo import peers
     from tests.benchmarks.tracker_peers import REPORTED_SEEDS
-    from tests.benchmarks.tracker_peers.choosing import CHOOSING_SEEDS
+    from tests.benchmarks.tracker_peers.parameter_search import CHOOSING_SEEDS
 
     seeds = REPORTED_SEEDS if wish.report else CHOOSING_SEEDS[:1]
     return peers.measure(known.of_scene, seeds, wish.clips)
 
 
 def _lost(known: Any, wish: Asked) -> dict[str, Any]:
-    from tests.benchmarks.stereo import measuring, pictures
+    from tests.benchmarks.stereo import clip_scores, pictures
 
-    people = measuring.not_kept_of(known.of_scene, wish.clips)
+    people = clip_scores.not_kept_of(known.of_scene, wish.clips)
     return {"people": people, "shown": pictures.typical(people)}
 
 

@@ -6,12 +6,12 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
-from tests.benchmarks.rendered import Clip
+from tests.benchmarks.rendered_clips import Clip
 from tests.benchmarks.spheroid.ghosts import ghosts_s
+from tests.benchmarks.stereo.clip_scores import figures_of
 from tests.benchmarks.stereo.clips import folder
 from tests.benchmarks.stereo.columns import OURS
-from tests.benchmarks.stereo.disturbing import DISTURBANCES, disturbed
-from tests.benchmarks.stereo.measuring import figures_of
+from tests.benchmarks.stereo.disturbances import DISTURBANCES, disturbed
 from tests.benchmarks.stereo.trackers import runs_over
 from tests.benchmarks.stereo.troubles import TROUBLES, troubled
 from tests.benchmarks.stereo.truth import truth_of

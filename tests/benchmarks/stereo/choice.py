@@ -7,12 +7,12 @@ from pathlib import Path
 from typing import Any
 
 from tests.benchmarks.pages import Figures, table
-from tests.benchmarks.rendered import Clip
+from tests.benchmarks.rendered_clips import Clip
 from tests.benchmarks.stereo import words
+from tests.benchmarks.stereo.clip_scores import figures_of
 from tests.benchmarks.stereo.clips import folder
 from tests.benchmarks.stereo.columns import AS_THEY_COME
 from tests.benchmarks.stereo.goals import per_cent_of_truth
-from tests.benchmarks.stereo.measuring import figures_of
 from tests.benchmarks.stereo.trackers import Seen, Variant, runs_over
 from tests.benchmarks.stereo.truth import truth_of
 from tracking.scoring import BoxMatch, Score, ScoringTable, combined, score

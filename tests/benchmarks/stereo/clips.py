@@ -7,8 +7,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from tests.benchmarks.kept import rendering
-from tests.benchmarks.rendered import Clip, folder_of
+from tests.benchmarks.kept_results import rendering
+from tests.benchmarks.rendered_clips import Clip, folder_of
 from tracking.synthesis import SCENES, Circumstances
 
 PAPERS = ("indoor", "outdoor", "lobby", "plaza", "square", "uniforms")

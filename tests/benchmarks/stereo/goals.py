@@ -9,8 +9,8 @@ from scipy.stats import fisher_exact
 
 from tests.benchmarks.pages import Figures, met, table
 from tests.benchmarks.stereo import words
+from tests.benchmarks.stereo.clip_scores import FLOOR_M
 from tests.benchmarks.stereo.clips import FRESH_ROUNDS
-from tests.benchmarks.stereo.measuring import FLOOR_M
 from tests.benchmarks.stereo.shares import said_interval
 from tracking.synthesis import SCENES
 

@@ -8,12 +8,12 @@ from pathlib import Path
 from typing import Any
 
 from tests.benchmarks.pages import Figures, table
-from tests.benchmarks.rendered import Clip
+from tests.benchmarks.rendered_clips import Clip
 from tests.benchmarks.stereo import words
 from tests.benchmarks.stereo.clips import folder
 from tests.benchmarks.stereo.columns import OURS
 from tests.benchmarks.tracker_peers import compared, compared_on
-from tests.benchmarks.tracker_peers.rendered import rendered_clip
+from tests.benchmarks.tracker_peers.rendered_clips import rendered_clip
 from tests.benchmarks.tracker_peers.rows import RADIUS_M
 
 SHOWN = (OURS.tracker, "stereo-direction")

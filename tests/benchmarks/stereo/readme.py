@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from tests.benchmarks.asking import parser_of
+from tests.benchmarks.options import parser_of
 from tests.benchmarks.pages import Figures, Page, table
 from tests.benchmarks.stereo import choice, goals
 from tests.benchmarks.stereo.shares import said_interval

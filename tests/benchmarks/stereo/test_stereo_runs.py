@@ -9,11 +9,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tests.benchmarks.rendered import Clip
-from tests.benchmarks.stereo import choice, measuring, report, trackers
+from tests.benchmarks.rendered_clips import Clip
+from tests.benchmarks.stereo import choice, clip_scores, report, trackers
 from tests.benchmarks.stereo.circumstance import Circumstance
 from tests.benchmarks.stereo.columns import OURS
-from tests.benchmarks.stereo.lost import counted, line
+from tests.benchmarks.stereo.lost_people import counted, line
 from tests.benchmarks.stereo.reasons import NotKept
 from tests.benchmarks.stereo.trackers import Variant, runs_over
 from tracking.pipeline import track
@@ -75,7 +75,7 @@ def test_trackers_and_goals_are_measured_and_written(clip: Path) -> None:
     choices = json.loads(json.dumps(choice.measure(of_scene, clip.parent)))
     assert choices["clips"] == [clip.name]
     assert choices["all"] == choices["scenes"]["lobby"]
-    goals = measuring.both(of_scene, of_scene, clip.parent)
+    goals = clip_scores.both(of_scene, of_scene, clip.parent)
     own = choices["all"][OURS.tracker]
     assert goals["fresh"]["lobby"]["IDF1"] == goals["often"]["lobby"]["IDF1"] == own["IDF1"]
     writers = report.writers()

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from tests.benchmarks.kept import LIBRARIES, keep, path_of, sources_of, tables_in
+from tests.benchmarks.kept_results import LIBRARIES, keep, path_of, sources_of, tables_in
 from tracking.pipeline import KeptSteps, background_samples, begin_pairing
 from tracking.recording import Instants, Recording, open_recording
 from tracking.settings import settings_from, settings_values

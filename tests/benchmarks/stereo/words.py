@@ -140,10 +140,10 @@ PEERS = """
 The same detections for everybody. Rows match by place, on the floor within {radius:g} m, and not by
 box as above, so that a clip may have other figures here. The others get places and boxes, no
 colours, with settings chosen as well as we could on other seeds for each kind of clip (`python -m
-tests.benchmarks.tracker_peers.choosing crossing`, or `rendered --recordings CLIP...`), while ours
-keep one setting for all. "As they come" are rows told frame by frame, as the others tell theirs;
-"finished" is the run looked over as a whole, as our tracker comes. Time is processor time of
-following alone.
+tests.benchmarks.tracker_peers.parameter_search crossing`, or `rendered --recordings CLIP...`),
+while ours keep one setting for all. "As they come" are rows told frame by frame, as the others
+tell theirs; "finished" is the run looked over as a whole, as our tracker comes. Time is processor
+time of following alone.
 """
 
 KINDS = {
@@ -172,7 +172,7 @@ LOST = """
 
 Everybody our tracker did not keep in the clips measured often, since those may be looked at, by
 what went wrong first, read off truth and tracks by a script (`python -m
-tests.benchmarks.stereo.lost CLIP...` tells each of them by clip, person and frame):
+tests.benchmarks.stereo.lost_people CLIP...` tells each of them by clip, person and frame):
 """
 
 WHERE = """

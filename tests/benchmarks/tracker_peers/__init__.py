@@ -1,12 +1,12 @@
 """Our stereo trackers beside those of others, on the same detections."""
 
-from tests.benchmarks.tracker_peers.comparing import (
+from tests.benchmarks.tracker_peers.comparison import (
     REPORTED_SEEDS,
     compared,
     compared_on,
     measure,
 )
-from tests.benchmarks.tracker_peers.rendered import rendered_clip
+from tests.benchmarks.tracker_peers.rendered_clips import rendered_clip
 from tests.benchmarks.tracker_peers.report import as_json, markdown
 from tests.benchmarks.tracker_peers.rows import Figures, PeerRow
 

@@ -9,8 +9,8 @@ import argparse
 import json
 from pathlib import Path
 
-from tests.benchmarks.tracker_peers.comparing import OURS, compared, compared_on
-from tests.benchmarks.tracker_peers.rendered import rendered_clip
+from tests.benchmarks.tracker_peers.comparison import OURS, compared, compared_on
+from tests.benchmarks.tracker_peers.rendered_clips import rendered_clip
 from tests.benchmarks.tracker_peers.report import as_json, markdown
 
 

@@ -33,7 +33,7 @@ class Clip:
 
     @property
     def seen(self) -> NDArray[np.float64]:
-        """(n, 8) detections as the trackers of others get them; see `tests.peers.following`."""
+        """(n, 8) detections as the trackers of others get them; see `tests.peers.peer_runs`."""
         return np.concatenate([_rows(one) for one in self.observations])
 
     @property

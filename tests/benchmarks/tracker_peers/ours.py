@@ -44,5 +44,5 @@ def _joined(steps: Sequence[StepResult]) -> NDArray[np.float64]:
 
 
 def _rows(tracks: Columns) -> NDArray[np.float64]:
-    """(n, 4) by `tests.peers.following.FOLLOWED`."""
+    """(n, 4) by `tests.peers.peer_runs.FOLLOWED`."""
     return np.column_stack([tracks[name] for name in ("frame", "track", "x", "y")])

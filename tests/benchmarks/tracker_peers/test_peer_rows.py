@@ -7,12 +7,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.benchmarks.tracker_peers import as_json, choosing, comparing, markdown, rows
+from tests.benchmarks.tracker_peers import as_json, comparison, markdown, parameter_search, rows
 from tests.benchmarks.tracker_peers.clips import Clip
-from tests.benchmarks.tracker_peers.crossing import FPS, WALKERS, crossing_clip
+from tests.benchmarks.tracker_peers.crossings import FPS, WALKERS, crossing_clip
 from tests.peers import environments
 from tests.peers.followers import FOLLOWERS
-from tests.peers.following import follow, read_followed, write_followed
+from tests.peers.peer_runs import follow, read_followed, write_followed
 
 FRAMES = 60
 
@@ -101,7 +101,7 @@ def test_what_trackers_made_comes_back_as_it_was(tmp_path: Path) -> None:
 
 @pytest.mark.usefixtures("nobody_installed")
 def test_every_tracker_has_its_row_and_who_is_missing_is_told(clip: Clip) -> None:
-    found = comparing.compared_on([clip], "crossing", ["stereo-direction"])
+    found = comparison.compared_on([clip], "crossing", ["stereo-direction"])
     ours, peers = found[:4], found[4:]
     assert {(row.colour, row.finished) for row in ours} == {(a, b) for a in (0, 1) for b in (0, 1)}
     assert all(row.figures is not None and row.figures.idf1 > 0.9 for row in ours)
@@ -119,17 +119,17 @@ def test_a_peer_that_fails_is_a_row_that_says_so(
 
     monkeypatch.setattr(environments.Peer, "installed", True)
     monkeypatch.setattr(environments.Peer, "run", failing)
-    found = comparing.compared_on([clip], "crossing", [])
+    found = comparison.compared_on([clip], "crossing", [])
     assert [row.figures for row in found] == [None] * len(FOLLOWERS)
     assert "Not measured: norfair failed: MemoryError." in markdown(found)
 
 
 @pytest.mark.parametrize("kind", ["crossing", "rendered"])
 def test_the_settings_of_all_peers_were_chosen_from_their_ranges(kind: str) -> None:
-    chosen = comparing.chosen_settings(kind)
+    chosen = comparison.chosen_settings(kind)
     assert set(chosen) == {one.name for one in FOLLOWERS}
     for tracker, settings in chosen.items():
-        ranges = choosing.RANGES[tracker]
+        ranges = parameter_search.RANGES[tracker]
         assert set(settings) == set(ranges)
         assert all(value in ranges[name] for name, value in settings.items())
 
@@ -137,6 +137,6 @@ def test_the_settings_of_all_peers_were_chosen_from_their_ranges(kind: str) -> N
 @pytest.mark.skipif(not environments.NORFAIR.installed, reason=environments.NORFAIR.absent)
 def test_a_peer_that_is_installed_follows_the_walkers(clip: Clip) -> None:
     norfair = next(one for one in FOLLOWERS if one.name == "norfair")
-    settings = comparing.chosen_settings("crossing")["norfair"]
+    settings = comparison.chosen_settings("crossing")["norfair"]
     (told,) = norfair.follow({clip.name: (FRAMES, FPS, clip.seen)}, [settings])
     assert rows.figures_of([clip], told).idf1 > 0.8

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
-from tracking.review.found import Found
+from tracking.review.findings import Found
 from tracking.review.material import Material
 from tracking.review.reasons.colours import colour_changes, height_changes
 from tracking.review.reasons.crossings import crossings

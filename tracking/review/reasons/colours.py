@@ -8,7 +8,7 @@ import numpy as np
 
 from tracking.review.appearance import GUARD_S, MOST, unlikeness
 from tracking.review.evidence import Floats, Rows
-from tracking.review.found import Found, of_tracks, peaks, ramp
+from tracking.review.findings import Found, of_tracks, peaks, ramp
 from tracking.review.material import Material
 
 _APART_S = 3.0

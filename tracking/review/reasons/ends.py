@@ -6,7 +6,7 @@ import numpy as np
 
 from tracking.review.appearance import unlikeness
 from tracking.review.evidence import Flags, Floats, Rows
-from tracking.review.found import Found, joined, of_pairs, of_tracks, ramp
+from tracking.review.findings import Found, joined, of_pairs, of_tracks, ramp
 from tracking.review.material import Material
 
 _LONGEST_S = 6.0

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from tracking.review.appearance import EVERY_S, changed_over
-from tracking.review.found import Found, of_pairs, peaks, ramp
+from tracking.review.findings import Found, of_pairs, peaks, ramp
 from tracking.review.material import Material
 from tracking.tracks import row_keys
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from tracking.review.found import Found, joined, of_pairs, of_tracks, peaks, ramp
+from tracking.review.findings import Found, joined, of_pairs, of_tracks, peaks, ramp
 from tracking.review.material import Material
 
 _HIGH, _LOW = 0.5, 0.05

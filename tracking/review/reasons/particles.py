@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from tracking.review.evidence import Floats
-from tracking.review.found import Found, of_tracks, peaks, ramp
+from tracking.review.findings import Found, of_tracks, peaks, ramp
 from tracking.review.material import Material
 
 _SPREAD_M, _WIDE_M = 0.3, 0.8

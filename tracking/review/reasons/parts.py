@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from tracking.review.found import Found, of_tracks, peaks, ramp
+from tracking.review.findings import Found, of_tracks, peaks, ramp
 from tracking.review.material import Material
 
 _APART_S = 2.0

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from tracking.review.found import Found, joined, of_pairs, of_tracks, ramp
+from tracking.review.findings import Found, joined, of_pairs, of_tracks, ramp
 from tracking.review.material import Material
 
 _LEAST_S, _LONG_S = 0.5, 4.0

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from tracking.review.found import Found, of_pairs, ramp
+from tracking.review.findings import Found, of_pairs, ramp
 from tracking.review.material import Material
 from tracking.tracks import row_keys
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from tracking.review.evidence import Evidence, Floats, Rows
-from tracking.review.found import Found, of_pairs, peaks, ramp
+from tracking.review.findings import Found, of_pairs, peaks, ramp
 from tracking.review.material import REACH_M, Material
 from tracking.review.reasons.jumps import steps_off
 from tracking.tracks import row_keys

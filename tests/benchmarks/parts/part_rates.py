@@ -10,10 +10,17 @@ from typing import Any
 import numpy as np
 
 from tests.benchmarks.parts.clips import Clip
-from tests.benchmarks.parts.labelling import machine_curves, samples_of_clips
+from tests.benchmarks.parts.label_effort import machine_curves, samples_of_clips
+from tests.benchmarks.parts.postures import STANDS_AGAIN_S, Stoop, stoops_in
 from tests.benchmarks.parts.real import measure as real_footage
-from tests.benchmarks.parts.running import ADJUSTED, JOINT, PLAIN, VARIANTS, Variant, judged_clip
-from tests.benchmarks.parts.stooping import STANDS_AGAIN_S, Stoop, stoops_in
+from tests.benchmarks.parts.tracker_runs import (
+    ADJUSTED,
+    JOINT,
+    PLAIN,
+    VARIANTS,
+    Variant,
+    judged_clip,
+)
 from tracking.failure import Curve, Detector, built_in_detector
 from tracking.failure.training.questions import NAMES
 from tracking.scoring.parts import Judged, rates_of

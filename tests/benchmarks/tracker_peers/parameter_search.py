@@ -19,9 +19,9 @@ from typing import Any
 import numpy as np
 
 from tests.benchmarks.tracker_peers.clips import Clip
-from tests.benchmarks.tracker_peers.comparing import CHOSEN, chosen_settings
-from tests.benchmarks.tracker_peers.crossing import FRAMES, crossing_clip
-from tests.benchmarks.tracker_peers.rendered import rendered_clip
+from tests.benchmarks.tracker_peers.comparison import CHOSEN, chosen_settings
+from tests.benchmarks.tracker_peers.crossings import FRAMES, crossing_clip
+from tests.benchmarks.tracker_peers.rendered_clips import rendered_clip
 from tests.benchmarks.tracker_peers.rows import Figures, figures_of
 from tests.peers.followers import FOLLOWERS, Follower
 
@@ -156,7 +156,9 @@ def main() -> None:
 
 
 def _asked() -> argparse.Namespace:
-    parser = argparse.ArgumentParser(prog="python -m tests.benchmarks.tracker_peers.choosing")
+    parser = argparse.ArgumentParser(
+        prog="python -m tests.benchmarks.tracker_peers.parameter_search"
+    )
     parser.add_argument("kind", choices=("crossing", "rendered"))
     parser.add_argument("names", nargs="*", help="of the trackers; all if left out")
     parser.add_argument("--recordings", nargs="*", type=Path, default=[], help="rendered ones")

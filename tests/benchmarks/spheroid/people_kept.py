@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tests.benchmarks.rendered import Columns
+from tests.benchmarks.rendered_clips import Columns
 from tracking.scoring import FloorMatch, ScoringTable
 from tracking.scoring.clear_matching import clear_matches
 from tracking.scoring.comparison import compare

@@ -11,7 +11,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from tests.benchmarks.kept import LIBRARIES, keep, path_of, sources_of, tables_in
+from tests.benchmarks.kept_results import LIBRARIES, keep, path_of, sources_of, tables_in
 from tracking.failure import built_in_detector
 from tracking.tracks import Columns
 

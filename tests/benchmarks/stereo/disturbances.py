@@ -10,7 +10,7 @@ from pathlib import Path
 import cv2
 import numpy as np
 
-from tests.benchmarks.kept import beside
+from tests.benchmarks.kept_results import beside
 from tracking.recording import open_recording
 from tracking.recording.frame import Image
 from tracking.synthesis.video import VideoWriter

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from tests.benchmarks.rendered import Clip
+from tests.benchmarks.rendered_clips import Clip
 from tests.benchmarks.stereo.clips import PAPERS, folder
 from tests.benchmarks.stereo.columns import OURS, columns_of
 from tests.benchmarks.stereo.reasons import VISIBLE_S, NotKept, matches_of, not_kept

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from tests.benchmarks.parts.clips import FPS, Clip, folder_of
-from tests.benchmarks.parts.running import Variant, run_of
+from tests.benchmarks.parts.tracker_runs import Variant, run_of
 from tracking.failure import (
     Curve,
     Detector,

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tests.benchmarks.flow.clips import Counted
-from tests.benchmarks.rendered import floor_truth, folder_of, run_of
+from tests.benchmarks.rendered_clips import floor_truth, folder_of, run_of
 from tracking.counting import PAPER_STEP_S, Hits, compare_passages, occupancy, passages
 from tracking.formats import read_mot
 from tracking.recording import open_recording

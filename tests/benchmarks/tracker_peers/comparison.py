@@ -8,9 +8,9 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from tests.benchmarks.telling import tell
+from tests.benchmarks.page_texts import tell
 from tests.benchmarks.tracker_peers.clips import Clip
-from tests.benchmarks.tracker_peers.crossing import FRAMES, crossing_clip
+from tests.benchmarks.tracker_peers.crossings import FRAMES, crossing_clip
 from tests.benchmarks.tracker_peers.ours import follow
 from tests.benchmarks.tracker_peers.rows import PeerRow, figures_of
 from tests.peers.followers import FOLLOWERS, Follower, Settings

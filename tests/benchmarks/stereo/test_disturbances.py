@@ -8,8 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.benchmarks.kept import beside
-from tests.benchmarks.stereo.disturbing import DISTURBANCES, Disturbance, disturbed
+from tests.benchmarks.kept_results import beside
+from tests.benchmarks.stereo.disturbances import DISTURBANCES, Disturbance, disturbed
 from tests.benchmarks.stereo.troubles import Trouble, troubled
 from tracking.recording import open_recording
 from tracking.synthesis import render_recording

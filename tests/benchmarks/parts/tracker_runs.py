@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from tests.benchmarks.parts.clips import FPS, Clip, folder_of
-from tests.benchmarks.parts.kept import Seen, kept_run
+from tests.benchmarks.parts.kept_people import Seen, kept_run
 from tracking.pipeline import track
 from tracking.recording import open_recording
 from tracking.scoring.parts import (

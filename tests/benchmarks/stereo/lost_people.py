@@ -1,8 +1,9 @@
-"""Who was not kept, and why: `python -m tests.benchmarks.stereo.lost CLIP... [--tracker NAME]`.
+"""Who was not kept, and why.
 
-A line for each person of rendered clips (folders with truth.txt and visibility.csv) who was
-detected and not kept, or seen for a second and never detected: what went wrong first, in which
-frames, with whom, and what was in the way. Frames count from 0. The counts come last.
+`python -m tests.benchmarks.stereo.lost_people CLIP... [--tracker NAME]`: a line for each person
+of rendered clips (folders with truth.txt and visibility.csv) who was detected and not kept, or
+seen for a second and never detected: what went wrong first, in which frames, with whom, and what
+was in the way. Frames count from 0. The counts come last.
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ from collections import Counter
 from pathlib import Path
 from typing import Any
 
-from tests.benchmarks.asking import one_core, parser_of
+from tests.benchmarks.options import one_core, parser_of
 
 
 def main() -> None:
@@ -56,7 +57,7 @@ def counted(everybody: list[Any]) -> list[str]:
 
 
 def _asked() -> argparse.Namespace:
-    parser = parser_of("stereo.lost", __doc__)
+    parser = parser_of("stereo.lost_people", __doc__)
     parser.add_argument("clips", nargs="+", type=Path, metavar="CLIP", help="folder of a clip")
     parser.add_argument("--tracker", default="stereo-joint", help="in the catalogue")
     parser.add_argument(
