@@ -27,7 +27,8 @@ GROUPS = (
 )
 
 MODULES = {
-    "trackers": "tracker_peers.comparing",
+    "scoring": "scorers",
+    "trackers": "tracker_peers.comparison",
     "parts": "parts.speed",
     "spheroid": "spheroid_speed",
     "flow": "flow_speed",
