@@ -8,11 +8,11 @@ from collections.abc import Generator, Iterator
 from pathlib import Path
 
 import pytest
-from parted import with_parts
 from patient import PATIENCE_S, PatientBot
 from PySide6.QtCore import QCoreApplication, QEvent, QSettings
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
+from run_with_parts import with_parts
 
 from app.background import late_eye
 from app.presenters.files import document_loader

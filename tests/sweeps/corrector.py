@@ -9,7 +9,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "session"))
 
-from killing import take_step
+from kill_points import take_step
 from made_up_sessions import make_recording, make_run
 
 from tests.sweeps.session_state import state

@@ -60,7 +60,7 @@ def corrected(hostile: Path, tiny_run: Run, tmp_path: Path) -> Path:
 
 
 def with_head(run: Run) -> Run:
-    from parted import with_parts
+    from run_with_parts import with_parts
 
     return replace(with_parts(run), tracker="three-part")
 

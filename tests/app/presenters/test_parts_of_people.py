@@ -3,8 +3,8 @@
 from dataclasses import replace
 
 import numpy as np
-import parted
 import pytest
+import run_with_parts
 import two_people
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -19,7 +19,7 @@ from tracking.tracks import PART_COLUMNS
 
 @pytest.fixture(scope="module")
 def run():
-    return parted.with_parts(two_people.run())
+    return run_with_parts.with_parts(two_people.run())
 
 
 @pytest.fixture

@@ -1,8 +1,8 @@
 """Body parts that a tracker followed, seen and walked in the real window."""
 
 import numpy as np
-import parted
 import pytest
+import run_with_parts
 from correcting_desk import CROWDED, Hands, opened_desk
 from PySide6.QtCore import QPointF, QRectF, Qt
 
@@ -30,7 +30,7 @@ def _pick(hands, frame=CROWDED):
 
 def test_every_part_of_everybody_stands_where_the_tracker_saw_it(hands, picture):
     boxes = picture._parts.boxes
-    rows = parted.parts_of(hands.desk.document.session.tracks.of_frame(CROWDED))
+    rows = run_with_parts.parts_of(hands.desk.document.session.tracks.of_frame(CROWDED))
     assert len(boxes) == len(rows["frame"])
     wanted = {
         (t, p): f for t, p, f in zip(rows["track"], rows["part"], rows["failed"], strict=True)
@@ -57,7 +57,7 @@ def test_the_particles_of_the_part_that_is_looked_at_are_laid_over_the_picture(h
     hands.press(Key.Key_O, SHIFT)
     hands.press(Key.Key_8)
     torso = picture._parts.particles
-    assert len(torso) == parted.PARTICLES
+    assert len(torso) == run_with_parts.PARTICLES
     box = next(one for one in picture._parts.boxes if (one.track, one.part) == (track, 1))
     middle = (box.box[0] + box.box[2] / 2, box.box[1] + box.box[3] / 2)
     assert np.allclose(torso.mean(axis=0), middle, atol=3.0)
@@ -134,7 +134,7 @@ def test_the_lane_of_the_selected_person_shows_the_score_of_the_part(hands, wind
     track = _pick(hands)
     hands.press(Key.Key_9)
     score = _lane(window, track).score
-    rows = parted.parts_of(hands.desk.document.session.tracks.of_track(track))
+    rows = run_with_parts.parts_of(hands.desk.document.session.tracks.of_track(track))
     assert score.part == 2
     assert np.array_equal(score.curve.score, rows["score"][rows["part"] == 2])
     others = [lane for lane in window.workspace.timeline.area._scene.lanes if lane.track != track]
@@ -159,7 +159,7 @@ def test_the_plots_say_the_figures_at_the_playhead_and_a_click_goes_to_its_frame
     hands.press(Key.Key_Q, SHIFT)
     panel = window.workspace.curves
     assert panel.isVisible()
-    rows = parted.parts_of(hands.desk.document.session.tracks.of_track(track))
+    rows = run_with_parts.parts_of(hands.desk.document.session.tracks.of_track(track))
     head = (rows["part"] == 0) & (rows["frame"] == CROWDED)
     said = panel._said[0].text()
     assert f"{rows['score'][head][0]:+.2f}" in said
@@ -215,7 +215,7 @@ def _failing(hands):
 
 def _failures(hands, track):
     """(frame, part) at which a part of the track begins to fail, in the order of time."""
-    rows = parted.parts_of(hands.desk.document.session.tracks.of_track(track))
+    rows = run_with_parts.parts_of(hands.desk.document.session.tracks.of_track(track))
     failed = {
         (frame, part)
         for frame, part, bad in zip(
@@ -238,7 +238,7 @@ def test_part_failures_stand_in_the_review_queue_and_n_goes_to_them(hands, windo
     first = int(there[there >= current.start][0])
     assert first <= current.frame
     hands.qtbot.waitUntil(lambda: hands.desk.playback.number == first)
-    rows = parted.parts_of(hands.desk.document.session.tracks.of_frame(current.frame))
+    rows = run_with_parts.parts_of(hands.desk.document.session.tracks.of_frame(current.frame))
     failed = {int(p) for t, p, bad in _rows(rows) if bad and t == current.tracks[0]}
     names = [name for part, name in enumerate(("head", "torso", "hip-leg")) if part in failed]
     assert names
