@@ -40,14 +40,14 @@ format: $(STAMP) ## put the code into the house's form
 bench: $(STAMP) ## measure speed (not part of make test)
 	$(BIN)/python -m tests.benchmarks
 
-results: results-parts results-stereo results-spheroid results-flow ## docs/results.md and its pages: the papers' figures beside ours (six and a half hours)
+results: results-parts results-stereo results-spheroid results-flow ## docs/results/: the papers' figures beside ours (six and a half hours)
 
-results-parts: $(STAMP) ## docs/results.md: body parts on scenes no setting was chosen on (half an hour)
+results-parts: $(STAMP) ## docs/results/parts.md: body parts on scenes no setting was chosen on (half an hour)
 	$(BIN)/python -m tests.benchmarks.parts --report
 
 results-stereo: $(STAMP) ## docs/results/stereo.md: both papers' tables, goals, other trackers, what goes wrong (five hours; after make peers)
 	$(BIN)/python -m tests.benchmarks.stereo --report
-	$(BIN)/python -m tests.benchmarks.stereo.readme
+	$(BIN)/python -m tests.benchmarks.stereo.overview
 
 results-spheroid: $(STAMP) ## docs/results/spheroid.md: marks, hard situations, places, real footage (half an hour)
 	$(BIN)/python -m tests.benchmarks.spheroid --report

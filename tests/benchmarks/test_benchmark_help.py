@@ -7,12 +7,15 @@ from collections.abc import Callable
 import pytest
 
 from tests.benchmarks.parts import detector_speed
-from tests.benchmarks.stereo import readme
+from tests.benchmarks.stereo import overview
 
 
 @pytest.mark.parametrize(
     ("main", "told"),
-    [(detector_speed.main, "judges 15 people"), (readme.main, "between two comments of README")],
+    [
+        (detector_speed.main, "judges 15 people"),
+        (overview.main, "between two comments of docs/results.md"),
+    ],
 )
 def test_help_is_the_modules_description_and_nothing_is_done(
     main: Callable[[], None],

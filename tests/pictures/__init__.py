@@ -1,1 +1,1 @@
-"""The pictures in `docs/`, made from the real window on a virtual screen."""
+"""The pictures in `docs/images/`, made from the real window on a virtual screen."""

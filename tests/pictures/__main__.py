@@ -1,4 +1,4 @@
-"""Make `docs/*.png`: the welcome page, a recording playing, a swap waiting for Enter."""
+"""Make `docs/images/*.png`: the welcome page, a recording playing, a swap waiting for Enter."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from tests.pictures.screen import virtual_screen
 from tests.pictures.small_png import save_small
 from tracking.synthesis import render_recording
 
-DOCS = Path(__file__).parents[2] / "docs"
+IMAGES = Path(__file__).parents[2] / "docs" / "images"
 SIZE = (1600, 1000)
 LOOKS = (Look.DARK, Look.LIGHT)
 _PATIENCE_MS = 300_000
@@ -28,7 +28,7 @@ _PATIENCE_MS = 300_000
 def main() -> int:
     """Make all pictures; names given on the command line make only those."""
     wanted = set(sys.argv[1:])
-    DOCS.mkdir(exist_ok=True)
+    IMAGES.mkdir(parents=True, exist_ok=True)
     with virtual_screen(), TemporaryDirectory(prefix="trackwright-") as own:
         os.environ |= {"HOME": own, "XDG_DATA_HOME": own, "XDG_CONFIG_HOME": own}
         for name, make in PICTURES.items():
@@ -126,7 +126,7 @@ def _shoot(window: MainWindow, name: str) -> None:
     for look in LOOKS:
         window.look_choice.choose(look)
         wait_until(lambda: False, 400)
-        path = DOCS / f"{name}-{look.value}.png"
+        path = IMAGES / f"{name}-{look.value}.png"
         save_small(window.grab(), path)
         print(f"{path.name}: {path.stat().st_size // 1000} kB", file=sys.stderr)
 

@@ -1,8 +1,8 @@
 """Body parts: `python -m tests.benchmarks.parts [--report] [--only SECTION ...] [--clips DIR]`.
 
 Without --report: the rates on a few scenes for choosing settings, as a table. With it: all sections
-on the scenes reported, kept one by one in docs/results.json, and the page made of them. --rewrite
-only makes the page and its diagrams anew. Real footage is looked for where --data or
+on the scenes reported, kept one by one in docs/results/parts.json, and the page made of them.
+--rewrite only makes the page and its diagrams anew. Real footage is looked for where --data or
 TRACKWRIGHT_DATA says; --pictures draws parts into a few of its frames, into a folder of yours.
 """
 
@@ -17,7 +17,8 @@ from typing import Any
 
 from tests.benchmarks.options import parser_of
 
-_DOCS = Path(__file__).parents[3] / "docs"
+_FOLDER = Path(__file__).parents[3] / "docs" / "results"
+_PAGE = "docs/results/parts"
 SECTIONS = ("rates", "crouching", "equalisation", "detector", "real", "speed")
 
 
@@ -30,7 +31,7 @@ def main() -> None:
 
     cv2.setNumThreads(1)
     if asked.rewrite:
-        _write(json.loads((_DOCS / "results.json").read_text(encoding="utf-8")))
+        _write(json.loads((_FOLDER / "parts.json").read_text(encoding="utf-8")))
     elif asked.pictures is not None:
         _real_pictures(asked.data, asked.pictures)
     elif asked.report:
@@ -41,8 +42,8 @@ def main() -> None:
 
 def _asked() -> argparse.Namespace:
     parser = parser_of("parts", __doc__)
-    parser.add_argument("--report", action="store_true", help="measure and write docs/results.md")
-    parser.add_argument("--rewrite", action="store_true", help="write it from docs/results.json")
+    parser.add_argument("--report", action="store_true", help=f"measure and write {_PAGE}.md")
+    parser.add_argument("--rewrite", action="store_true", help=f"write it from {_PAGE}.json")
     parser.add_argument("--only", nargs="+", choices=SECTIONS, help="these sections anew")
     parser.add_argument("--clips", type=Path, help="where clips are kept, not the user's cache")
     parser.add_argument("--data", type=Path, default=_data(), help="folder of real recordings")
@@ -68,7 +69,7 @@ def _report(sections: tuple[str, ...] | list[str], clips: Path | None, data: Pat
         "real": lambda: [part_rates.real(data)],
         "speed": lambda: [part_rates.speed()],
     }
-    path = _DOCS / "results.json"
+    path = _FOLDER / "parts.json"
     anew = set(sections) == set(SECTIONS)  # then nothing on the page is older than the rest
     figures = {} if anew or not path.is_file() else json.loads(path.read_text(encoding="utf-8"))
     for name in sections:
@@ -87,7 +88,7 @@ def _picture(clips: Path | None) -> None:
     from tests.benchmarks.parts.tracker_runs import ADJUSTED, PLAIN
 
     shown = pictures.side_by_side(known.REPORTED[0], (ADJUSTED, PLAIN), (150, 190), clips)
-    save_jpeg(_DOCS / "parts-walkway.jpg", shown)
+    save_jpeg(_FOLDER / "parts-walkway.jpg", shown)
 
 
 def _without(figures: dict[str, Any], name: str) -> dict[str, Any]:
@@ -106,14 +107,14 @@ def _write(figures: dict[str, Any]) -> None:
     from tests.benchmarks.parts import report
 
     if "rates" in figures:
-        (_DOCS / "parts-rates.svg").write_text(
+        (_FOLDER / "parts-rates.svg").write_text(
             report.rates_picture(figures["rates"]), encoding="utf-8"
         )
     if "detector" in figures:
-        (_DOCS / "detector-roc.svg").write_text(
+        (_FOLDER / "parts-detector-roc.svg").write_text(
             report.roc_picture(figures["detector"]), encoding="utf-8"
         )
-    (_DOCS / "results.md").write_text(report.results(figures), encoding="utf-8")
+    (_FOLDER / "parts.md").write_text(report.results(figures), encoding="utf-8")
 
 
 def _tune(clips: Path | None) -> None:

@@ -1,4 +1,4 @@
-"""docs/results.md, written from the figures that were measured."""
+"""docs/results/parts.md, written from the figures that were measured."""
 
 from __future__ import annotations
 
@@ -220,7 +220,7 @@ def _detector(figures: Figures) -> str:
         people=figures["people"], recordings=figures["recordings"], clips=figures["new_clips"]
     )
     return "\n\n".join(
-        (text.strip(), table(head, rows), "![receiver operating curves](detector-roc.svg)")
+        (text.strip(), table(head, rows), "![receiver operating curves](parts-detector-roc.svg)")
     )
 
 

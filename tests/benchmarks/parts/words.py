@@ -9,13 +9,13 @@ Measured on rendered scenes with exact part truth, written by one command:
 
 (half an hour on one core; `--only rates` and the like measure one section anew; runs over clips are
 kept for as long as nothing they were made with changes). The figures stand in
-[results.json](results.json). "Paper" is Zhao and Lee 2009, measured by its authors on 20 filmed
+[parts.json](parts.json). "Paper" is Zhao and Lee 2009, measured by its authors on 20 filmed
 clips that are not public; ours are rendered, so that truth is exact and everybody can repeat them.
 Settings were chosen on scenes with other seeds, and the built-in failure detector was trained on
 others again; on the scenes reported here nothing was chosen.
 
-The other systems have pages of their own: [two eyes](results/stereo.md), and with one calibrated
-camera [spheroids](results/spheroid.md) and [flow](results/flow.md).
+The other systems have pages of their own: [stereo](stereo.md), and with one calibrated
+camera [spheroids](spheroid.md) and [flow](flow.md).
 """
 
 HOW_RATES = """
@@ -100,7 +100,7 @@ It was set to two false alarms in a hundred among people held out; on other clip
 few more. Most of what is missed are parts that slid a little and still stand as parts of a body do.
 Few torsos are ever lost, so that machine has least to learn from. Its scores are scikit-learn's to
 1e-10, many times faster (`python -m tests.benchmarks.parts.detector_speed`); what is in its file
-is told in [detector-file.md](detector-file.md).
+is told in [detector-file.md](../detector-file.md).
 """
 
 REAL = """

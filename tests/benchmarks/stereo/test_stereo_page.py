@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from tests.benchmarks.pages import Page
-from tests.benchmarks.stereo import choice, papers, peers, readme, reasons, report, words
+from tests.benchmarks.stereo import choice, overview, papers, peers, reasons, report, words
 from tests.benchmarks.stereo.clips import FRESH, REPORTED, TUNED
 from tests.benchmarks.stereo.columns import AS_THEY_COME, COLUMNS, OWN, columns_of
 from tests.benchmarks.stereo.cues import sentences
@@ -220,16 +220,16 @@ def test_every_tracker_for_two_eyes_is_compared_as_it_comes() -> None:
     assert {spec.name for spec in TRACKERS.values() if spec.needs_stereo} == set(AS_THEY_COME)
 
 
-def test_readme_tells_what_the_results_page_holds() -> None:
-    text = readme.README.read_text(encoding="utf-8")
-    assert text.count(readme.BEGIN) == text.count(readme.END) == 1
-    wanted = readme.with_passage(text, Page("stereo").figures())
-    assert text == wanted, "run python -m tests.benchmarks.stereo.readme"
+def test_the_overview_gives_the_figures_of_the_results_page() -> None:
+    text = overview.OVERVIEW.read_text(encoding="utf-8")
+    assert text.count(overview.BEGIN) == text.count(overview.END) == 1
+    wanted = overview.with_passage(text, Page("stereo").figures())
+    assert text == wanted, "run python -m tests.benchmarks.stereo.overview"
 
 
-def test_readme_tells_of_fresh_clips_first_and_which_tracker_to_take() -> None:
+def test_the_overview_gives_fresh_clips_first_and_which_tracker_to_take() -> None:
     trackers = _choice(_timed(24, 2.0), _timed(20, 1.5), _timed(19, 1.0))
-    said = readme.passage({"goals": _goals(18), "trackers": trackers})
+    said = overview.passage({"goals": _goals(18), "trackers": trackers})
     assert said.startswith("Goals are judged on the fresh clips (seeds 6303 and 6304): 18 of 25")
     assert "| 18 of 25 | 0.720 (0.52 to 0.86) | 0.900 | 0.970 | 0.120 m | 25 of 25 |" in said
     assert "Take `stereo-joint` where" in said

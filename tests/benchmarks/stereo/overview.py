@@ -1,6 +1,6 @@
-"""README's figures of the stereo trackers, written from what the results page holds.
+"""Figures of the stereo trackers in docs/results.md, from those of docs/results/stereo.md.
 
-`python -m tests.benchmarks.stereo.readme` puts them between two comments of README.
+`python -m tests.benchmarks.stereo.overview` writes them between two comments of docs/results.md.
 """
 
 from __future__ import annotations
@@ -13,8 +13,8 @@ from tests.benchmarks.stereo import choice, goals
 from tests.benchmarks.stereo.shares import said_interval
 from tracking.synthesis import SCENES
 
-README = Path(__file__).parents[3] / "README.md"
-BEGIN = "<!-- written by python -m tests.benchmarks.stereo.readme -->"
+OVERVIEW = Path(__file__).parents[3] / "docs" / "results.md"
+BEGIN = "<!-- written by python -m tests.benchmarks.stereo.overview -->"
 END = "<!-- until here -->"
 
 _HEAD = ("people kept", "tracking accuracy", "MOTA", "IDF1", "floor error")
@@ -22,7 +22,7 @@ _OFTEN = "people kept in clips measured often"
 
 
 def passage(figures: Figures) -> str:
-    """What README says between the comments: of fresh clips, if any were measured."""
+    """The text between the comments: of the fresh clips, if any were measured."""
     fresh, often = figures["goals"]["fresh"], figures["goals"]["often"]
     if not fresh:
         return table(
@@ -54,17 +54,17 @@ def _kept(row: Figures) -> str:
 
 
 def with_passage(text: str, figures: Figures) -> str:
-    """README's text with the passage in the place of its older one."""
+    """The overview's text with the passage in the place of its older one."""
     before, _, rest = text.partition(BEGIN)
     _, _, after = rest.partition(END)
     return f"{before}{BEGIN}\n\n{passage(figures)}\n\n{END}{after}"
 
 
 def main() -> None:
-    """Put the passage into README; nothing is asked but for help."""
-    parser_of("stereo.readme", __doc__).parse_args()
-    told = with_passage(README.read_text(encoding="utf-8"), Page("stereo").figures())
-    README.write_text(told, encoding="utf-8")
+    """Write the passage into the overview; the only option is --help."""
+    parser_of("stereo.overview", __doc__).parse_args()
+    text = with_passage(OVERVIEW.read_text(encoding="utf-8"), Page("stereo").figures())
+    OVERVIEW.write_text(text, encoding="utf-8")
 
 
 if __name__ == "__main__":
