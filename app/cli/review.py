@@ -9,14 +9,14 @@ from typing import Any
 
 from app.cli.output import print_json, print_line, progress
 from app.cli.sessions import opened_session
-from tracking.review import Suspicion, find_suspicions, open_suspicions, ranked
+from tracking.review import ReviewItem, filter_undecided, find_review_items, rank
 
 
 def run_review(path: Path, order: str, most: int | None, *, as_json: bool) -> None:
-    """Print the suspicions that nobody has decided yet."""
+    """Print the review items that nobody has decided yet."""
     with closing(opened_session(path)) as session, progress("looking through the tracks") as told:
         fps, labels = session.recording.fps, session.labels
-        found = find_suspicions(
+        found = find_review_items(
             session.tracks,
             session.corrected_run,
             fps,
@@ -24,11 +24,11 @@ def run_review(path: Path, order: str, most: int | None, *, as_json: bool) -> No
             progress=told,
             size=session.recording.size,
         )
-        left = open_suspicions(found, labels, fps, session.tracks)
-    shown = ranked(left, order)[:most]
+        left = filter_undecided(found, labels, fps, session.tracks)
+    shown = rank(left, order)[:most]
     if as_json:
         entries = [_entry(one, fps) for one in shown]
-        print_json({"found": len(found), "open": len(left), "suspicions": entries})
+        print_json({"found": len(found), "open": len(left), "review_items": entries})
         return
     if not shown:
         print_line(_nothing(len(found)))
@@ -43,12 +43,12 @@ def run_review(path: Path, order: str, most: int | None, *, as_json: bool) -> No
 
 
 def _nothing(found: int) -> str:
-    """What is said where no suspicion is left."""
+    """What is said where no review item is left."""
     if not found:
-        return "Nothing is suspected."
-    return f"Nothing is left to look at: all {found} suspicions are decided or reviewed."
+        return "Nothing is flagged."
+    return f"Nothing is left to look at: all {found} review items are decided or reviewed."
 
 
-def _entry(suspicion: Suspicion, fps: float) -> dict[str, Any]:
-    """A suspicion by the names of its fields, with its second and what it is worth."""
-    return {**asdict(suspicion), "time_s": suspicion.frame / fps, "worth": suspicion.worth}
+def _entry(review_item: ReviewItem, fps: float) -> dict[str, Any]:
+    """A review item by the names of its fields, with its second and what it is worth."""
+    return {**asdict(review_item), "time_s": review_item.frame / fps, "worth": review_item.worth}

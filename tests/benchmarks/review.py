@@ -1,7 +1,7 @@
 """How much of the footage has to be watched: `python -m tests.benchmarks.review`.
 
 Renders and tracks scenes that nothing was fitted on, as they are and with tracks swapped on
-purpose, and walks the suspicions in the order that finds most for the time watched. Beside it
+purpose, and walks the review items in the order that finds most for the time watched. Beside it
 stands what a queue would find that knows the errors and shows each for half a second, always next
 what shows most: about the best there is, not a bound. `--fresh` reports on scenes that nothing was
 chosen by, `--each` has a line for each place as well, `--fit` fits hazards and likelihoods anew on
@@ -20,7 +20,7 @@ import numpy as np
 
 from tests.benchmarks.review_cases import FRESH, REPORTED, TUNING, Case, cases
 from tests.benchmarks.review_fit import fit
-from tracking.review import ReviewMeasures, find_suspicions, ranked, review_measures
+from tracking.review import ReviewMeasures, find_review_items, rank, review_measures
 from tracking.scoring import BoxMatch, FloorMatch
 
 FOOTAGE = 0.05
@@ -37,7 +37,7 @@ _COLUMNS = (
     "a minute watched",
     "footage for 95 %",
     "person-time watched then",
-    "found by all suspicions",
+    "found by all review items",
     "the errors' own moments",
 )
 
@@ -106,9 +106,9 @@ def _row(name: str, group: Sequence[Case], order: str) -> str:
 
 
 def _measured(case: Case, order: str) -> ReviewMeasures:
-    found = find_suspicions(case.table, case.run, case.fps, view=case.view)
-    suspicions = ranked(found, order)
-    return review_measures(suspicions, case.errors, case.table, case.frames, case.fps)
+    found = find_review_items(case.table, case.run, case.fps, view=case.view)
+    review_items = rank(found, order)
+    return review_measures(review_items, case.errors, case.table, case.frames, case.fps)
 
 
 def _enough(measured: Sequence[ReviewMeasures], errors: int) -> tuple[str, str]:

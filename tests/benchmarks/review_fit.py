@@ -1,4 +1,4 @@
-"""Fits the hazards of rows and the likelihoods of suspicions anew: see `tracking.review.hazard`."""
+"""Fits the hazards of rows and the likelihoods of review items: see `tracking.review.hazard`."""
 
 from __future__ import annotations
 

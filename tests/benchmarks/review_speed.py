@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.editing import apply_change, plan_swap
-from tracking.review import Lookout, Suspicion
+from tracking.review import Lookout, ReviewItem
 from tracking.tracks import (
     ASSOCIATION_COLUMNS,
     CLOTHES,
@@ -52,12 +52,12 @@ def main() -> None:
     print("the same:", again == _look("as a whole again", Lookout(), table, run))
 
 
-def _look(name: str, lookout: Lookout, table: TrackTable, run: Run) -> tuple[Suspicion, ...]:
+def _look(name: str, lookout: Lookout, table: TrackTable, run: Run) -> tuple[ReviewItem, ...]:
     cpu, wall = time.process_time(), time.perf_counter()
     found = lookout.find(table.snapshot(), run, _FPS, size=_SIZE)
     cpu, wall = time.process_time() - cpu, time.perf_counter() - wall
     peak = next(line for line in _STATUS.read_text("ascii").splitlines() if "VmHWM" in line)
-    said = f"{len(found)} suspicions in {wall:.2f} s, {cpu:.2f} s of one core"
+    said = f"{len(found)} review items in {wall:.2f} s, {cpu:.2f} s of one core"
     print(f"{name}: {len(table)} rows, {said}; most memory {int(peak.split()[1]) // 1024} MB")
     return found
 

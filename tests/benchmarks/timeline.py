@@ -39,7 +39,7 @@ class Bench:
         self.presenter, self._marks = TimelinePresenter(FRAMES, FPS), EditMarks()
         self.frame, self.selected = FRAMES // 2, 0
         self.presenter.take(self.tracks, {})
-        self.presenter.take_suspicions(suspicions())
+        self.presenter.take_review_items(review_items())
         self.view = TimelineView()
         self.view.resize(*_SIZE)
         ratio = self.view.devicePixelRatioF()
@@ -77,12 +77,12 @@ class Bench:
         QApplication.sendEvent(area, event)
 
 
-def suspicions() -> tuple[TimelineMark, ...]:
+def review_items() -> tuple[TimelineMark, ...]:
     """Ten thousand of them."""
     rng = np.random.default_rng(3101)
     frames, tracks = rng.integers(0, FRAMES, 10_000), rng.integers(1, TRACKS + 1, 10_000)
     places = zip(frames.tolist(), tracks.tolist(), strict=True)
-    return tuple(TimelineMark(MarkKind.SUSPICION, *place, "likely swap") for place in places)
+    return tuple(TimelineMark(MarkKind.REVIEW_ITEM, *place, "likely swap") for place in places)
 
 
 def measure() -> dict[str, float]:

@@ -1,4 +1,4 @@
-"""What a suspicion proposes puts it right: done at its frame, the reason is gone."""
+"""What a review item proposes puts it right: done at its frame, the reason is gone."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ from tracking.editing import (
     plan_split,
     plan_swap,
 )
-from tracking.review import find_suspicions
+from tracking.review import find_review_items
 from tracking.review.evidence import gathered
 from tracking.review.findings import Found
 from tracking.review.material import Material
@@ -114,7 +114,7 @@ def looked(kind: str, run: Run, table: TrackTable) -> Found:
 
 
 def proposed(kind: str, table: TrackTable, first: int, second: int, frame: int) -> Change:
-    """The edit that a suspicion of the kind proposes."""
+    """The edit that a review item of the kind proposes."""
     plans: dict[str, Callable[[], Change]] = {
         "swap": lambda: plan_swap(table, first, second, frame),
         "split": lambda: plan_split(table, first, frame),
@@ -146,7 +146,7 @@ def test_a_jump_is_told_in_the_first_frame_after_it(speed: float, frames: int) -
 
 def test_a_swap_put_right_where_it_is_told_leaves_what_there_would_be_without() -> None:
     run, table = exchanged()
-    first = find_suspicions(table, run, FPS, size=SIZE)[0]
+    first = find_review_items(table, run, FPS, size=SIZE)[0]
     apply_change(table, Labels(), plan_swap(table, *first.tracks, first.frame))
-    right = find_suspicions(TrackTable(run.tracks), run, FPS, size=SIZE)
-    assert find_suspicions(table, run, FPS, size=SIZE) == right
+    right = find_review_items(TrackTable(run.tracks), run, FPS, size=SIZE)
+    assert find_review_items(table, run, FPS, size=SIZE) == right

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from walks_on_a_floor import BLUE, FPS, RED, SIZE, Walk, crossing, made_run, straight, swapped
 
-from tracking.review import find_suspicions
+from tracking.review import find_review_items
 from tracking.review.evidence import gathered
 from tracking.review.hazard import FEATURES, NOTICED, Hazards, Trees, built_in_trees, features
 from tracking.review.material import Material
@@ -96,16 +96,16 @@ def test_a_hidden_meeting_is_watched_from_where_they_met_to_where_they_are_seen_
     one, other = crossing()
     run = made_run([one, Walk(other.path, looks=BLUE, predicted=hidden)])
     vague = ("margin", "shared", "crossing")
-    told = find_suspicions(TrackTable(run.tracks), run, FPS, size=SIZE)
+    told = find_review_items(TrackTable(run.tracks), run, FPS, size=SIZE)
     watched = [each for each in told if each.kind in vague and len(each.tracks) == 2]
     assert any(each.start <= MEETING and each.end > hidden[-1] for each in watched)
 
 
-def test_people_dressed_alike_who_walk_on_straight_are_hardly_suspicious() -> None:
+def test_people_dressed_alike_who_walk_on_straight_are_hardly_flagged() -> None:
     alike = [Walk(each.path, looks=RED) for each in crossing()]
     run = made_run(alike)
-    wrong = find_suspicions(swapped(run, 1, 2, MEETING), run, FPS, size=SIZE)[0].likelihood
+    wrong = find_review_items(swapped(run, 1, 2, MEETING), run, FPS, size=SIZE)[0].likelihood
     right = max(
-        each.likelihood for each in find_suspicions(TrackTable(run.tracks), run, FPS, size=SIZE)
+        each.likelihood for each in find_review_items(TrackTable(run.tracks), run, FPS, size=SIZE)
     )
     assert right < 0.3 < wrong

@@ -1,4 +1,4 @@
-"""Jumps between boxes that a person made are not suspected; all others are, however near."""
+"""Jumps between boxes that a person made are not flagged; all others are, however near."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import pytest
 from walks_on_a_floor import FPS, SIZE, Walk, made_run, straight
 
 from tracking.editing import apply_change, plan_interpolate, plan_move_box, plan_thin
-from tracking.review import Suspicion, find_suspicions
+from tracking.review import ReviewItem, find_review_items
 from tracking.tracks import PART_COLUMNS, Labels, Run, TrackTable
 
 
@@ -29,22 +29,22 @@ def moved(run: Run, frames: range | list[int], aside_m: float = 0.0) -> TrackTab
     return table
 
 
-def found(run: Run, table: TrackTable | None = None) -> tuple[Suspicion, ...]:
+def found(run: Run, table: TrackTable | None = None) -> tuple[ReviewItem, ...]:
     tracks = TrackTable(run.tracks) if table is None else table
-    return find_suspicions(tracks, run, FPS, size=SIZE)
+    return find_review_items(tracks, run, FPS, size=SIZE)
 
 
 def jumps(run: Run, table: TrackTable) -> list[int]:
     return [one.frame for one in found(run, table) if one.kind == "jump"]
 
 
-def test_a_jump_between_two_boxes_that_a_person_moved_is_not_suspected() -> None:
+def test_a_jump_between_two_boxes_that_a_person_moved_is_not_flagged() -> None:
     run = slid(f60=0.5)
     assert jumps(run, TrackTable(run.tracks)) == [60]
     assert jumps(run, moved(run, [59, 60])) == []
 
 
-def test_a_jump_between_a_moved_and_an_interpolated_box_is_not_suspected() -> None:
+def test_a_jump_between_a_moved_and_an_interpolated_box_is_not_flagged() -> None:
     run = slid(f60=0.3)
     table = moved(run, [59, 61])
     assert jumps(run, table) == [60]
@@ -70,7 +70,7 @@ def test_what_was_kept_while_thinning_was_looked_at() -> None:
         (range(50, 60), 0.5, 50),
     ],
 )
-def test_where_a_corrected_stretch_meets_the_tracker_s_rows_a_jump_is_suspected(
+def test_where_a_corrected_stretch_meets_the_tracker_s_rows_a_jump_is_flagged(
     boxes: range | list[int], aside_m: float, told: int
 ) -> None:
     """The last box put right stands next to the first that is wrong: there is work left."""
@@ -85,7 +85,7 @@ def test_a_greater_jump_that_a_person_made_hides_no_lesser_one_near_it(own: int)
 
 
 @pytest.mark.parametrize("own", [51, 54, 66, 69])
-def test_a_box_moved_far_and_back_is_suspected_itself_beside_the_tracker_s_jump(own: int) -> None:
+def test_a_box_moved_far_and_back_is_flagged_itself_beside_the_tracker_s_jump(own: int) -> None:
     run = slid(f60=0.5)
     assert any(abs(frame - own) <= 1 for frame in jumps(run, moved(run, [own], 1.5)))
 
@@ -99,7 +99,7 @@ def test_a_box_moved_far_and_back_is_suspected_itself_beside_the_tracker_s_jump(
         ("part", (), [79]),
     ],
 )
-def test_what_is_no_jump_is_suspected_whoever_made_the_boxes(
+def test_what_is_no_jump_is_flagged_whoever_made_the_boxes(
     kind: str, predicted: range, boxes: list[int]
 ) -> None:
     """A box says nothing of a part, nor of who is out of sight beside it."""

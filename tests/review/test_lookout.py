@@ -8,7 +8,7 @@ from walks_on_a_floor import BLUE, FPS, RED, SIZE, Walk, made_run, straight
 
 from tracking.editing import apply_change, plan_delete, plan_merge_tracks, plan_split, plan_swap
 from tracking.errors import CancelledError
-from tracking.review import Lookout, find_suspicions, review_search
+from tracking.review import Lookout, find_review_items, review_search
 from tracking.review.footage import Footage
 from tracking.tracks import Labels, Occluder, Run, TrackTable
 
@@ -42,7 +42,7 @@ def look(lookout: Lookout, table: TrackTable, **more: object) -> tuple[object, .
 
 
 def whole(table: TrackTable, **more: object) -> tuple[object, ...]:
-    return find_suspicions(table, RUN, FPS, size=SIZE, **more)
+    return find_review_items(table, RUN, FPS, size=SIZE, **more)
 
 
 @pytest.fixture
@@ -122,7 +122,7 @@ def test_other_labels_another_run_and_a_cancelled_search_are_told_apart() -> Non
     assert look(lookout, table) == whole(table)
     assert look(lookout, table, labels=hides) == whole(table, labels=hides)
     assert whole(table, labels=hides) != whole(table)
-    assert lookout.find(table, None, FPS) == find_suspicions(table, None, FPS)
+    assert lookout.find(table, None, FPS) == find_review_items(table, None, FPS)
 
 
 @pytest.mark.usefixtures("in_blocks")

@@ -8,15 +8,15 @@ import numpy as np
 import pytest
 from walks_on_a_floor import Walk, made_run, straight
 
-from tracking.review import ReviewMeter, Suspicion, review_measures
+from tracking.review import ReviewItem, ReviewMeter, review_measures
 from tracking.scoring import IdentityError
 from tracking.tracks import Labels, TrackTable, Verdict
 
 FRAMES, FPS = 1200, 20.0
 
 
-def suspicion(tracks: tuple[int, ...], start: int, end: int) -> Suspicion:
-    return Suspicion("turn", tracks, start, start, end, 0.5, 10.0, "why", "swap")
+def item(tracks: tuple[int, ...], start: int, end: int) -> ReviewItem:
+    return ReviewItem("turn", tracks, start, start, end, 0.5, 10.0, "why", "swap")
 
 
 def error(frame: int, *tracks: int) -> IdentityError:
@@ -32,21 +32,21 @@ def test_an_error_is_found_where_its_moment_is_watched_and_one_of_its_tracks(
     table: TrackTable,
 ) -> None:
     errors = [error(100, 1, 2), error(100, 3), error(130, 1)]
-    measured = review_measures([suspicion((1, 2), 90, 110)], errors, table, FRAMES, FPS)
+    measured = review_measures([item((1, 2), 90, 110)], errors, table, FRAMES, FPS)
     assert (measured.errors, measured.found.tolist()) == (3, [1])
 
 
 def test_footage_is_the_union_of_the_stretches(table: TrackTable) -> None:
-    suspicions = [suspicion((1,), 0, 60), suspicion((2,), 30, 90), suspicion((1,), 0, 120)]
-    measured = review_measures(suspicions, [], table, FRAMES, FPS)
+    items = [item((1,), 0, 60), item((2,), 30, 90), item((1,), 0, 120)]
+    measured = review_measures(items, [], table, FRAMES, FPS)
     np.testing.assert_allclose(measured.footage, [0.05, 0.075, 0.1])
     np.testing.assert_allclose(measured.people, [0.025, 0.05, 0.075])
 
 
 def test_recall_counts_what_fits_into_the_footage_allowed(table: TrackTable) -> None:
-    suspicions = [suspicion((1,), 0, 60), suspicion((1,), 600, 660), suspicion((1,), 900, 960)]
+    items = [item((1,), 0, 60), item((1,), 600, 660), item((1,), 900, 960)]
     errors = [error(30, 1), error(630, 1), error(930, 1), error(400, 1)]
-    measured = review_measures(suspicions, errors, table, FRAMES, FPS)
+    measured = review_measures(items, errors, table, FRAMES, FPS)
     assert [measured.recall(share) for share in (0.04, 0.05, 0.1, 1.0)] == [0, 0.25, 0.5, 0.75]
     assert measured.footage_for(0.5) == pytest.approx(0.1)
     assert math.isnan(measured.footage_for(0.8))

@@ -1,4 +1,4 @@
-"""What suspicions are looked for in: rows, who is near whom, and greatest moments."""
+"""What review items are looked for in: rows, who is near whom, and greatest moments."""
 
 from __future__ import annotations
 

@@ -42,7 +42,7 @@ EXPECTED = {
     "regions": 0,
     "reviewed_ranges": 1,
     "described_tracks": 0,
-    "decided_suspicions": 0,
+    "decided_review_items": 0,
 }
 
 

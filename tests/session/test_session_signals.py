@@ -10,7 +10,7 @@ import h5py
 import numpy as np
 from made_up_sessions import make_recording, make_run
 
-from tracking.review import find_suspicions
+from tracking.review import find_review_items
 from tracking.session import Session
 from tracking.tracks import SIGNAL_COLUMNS, Run
 
@@ -48,6 +48,6 @@ def test_sessions_from_before_there_were_signals_are_read_and_reviewed(tmp_path:
         assert {name: len(column) for name, column in run.signals.items()} == dict.fromkeys(
             SIGNAL_COLUMNS, 0
         )
-        kinds = {one.kind for one in find_suspicions(session.tracks, run, 20.0)}
+        kinds = {one.kind for one in find_review_items(session.tracks, run, 20.0)}
     assert kinds
     assert not kinds & {"exchange", "colour", "height", "spread", "split"}

@@ -1,21 +1,21 @@
 """Where to look: places where tracks are likely wrong, ranked by what looking is worth."""
 
 from tracking.review.measures import Mistake, ReviewMeasures, ReviewMeter, review_measures
-from tracking.review.queue import open_suspicions, ranked
+from tracking.review.queue import filter_undecided, rank
 from tracking.review.reason_phrases import KINDS
-from tracking.review.review_search import Lookout, find_suspicions
-from tracking.review.suspicion import Suspicion, SuspicionKey
+from tracking.review.review_item import ReviewItem, ReviewItemKey
+from tracking.review.review_search import Lookout, find_review_items
 
 __all__ = [
     "KINDS",
     "Lookout",
     "Mistake",
+    "ReviewItem",
+    "ReviewItemKey",
     "ReviewMeasures",
     "ReviewMeter",
-    "Suspicion",
-    "SuspicionKey",
-    "find_suspicions",
-    "open_suspicions",
-    "ranked",
+    "filter_undecided",
+    "find_review_items",
+    "rank",
     "review_measures",
 ]

@@ -15,15 +15,15 @@ from tracking.review.reason_groups import joined_places, stacked
 from tracking.review.reason_phrases import fix
 from tracking.review.reason_texts import Speaker
 from tracking.review.reasons import REASONS
+from tracking.review.review_item import ReviewItem
 from tracking.review.stretches import stretches
-from tracking.review.suspicion import Suspicion
 from tracking.tracks import Occluder, Run
 from tracking.tracks.run_rows import run_within
 
 JOINED_S = 0.75
-"""Reasons about the same people so near in time are one suspicion."""
+"""Reasons about the same people so near in time are one review item."""
 _LEAST = 0.01
-"""Less likely suspicions are not mentioned."""
+"""Less likely review items are not mentioned."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,22 +67,22 @@ class Block:
     """What was found in a block, a row each.
 
     Attributes:
-        suspicions: their cost, which depends on rows far away, is written in later. frame,
+        items: their cost, which depends on rows far away, is written in later. frame,
             likelihood: (k,) of these. tracks: (k, 2) whom they are about, 0 for nobody else.
         meeting: (m,) keys of the block's rows that are near somebody, see `costs`.
     """
 
-    suspicions: list[Suspicion]
+    items: list[ReviewItem]
     frame: Rows
     likelihood: Floats
     tracks: Rows
     meeting: Rows
 
-    def costing(self, row: int, cost: float) -> Suspicion:
-        """One of the suspicions; most cost what they did when they were asked for last."""
-        if self.suspicions[row].cost != cost:
-            self.suspicions[row] = replace(self.suspicions[row], cost=cost)
-        return self.suspicions[row]
+    def costing(self, row: int, cost: float) -> ReviewItem:
+        """One of the review items; most cost what they did when they were asked for last."""
+        if self.items[row].cost != cost:
+            self.items[row] = replace(self.items[row], cost=cost)
+        return self.items[row]
 
 
 def looked_through(
@@ -99,7 +99,7 @@ def looked_through(
 
 
 def _told(material: Material, meeting: Rows, start: int, end: int) -> Block:
-    """The suspicions whose frame lies in the range."""
+    """The review items whose frame lies in the range."""
     evidence = material.evidence
     found = [look(material) for look in REASONS.values()]
     reasons = stacked(found, [max(WEIGHTS[each.kind], LEAST_WEIGHT) for each in found])
@@ -113,19 +113,19 @@ def _told(material: Material, meeting: Rows, start: int, end: int) -> Block:
     columns = (leader, frame[told], watched.start[told], watched.end[told], likely[told])
     figures = (column.tolist() for column in columns)
     speaker = Speaker.of(reasons, places, evidence.fps, on_floor=evidence.on_floor)
-    suspicions = [
-        _suspicion(speaker, place, *numbers)
+    items = [
+        _review_item(speaker, place, *numbers)
         for place, *numbers in zip(told.tolist(), *figures, strict=True)
     ]
-    return Block(suspicions, frame[told], likely[told], tracks, meeting)
+    return Block(items, frame[told], likely[told], tracks, meeting)
 
 
-def _suspicion(
+def _review_item(
     speaker: Speaker, place: int, leader: int, frame: int, start: int, end: int, likelihood: float
-) -> Suspicion:
+) -> ReviewItem:
     kind, (first, second) = speaker.kind(leader), speaker.tracks(leader)
     text, *others = speaker.said(place, leader, frame)
-    return Suspicion(
+    return ReviewItem(
         kind=kind,
         tracks=(min(first, second), max(first, second)) if second else (first,),
         frame=frame,

@@ -1,4 +1,4 @@
-"""How much would be wrong if a suspicion is right."""
+"""How much would be wrong if a review item is right."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from tracking.review.evidence import Floats, Rows
 from tracking.tracks import row_keys
 
 _OWN_S = 1.0
-"""A meeting this soon belongs to the same suspicion."""
+"""A meeting this soon belongs to the same review item."""
 
 
 def costs(key: Rows, meeting: Rows, tracks: Rows, frame: Rows, fps: float) -> Floats:

@@ -1,4 +1,4 @@
-"""Everything suspicions are looked for in: the table's rows with what the run noticed of each."""
+"""Everything review items are looked for in: the table's rows with what the run noticed of each."""
 
 from __future__ import annotations
 

@@ -9,7 +9,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.review.suspicion import Suspicion
+from tracking.review.review_item import ReviewItem
 from tracking.tracks import Labels, TrackTable
 
 Floats = NDArray[np.float64]
@@ -29,13 +29,13 @@ class Mistake(Protocol):
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ReviewMeasures:
-    """What a reviewer finds who watches the stretches of suspicions one after the other.
+    """What a reviewer finds who watches the stretches of review items one after the other.
 
     Attributes:
         errors: how many mistakes there are. minutes: length of the footage.
-        footage: (k,) share of the footage's frames watched after each suspicion: the union of the
+        footage: (k,) share of the footage's frames watched after each review item: the union of the
             stretches so far; who watches them sees everybody in them.
-        people: (k,) share of the tracks' rows watched: of each suspicion those of its own tracks.
+        people: (k,) share of the tracks' rows watched: of each review item those of its own tracks.
         found: (k,) mistakes found by then: their moment lies in a stretch watched, and they name
             one of the tracks that the stretch is about.
     """
@@ -75,17 +75,17 @@ class ReviewMeasures:
 
 
 def review_measures(
-    suspicions: Sequence[Suspicion],
+    items: Sequence[ReviewItem],
     errors: Iterable[Mistake],
     table: TrackTable,
     frames: int,
     fps: float,
 ) -> ReviewMeasures:
-    """Walk suspicions in the order given and count what is found.
+    """Walk review items in the order given and count what is found.
 
     Args:
         errors: known mistakes, e.g. of `tracking.scoring.identity_errors`.
-        table: the tracks the suspicions are about. frames: length of the footage; fps: its rate.
+        table: the tracks the review items are about. frames: length of the footage; fps: its rate.
     """
     missing = list(errors)
     total, found = len(missing), 0
@@ -93,7 +93,7 @@ def review_measures(
     rows: dict[int, NDArray[np.bool_]] = {}
     footage, people, counts = [], [], []
     watched_rows = 0
-    for one in suspicions:
+    for one in items:
         seen[one.start : one.end] = True
         watched_rows += sum(_newly(table, rows, track, one.start, one.end) for track in one.tracks)
         left = [error for error in missing if not _shows(one, error)]
@@ -107,10 +107,10 @@ def review_measures(
     )
 
 
-def _shows(suspicion: Suspicion, error: Mistake) -> bool:
-    """Whether watching the suspicion's stretch shows the mistake."""
-    inside = suspicion.start <= error.frame < suspicion.end
-    return inside and not set(suspicion.tracks).isdisjoint(error.tracks)
+def _shows(item: ReviewItem, error: Mistake) -> bool:
+    """Whether watching the review item's stretch shows the mistake."""
+    inside = item.start <= error.frame < item.end
+    return inside and not set(item.tracks).isdisjoint(error.tracks)
 
 
 def _newly(
@@ -130,7 +130,7 @@ class ReviewMeter:
     """How a review goes on, without known mistakes.
 
     Attributes:
-        minutes: of footage watched. decided: suspicions with a verdict. fixed: those put right.
+        minutes: of footage watched. decided: review items with a verdict. fixed: those put right.
     """
 
     minutes: float
@@ -145,7 +145,7 @@ class ReviewMeter:
 
     @property
     def decided_per_minute(self) -> float:
-        """Suspicions decided for each minute watched; NaN before anything was watched."""
+        """Review items decided for each minute watched; NaN before anything was watched."""
         return self.decided / self.minutes if self.minutes > 0 else float("nan")
 
     @property

@@ -1,4 +1,4 @@
-"""Suspicions in the order they are looked at, without those that are decided."""
+"""Review items in the order they are looked at, without those that are decided."""
 
 from __future__ import annotations
 
@@ -9,18 +9,18 @@ from heapq import heapify, heappop, heappush
 
 import numpy as np
 
-from tracking.review.suspicion import Suspicion
+from tracking.review.review_item import ReviewItem
 from tracking.tracks import Labels, TrackTable
 
 SAME_S = 1.0
-"""A verdict stays with a suspicion that is found again so near to where it was."""
+"""A verdict stays with a review item that is found again so near to where it was."""
 
 
 _FREE = 1e-3
-"""Frames a suspicion counts for that costs none."""
+"""Frames a review item counts for that costs none."""
 
 
-def ranked(suspicions: Iterable[Suspicion], by: str = "yield") -> tuple[Suspicion, ...]:
+def rank(items: Iterable[ReviewItem], by: str = "yield") -> tuple[ReviewItem, ...]:
     """In order.
 
     Args:
@@ -28,37 +28,37 @@ def ranked(suspicions: Iterable[Suspicion], by: str = "yield") -> tuple[Suspicio
             first; or "time".
     """
     if by == "yield":
-        return _by_yield(ranked(suspicions, "likelihood"))
+        return _by_yield(rank(items, "likelihood"))
     if by == "time":
-        return tuple(sorted(suspicions, key=lambda one: (one.frame, one.tracks, one.kind)))
+        return tuple(sorted(items, key=lambda one: (one.frame, one.tracks, one.kind)))
     if by == "likelihood":
-        return tuple(sorted(suspicions, key=lambda one: (-one.likelihood, one.frame, one.tracks)))
-    return tuple(sorted(suspicions, key=lambda one: (-one.worth, one.frame, one.tracks, one.kind)))
+        return tuple(sorted(items, key=lambda one: (-one.likelihood, one.frame, one.tracks)))
+    return tuple(sorted(items, key=lambda one: (-one.worth, one.frame, one.tracks, one.kind)))
 
 
-def _by_yield(suspicions: tuple[Suspicion, ...]) -> tuple[Suspicion, ...]:
+def _by_yield(items: tuple[ReviewItem, ...]) -> tuple[ReviewItem, ...]:
     """Next always the one with the most likelihood for each frame not watched yet.
 
-    What has been watched by then comes free. What a suspicion yields only grows as others are
+    What has been watched by then comes free. What a review item yields only grows as others are
     watched, by those that overlap it: only their figures are worked out again.
     """
-    watched = np.zeros(max((one.end for one in suspicions), default=0), np.bool_)
-    order = sorted(range(len(suspicions)), key=lambda row: suspicions[row].start)
-    starts = [suspicions[row].start for row in order]
-    longest = max((one.end - one.start for one in suspicions), default=0)
-    cost = [max(one.end - one.start, _FREE) for one in suspicions]
-    heap = [(-one.likelihood / cost[row], row) for row, one in enumerate(suspicions)]
+    watched = np.zeros(max((one.end for one in items), default=0), np.bool_)
+    order = sorted(range(len(items)), key=lambda row: items[row].start)
+    starts = [items[row].start for row in order]
+    longest = max((one.end - one.start for one in items), default=0)
+    cost = [max(one.end - one.start, _FREE) for one in items]
+    heap = [(-one.likelihood / cost[row], row) for row, one in enumerate(items)]
     heapify(heap)
-    taken: dict[int, Suspicion] = {}
+    taken: dict[int, ReviewItem] = {}
     while heap:
         _, row = heappop(heap)
         if row in taken:
             continue
-        one = taken[row] = suspicions[row]
+        one = taken[row] = items[row]
         watched[one.start : one.end] = True
         low, high = bisect_left(starts, one.start - longest), bisect_left(starts, one.end)
         for near in order[low:high]:
-            other = suspicions[near]
+            other = items[near]
             if near in taken or other.end <= one.start:
                 continue
             new = int(np.count_nonzero(~watched[other.start : other.end]))
@@ -68,17 +68,17 @@ def _by_yield(suspicions: tuple[Suspicion, ...]) -> tuple[Suspicion, ...]:
     return tuple(taken.values())
 
 
-def open_suspicions(
-    suspicions: Iterable[Suspicion],
+def filter_undecided(
+    items: Iterable[ReviewItem],
     labels: Labels | None,
     fps: float,
     table: TrackTable | None = None,
-) -> tuple[Suspicion, ...]:
+) -> tuple[ReviewItem, ...]:
     """Those without a verdict that nobody has looked at yet, in the order they come in.
 
-    A verdict is about suspicions of its kind and tracks up to a second from its frame: found again
-    after edits elsewhere, they lie where they were, or nearly. What lies in reviewed ranges (of
-    all its tracks, at its frame) was looked at.
+    A verdict is about review items of its kind and tracks up to a second from its frame: found
+    again after edits elsewhere, they lie where they were, or nearly. Items in reviewed ranges
+    (of all their tracks, at their frame) are left out.
 
     Args:
         labels: with verdicts and reviewed ranges; None for none. fps: frames a second.
@@ -86,14 +86,14 @@ def open_suspicions(
             at where its nearest row was; without a table, only where its range covers the frame.
     """
     if labels is None:
-        return tuple(suspicions)
+        return tuple(items)
     decided: defaultdict[tuple[str, tuple[int, ...]], list[int]] = defaultdict(list)
     for kind, tracks, frame in sorted(labels.verdicts):
         decided[kind, tracks].append(frame)
     reach = round(SAME_S * fps)
     return tuple(
         one
-        for one in suspicions
+        for one in items
         if not _is_near(decided.get((one.kind, one.tracks), ()), one.frame, reach)
         and not all(_is_reviewed(labels, table, track, one.frame) for track in one.tracks)
     )

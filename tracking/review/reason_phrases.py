@@ -17,7 +17,7 @@ class Words:
     Attributes:
         one, two: sentences about one track (a) and about two (a, b); they may name `figure`, the
             `time` and the body `parts`.
-        fix_one, fix_two: what usually puts it right; see `Suspicion.fix`.
+        fix_one, fix_two: what usually puts it right; see `ReviewItem.fix`.
     """
 
     one: str
@@ -74,7 +74,7 @@ WORDS: Mapping[str, Words] = MappingProxyType(
 """By kind of reason."""
 
 KINDS = tuple(WORDS)
-"""All kinds of suspicions there are."""
+"""All kinds of review items there are."""
 
 
 def sentence(

@@ -11,15 +11,15 @@ from tracking.progress import Progress
 from tracking.review.block import Block, Scene, looked_through
 from tracking.review.costs import costs
 from tracking.review.footage import Footage
-from tracking.review.queue import ranked
-from tracking.review.suspicion import Suspicion
+from tracking.review.queue import rank
+from tracking.review.review_item import ReviewItem
 from tracking.tracks import Labels, Run, TrackTable
 
 MOST = 10_000
 """Of more than these, more than anybody ever looks through, those worth most are kept."""
 
 
-def find_suspicions(
+def find_review_items(
     table: TrackTable,
     run: Run | None,
     fps: float,
@@ -28,11 +28,11 @@ def find_suspicions(
     progress: Progress | None = None,
     *,
     size: tuple[int, int] | None = None,
-) -> tuple[Suspicion, ...]:
+) -> tuple[ReviewItem, ...]:
     """Places where the tracks are likely wrong, those that are worth most first.
 
-    A jump between two boxes that a person made or kept is not suspected, see `jumps`. Verdicts and
-    reviewed ranges are not looked at here: see `open_suspicions`.
+    A jump between two boxes that a person made or kept is not flagged, see `jumps`. Verdicts and
+    reviewed ranges are not looked at here: see `filter_undecided`.
 
     Args:
         table: the corrected tracks; not changed, so a snapshot can be handed to another thread.
@@ -69,8 +69,8 @@ class Lookout:
         progress: Progress | None = None,
         *,
         size: tuple[int, int] | None = None,
-    ) -> tuple[Suspicion, ...]:
-        """See `find_suspicions`. What was done before progress raised is kept for the next time."""
+    ) -> tuple[ReviewItem, ...]:
+        """See `find_review_items`. Work done before progress raised is kept for next time."""
         tell = progress or _untold
         if run is not self._run:
             self._run, self._known = run, {}
@@ -81,7 +81,7 @@ class Lookout:
         occluders = labels.occluders if labels else ()
         scene = Scene.of(footage, run, fps, view.camera.size if view else size, occluders)
         blocks = self._blocks(footage, run, scene, tell)
-        return ranked(_worth_most(blocks, footage, fps), "worth")
+        return rank(_worth_most(blocks, footage, fps), "worth")
 
     def _blocks(
         self, footage: Footage, run: Run | None, scene: Scene, tell: Progress
@@ -107,7 +107,7 @@ def _untold(done: int, total: int) -> None:
     """Nobody asked."""
 
 
-def _worth_most(blocks: Sequence[Block], footage: Footage, fps: float) -> list[Suspicion]:
+def _worth_most(blocks: Sequence[Block], footage: Footage, fps: float) -> list[ReviewItem]:
     """What is worth most of all blocks, with what it costs where it is right."""
     meeting = np.sort(np.concatenate([block.meeting for block in blocks]))
     frame, likely, tracks = (
@@ -116,7 +116,7 @@ def _worth_most(blocks: Sequence[Block], footage: Footage, fps: float) -> list[S
     )
     cost = costs(footage.key, meeting, tracks, frame, fps)
     told = np.argsort(-(likely * cost), kind="stable")[:MOST]
-    place = [(block, row) for block in blocks for row in range(len(block.suspicions))]
+    place = [(block, row) for block in blocks for row in range(len(block.items))]
     return [
         place[number][0].costing(place[number][1], worth)
         for number, worth in zip(told.tolist(), cost[told].tolist(), strict=True)

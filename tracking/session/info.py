@@ -140,5 +140,5 @@ def _counted(labels: Labels) -> dict[str, Any]:
         "regions": len(labels.regions),
         "reviewed_ranges": len(labels.reviewed),
         "described_tracks": len(labels.tracks),
-        "decided_suspicions": len(labels.verdicts),
+        "decided_review_items": len(labels.verdicts),
     }

@@ -53,8 +53,8 @@ def check_part_label(label: PartLabel) -> None:
 
 
 def check_verdict(verdict: Verdict) -> None:
-    """Refuse an unknown decision, and a suspicion that can be none."""
-    check_name(verdict.kind, "the kind of a suspicion")
+    """Refuse an unknown decision, and a review item that can be none."""
+    check_name(verdict.kind, "the kind of a review item")
     for track in verdict.tracks:
         _check_place(verdict.frame, track, first_track=1)
     _check_place(verdict.frame, 0, first_track=0)

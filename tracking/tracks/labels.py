@@ -8,11 +8,11 @@ from dataclasses import dataclass, field, replace
 from tracking.tracks.part_labels import PartLabels
 
 VerdictKey = tuple[str, tuple[int, ...], int]
-"""kind, tracks and frame of a suspicion."""
+"""kind, tracks and frame of a review item."""
 Point = tuple[float, float]
 
 DECISIONS = ("right", "fixed", "dismissed")
-"""What can be said of a suspicion: looked at and nothing wrong, put right, not worth a look."""
+"""What can be said of a review item: looked at and nothing wrong, put right, not worth a look."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,10 +103,10 @@ class ReviewedRange:
 
 @dataclass(frozen=True, slots=True, order=True)
 class Verdict:
-    """What a person decided about one suspicion.
+    """What a person decided about one review item.
 
     Attributes:
-        kind, tracks, frame: which suspicion it was; see `key`.
+        kind, tracks, frame: which review item it was; see `key`.
         decision: one of `DECISIONS`.
     """
 
@@ -117,7 +117,7 @@ class Verdict:
 
     @property
     def key(self) -> VerdictKey:
-        """What tells one suspicion from another."""
+        """What tells one review item from another."""
         return self.kind, self.tracks, self.frame
 
 
@@ -128,7 +128,7 @@ class Labels:
     Attributes:
         tracks: by track, ascending.
         occluders, lines, regions: sorted by name; reviewed: by track and frame.
-        verdicts: by the suspicion's key.
+        verdicts: by the review item's key.
         parts: rectangles of body parts, by frame, track and part.
     """
 

@@ -18,9 +18,9 @@ class CommandContext:
             moved. busy: other long work is going on.
         labelling: something is being labelled. saying: it is body parts. suggesting: those of
             which the detector is least sure are walked.
-        suspicions: the review queue lists some. suspicion: one of them is looked at; fixable: an
-            edit would put it right. watched: a stretch was just watched. unflagged: no tracker
-            made the tracks, and nobody has asked for suspicions.
+        review_items: the review queue lists some. review_item: one of them is looked at;
+            fixable: an edit would put it right. watched: a stretch was just watched. unflagged:
+            no tracker made the tracks, and nobody has asked for review items.
         comparing: two versions of the tracks are compared. unkept: what a tracker found is in
             memory alone.
         parts: body parts were tracked. parts_elsewhere: in another run alone. part_truth:
@@ -41,8 +41,8 @@ class CommandContext:
     labelling: bool = False
     saying: bool = False
     suggesting: bool = False
-    suspicions: bool = False
-    suspicion: bool = False
+    review_items: bool = False
+    review_item: bool = False
     unflagged: bool = False
     fixable: bool = False
     watched: bool = False

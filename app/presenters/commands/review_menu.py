@@ -11,23 +11,23 @@ from app.presenters.i18n import tr
 
 def _listed(now: CommandContext) -> str:
     """Something must be left in the queue, or be compared."""
-    if now.suspicions or now.comparing or now.suggesting:
+    if now.review_items or now.comparing or now.suggesting:
         return ""
     return session(now) or tr("nothing is left to look at")
 
 
 def _looked_at(now: CommandContext) -> str:
-    """A suspicion must be looked at."""
-    return session(now) or ("" if now.suspicion else tr("press N to go to a suspicion first"))
+    """A review item must be looked at."""
+    return session(now) or ("" if now.review_item else tr("press N to go to a review item first"))
 
 
 def _decidable(now: CommandContext) -> str:
-    """A suspicion must be looked at in a session that can be changed."""
+    """A review item must be looked at in a session that can be changed."""
     return editable(now) or _looked_at(now)
 
 
 def _fixable(now: CommandContext) -> str:
-    """The suspicion must say what would put it right."""
+    """The review item must say what would put it right."""
     said = tr("this one can only be looked at: correct it by hand, or say that it is right")
     return _decidable(now) or ("" if now.fixable else said)
 
@@ -60,8 +60,8 @@ def _with_truth(now: CommandContext) -> str:
 
 
 COMMANDS: Final = (
-    Command("review.next", "Review", "Next suspicion", ("N",), _listed),
-    Command("review.previous", "Review", "Previous suspicion", ("P",), _listed),
+    Command("review.next", "Review", "Next review item", ("N",), _listed),
+    Command("review.previous", "Review", "Previous review item", ("P",), _listed),
     Command("review.play", "Review", "Play its stretch", ("Shift+N",), _looked_at),
     Command(
         "review.plays", "Review", "Play each stretch when going to it", (), session, checkable=True

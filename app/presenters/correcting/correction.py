@@ -28,7 +28,7 @@ from app.presenters.correcting.review_target import is_near
 from app.presenters.correcting.swap_candidates import changed_over
 from app.presenters.document.selection import Selection
 from app.presenters.i18n import tr
-from tracking.review import Suspicion
+from tracking.review import ReviewItem
 from tracking.tracks import Box
 
 _BOX_STEP_PX, _PLACE_STEP_M, _FAR = 1.0, 0.05, 10.0
@@ -42,7 +42,7 @@ class Correcting:
         flow: as it stands; None: no edit is on its way. planned: what it would do.
         begun_at: the frame the user was at when the edit was begun; None: no edit is on its way.
         marked: the half-open range of frames the user has set for edits over a range.
-        suspected: gives the suspicion that is looked at, None for none.
+        item_looked_at: gives the review item that is looked at, None for none.
     """
 
     def __init__(
@@ -56,7 +56,7 @@ class Correcting:
         self.planned: PlannedEdit | None = None
         self.begun_at: int | None = None
         self.marked: Range | None = None
-        self.suspected: Callable[[], Suspicion | None] = _nobody_suspected
+        self.item_looked_at: Callable[[], ReviewItem | None] = _no_item
         self._let_go: tuple[int, ...] = ()
         self._selection = selection
         self._footing = footing
@@ -200,7 +200,7 @@ class Correcting:
         # A frame that was proposed for somebody else says nothing of where the user looks.
         near = flow.cut if not flow.proposed or self.begun_at is None else self.begun_at
         two, fps = {flow.track, other}, self._footing.fps
-        one = self.suspected()
+        one = self.item_looked_at()
         if one is None or not two.issuperset(one.tracks) or not is_near(one, near, fps):
             return flow.with_other(other, changed_over(on, flow.track, other, near))
         cuts = changed_over(on, flow.track, other, one.frame, (one.start, one.end))
@@ -289,7 +289,7 @@ class Correcting:
         self.leave()
 
 
-def _nobody_suspected() -> Suspicion | None:
+def _no_item() -> ReviewItem | None:
     """No review is going on."""
     return None
 

@@ -18,11 +18,11 @@ _REACH_FRAMES = 1000
 
 
 def changed_over(
-    on: EditContext, track: int, other: int, near: int, suspected: tuple[int, int] | None = None
+    on: EditContext, track: int, other: int, near: int, flagged: tuple[int, int] | None = None
 ) -> tuple[SwapFrame, ...]:
     """The likeliest first, of those about as likely the nearest.
 
-    Where they are suspected in a half-open range of frames, the likeliest of it comes first.
+    flagged: half-open range of frames of a review item; the likeliest frame in it comes first.
     Nothing where the two cannot be compared: the plan says why.
     Both are compared within half a minute or so; only where they are not both there, anywhere.
     """
@@ -32,10 +32,10 @@ def changed_over(
         both_there = _stand_together(close, track, other)
         table = close if both_there else _two_of(on.table, (track, other), None)
         signals = _within(on.signals, window) if both_there else on.signals
-        found = propose_swap_frames(table, track, other, near, signals, _MOST, suspected)
+        found = propose_swap_frames(table, track, other, near, signals, _MOST, flagged)
     except EditError:
         return ()
-    low, high = suspected or (0, 0)
+    low, high = flagged or (0, 0)
     if low <= found[0].frame < high:
         return (found[0], *_worth_telling(found[1:]))
     return nearest_of_likely(found, near)

@@ -211,9 +211,9 @@ class Document:
         instant = self._instants.corrected(frame)
         return self._timeline.scene(playhead, instant, loaded, cut, no_lanes, marked)
 
-    def take_suspicions(self, suspicions: Sequence[TimelineMark]) -> None:
+    def take_review_items(self, review_items: Sequence[TimelineMark]) -> None:
         """Mark on the timeline what may be wrong, instead of what was marked before."""
-        self._timeline.take_suspicions(suspicions)
+        self._timeline.take_review_items(review_items)
 
     def take_score(self, score: LaneScore | None) -> None:
         """Show on the timeline how a part of the selected person went; None: nothing."""

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Collection
 
 from tracking.editing import History
-from tracking.review import SuspicionKey
+from tracking.review import ReviewItemKey
 
 
 class EditedItems:
     """Remembers the item of each edit of this sitting, so that undo goes back to it."""
 
     def __init__(self) -> None:
-        self._item_of: dict[int, SuspicionKey | None] = {}
+        self._item_of: dict[int, ReviewItemKey | None] = {}
         self._last = 0
 
     def begin(self, history: History) -> None:
@@ -20,8 +20,8 @@ class EditedItems:
         self._item_of, self._last = {}, _last_in_force(history)
 
     def follow(
-        self, history: History, current: SuspicionKey | None, tracks: Collection[int]
-    ) -> SuspicionKey | None:
+        self, history: History, current: ReviewItemKey | None, tracks: Collection[int]
+    ) -> ReviewItemKey | None:
         """Call after each edit, undo and redo; the item of the edit that was undone, if any.
 
         None also where several edits were undone at once, and where the edit had nothing to do

@@ -54,5 +54,5 @@ def empty_words(session: Session | None, *, live: bool, problem: str) -> tuple[s
             "run: Ctrl+R lists them. W or Ins draws a person."
         )
     return tr("Nothing left to look at"), tr(
-        "Every suspicion is decided. Watch what is not reviewed yet, or score the tracks."
+        "Every review item is decided. Watch what is not reviewed yet, or score the tracks."
     )

@@ -1,4 +1,4 @@
-"""The review queue: which suspicions are left, which one is looked at, what comes next."""
+"""The review queue: which review items are left, which one is looked at, what comes next."""
 
 from __future__ import annotations
 
@@ -6,11 +6,11 @@ from collections.abc import Mapping, Sequence
 from typing import Final
 
 from app.presenters.i18n import time_text, tr
-from app.presenters.reviewing.review_scene import Order, ReviewItem, ReviewKind, ReviewPerson
+from app.presenters.reviewing.review_scene import Order, ReviewKind, ReviewPerson, ReviewRow
 from app.presenters.scenes import MarkKind, TimelineMark
 from app.presenters.track_colours import ColourOf
 from tracking.editing import Change, plan_verdict, with_verdict
-from tracking.review import Suspicion, SuspicionKey, open_suspicions, ranked
+from tracking.review import ReviewItem, ReviewItemKey, filter_undecided, rank
 from tracking.tracks import Labels, TrackTable, Verdict
 
 _KINDS: Final = {
@@ -33,22 +33,22 @@ _KINDS: Final = {
     "part": "Part failed",
 }
 _FIXES: Final = frozenset({"swap", "split", "merge", "delete"})
-"""Edits that can be begun for a suspicion; others can only be looked at."""
+"""Edits that can be begun for a review item; others can only be looked at."""
 
 
 def kind_title(kind: str) -> str:
-    """A kind of suspicion in words."""
+    """A kind of review item in words."""
     known = _KINDS.get(kind)
     return tr(known) if known else kind.replace("_", " ").capitalize()
 
 
-def is_fixable(suspicion: Suspicion) -> bool:
+def is_fixable(item: ReviewItem) -> bool:
     """Whether an edit is known that would put it right."""
-    return suspicion.fix in _FIXES
+    return item.fix in _FIXES
 
 
 class ReviewQueue:
-    """Suspicions less those that are decided, walked one after the other.
+    """Review items less those that are decided, walked one after the other.
 
     The current one is kept by its key, so that it stays the same where the list is found anew.
     """
@@ -57,28 +57,28 @@ class ReviewQueue:
         self.kind = ""
         self.order = Order.WORTH
         self._fps, self._colour_of = fps, colour_of
-        self._found: tuple[Suspicion, ...] = ()
-        self._open: tuple[Suspicion, ...] = ()
-        self._shown: tuple[Suspicion, ...] = ()
-        self._current: SuspicionKey | None = None
-        self._returns_to: SuspicionKey | None = None
+        self._found: tuple[ReviewItem, ...] = ()
+        self._open: tuple[ReviewItem, ...] = ()
+        self._shown: tuple[ReviewItem, ...] = ()
+        self._current: ReviewItemKey | None = None
+        self._returns_to: ReviewItemKey | None = None
         self._last_place = 0
         self._table: TrackTable | None = None
         self._names: Mapping[int, str] = {}
-        self._items: tuple[ReviewItem, ...] = ()
+        self._items: tuple[ReviewRow, ...] = ()
 
     @property
-    def open(self) -> tuple[Suspicion, ...]:
+    def open(self) -> tuple[ReviewItem, ...]:
         """All that are left, of every kind, the most worth looking at first."""
         return self._open
 
     @property
-    def items(self) -> tuple[ReviewItem, ...]:
+    def items(self) -> tuple[ReviewRow, ...]:
         """Those of the chosen kind in the chosen order, as the panel lists them."""
         return self._items
 
     @property
-    def current(self) -> Suspicion | None:
+    def current(self) -> ReviewItem | None:
         """The one that is looked at."""
         place = self.place
         return self._shown[place] if place >= 0 else None
@@ -86,16 +86,16 @@ class ReviewQueue:
     @property
     def place(self) -> int:
         """Where the current one stands in the list; -1: none is looked at."""
-        keys = [suspicion.key for suspicion in self._shown]
+        keys = [item.key for item in self._shown]
         return keys.index(self._current) if self._current in keys else -1
 
     @property
-    def current_key(self) -> SuspicionKey | None:
+    def current_key(self) -> ReviewItemKey | None:
         """The key of the one looked at last, also where it is not listed any more."""
         return self._current
 
     def take(
-        self, found: Sequence[Suspicion], labels: Labels, table: TrackTable | None = None
+        self, found: Sequence[ReviewItem], labels: Labels, table: TrackTable | None = None
     ) -> None:
         """Take what was found in a table, less what people have decided or reviewed."""
         self._found, self._table = tuple(found), table
@@ -106,7 +106,7 @@ class ReviewQueue:
 
     def take_labels(self, labels: Labels) -> None:
         """Take what people have decided by now."""
-        self._open = open_suspicions(self._found, labels, self._fps, self._table)
+        self._open = filter_undecided(self._found, labels, self._fps, self._table)
         self._list()
 
     def take_names(self, names: Mapping[int, str]) -> None:
@@ -125,13 +125,13 @@ class ReviewQueue:
         self.order = order
         self._list()
 
-    def choose(self, key: SuspicionKey | None) -> Suspicion | None:
+    def choose(self, key: ReviewItemKey | None) -> ReviewItem | None:
         """Look at one of the list; None: at none."""
         self._current, self._returns_to = key, None
         self._last_place = self.place if self.place >= 0 else self._last_place
         return self.current
 
-    def return_to(self, key: SuspicionKey) -> Suspicion | None:
+    def return_to(self, key: ReviewItemKey) -> ReviewItem | None:
         """Look again at one that was edited away, also where another kind alone is listed.
 
         Found anew meanwhile it may lie a little beside the frame it was at, or go by another kind
@@ -152,7 +152,7 @@ class ReviewQueue:
         self._returns_to = key
         return back
 
-    def walk(self, step: int) -> Suspicion | None:
+    def walk(self, step: int) -> ReviewItem | None:
         """Go to the next (1) or the previous (-1) one; around at the ends, None where all is done.
 
         Where the one that was looked at is decided by now, the next one is what took its place.
@@ -169,8 +169,8 @@ class ReviewQueue:
     def kinds(self) -> tuple[ReviewKind, ...]:
         """The kinds there are, with how many are left of each."""
         counts: dict[str, int] = {}
-        for suspicion in self._open:
-            counts[suspicion.kind] = counts.get(suspicion.kind, 0) + 1
+        for item in self._open:
+            counts[item.kind] = counts.get(item.kind, 0) + 1
         titled = [ReviewKind(kind, kind_title(kind), n) for kind, n in counts.items()]
         return tuple(sorted(titled, key=lambda one: one.title))
 
@@ -178,7 +178,7 @@ class ReviewQueue:
         """What is left as marks of the timeline, one a person."""
         return tuple(
             TimelineMark(
-                MarkKind.SUSPICION, one.frame, track, f"{kind_title(one.kind)}: {one.text}"
+                MarkKind.REVIEW_ITEM, one.frame, track, f"{kind_title(one.kind)}: {one.text}"
             )
             for one in self._open
             for track in one.tracks
@@ -189,48 +189,48 @@ class ReviewQueue:
         self._list()
 
     def _list(self) -> None:
-        if self.kind not in {suspicion.kind for suspicion in self._open}:
+        if self.kind not in {item.kind for item in self._open}:
             self.kind = ""
         wanted = [one for one in self._open if self.kind in ("", one.kind)]
-        self._shown = ranked(wanted, self.order.value)
-        self._items = tuple(self._item(suspicion) for suspicion in self._shown)
+        self._shown = rank(wanted, self.order.value)
+        self._items = tuple(self._item(item) for item in self._shown)
 
-    def _item(self, suspicion: Suspicion) -> ReviewItem:
-        return ReviewItem(
-            key=suspicion.key,
-            title=kind_title(suspicion.kind),
+    def _item(self, item: ReviewItem) -> ReviewRow:
+        return ReviewRow(
+            key=item.key,
+            title=kind_title(item.kind),
             people=tuple(
                 ReviewPerson(
                     track, f"{track} {self._names.get(track, '')}".rstrip(), self._colour_of(track)
                 )
-                for track in suspicion.tracks
+                for track in item.tracks
             ),
-            frame=suspicion.frame,
-            when=time_text(suspicion.frame / self._fps),
-            why=suspicion.text,
-            others=suspicion.others,
-            likelihood=suspicion.likelihood,
+            frame=item.frame,
+            when=time_text(item.frame / self._fps),
+            why=item.text,
+            others=item.others,
+            likelihood=item.likelihood,
         )
 
 
-def verdict_on(suspicion: Suspicion, decision: str, labels: Labels) -> Change:
-    """The change that keeps what a person decided about a suspicion.
+def verdict_on(item: ReviewItem, decision: str, labels: Labels) -> Change:
+    """The change that keeps what a person decided about a review item.
 
     Raises:
         EditError: that was said already.
     """
-    return plan_verdict(labels, _verdict(suspicion, decision), _named(suspicion))
+    return plan_verdict(labels, _verdict(item, decision), _named(item))
 
 
-def settled(change: Change, suspicion: Suspicion, labels: Labels) -> Change:
-    """The edit that puts a suspicion right, with the verdict that it did: undone together."""
-    return with_verdict(change, labels, _verdict(suspicion, "fixed"))
+def settled(change: Change, item: ReviewItem, labels: Labels) -> Change:
+    """The edit that puts a review item right, with the verdict that it did: undone together."""
+    return with_verdict(change, labels, _verdict(item, "fixed"))
 
 
-def _verdict(suspicion: Suspicion, decision: str) -> Verdict:
-    return Verdict(suspicion.kind, suspicion.tracks, suspicion.frame, decision)
+def _verdict(item: ReviewItem, decision: str) -> Verdict:
+    return Verdict(item.kind, item.tracks, item.frame, decision)
 
 
-def _named(suspicion: Suspicion) -> str:
-    who = ", ".join(str(track) for track in suspicion.tracks)
-    return f"{kind_title(suspicion.kind)} {who} in frame {suspicion.frame}"
+def _named(item: ReviewItem) -> str:
+    who = ", ".join(str(track) for track in item.tracks)
+    return f"{kind_title(item.kind)} {who} in frame {item.frame}"

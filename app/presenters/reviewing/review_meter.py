@@ -9,7 +9,7 @@ from app.presenters.i18n import counted, tr
 from tracking.editing import History
 from tracking.formats import read_mot
 from tracking.recording import Recording
-from tracking.review import ReviewMeasures, ReviewMeter, Suspicion, review_measures
+from tracking.review import ReviewItem, ReviewMeasures, ReviewMeter, review_measures
 from tracking.scoring import ScoringTable, identity_errors
 from tracking.tracks import Labels, TrackTable
 
@@ -63,7 +63,7 @@ def _corrections(history: History) -> int:
 
 
 def measured(
-    suspicions: Sequence[Suspicion], table: TrackTable, recording: Recording
+    items: Sequence[ReviewItem], table: TrackTable, recording: Recording
 ) -> ReviewMeasures:
     """How good the queue is against the truth beside the recording; may take long.
 
@@ -73,7 +73,7 @@ def measured(
     assert recording.truth_path is not None
     truth = ScoringTable.from_columns(read_mot(recording.truth_path), dont_cares=True)
     errors = identity_errors(truth, ScoringTable.from_columns(table.columns()))
-    return review_measures(suspicions, errors, table, recording.frame_count, recording.fps)
+    return review_measures(items, errors, table, recording.frame_count, recording.fps)
 
 
 def measures_text(measures: ReviewMeasures) -> str:

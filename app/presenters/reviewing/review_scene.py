@@ -6,11 +6,11 @@ from dataclasses import dataclass
 from enum import Enum
 
 from app.presenters.scenes import Colour
-from tracking.review import SuspicionKey
+from tracking.review import ReviewItemKey
 
 
 class Order(Enum):
-    """What stands first in the queue: names and values are those of `tracking.review.ranked`."""
+    """What stands first in the queue: names and values are those of `tracking.review.rank`."""
 
     WORTH = "worth"
     TIME = "time"
@@ -18,7 +18,7 @@ class Order(Enum):
 
 @dataclass(frozen=True, slots=True)
 class ReviewPerson:
-    """Somebody a suspicion is about."""
+    """Somebody a review item is about."""
 
     track: int
     label: str
@@ -26,8 +26,8 @@ class ReviewPerson:
 
 
 @dataclass(frozen=True, slots=True)
-class ReviewItem:
-    """A suspicion in the queue.
+class ReviewRow:
+    """A review item in the queue.
 
     Attributes:
         key: what a decision on it is kept under.
@@ -36,7 +36,7 @@ class ReviewItem:
         likelihood: 0 to 1.
     """
 
-    key: SuspicionKey
+    key: ReviewItemKey
     title: str
     people: tuple[ReviewPerson, ...]
     frame: int
@@ -48,7 +48,7 @@ class ReviewItem:
 
 @dataclass(frozen=True, slots=True)
 class ReviewKind:
-    """A kind of suspicion that the queue can be narrowed to."""
+    """A kind of review item that the queue can be narrowed to."""
 
     kind: str
     title: str
@@ -71,7 +71,7 @@ class ReviewScene:
         waits: nothing was looked for, as no tracker made the tracks; it is if somebody asks.
     """
 
-    items: tuple[ReviewItem, ...] = ()
+    items: tuple[ReviewRow, ...] = ()
     current: int = -1
     left: int = 0
     kinds: tuple[ReviewKind, ...] = ()

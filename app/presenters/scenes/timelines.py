@@ -25,7 +25,7 @@ class MarkKind(Enum):
 
     EDIT = "edit"
     SWAP = "swap"
-    SUSPICION = "suspicion"
+    REVIEW_ITEM = "review_item"
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,7 +77,7 @@ class TimelineScene:
         cut: a frame with an edit being previewed, or None.
         marked: the half-open range of frames the user has set, or that an edit goes over.
         message: said where there are no lanes.
-        suspicions: those of all lanes, in any order; the very same tuple while they are the same.
+        review_items: those of all lanes, in any order; the very same tuple while they are the same.
         reviewed: half-open ranges looked at for all tracks.
     """
 
@@ -91,7 +91,7 @@ class TimelineScene:
     cut: int | None = None
     marked: tuple[int, int] | None = None
     message: str = ""
-    suspicions: tuple[TimelineMark, ...] = ()
+    review_items: tuple[TimelineMark, ...] = ()
     reviewed: tuple[tuple[int, int], ...] = ()
 
 

@@ -22,7 +22,7 @@ _MOST_PEOPLE = np.iinfo(np.uint16).max
 class TimelinePresenter:
     """Makes timeline scenes of one recording.
 
-    `lanes`, `activity`, `suspicions` and `reviewed` of the scene stay the same objects until what
+    `lanes`, `activity`, `review_items` and `reviewed` of the scene stay the same objects until what
     they show changes, so that a view repaints the playhead alone while playing; of a thousand lanes
     an edit makes only those anew that it touched.
     """
@@ -33,8 +33,8 @@ class TimelinePresenter:
         self._spans: dict[int, Spans] = {}
         self._keyframes: dict[int, NDArray[np.int64]] = {}
         self._edits: Marks = {}
-        self._suspicions: Marks = {}
-        self._all_suspicions: tuple[TimelineMark, ...] = ()
+        self._review_items: Marks = {}
+        self._all_review_items: tuple[TimelineMark, ...] = ()
         self._reviewed_of: dict[int, tuple[tuple[int, int], ...]] = {}
         self._reviewed: tuple[ReviewedRange, ...] = ()
         self._names: Mapping[int, str] = {}
@@ -80,15 +80,15 @@ class TimelinePresenter:
         self._count(*frames)
         self._take_edits(marks)
 
-    def take_suspicions(self, suspicions: Sequence[TimelineMark]) -> None:
-        """Mark what may be wrong; a suspicion of two tracks is given once for each of them."""
+    def take_review_items(self, review_items: Sequence[TimelineMark]) -> None:
+        """Mark what may be wrong; a review item of two tracks is given once for each of them."""
         by_track: dict[int, list[TimelineMark]] = {}
-        for mark in suspicions:
+        for mark in review_items:
             by_track.setdefault(mark.track, []).append(mark)
-        before = self._suspicions
-        self._suspicions = {track: tuple(marks) for track, marks in by_track.items()}
-        self._all_suspicions = tuple(suspicions)
-        self._stale |= _differing(before, self._suspicions)
+        before = self._review_items
+        self._review_items = {track: tuple(marks) for track, marks in by_track.items()}
+        self._all_review_items = tuple(review_items)
+        self._stale |= _differing(before, self._review_items)
 
     def take_reviewed(self, reviewed: tuple[ReviewedRange, ...]) -> None:
         """Shade what a person has looked at."""
@@ -141,7 +141,7 @@ class TimelinePresenter:
             cut=cut,
             marked=marked,
             message=message,
-            suspicions=self._all_suspicions,
+            review_items=self._all_review_items,
             reviewed=self._reviewed_of.get(0, ()),
         )
 
@@ -180,7 +180,7 @@ class TimelinePresenter:
         first, end = int(self._spans[track][0, 0]), int(self._spans[track][-1, 1])
         # Where a track no longer reaches, an older edit of it is not on its lane either.
         edits = [mark for mark in self._edits.get(track, ()) if first <= mark.frame <= end]
-        marks = (*edits, *self._suspicions.get(track, ()))
+        marks = (*edits, *self._review_items.get(track, ()))
         return Lane(
             track=track,
             label=instant.label(track),

@@ -204,7 +204,7 @@ class RecordingController(QObject):
         """Draw everything."""
         view, document = self._workspace, self.document
         self.colouring.look()
-        self.reviewing.refresh()  # first: it may select who a suspicion is about
+        self.reviewing.refresh()  # first: it may select who a review item is about
         self.draw_instant()
         self.draw_playhead()
         view.card.show_scene(document.card())

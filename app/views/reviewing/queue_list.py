@@ -19,7 +19,7 @@ from PySide6.QtCore import (
 from PySide6.QtGui import QFont, QFontMetrics, QFontMetricsF, QPainter
 from PySide6.QtWidgets import QStyledItemDelegate, QStyleOptionViewItem
 
-from app.presenters.reviewing.review_scene import ReviewItem, ReviewPerson
+from app.presenters.reviewing.review_scene import ReviewPerson, ReviewRow
 from app.views.look.theme import current_theme, scaled_font
 from app.views.widgets.abstract import AbstractQt
 from app.views.widgets.command_list import draw_row_ground
@@ -33,21 +33,21 @@ _Index = QModelIndex | QPersistentModelIndex
 
 
 class ReviewModel(QAbstractListModel):
-    """The suspicions of a queue; another queue is taken as a whole, however long it is."""
+    """The review items of a queue; another queue is taken as a whole, however long it is."""
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
-        self._items: tuple[ReviewItem, ...] = ()
+        self._items: tuple[ReviewRow, ...] = ()
 
-    def take(self, items: tuple[ReviewItem, ...]) -> None:
+    def take(self, items: tuple[ReviewRow, ...]) -> None:
         """Show another queue."""
         if items is not self._items:
             self.beginResetModel()
             self._items = items
             self.endResetModel()
 
-    def item(self, row: int) -> ReviewItem:
-        """The suspicion in a row."""
+    def item(self, row: int) -> ReviewRow:
+        """The review item in a row."""
         return self._items[row]
 
     def rowCount(self, parent: _Index = QModelIndex()) -> int:  # noqa: B008, N802 - Qt's name
@@ -67,7 +67,7 @@ class ReviewModel(QAbstractListModel):
         return None
 
 
-def _likely(words: QObject, item: ReviewItem) -> str:
+def _likely(words: QObject, item: ReviewRow) -> str:
     return words.tr("frame {0}, {1:.0f} % likely").format(item.frame, 100 * item.likelihood)
 
 
@@ -186,11 +186,11 @@ def shares(wanted: Sequence[float], room: float) -> list[float]:
 
 
 class ReviewDelegate(PeopleDelegate):
-    """Draws a :class:`ReviewItem`, its reason on two lines."""
+    """Draws a :class:`ReviewRow`, its reason on two lines."""
 
     lower_lines = 2
 
-    def below(self, item: ReviewItem) -> str:
+    def below(self, item: ReviewRow) -> str:
         """Why it is listed."""
         return item.why
 

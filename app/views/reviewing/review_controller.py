@@ -1,4 +1,4 @@
-"""Reviewing the open recording: suspicions walked, watched, decided and put right."""
+"""Reviewing the open recording: review items walked, watched, decided and put right."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from app.views.reviewing.review_panel import ReviewPanel
 from app.views.reviewing.review_search import ReviewSearch
 from tracking.editing import Change, plan_mark_reviewed, plan_unmark_reviewed
 from tracking.errors import TrackwrightError
-from tracking.review import Suspicion, SuspicionKey
+from tracking.review import ReviewItem, ReviewItemKey
 from tracking.session import Session
 from tracking.tracks import Labels, Run, TrackTable
 
@@ -53,15 +53,15 @@ class Reviewing(QObject):
         self.plays = False
         self._document, self._playback, self._editing = document, playback, editing
         self._panel = panel
-        document.correcting.suspected = lambda: self.queue.current
+        document.correcting.item_looked_at = lambda: self.queue.current
         self._search = ReviewSearch(self._subject, recording, self)
         self._looked_at: tuple[Session | None, int, int | None] = None, 0, None
         self._labels: Labels | None = None
         self._edited = EditedItems()
         self._meter: MeterWords | None = None
-        self._marked: tuple[Suspicion, ...] | None = None
+        self._marked: tuple[ReviewItem, ...] | None = None
         self._play_until: int | None = None
-        self._fixing: Suspicion | None = None
+        self._fixing: ReviewItem | None = None
         self._problem = ""
         self._hand_made = self._asked = False
         self._connect()
@@ -137,7 +137,7 @@ class Reviewing(QObject):
             self._show()
             self.changed.emit()
 
-    def _return_to(self, undecided: Set[SuspicionKey]) -> None:
+    def _return_to(self, undecided: Set[ReviewItemKey]) -> None:
         """A decision or an edit was undone: its item is looked at again; of several none is."""
         if len(undecided) == 1:
             (key,) = undecided
@@ -154,7 +154,7 @@ class Reviewing(QObject):
         run = session.runs[adopted] if adopted is not None else None
         return session.tracks.snapshot(), run, session.labels
 
-    def _take(self, found: tuple[Suspicion, ...]) -> None:
+    def _take(self, found: tuple[ReviewItem, ...]) -> None:
         session = self._document.session
         if session is not None:
             self.queue.take(found, session.labels, session.tracks)
@@ -172,7 +172,7 @@ class Reviewing(QObject):
         """N (1) or P (-1)."""
         self._look_at(self.queue.walk(step))
 
-    def go_to(self, key: SuspicionKey) -> None:
+    def go_to(self, key: ReviewItemKey) -> None:
         """One was clicked."""
         self._look_at(self.queue.choose(key))
 
@@ -207,24 +207,24 @@ class Reviewing(QObject):
         self._show()
         self.changed.emit()
 
-    def _look_at(self, suspicion: Suspicion | None) -> None:
+    def _look_at(self, review_item: ReviewItem | None) -> None:
         """Select its people and go to just before it."""
-        if suspicion is None:
+        if review_item is None:
             self._show()
             self.changed.emit()
             return
         self._document.correcting.leave()
-        self._select(suspicion.tracks)
+        self._select(review_item.tracks)
         self._playback.pause()
-        self._playback.go(self._start_of(suspicion))
+        self._playback.go(self._start_of(review_item))
         if self.plays:
             self.play()
         self._editing.changed.emit()
 
-    def _start_of(self, suspicion: Suspicion) -> int:
+    def _start_of(self, review_item: ReviewItem) -> int:
         """Where watching it starts: just before it, with its people in sight."""
         session = self._document.session
-        return suspicion.start if session is None else first_shown(suspicion, session.tracks)
+        return review_item.start if session is None else first_shown(review_item, session.tracks)
 
     def _select(self, tracks: tuple[int, ...]) -> None:
         selection = self._document.selection
@@ -234,7 +234,7 @@ class Reviewing(QObject):
                 selection.add(track)
 
     def play(self) -> None:
-        """Play the stretch of the current suspicion, from its start to its end."""
+        """Play the stretch of the current review item, from its start to its end."""
         current = self.queue.current
         if current is None:
             return
@@ -259,7 +259,7 @@ class Reviewing(QObject):
     # deciding
 
     def decide(self, decision: str) -> None:
-        """Say "right" or "dismissed" of the current suspicion and go to the next one."""
+        """Say "right" or "dismissed" of the current review item and go to the next one."""
         current, session = self.queue.current, self._document.session
         if current is None or session is None:
             return
@@ -268,7 +268,7 @@ class Reviewing(QObject):
             self.walk(1)
 
     def fix(self) -> None:
-        """Begin the edit that would put the current suspicion right; Enter does it."""
+        """Begin the edit that would put the current review item right; Enter does it."""
         current = self.queue.current
         if current is None or not is_fixable(current):
             return
@@ -328,8 +328,8 @@ class Reviewing(QObject):
         """What the commands of reviewing depend on."""
         current = None if self._is_hidden else self.queue.current
         return {
-            "suspicions": bool(self.queue.items) and not self._is_hidden,
-            "suspicion": current is not None,
+            "review_items": bool(self.queue.items) and not self._is_hidden,
+            "review_item": current is not None,
             "fixable": current is not None and is_fixable(current),
             "watched": self.watching.stretch[1] > 0,
             "unflagged": self._waits,
@@ -339,7 +339,7 @@ class Reviewing(QObject):
         left = () if self._is_hidden else self.queue.open
         if self._marked is not left:
             self._marked = left
-            self._document.take_suspicions(self.queue.marks() if left else ())
+            self._document.take_review_items(self.queue.marks() if left else ())
         self._panel.show_scene(self._scene())
 
     def _scene(self) -> ReviewScene:
@@ -363,11 +363,11 @@ class Reviewing(QObject):
             waits=self._waits,
         )
 
-    def _also(self, suspicion: Suspicion) -> str:
+    def _also(self, review_item: ReviewItem) -> str:
         """What there is to watch, from a little before, and further reasons."""
         fps = self._document.recording.fps
-        span = span_text(self._start_of(suspicion) / fps, (suspicion.end - 1) / fps)
-        return "; ".join((tr("Watch {span}", span=span), *suspicion.others))
+        span = span_text(self._start_of(review_item) / fps, (review_item.end - 1) / fps)
+        return "; ".join((tr("Watch {span}", span=span), *review_item.others))
 
     def _meter_text(self) -> str:
         session = self._document.session

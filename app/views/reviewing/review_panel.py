@@ -1,4 +1,4 @@
-"""Where to look next: the queue of suspicions, what to say of the current one, how it gets on."""
+"""Where to look next: the queue of review items, what to say of the current one, how it gets on."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ class ReviewPanel(Panel):
     """Draws a :class:`ReviewScene`; without anything to list it takes a few lines only.
 
     Signals:
-        item_chosen(object): the key of a suspicion that was clicked.
+        item_chosen(object): the key of a review item that was clicked.
         kind_chosen(str): "" for all. order_chosen(str): the value of an `Order`.
         search_asked(): tracks that no tracker made are to be looked through all the same.
         playing_chosen(bool): whether a stretch is played as soon as it is jumped to.
@@ -94,7 +94,7 @@ class ReviewPanel(Panel):
         self._list = QueueView(self)
         self._list.setModel(self._model)
         self._list.setItemDelegate(ReviewDelegate(self._list))
-        self._list.setAccessibleName(self.tr("Suspicions"))
+        self._list.setAccessibleName(self.tr("Review items"))
         self._list.setProperty("rows", True)
         self._list.setUniformItemSizes(True)
         self._list.setMouseTracking(True)
@@ -110,7 +110,7 @@ class ReviewPanel(Panel):
 
     def _build_choices(self) -> None:
         self._choices = QHBoxLayout()
-        self._kinds = self._combo(self.tr("Kind of suspicion"))
+        self._kinds = self._combo(self.tr("Kind of review item"))
         self._kinds.activated.connect(lambda at: self.kind_chosen.emit(self._kinds.itemData(at)))
         self._orders = self._combo(self.tr("Order of the queue"))
         self._orders.addItem(self.tr("by worth"), Order.WORTH.value)
@@ -132,7 +132,7 @@ class ReviewPanel(Panel):
         return combo
 
     def set_actions(self, actions: Sequence[tuple[QAction, str]]) -> None:
-        """Offer the window's own commands on the current suspicion, each with a short word."""
+        """Offer the window's own commands on the current review item, each with a short word."""
         for action, word in actions:
             tool = QToolButton(self)
             tool.setAccessibleName(action.text())

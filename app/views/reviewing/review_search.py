@@ -1,4 +1,4 @@
-"""Looking for suspicions off the GUI thread: a moment after the last edit, the newest wins."""
+"""Looking for review items off the GUI thread: a moment after the last edit, the newest wins."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ _QUIET_MS = 200
 
 
 class ReviewSearch(QObject):
-    """Finds suspicions in the background; asked for again meanwhile, it begins anew.
+    """Finds review items in the background; asked for again meanwhile, it begins anew.
 
-    Signals: `found(suspicions)`, a tuple; `changed()`, `doing` or `measures` is another;
+    Signals: `found(items)`, a tuple; `changed()`, `doing` or `measures` is another;
     `failed(error)`.
 
     Attributes:
@@ -100,7 +100,7 @@ class ReviewSearch(QObject):
         self._start(find, lambda found: self._take(found, table))
 
     def _start(self, work: Callable[[Progress], object], done: Callable[[Any], None]) -> None:
-        job = Job("suspicions", work, self)
+        job = Job("review_items", work, self)
         job.progressed.connect(self._show)
         job.done.connect(lambda result: self._end(lambda: done(result)))
         job.failed.connect(lambda error: self._end(lambda: self.failed.emit(error)))

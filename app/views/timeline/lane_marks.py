@@ -1,4 +1,4 @@
-"""What stands on the lanes: where tracks begin and end, keyframes, edits, swaps, suspicions."""
+"""What stands on the lanes: where tracks begin and end, keyframes, edits, swaps, review items."""
 
 from __future__ import annotations
 
@@ -124,5 +124,5 @@ def _draw_triangles(painter: QPainter, at: list[QPointF], reach: float, theme: T
 _DRAWN: dict[MarkKind, Callable[[QPainter, list[QPointF], float, Theme], None]] = {
     MarkKind.EDIT: _draw_diamonds,
     MarkKind.SWAP: _draw_crosses,
-    MarkKind.SUSPICION: _draw_triangles,
+    MarkKind.REVIEW_ITEM: _draw_triangles,
 }

@@ -43,18 +43,18 @@ class OverviewStrip(QWidget):
         self._scene: TimelineScene | None = None
         self._shown: TimeAxis | None = None
         self._still = StillPicture(self)
-        self._suspicions: NDArray[np.int64] = np.zeros(0, np.int64)
+        self._review_items: NDArray[np.int64] = np.zeros(0, np.int64)
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self.setAccessibleName(self.tr("Overview of the whole recording"))
 
     def show_scene(self, scene: TimelineScene) -> None:
         """Draw another instant; what stays only where it is another one."""
         before, self._scene = self._scene, scene
-        if before is None or before.suspicions is not scene.suspicions:
-            self._suspicions = np.array([mark.frame for mark in scene.suspicions], np.int64)
+        if before is None or before.review_items is not scene.review_items:
+            self._review_items = np.array([mark.frame for mark in scene.review_items], np.int64)
         if before is None or (
             before.activity is not scene.activity
-            or before.suspicions is not scene.suspicions
+            or before.review_items is not scene.review_items
             or before.reviewed is not scene.reviewed
             or (before.tracked, before.frame_count) != (scene.tracked, scene.frame_count)
         ):
@@ -120,7 +120,7 @@ class OverviewStrip(QWidget):
         ground = QRectF(axis.left, 4, axis.width, self.height() - 8)
         painter.fillRect(ground, theme.sunken)
         if self._scene is not None:
-            draw_overview(painter, self._scene, self._suspicions, axis, ground, theme)
+            draw_overview(painter, self._scene, self._review_items, axis, ground, theme)
 
     def _draw_loaded(self, painter: QPainter, scene: TimelineScene, theme: Theme) -> None:
         """What is at hand, changing all the time, on top of the picture of what stays."""

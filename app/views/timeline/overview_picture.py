@@ -13,13 +13,13 @@ from app.views.timeline.axis import TimeAxis
 from app.views.timeline.lanes import draw_reviewed
 from app.views.timeline.strips import draw_strip
 
-_TRACKED_PX, _SUSPICION_PX = 3, 6
+_TRACKED_PX, _REVIEW_ITEM_PX = 3, 6
 
 
 def draw_overview(
     painter: QPainter,
     scene: TimelineScene,
-    suspicions: NDArray[np.int64],
+    review_items: NDArray[np.int64],
     axis: TimeAxis,
     ground: QRectF,
     theme: Theme,
@@ -30,8 +30,8 @@ def draw_overview(
     _draw_activity(painter, scene, ground, theme)
     foot = QRectF(ground.left(), ground.bottom() - _TRACKED_PX, ground.width(), _TRACKED_PX)
     draw_band(painter, scene.tracked, axis, foot, theme.accent)
-    top = QRectF(ground.left(), ground.top() + 3, ground.width(), _SUSPICION_PX)
-    _draw_suspicions(painter, suspicions, axis, top, theme)
+    top = QRectF(ground.left(), ground.top() + 3, ground.width(), _REVIEW_ITEM_PX)
+    _draw_review_items(painter, review_items, axis, top, theme)
 
 
 def draw_band(
@@ -64,7 +64,7 @@ def _draw_activity(painter: QPainter, scene: TimelineScene, ground: QRectF, them
     painter.drawImage(QPointF(ground.left(), ground.top() + 2), image)
 
 
-def _draw_suspicions(
+def _draw_review_items(
     painter: QPainter, frames: NDArray[np.int64], axis: TimeAxis, band: QRectF, theme: Theme
 ) -> None:
     """A tick each, of two columns so that a single one is seen."""

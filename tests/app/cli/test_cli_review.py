@@ -40,12 +40,12 @@ def test_a_swap_is_found(trackwright: Trackwright, session: Path) -> None:
     status, printed, _ = trackwright("review", session, "--json")
     told = json.loads(printed)
     assert status == 0
-    assert told["found"] == told["open"] == len(told["suspicions"])
+    assert told["found"] == told["open"] == len(told["review_items"])
     assert any(
         one["start"] <= frame < one["end"] and one["likelihood"] > 0.05
-        for one in told["suspicions"]
+        for one in told["review_items"]
     )
-    first = told["suspicions"][0]
+    first = told["review_items"][0]
     assert {"kind", "tracks", "frame", "time_s", "likelihood", "cost", "text", "fix"} <= set(first)
 
 
@@ -53,7 +53,7 @@ def test_lines_are_as_many_as_asked_for(trackwright: Trackwright, session: Path)
     swapped(session)
     status, printed, _ = trackwright("review", session, "--order", "time", "--most", "1")
     assert status == 0
-    heading, *suspicions = printed.splitlines()
+    heading, *review_items = printed.splitlines()
     assert heading.split() == [
         "frame",
         "sure",
@@ -68,7 +68,7 @@ def test_lines_are_as_many_as_asked_for(trackwright: Trackwright, session: Path)
         "it",
         "right)",
     ]
-    assert len(suspicions) == 1
+    assert len(review_items) == 1
 
 
 def test_reviewed_footage_is_listed_no_more(trackwright: Trackwright, session: Path) -> None:
@@ -80,7 +80,7 @@ def test_reviewed_footage_is_listed_no_more(trackwright: Trackwright, session: P
     assert told["open"] == 0
     assert told["found"] > 0
     printed = trackwright("review", session)[1]
-    said = f"Nothing is left to look at: all {told['found']} suspicions are decided or reviewed."
+    said = f"Nothing is left to look at: all {told['found']} review items are decided or reviewed."
     assert printed.splitlines() == [said]
 
 

@@ -63,7 +63,7 @@ def test_playing_leaves_lanes_and_activity_the_same_objects(timeline, tracks):
     first, second = (_scene(timeline, tracks, frame) for frame in (3, 4))
     assert first.lanes is second.lanes
     assert first.activity is second.activity
-    assert first.suspicions is second.suspicions
+    assert first.review_items is second.review_items
 
 
 def test_selecting_makes_new_lanes(timeline, tracks):
@@ -122,17 +122,17 @@ def test_interpolated_stretches_and_keyframes_are_told_apart():
     assert seen.keyframes.tolist() == []
 
 
-def test_suspicions_stand_in_their_lanes_until_others_take_their_place(timeline, tracks):
+def test_review_items_stand_in_their_lanes_until_others_take_their_place(timeline, tracks):
     first = _scene(timeline, tracks)
-    doubt = TimelineMark(MarkKind.SUSPICION, 20, 7, "likely swap")
-    timeline.take_suspicions([doubt])
+    doubt = TimelineMark(MarkKind.REVIEW_ITEM, 20, 7, "likely swap")
+    timeline.take_review_items([doubt])
     marked = _scene(timeline, tracks)
     assert marked.lanes[1].marks == (doubt, _EDIT)
     assert marked.lanes[0] is first.lanes[0]
-    assert marked.suspicions == (doubt,)
-    timeline.take_suspicions([])
+    assert marked.review_items == (doubt,)
+    timeline.take_review_items([])
     after = _scene(timeline, tracks)
-    assert after.suspicions == ()
+    assert after.review_items == ()
     assert after.lanes[1].marks == (_EDIT,)
 
 

@@ -16,7 +16,7 @@ from app.presenters.correcting.correction import Correcting
 from app.presenters.correcting.review_target import first_shown
 from app.presenters.document.selection import Selection
 from tracking.editing import SwapFrame
-from tracking.review import Suspicion
+from tracking.review import ReviewItem
 from tracking.tracks import CORRECTED_COLUMNS, Labels, TrackTable
 
 
@@ -72,21 +72,21 @@ def correcting():
 
 
 def _cut_proposed(correcting, tracks, frame, begun_at):
-    one = Suspicion("margin", tracks, frame, frame - 5, frame + 5, 0.5, 9.0, "why", "swap")
-    correcting.suspected = lambda: one
+    one = ReviewItem("margin", tracks, frame, frame - 5, frame + 5, 0.5, 9.0, "why", "swap")
+    correcting.item_looked_at = lambda: one
     correcting.begin(EditKind.SWAP, begun_at)
     return correcting.flow.cut
 
 
-def test_a_swap_of_suspects_is_proposed_in_the_frame_they_are_suspected_in(correcting):
+def test_a_flagged_swap_is_proposed_in_the_frame_of_its_review_item(correcting):
     assert _cut_proposed(correcting, (4, 7), 80, begun_at=75) == 80
 
 
-def test_a_suspicion_of_one_of_the_two_is_about_the_swap_too(correcting):
+def test_a_review_item_of_one_of_the_two_is_about_the_swap_too(correcting):
     assert _cut_proposed(correcting, (7,), 20, begun_at=20) == 20
 
 
-def test_a_suspicion_left_far_behind_or_of_somebody_else_changes_nothing(correcting):
+def test_a_review_item_left_far_behind_or_of_somebody_else_changes_nothing(correcting):
     correcting.begin(EditKind.SWAP, 30)
     alone = correcting.flow.cut
     assert _cut_proposed(correcting, (4, 7), 80, begun_at=30) == alone != 80
@@ -101,15 +101,15 @@ def _shown_at(tracks, frames_of, frame):
     order = np.lexsort((rows["track"], rows["frame"]))
     columns = {name: np.zeros(len(order), kind) for name, kind in CORRECTED_COLUMNS.items()}
     columns |= {name: np.array(rows[name])[order].astype(np.int32) for name in rows}
-    one = Suspicion("height", tracks, frame, frame - 5, frame + 5, 0.5, 9.0, "why", "split")
+    one = ReviewItem("height", tracks, frame, frame - 5, frame + 5, 0.5, 9.0, "why", "split")
     return first_shown(one, TrackTable(columns))
 
 
-def test_a_suspicion_is_looked_at_from_just_before_where_its_people_are_there():
+def test_a_review_item_is_looked_at_from_just_before_where_its_people_are_there():
     assert _shown_at((4,), {4: (0, 100)}, 50) == 45
 
 
-def test_who_begins_within_a_suspicion_is_looked_at_from_there():
+def test_who_begins_within_a_review_item_is_looked_at_from_there():
     assert _shown_at((4,), {4: (48, 100)}, 50) == 48
 
 
@@ -118,11 +118,11 @@ def test_of_two_both_must_be_there_unless_one_only_follows_the_other():
     assert _shown_at((4, 7), {4: (0, 47), 7: (50, 100)}, 50) == 45
 
 
-def test_a_suspicion_of_somebody_who_is_not_there_by_now_is_looked_at_nearest_to_it():
+def test_a_review_item_of_somebody_who_is_not_there_by_now_is_looked_at_nearest_to_it():
     assert _shown_at((4,), {4: (70, 100)}, 50) == 70
 
 
-def test_of_long_tracks_only_the_stretch_of_a_suspicion_is_read(monkeypatch):
+def test_of_long_tracks_only_the_stretch_of_a_review_item_is_read(monkeypatch):
     rows = {name: np.zeros(40_000, kind) for name, kind in CORRECTED_COLUMNS.items()}
     rows["frame"] = np.repeat(np.arange(20_000, dtype=np.int32), 2)
     rows["track"] = np.tile(np.array([4, 7], np.int32), 20_000)
@@ -133,6 +133,6 @@ def test_of_long_tracks_only_the_stretch_of_a_suspicion_is_read(monkeypatch):
         return both(first, second)
 
     monkeypatch.setattr(np, "intersect1d", noted)
-    one = Suspicion("height", (4, 7), 500, 490, 510, 0.5, 9.0, "why", "split")
+    one = ReviewItem("height", (4, 7), 500, 490, 510, 0.5, 9.0, "why", "split")
     assert first_shown(one, TrackTable(rows)) == 490
     assert max(read) <= 40

@@ -8,14 +8,14 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
 
-from app.presenters.reviewing.review_scene import ReviewItem, ReviewPerson, ReviewScene
+from app.presenters.reviewing.review_scene import ReviewPerson, ReviewRow, ReviewScene
 from app.views.reviewing import queue_list
 from app.views.reviewing.queue_list import row_height
 from app.views.reviewing.review_panel import ReviewPanel
 
 WORDS = "2 and 8 were seen as one for 0.8 s until 00:18; "
 ITEMS = tuple(
-    ReviewItem(("margin", (1, 2), at), "Close choice", (), at, "00:01", WORDS, (), 0.2)
+    ReviewRow(("margin", (1, 2), at), "Close choice", (), at, "00:01", WORDS, (), 0.2)
     for at in range(40)
 )
 
@@ -42,7 +42,7 @@ def test_further_reasons_take_three_lines_however_many_they_are(qtbot, dark):
     assert panel._also.toolTip() == 9 * WORDS
 
 
-def test_until_a_suspicion_is_looked_at_its_room_is_for_rows(qtbot, dark):
+def test_until_a_review_item_is_looked_at_its_room_is_for_rows(qtbot, dark):
     panel = shown(qtbot, ReviewScene(items=ITEMS, left=40))
     panel.resize(330, 420)
     qtbot.wait(1)

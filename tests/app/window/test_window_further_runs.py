@@ -321,11 +321,11 @@ def test_the_review_goes_on_where_it_was_once_the_new_run_was_looked_at(followed
     desk, queue = followed, followed.reviewing.queue
     desk.playback.go(40)
     qtbot.waitUntil(lambda: bool(queue.items))
-    assert desk.reviewing.situation["suspicions"]
+    assert desk.reviewing.situation["review_items"]
     desk.reviewing.narrow(queue.kinds()[0].kind)
     kind, items, meter = queue.kind, queue.items, desk.reviewing._meter
     desk.tracking.following.begin()
-    assert not desk.reviewing.situation["suspicions"]
+    assert not desk.reviewing.situation["review_items"]
     assert desk.reviewing._scene().items == ()
     desk.playback.go(40)
     assert (queue.kind, queue.items) == (kind, items)

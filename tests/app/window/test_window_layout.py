@@ -10,7 +10,7 @@ from app.views.window.main_window import MainWindow
 
 @pytest.fixture
 def window_on_a_laptop(window, qtbot, tiny_session, monkeypatch):
-    """Nothing is suspected: what is found, and when, would share the room in other ways."""
+    """Nothing is flagged: what is found, and when, would share the room in other ways."""
     monkeypatch.setattr(review_search.Lookout, "find", lambda *_, **__: ())
     window.resize(1440, 900)
     window.files.open_path(tiny_session)
@@ -33,7 +33,7 @@ def test_five_edits_of_the_history_are_in_sight(window_on_a_laptop):
     assert place.y() <= line.mapTo(window_on_a_laptop, line.rect().topLeft()).y()
 
 
-def test_the_panel_without_suspicions_takes_its_few_words_and_no_more(window_on_a_laptop):
+def test_the_panel_without_review_items_takes_its_few_words_and_no_more(window_on_a_laptop):
     panel = window_on_a_laptop.workspace.review
     assert panel.height() < 5 * panel.fontMetrics().height() + 32
 

@@ -84,7 +84,7 @@ def to_the_swap(desk, press, swapped_session):
             there = current.start <= SWAPPED_AT < current.end
             if there and current.fix == "swap" and set(current.tracks) == swapped_session[1]:
                 return current
-        raise AssertionError("the swap is not among the suspicions")
+        raise AssertionError("the swap is not among the review items")
 
     return walk
 
@@ -103,7 +103,7 @@ def test_opening_a_session_fills_the_queue_and_marks_the_timeline(desk, window):
     }
 
 
-def test_n_goes_just_before_the_suspicion_and_selects_its_people(desk, to_the_swap):
+def test_n_goes_just_before_the_review_item_and_selects_its_people(desk, to_the_swap):
     current = to_the_swap()
     assert desk.playback.clock.frame == current.start
     assert set(desk.document.selection.all) == set(current.tracks)
@@ -138,7 +138,7 @@ def test_a_decision_can_be_undone_and_is_asked_for_again(desk, press):
     assert len(desk.reviewing.queue.open) == left
 
 
-def test_undoing_a_decision_looks_at_its_suspicion_and_its_people_again(desk, press):
+def test_undoing_a_decision_looks_at_its_review_item_and_its_people_again(desk, press):
     press(Key.Key_N)
     first = desk.reviewing.queue.current
     press(Key.Key_Backspace)
@@ -149,7 +149,7 @@ def test_undoing_a_decision_looks_at_its_suspicion_and_its_people_again(desk, pr
     assert first.start <= desk.playback.clock.frame <= first.end
 
 
-def test_undoing_what_put_a_suspicion_right_looks_at_it_again(desk, press, to_the_swap, qtbot):
+def test_undoing_what_put_a_review_item_right_looks_at_it_again(desk, press, to_the_swap, qtbot):
     current = to_the_swap()
     press(Key.Key_E)
     press(Key.Key_Return)
@@ -282,7 +282,7 @@ def test_labels_alone_make_no_new_search(desk, qtbot):
     assert f"{track} red coat" in titles
 
 
-def test_after_an_edit_suspicions_are_looked_for_again(desk, window, qtbot):
+def test_after_an_edit_review_items_are_looked_for_again(desk, window, qtbot):
     qtbot.waitUntil(lambda: not desk.reviewing._search.busy)
     found = []
     desk.reviewing._search.found.connect(found.append)

@@ -51,7 +51,7 @@ def propose_swap_frames(
     near: int | None = None,
     signals: Columns | None = None,
     most: int = 5,
-    suspected: tuple[int, int] | None = None,
+    flagged: tuple[int, int] | None = None,
 ) -> tuple[SwapFrame, ...]:
     """The frames in which a and b most likely changed over, likeliest first; at least one.
 
@@ -65,7 +65,7 @@ def propose_swap_frames(
         near: the frame the user looks at; of two cuts about as good the nearer one wins.
         signals: `SIGNAL_COLUMNS` of the two (see `signals_of`); None: nothing was noticed.
         most: so many at most, each a good number of frames from the others.
-        suspected: half-open frames in which they are suspected to have changed over. What is
+        flagged: half-open frames in which a review item says they may have swapped. What is
             likeliest in there comes first, and where nothing shows it what is nearest to `near`;
             behind it only what walks or looks speak for.
 
@@ -84,7 +84,7 @@ def propose_swap_frames(
         later = max(table.frame_range(a)[0], table.frame_range(b)[0])
         return (SwapFrame(later, 1.0, "they never stand in one frame; the later one begins here"),)
     judged = _judged(courses, frames, looks_changed(signals, a, b, frames), near)
-    first = _suspected(judged, near, suspected)
+    first = _frame_in_flagged(judged, near, flagged)
     if first is not None:
         behind = judged.shown | (np.arange(len(frames)) == first)
         judged = replace(judged, score=np.where(behind, judged.score, -np.inf))
@@ -138,10 +138,12 @@ def _judged(courses: Courses, frames: Frames, looks: Floats, near: int | None) -
     return _Judged(frames, walks, looks, apart, score)
 
 
-def _suspected(judged: _Judged, near: int | None, suspected: tuple[int, int] | None) -> int | None:
-    """Which cut is put first as they are suspected there; None where they are not."""
+def _frame_in_flagged(
+    judged: _Judged, near: int | None, flagged: tuple[int, int] | None
+) -> int | None:
+    """The likeliest cut in the flagged range of frames; None without one."""
     frames, shown = judged.frames, judged.shown
-    low, high = np.searchsorted(frames, suspected if suspected is not None else (0, 0))
+    low, high = np.searchsorted(frames, flagged if flagged is not None else (0, 0))
     if low == high:
         return None
     if near is not None and not shown[low:high].any():

@@ -1,4 +1,4 @@
-"""Planners of what was looked at: reviewed ranges, and verdicts on suspicions."""
+"""Planners of what was looked at: reviewed ranges, and verdicts on review items."""
 
 from __future__ import annotations
 
@@ -81,7 +81,7 @@ def plan_unmark_reviewed(
 
 
 def plan_verdict(labels: Labels, verdict: Verdict, text: str = "") -> Change:
-    """Say what came of looking at a suspicion. text: what it was, for the log.
+    """Say what came of looking at a review item. text: what it was, for the log.
 
     Raises EditError for an unknown decision, and where that was said already.
     """
@@ -92,7 +92,7 @@ def plan_verdict(labels: Labels, verdict: Verdict, text: str = "") -> Change:
 
 
 def with_verdict(change: Change, labels: Labels, verdict: Verdict) -> Change:
-    """The change with the verdict on the suspicion it settles, so that both are undone together.
+    """The change with the verdict on the review item it settles, so that both are undone together.
 
     Raises EditError for an unknown decision, and where that was said already.
     """
@@ -150,7 +150,7 @@ def _who(ranges: Sequence[ReviewedRange]) -> str:
 
 
 def _listed(tracks: Sequence[int]) -> str:
-    """The tracks of a suspicion, which may be of nobody."""
+    """The tracks of a review item, which may be of nobody."""
     return tracks_text(tracks) if tracks else "nobody"
 
 

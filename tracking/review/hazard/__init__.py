@@ -1,4 +1,4 @@
-"""How likely a track goes wrong in each of its rows: what puts suspicions in order and in place."""
+"""How likely a track goes wrong in each of its rows: orders and places review items."""
 
 from tracking.review.hazard.expected_errors import Hazards
 from tracking.review.hazard.features import FEATURES, NOTICED, features

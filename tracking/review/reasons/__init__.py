@@ -41,6 +41,6 @@ REASONS: Mapping[str, Callable[[Material], Found]] = MappingProxyType(
         "part": failed_parts,
     }
 )
-"""By the kind of suspicion they make."""
+"""By the kind of review item they make."""
 
 __all__ = ["REASONS"]

@@ -29,7 +29,7 @@ def view(qtbot, theme):
     widget = TimelineView()
     qtbot.addWidget(widget)
     widget.resize(900, 320)
-    widget.show_scene(timeline(*LANES, frame=300, suspicions=(replace(SWAP, frame=800),)))
+    widget.show_scene(timeline(*LANES, frame=300, review_items=(replace(SWAP, frame=800),)))
     widget.grab()
     return widget
 
@@ -200,7 +200,7 @@ def test_the_wheel_on_the_overview_zooms_and_ctrl_moves_what_the_lanes_show(view
     assert (start + end) / 2 == pytest.approx(700, abs=3)
 
 
-def test_suspicions_and_reviewed_parts_are_seen_in_the_overview(view, drawn, theme, inked):
+def test_review_items_and_reviewed_parts_are_seen_in_the_overview(view, drawn, theme, inked):
     strip, axis = drawn(view.overview), view.overview._axis()
     assert inked(strip, QPointF(axis.x_of(800.5), 10).toPoint(), theme.warning)
     before = strip.pixelColor(round(axis.x_of(700)), 9)

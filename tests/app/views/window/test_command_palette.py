@@ -54,7 +54,7 @@ def test_what_can_be_done_now_comes_before_what_cannot_and_matches_as_well():
 
 def test_letters_strewn_over_a_command_do_not_find_it():
     strewn = (
-        CommandItem("review.next", "Review", "Next suspicion", (), True),
+        CommandItem("review.next", "Review", "Next review item", (), True),
         CommandItem("tracks.reset", "Correct", "Merge with the rest", (), True),
         CommandItem("view.keys", "View", "Restore the older state", (), True),
     )

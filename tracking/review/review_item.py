@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-SuspicionKey = tuple[str, tuple[int, ...], int]
+ReviewItemKey = tuple[str, tuple[int, ...], int]
 """Kind, tracks and frame: what a verdict is about."""
 
 
 @dataclass(frozen=True, slots=True)
-class Suspicion:
+class ReviewItem:
     """A place to look at, and why.
 
     Attributes:
@@ -36,7 +36,7 @@ class Suspicion:
     others: tuple[str, ...] = ()
 
     @property
-    def key(self) -> SuspicionKey:
+    def key(self) -> ReviewItemKey:
         """What a verdict on it is kept under."""
         return self.kind, self.tracks, self.frame
 

@@ -1,4 +1,4 @@
-"""Suspicions: found where tracks are wrong, said in words, joined, ranked."""
+"""Review items: found where tracks are wrong, said in words, joined, ranked."""
 
 from __future__ import annotations
 
@@ -10,16 +10,16 @@ from walks_on_a_floor import BLUE, FPS, RED, SIZE, Walk, crossing, made_run, str
 
 from tracking.editing import apply_change, plan_reassign, plan_swap
 from tracking.errors import CancelledError
-from tracking.review import KINDS, Suspicion, find_suspicions
+from tracking.review import KINDS, ReviewItem, find_review_items
 from tracking.review.reason_phrases import clock, sentence
 from tracking.tracks import Labels, Occluder, Run, TrackTable
 
 MEETING = 80
 
 
-def found(run: Run, table: TrackTable | None = None, **more: object) -> tuple[Suspicion, ...]:
+def found(run: Run, table: TrackTable | None = None, **more: object) -> tuple[ReviewItem, ...]:
     tracks = TrackTable(run.tracks) if table is None else table
-    return find_suspicions(tracks, run, FPS, size=SIZE, **more)
+    return find_review_items(tracks, run, FPS, size=SIZE, **more)
 
 
 def test_two_tracks_that_changed_over_are_looked_at_first() -> None:
@@ -30,14 +30,14 @@ def test_two_tracks_that_changed_over_are_looked_at_first() -> None:
     assert first.likelihood > 0.9
 
 
-def test_people_who_only_cross_are_far_less_suspicious() -> None:
+def test_people_who_only_cross_are_far_less_likely_flagged() -> None:
     run = made_run(crossing())
     right = max(one.likelihood for one in found(run))
     wrong = found(run, swapped(run, 1, 2, MEETING))[0].likelihood
     assert right < 0.2 < 0.9 < wrong
 
 
-def test_a_mistake_is_one_suspicion_with_all_its_reasons() -> None:
+def test_a_mistake_is_one_review_item_with_all_its_reasons() -> None:
     run = made_run(crossing())
     both = [one for one in found(run, swapped(run, 1, 2, MEETING)) if one.likelihood > 0.3]
     assert len(both) == 1
@@ -47,7 +47,7 @@ def test_a_mistake_is_one_suspicion_with_all_its_reasons() -> None:
     assert all("00:04" in each or "00:03" in each for each in said)
 
 
-def test_a_swap_put_right_is_suspicious_no_more() -> None:
+def test_a_swap_put_right_is_flagged_no_more() -> None:
     run = made_run(crossing())
     table = swapped(run, 1, 2, MEETING)
     again = swapped_back(table)
@@ -70,18 +70,18 @@ def test_what_the_run_noticed_moves_with_the_rows_of_an_edit() -> None:
     }
 
 
-def test_suspicions_are_ranked_by_what_they_are_worth() -> None:
+def test_review_items_are_ranked_by_what_they_are_worth() -> None:
     run = made_run([*crossing(), Walk(straight((3, 5), (0, 0.2), 60), start=20, looks=BLUE)])
     worth = [one.likelihood * one.cost for one in found(run, swapped(run, 1, 2, MEETING))]
     assert len(worth) > 1
     assert worth == sorted(worth, reverse=True)
 
 
-def test_every_suspicion_says_why_what_to_do_and_what_to_watch() -> None:
+def test_every_review_item_says_why_what_to_do_and_what_to_watch() -> None:
     run = made_run([*crossing(), Walk(straight((0.5, 6), (0, 0), 50), start=60)])
-    suspicions = found(run, swapped(run, 1, 2, MEETING))
-    assert suspicions
-    for one in suspicions:
+    items = found(run, swapped(run, 1, 2, MEETING))
+    assert items
+    for one in items:
         assert one.kind in KINDS
         assert one.text
         assert "{" not in one.text
@@ -91,7 +91,7 @@ def test_every_suspicion_says_why_what_to_do_and_what_to_watch() -> None:
         assert one.tracks == tuple(sorted(set(one.tracks)))
 
 
-def test_the_same_tracks_give_the_same_suspicions() -> None:
+def test_the_same_tracks_give_the_same_review_items() -> None:
     run = made_run(crossing())
     table = swapped(run, 1, 2, MEETING)
     assert found(run, table) == found(run, table.snapshot())
@@ -100,7 +100,7 @@ def test_the_same_tracks_give_the_same_suspicions() -> None:
 def test_runs_that_noticed_nothing_are_looked_through_all_the_same() -> None:
     run = made_run(crossing())
     table = swapped(run, 1, 2, MEETING)
-    alone = find_suspicions(table, None, FPS)
+    alone = find_review_items(table, None, FPS)
     assert alone[0].tracks == (1, 2)
     assert not {"exchange", "colour", "height", "spread", "split"} & {one.kind for one in alone}
 
@@ -114,7 +114,7 @@ def test_tracks_without_a_floor_are_measured_by_their_boxes() -> None:
     columns["x"] = columns["y"] = np.full(len(columns["x"]), np.nan)
     table = TrackTable(columns)
     apply_change(table, Labels(), plan_swap(table, 1, 2, MEETING))
-    first = find_suspicions(table, None, FPS)[0]
+    first = find_review_items(table, None, FPS)[0]
     assert first.tracks == (1, 2)
     assert first.start <= MEETING < first.end
 
@@ -140,11 +140,11 @@ def test_ends_at_the_border_and_at_occluders_are_no_riddle() -> None:
     assert "lost" not in kinds((300, 200), Labels(occluders=(pillar,)))
 
 
-def test_nothing_is_suspicious_where_nobody_is() -> None:
-    assert find_suspicions(TrackTable(), None, FPS) == ()
+def test_nothing_is_flagged_where_nobody_is() -> None:
+    assert find_review_items(TrackTable(), None, FPS) == ()
 
 
-def test_one_person_walking_straight_is_not_suspicious() -> None:
+def test_one_person_walking_straight_is_not_flagged() -> None:
     assert found(made_run([Walk(straight((-3, 5), (1, 0), 120))])) == ()
 
 
@@ -210,7 +210,7 @@ def test_ways_are_said_in_body_heights_where_the_floor_is_not_known() -> None:
     assert begun == "4 begins in the middle of the picture at 00:04"
 
 
-def test_a_suspicion_names_the_second_its_frame_lies_in() -> None:
+def test_a_review_item_names_the_second_its_frame_lies_in() -> None:
     run = made_run(crossing())
     told = [one for one in found(run, swapped(run, 1, 2, MEETING)) if " 00:" in one.text]
     assert told

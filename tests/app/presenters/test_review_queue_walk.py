@@ -6,21 +6,21 @@ from app.presenters.reviewing.review_scene import Order
 from app.presenters.scenes import MarkKind
 from app.presenters.track_colours import TrackColours
 from tracking.editing import apply_change, plan_mark_reviewed, plan_swap
-from tracking.review import Suspicion
+from tracking.review import ReviewItem
 from tracking.review.reason_phrases import KINDS
 from tracking.tracks import Labels
 
 FPS = 10.0
 
 
-def _suspicion(kind, tracks, frame, worth, fix="swap"):
+def _review_item(kind, tracks, frame, worth, fix="swap"):
     text = f"{kind} of {tracks}"
-    return Suspicion(kind, tracks, frame, frame - 5, frame + 5, 0.5, worth, text, fix)
+    return ReviewItem(kind, tracks, frame, frame - 5, frame + 5, 0.5, worth, text, fix)
 
 
-CROSSING = _suspicion("crossing", (4, 7), 50, 30.0)
-JUMP = _suspicion("jump", (4,), 20, 20.0, "split")
-MARGIN = _suspicion("margin", (7,), 80, 10.0, "look")
+CROSSING = _review_item("crossing", (4, 7), 50, 30.0)
+JUMP = _review_item("jump", (4,), 20, 20.0, "split")
+MARGIN = _review_item("margin", (7,), 80, 10.0, "look")
 
 
 @pytest.fixture
@@ -78,7 +78,7 @@ def test_after_a_decision_the_next_one_is_what_took_its_place(queue):
 
 def test_the_one_looked_at_stays_so_when_all_are_found_anew(queue):
     queue.walk(1)
-    queue.take((MARGIN, _suspicion("jump", (7,), 33, 99.0), CROSSING), Labels())
+    queue.take((MARGIN, _review_item("jump", (7,), 33, 99.0), CROSSING), Labels())
     assert queue.current == CROSSING
     assert queue.place == 1
 
@@ -112,10 +112,10 @@ def test_rows_say_who_and_when_with_their_names(queue):
     assert item.why == CROSSING.text
 
 
-def test_everybody_a_suspicion_is_about_gets_a_mark_on_their_lane(queue):
+def test_everybody_a_review_item_is_about_gets_a_mark_on_their_lane(queue):
     marks = {(mark.track, mark.frame) for mark in queue.marks()}
     assert marks == {(4, 50), (7, 50), (4, 20), (7, 80)}
-    assert {mark.kind for mark in queue.marks()} == {MarkKind.SUSPICION}
+    assert {mark.kind for mark in queue.marks()} == {MarkKind.REVIEW_ITEM}
 
 
 def test_a_fix_and_its_verdict_are_one_edit():
