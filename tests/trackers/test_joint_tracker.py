@@ -107,7 +107,7 @@ def test_somebody_in_other_clothes_who_comes_out_there_is_somebody_new():
     assert len(ids(results)) == 3
 
 
-def test_who_should_be_seen_and_is_not_is_remembered_without_being_told_of():
+def test_who_should_be_seen_and_is_not_coasts_without_being_reported():
     path = straight((-1, 6), (0.2, 0), 120)
     path[40:80] = np.nan
     results = follow([Walker(path, 3)])
@@ -142,6 +142,6 @@ def test_false_alarms_that_do_not_stay_become_no_tracks():
     assert ids(follow([nobody], Errors(false_alarms=0.5))) == set()
 
 
-def test_a_newcomer_is_a_track_once_seen_for_long_enough():
+def test_a_tentative_track_is_confirmed_once_seen_for_long_enough():
     results = follow([Walker(straight((0, 5), (0, 0), 20))], confirm_s=0.4)
     assert [len(r.tracks["track"]) for r in results] == [0] * 7 + [1] * 13

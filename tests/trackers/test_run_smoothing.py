@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from people_on_a_floor import FPS, straight, view
 
 from tracking.geometry import View
-from tracking.trackers import run_smoother, smoothed, tracker_named
+from tracking.trackers import run_smoother, smooth_run, tracker_named
 from tracking.tracks import Run
 from tracking.tracks.columns import DETECTION_COLUMNS, TRACK_COLUMNS, empty
 from tracking.tracks.run import Particles
@@ -77,7 +77,7 @@ def places(run: Run) -> NDArray:
 
 def test_a_predicted_stretch_between_two_measured_ones_leads_along_the_way():
     truth = run_of(walk())
-    found = smoothed(run_of(astray(walk(), slice(40, 60))), VIEW, FPS)
+    found = smooth_run(run_of(astray(walk(), slice(40, 60))), VIEW, FPS)
     assert places(found) == pytest.approx(places(truth), abs=0.005)
     assert found.tracks["vx"] == pytest.approx(np.full(FRAMES, VELOCITY[0]), abs=0.01)
     assert boxes(found) == pytest.approx(boxes(truth), abs=2.0)
@@ -85,7 +85,7 @@ def test_a_predicted_stretch_between_two_measured_ones_leads_along_the_way():
 
 def test_ids_frames_and_what_is_predicted_stay():
     run = run_of(astray(walk(), slice(40, 60)), walk((1.0, 7.0), track=2))
-    found = smoothed(run, VIEW, FPS)
+    found = smooth_run(run, VIEW, FPS)
     for name in ("frame", "track", "predicted", "confidence", "visibility"):
         assert found.tracks[name].tobytes() == run.tracks[name].tobytes()
     assert {name: column.dtype for name, column in found.tracks.items()} == dict(TRACK_COLUMNS)
@@ -94,7 +94,7 @@ def test_ids_frames_and_what_is_predicted_stay():
 def test_the_run_itself_its_particles_and_detections_are_not_touched():
     run = run_of(astray(walk(), slice(40, 60)))
     before = {name: column.copy() for name, column in run.tracks.items()}
-    found = smoothed(run, VIEW, FPS)
+    found = smooth_run(run, VIEW, FPS)
     assert all((run.tracks[name] == column).all() for name, column in before.items())
     assert replace(found, tracks=run.tracks) == run
 
@@ -110,7 +110,7 @@ def test_a_run_as_published_stays_as_it_was_live(name: str):
 
 def test_a_clean_track_stays_as_it_is():
     run = run_of(walk())
-    found = smoothed(run, VIEW, FPS)
+    found = smooth_run(run, VIEW, FPS)
     assert places(found) == pytest.approx(places(run), abs=0.002)
     assert boxes(found) == pytest.approx(boxes(run), abs=1.5)
 
@@ -133,14 +133,14 @@ def detections_of(*people: Mapping[str, NDArray]) -> dict[str, NDArray]:
 
 def test_limbs_are_followed_where_nobody_else_is_near():
     person = swinging(walk(), 12.0)
-    found = smoothed(run_of(person, detections=detections_of(person)), VIEW, FPS)
+    found = smooth_run(run_of(person, detections=detections_of(person)), VIEW, FPS)
     assert boxes(found)[10:-10] == pytest.approx(boxes(run_of(person))[10:-10], abs=2.0)
 
 
 def test_sides_beside_somebody_else_are_drawn_to_the_outline():
     person, other = swinging(walk(), 12.0), walk((-0.7, 6.0), track=2)
     run = run_of(person, other, detections=detections_of(person, other))
-    found = smoothed(run, VIEW, FPS)
+    found = smooth_run(run, VIEW, FPS)
     own = found.tracks["track"] == 1
     before, after = (
         (each.tracks["left"] + each.tracks["width"] - 80 * each.tracks["x"])[own]
@@ -151,7 +151,7 @@ def test_sides_beside_somebody_else_are_drawn_to_the_outline():
 
 def test_a_body_that_leans_ever_differently_under_a_ceiling_camera_keeps_its_boxes():
     run = run_of(walk((-1.5, 1.0), seen_by=CEILING))
-    found = smoothed(run, CEILING, FPS)
+    found = smooth_run(run, CEILING, FPS)
     assert boxes(found) == pytest.approx(boxes(run), abs=6.0)
 
 
@@ -161,7 +161,7 @@ def test_a_box_of_two_people_in_a_few_frames_is_drawn_to_the_outline(frames: sli
     truth = boxes(run_of(person))
     person["left"][frames] -= 50
     person["width"][frames] += 50
-    found = boxes(smoothed(run_of(person), VIEW, FPS))
+    found = boxes(smooth_run(run_of(person), VIEW, FPS))
     assert found == pytest.approx(truth, abs=3.0)
 
 
@@ -170,7 +170,7 @@ def test_the_swing_of_walking_stays_in_the_box():
     swing = 3.0 * np.sin(np.arange(FRAMES) * (2 * np.pi / 10))
     person["left"] -= swing
     person["width"] += 2 * swing
-    found = smoothed(run_of(person), VIEW, FPS).tracks["width"]
+    found = smooth_run(run_of(person), VIEW, FPS).tracks["width"]
     assert np.std(found - person["width"]) < 0.3 * np.std(2 * swing)
 
 
@@ -182,13 +182,13 @@ def test_noise_of_measured_places_is_smoothed_from_the_detections():
     seen["y"] += random.normal(0, 0.1, FRAMES)
     late = {**person, "x": person["x"] - 0.2}
     run = run_of(late, detections={**seen, "z": np.zeros(FRAMES)})
-    off = np.hypot(*(places(smoothed(run, VIEW, FPS)) - places(run_of(person))).T)
+    off = np.hypot(*(places(smooth_run(run, VIEW, FPS)) - places(run_of(person))).T)
     assert off.mean() < 0.07
 
 
 def test_rows_after_the_last_match_go_where_the_person_was_in_the_picture():
     person = {name: column[:80] for name, column in astray(walk(), slice(60, 100)).items()}
-    found = smoothed(run_of(person), VIEW, FPS)
+    found = smooth_run(run_of(person), VIEW, FPS)
     assert found.tracks["frame"].tolist() == list(range(60))
 
 
@@ -197,7 +197,7 @@ def test_signals_stay_with_the_rows_that_stay():
     run = run_of(person)
     numbers = np.arange(len(run.tracks["frame"]), dtype=np.float32)
     noticed = {"frame": run.tracks["frame"], "track": run.tracks["track"], "height_m": numbers}
-    found = smoothed(replace(run, signals=noticed), VIEW, FPS)
+    found = smooth_run(replace(run, signals=noticed), VIEW, FPS)
     assert found.signals["frame"].tolist() == found.tracks["frame"].tolist() == list(range(60))
     assert found.signals["height_m"].tolist() == numbers[:60].tolist()
 
@@ -207,14 +207,14 @@ def test_rows_after_the_last_match_stay_to_the_last_byte_where_the_person_left()
     person["predicted"][60:] = True
     person["left"][60:] -= 30.0 * np.arange(20)
     run = run_of(person)
-    found = smoothed(run, VIEW, FPS)
+    found = smooth_run(run, VIEW, FPS)
     for name in TRACK_COLUMNS:
         assert found.tracks[name][60:].tobytes() == run.tracks[name][60:].tobytes()
 
 
 def test_somebody_still_followed_when_the_footage_ends_is_kept():
     run = run_of(astray(walk(), slice(60, 100)))
-    found = smoothed(run, VIEW, FPS)
+    found = smooth_run(run, VIEW, FPS)
     assert found.tracks["frame"].tolist() == list(range(FRAMES))
     assert found.tracks["x"][60:].tobytes() == run.tracks["x"][60:].tobytes()
 
@@ -223,23 +223,25 @@ def test_people_without_a_place_on_the_floor_are_left_alone():
     nowhere = astray(walk(track=2), slice(40, 60))
     nowhere["x"][:] = nowhere["y"][:] = np.nan
     run = run_of(astray(walk(), slice(40, 60)), nowhere)
-    found = smoothed(run, VIEW, FPS)
+    found = smooth_run(run, VIEW, FPS)
     theirs = run.tracks["track"] == 2
     for name in TRACK_COLUMNS:
         assert found.tracks[name][theirs].tobytes() == run.tracks[name][theirs].tobytes()
-    assert smoothed(run_of(nowhere), VIEW, FPS).tracks["left"].tolist() == nowhere["left"].tolist()
+    assert (
+        smooth_run(run_of(nowhere), VIEW, FPS).tracks["left"].tolist() == nowhere["left"].tolist()
+    )
 
 
 def test_a_track_that_was_only_predicted_and_a_run_of_nobody_stay():
     ghost = run_of(astray(walk(), slice(0, 100)))
-    assert smoothed(ghost, VIEW, FPS).tracks["x"].tolist() == ghost.tracks["x"].tolist()
+    assert smooth_run(ghost, VIEW, FPS).tracks["x"].tolist() == ghost.tracks["x"].tolist()
     nobody = replace(ghost, tracks=empty(TRACK_COLUMNS))
-    assert len(smoothed(nobody, VIEW, FPS).tracks["frame"]) == 0
+    assert len(smooth_run(nobody, VIEW, FPS).tracks["frame"]) == 0
 
 
 def test_a_person_seen_once_stays():
     once = {name: column[50:51] for name, column in walk().items()}
-    found = smoothed(run_of(once), VIEW, FPS)
+    found = smooth_run(run_of(once), VIEW, FPS)
     assert found.tracks["x"] == pytest.approx(once["x"])
     assert found.tracks["vx"] == pytest.approx(once["vx"])
 
@@ -252,7 +254,7 @@ def test_a_path_begins_at_the_rows_given_and_leaves_them_out():
     truth = late["x"].copy()
     late["x"][:4] += 0.1
     run = replace(run_of(late), frames=(50, FRAMES))
-    alone, tied = smoothed(run, VIEW, FPS), smoothed(run, VIEW, FPS, given)
+    alone, tied = smooth_run(run, VIEW, FPS), smooth_run(run, VIEW, FPS, given)
     assert tied.tracks["frame"].tolist() == list(range(50, FRAMES))
     assert abs(tied.tracks["x"][0] - truth[0]) < 0.5 * abs(alone.tracks["x"][0] - truth[0])
 
@@ -261,7 +263,7 @@ def test_somebody_hidden_where_the_run_begins_walks_on_from_the_rows_given():
     whole = astray(walk(), slice(50, 70))
     given = {name: column[:50] for name, column in walk().items()}
     late = {name: column[50:] for name, column in whole.items()}
-    tied = smoothed(replace(run_of(late), frames=(50, FRAMES)), VIEW, FPS, given)
+    tied = smooth_run(replace(run_of(late), frames=(50, FRAMES)), VIEW, FPS, given)
     np.testing.assert_allclose(tied.tracks["x"], walk()["x"][50:], atol=0.02)
 
 
@@ -272,8 +274,8 @@ def test_tracks_smoothed_some_at_a_time_are_the_same_to_the_byte(
     people = [
         astray(walk((0.7 * track - 1.0, 6.0), track), slice(30, 40 + track)) for track in (1, 2, 3)
     ]
-    whole = smoothed(run_of(*people), VIEW, FPS)
+    whole = smooth_run(run_of(*people), VIEW, FPS)
     monkeypatch.setattr(run_smoother, "_BATCH_ROWS", rows)
-    parts = smoothed(run_of(*people), VIEW, FPS)
+    parts = smooth_run(run_of(*people), VIEW, FPS)
     for name, column in whole.tracks.items():
         assert parts.tracks[name].tobytes() == column.tobytes()

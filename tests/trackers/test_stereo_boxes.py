@@ -7,8 +7,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from people_on_a_floor import view
 
-from tracking.trackers.births_and_ends import confirmed
-from tracking.trackers.population import nobody
+from tracking.trackers.births_and_ends import confirm_tracks
+from tracking.trackers.population import empty_population
 from tracking.trackers.stereo_boxes import Bodies, overlap, share_in_view, visibility
 
 FRONT, BEHIND = [100.0, 100.0, 50.0, 150.0], [110.0, 60.0, 50.0, 150.0]
@@ -52,7 +52,7 @@ def test_an_outline_moves_and_shrinks_with_its_person():
 
 
 def test_ids_go_on_from_the_last_one_and_only_to_people_seen_often_enough():
-    empty = nobody(10, 1, 4)
+    empty = empty_population(10, 1, 4)
     columns = {
         field.name: np.zeros((5, *own.shape[1:]), own.dtype)
         for field in dataclasses.fields(empty)
@@ -60,6 +60,6 @@ def test_ids_go_on_from_the_last_one_and_only_to_people_seen_often_enough():
     }
     columns["matches"] = np.array([1, 9, 3, 2, 3], np.int32)
     five = empty.replace(**columns)
-    people, last = confirmed(five, 3, last_id=7)
+    people, last = confirm_tracks(five, 3, last_id=7)
     assert people.track.tolist() == [0, 8, 9, 0, 10]
     assert last == 10

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from people_on_a_floor import BINS
 
-from tracking.trackers.population import Population, nobody
+from tracking.trackers.population import Population, empty_population
 from tracking.trackers.stereo_cues import costs_of
 from tracking.trackers.stereo_direction import MiddleUpdated, StereoDirectionSettings
 from tracking.trackers.stereo_matching import match_people
@@ -18,7 +18,7 @@ def two_people(came_from: list[list[float]], at: list[list[float]], missed_s: fl
     """Two people in the same clothes who walked from one place to another."""
     start, end = np.array(came_from), np.array(at)
     anchors = np.stack((start, (start + end) / 2), axis=1)
-    empty = nobody(10, 1, BINS)
+    empty = empty_population(10, 1, BINS)
     names = [field.name for field in dataclasses.fields(empty)]
     zeros = {name: np.zeros((2, *getattr(empty, name).shape[1:])) for name in names}
     return Population(**zeros).replace(

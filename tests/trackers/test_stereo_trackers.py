@@ -86,7 +86,7 @@ def test_crossing_people_whose_regions_merge_are_carried_by_prediction_and_keep_
     assert not results[60].tracks["predicted"].any()
 
 
-def test_no_newcomer_becomes_a_track_before_it_was_seen_often_enough():
+def test_a_tentative_track_is_not_reported_before_it_was_seen_often_enough():
     results = follow(direction_tracker(confirm_matches=4), [Walker(straight((0, 5), (0, 0), 10))])
     assert [len(r.tracks["track"]) for r in results] == [0, 0, 0, *[1] * 7]
 
@@ -177,7 +177,7 @@ def test_colour_of_the_first_paper_is_the_mean_of_the_first_five_looks():
     looks = np.random.default_rng(0).random((9, 1, 2, 16)).astype(np.float32)
     model = looks[0]
     for count in range(1, 9):
-        model = cues.updated(model, looks[count], np.array([count], np.int32))
+        model = cues.update_colours(model, looks[count], np.array([count], np.int32))
     np.testing.assert_allclose(model, looks[:5].mean(axis=0), rtol=1e-5)
 
 

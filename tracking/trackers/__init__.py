@@ -15,7 +15,7 @@ from tracking.trackers.catalogue import (
 from tracking.trackers.occluders import occluders_as_setting
 from tracking.trackers.protocol import ASSOCIATION_COLUMNS, Perception, StepResult, Tracker
 from tracking.trackers.resumption import Resume
-from tracking.trackers.run_smoother import smoothed
+from tracking.trackers.run_smoother import smooth_run
 
 __all__ = [
     "ASSOCIATION_COLUMNS",
@@ -37,6 +37,6 @@ __all__ = [
     "settings_fields",
     "settings_from",
     "settings_values",
-    "smoothed",
+    "smooth_run",
     "tracker_named",
 ]

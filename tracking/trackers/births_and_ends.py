@@ -1,4 +1,4 @@
-"""Who joins the people followed, who gets an id, and who is let go."""
+"""Track initiation, confirmation and deletion."""
 
 from __future__ import annotations
 
@@ -10,26 +10,26 @@ from numpy.typing import NDArray
 from tracking.filtering import scatter
 from tracking.geometry import View
 from tracking.people import Detections
-from tracking.trackers.population import Population, unknown_looks, unknown_motion
+from tracking.trackers.population import Population, unknown_appearance, unknown_motion
 from tracking.trackers.stereo_boxes import Bodies, expected_visibility, share_in_view
 from tracking.trackers.stereo_settings import StereoFilterSettings
 
 Floats = NDArray[np.float64]
 
-PATIENCE_S = 0.15
-"""How long a newcomer may go unseen before it is taken for noise."""
+TENTATIVE_PATIENCE_S = 0.15
+"""How long a tentative track may go unseen before it is deleted as noise."""
 _AT_THE_EDGE = 0.75
 OUT_OF_VIEW = 0.35
 """Share of a body inside the picture below which somebody not seen has left it."""
 
 
 @dataclass(frozen=True, slots=True)
-class Newcomers:
-    """Where somebody new may be.
+class BirthCandidates:
+    """Detections at which tracks may be initiated.
 
     Attributes:
         seen: all detections. colours: (detections, cues, bins) of all.
-        free: those that nobody followed took.
+        free: those not associated with any track.
     """
 
     seen: Detections
@@ -37,14 +37,14 @@ class Newcomers:
     free: NDArray[np.intp]
 
 
-def newcomers(
+def initiate_tracks(
     people: Population,
-    spots: Newcomers,
+    spots: BirthCandidates,
     settings: StereoFilterSettings,
     random: np.random.Generator,
     view: View,
 ) -> Population:
-    """People started at the detections nobody took ([Kawashita2012] step 1), without ids yet.
+    """Tentative tracks at the detections not associated with any ([Kawashita2012] step 1).
 
     Args:
         people: those followed, with their positions in this frame; a detection close to one that
@@ -58,11 +58,11 @@ def newcomers(
     offset = seen.position[free, None, :2] - present[None, :, :]
     nearest = np.hypot(offset[..., 0], offset[..., 1]).min(axis=1, initial=np.inf)
     rows = free[nearest >= settings.birth_distance_m]
-    return started(replace(spots, free=rows), settings, random, view)
+    return start_tracks(replace(spots, free=rows), settings, random, view)
 
 
-def started(
-    spots: Newcomers, settings: StereoFilterSettings, random: np.random.Generator, view: View
+def start_tracks(
+    spots: BirthCandidates, settings: StereoFilterSettings, random: np.random.Generator, view: View
 ) -> Population:
     """A person at each free detection, seen once, without an id yet."""
     seen, rows = spots.seen, spots.free
@@ -83,25 +83,25 @@ def started(
         anchor_age_s=np.zeros(count),
         outline=Bodies.at(measured, view).outlines(seen.box[rows]),
         confidence=np.full(count, 0.5),
-        looks=unknown_looks(count),
+        appearance=unknown_appearance(count),
         motion=unknown_motion(spread),
     )
 
 
-def confirmed(people: Population, matches: int, last_id: int) -> tuple[Population, int]:
-    """Newcomers seen often enough get the next ids, so that ids have no gaps.
+def confirm_tracks(people: Population, matches: int, last_id: int) -> tuple[Population, int]:
+    """Tentative tracks matched often enough get the next ids, so that ids have no gaps.
 
     Returns the people and the last id given.
     """
     ready = np.flatnonzero((people.track == 0) & (people.matches >= matches))
     ids = np.arange(last_id + 1, last_id + 1 + len(ready), dtype=np.int32)
-    return people.changed(ready, track=ids), last_id + len(ready)
+    return people.with_rows(ready, track=ids), last_id + len(ready)
 
 
-def still_there(
+def should_keep(
     people: Population, box: Floats, settings: StereoFilterSettings, size: tuple[int, int]
 ) -> NDArray[np.bool_]:
-    """Whether each person is followed on: (people,).
+    """Whether each track is kept or deleted: (people,).
 
     Args:
         box: (people, 4) px of their bodies. size: width and height of the picture.
@@ -110,6 +110,6 @@ def still_there(
     patience_s = np.where(inside < _AT_THE_EDGE, settings.lost_at_edge_s, settings.lost_after_s)
     hidden = expected_visibility(people, box, size) < settings.hidden_below * inside
     patience_s = np.where(hidden, settings.lost_hidden_s, patience_s)
-    patience_s = np.where(people.confirmed, patience_s, PATIENCE_S)
+    patience_s = np.where(people.confirmed, patience_s, TENTATIVE_PATIENCE_S)
     left = inside < OUT_OF_VIEW
     return np.asarray((people.missed_s == 0.0) | ((people.missed_s <= patience_s) & ~left))

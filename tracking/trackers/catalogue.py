@@ -13,14 +13,14 @@ from tracking.recording import Recording
 from tracking.settings import settings_fields, settings_from_text, settings_values
 from tracking.trackers import stereo_colour, stereo_direction
 from tracking.trackers.flow import FlowSettings, build_flow
-from tracking.trackers.flow import finished as flow_finished
+from tracking.trackers.flow import finish_run as flow_finished
 from tracking.trackers.joint import JointSettings, build_joint
 from tracking.trackers.linking import linked
 from tracking.trackers.protocol import Perception, Tracker
-from tracking.trackers.run_smoother import smoothed
+from tracking.trackers.run_smoother import smooth_run
 from tracking.trackers.spheroid import SpheroidSettings, build_spheroid
-from tracking.trackers.spheroid import finished as spheroid_finished
-from tracking.trackers.stereo_paper import finished as stereo_finished
+from tracking.trackers.spheroid import finish_run as spheroid_finished
+from tracking.trackers.stereo_paper import finish_run as stereo_finished
 from tracking.trackers.three_part import (
     ThreePartSettings,
     WholeBodySettings,
@@ -51,7 +51,7 @@ class TrackerSpec:
         detector: (settings by their dotted names) -> fingerprint of the failure detector they
             name; "" for none.
         finish: (run, camera, frames a second, rows that stand fast) -> the run looked over from
-            both ends, where its settings say `smooth`; see `smoothed`.
+            both ends, where its settings say `smooth`; see `smooth_run`.
     """
 
     name: str
@@ -62,7 +62,7 @@ class TrackerSpec:
     settings_type: type
     build: Callable[[Recording, Any, int], tuple[Perception, Tracker]]
     detector: Callable[[Mapping[str, Any]], str] = _no_detector
-    finish: Callable[[Run, View, float, Columns | None], Run] = smoothed
+    finish: Callable[[Run, View, float, Columns | None], Run] = smooth_run
 
 
 _BUILT = (

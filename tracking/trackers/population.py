@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float64]
 _WALK_M_PER_S = 1.0
 """Spread of people's velocities along each axis, before anything is known of them."""
-LOOKS = 7
-"""Numbers that `Population.looks` has."""
+APPEARANCE_SIZE = 7
+"""Numbers that `Population.appearance` has."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,7 +23,7 @@ class Population:
     """The people being followed, as arrays with one row a person; nothing is changed in place.
 
     Attributes:
-        track: (people,) int32 id; 0 while a newcomer is not confirmed.
+        track: (people,) int32 id; 0 while the track is tentative.
         particles: (people, N, 2) float32 m on the floor.
         weight: (people, N) float32, rows sum to 1.
         position: (people, 2) m, the filter's estimate.
@@ -36,10 +36,10 @@ class Population:
             taken between; NaN where there is none yet.
         anchor_age_s: (people,) seconds since the newer anchor was set.
         outline: (people, 4) m, left, top, right, bottom of the body's box from the body's middle,
-            as far as they look at its distance.
+            in metres at its distance.
         confidence: (people,) share of the recent past in which the person was matched.
-        looks: (people, 7) float32 mean CIELAB of the upper and of the lower body and the height
-            in m, of those who ask for them; NaN where not known.
+        appearance: (people, 7) float32 mean CIELAB of the upper and of the lower body and the
+            height in m, of those who ask for them; NaN where not known.
         motion: (people, 3) variance of the position in m², covariance with the velocity in m²/s
             and variance of that in m²/s², along each axis, of those who ask for them.
     """
@@ -57,11 +57,11 @@ class Population:
     anchor_age_s: Floats
     outline: Floats
     confidence: Floats
-    looks: NDArray[np.float32]
+    appearance: NDArray[np.float32]
     motion: Floats
 
     def __len__(self) -> int:
-        """The number of people followed, newcomers included."""
+        """The number of people followed, with tentative tracks."""
         return len(self.track)
 
     @property
@@ -83,7 +83,7 @@ class Population:
             raise TypeError(f"no columns of people: {', '.join(columns)}")
         return Population(*kept)
 
-    def changed(self, rows: NDArray[np.intp], **values: NDArray[Any]) -> Population:
+    def with_rows(self, rows: NDArray[np.intp], **values: NDArray[Any]) -> Population:
         """The same people with new values at some rows of some columns."""
         columns: dict[str, NDArray[Any]] = {}
         for name, value in values.items():
@@ -97,9 +97,9 @@ _NAMES = tuple(field.name for field in dataclasses.fields(Population))
 _columns_of = attrgetter(*_NAMES)
 
 
-def unknown_looks(people: int) -> NDArray[np.float32]:
-    """`Population.looks` of whom nothing is known."""
-    return np.full((people, LOOKS), np.nan, np.float32)
+def unknown_appearance(people: int) -> NDArray[np.float32]:
+    """`Population.appearance` of whom nothing is known."""
+    return np.full((people, APPEARANCE_SIZE), np.nan, np.float32)
 
 
 def unknown_motion(position_m: Floats) -> Floats:
@@ -108,7 +108,7 @@ def unknown_motion(position_m: Floats) -> Floats:
     return np.stack((position_m**2, none, none + _WALK_M_PER_S**2), axis=1)
 
 
-def joined(populations: Sequence[Population]) -> Population:
+def concatenate(populations: Sequence[Population]) -> Population:
     """The people of all populations, in order."""
     populations = [each for each in populations if len(each)] or populations[:1]
     if len(populations) == 1:
@@ -118,7 +118,7 @@ def joined(populations: Sequence[Population]) -> Population:
     )
 
 
-def nobody(particles: int, cues: int, bins: int) -> Population:
+def empty_population(particles: int, cues: int, bins: int) -> Population:
     """A population without people, ready to be joined with."""
     shapes: dict[str, tuple[tuple[int, ...], type]] = {
         "track": ((), np.int32),
@@ -134,7 +134,7 @@ def nobody(particles: int, cues: int, bins: int) -> Population:
         "anchor_age_s": ((), np.float64),
         "outline": ((4,), np.float64),
         "confidence": ((), np.float64),
-        "looks": ((LOOKS,), np.float32),
+        "appearance": ((APPEARANCE_SIZE,), np.float32),
         "motion": ((3,), np.float64),
     }
     return Population(*(np.zeros((0, *shapes[name][0]), shapes[name][1]) for name in _NAMES))

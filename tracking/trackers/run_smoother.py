@@ -80,7 +80,7 @@ class _Paths:
         return np.where(self.measured, shown, 0.0)
 
 
-def smoothed(
+def smooth_run(
     run: Run,
     view: View,
     fps: float,

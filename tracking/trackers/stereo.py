@@ -10,17 +10,29 @@ from tracking.filtering import Association, resample
 from tracking.geometry import View
 from tracking.people import Detections, Observation, StereoPerception
 from tracking.recording import Recording
-from tracking.trackers.births_and_ends import Newcomers, confirmed, newcomers, still_there
-from tracking.trackers.population import Population, joined
+from tracking.trackers.births_and_ends import (
+    BirthCandidates,
+    confirm_tracks,
+    initiate_tracks,
+    should_keep,
+)
+from tracking.trackers.population import Population, concatenate
 from tracking.trackers.protocol import StepResult
-from tracking.trackers.stereo_boxes import Bodies, expected_visibility, outlined
+from tracking.trackers.stereo_boxes import Bodies, expected_visibility, update_outlines
 from tracking.trackers.stereo_cues import Cues, costs_of
-from tracking.trackers.stereo_filter import StereoFilter, predicted
+from tracking.trackers.stereo_filter import StereoFilter, predict
 from tracking.trackers.stereo_matching import match_people
 from tracking.trackers.stereo_result import step_result
 from tracking.trackers.stereo_settings import StereoFilterSettings, StereoTrackerSettings
-from tracking.trackers.stereo_sharing import shared_regions
-from tracking.trackers.stereo_update import Match, aged, apart, guests_kept, matched, unseen
+from tracking.trackers.stereo_sharing import find_shared_regions
+from tracking.trackers.stereo_update import (
+    Match,
+    age_tracks,
+    find_isolated,
+    update_matched,
+    update_missed,
+    update_occluded,
+)
 
 Colours = NDArray[np.float32]
 Floats = NDArray[np.float64]
@@ -58,14 +70,14 @@ class StereoTracker(StereoFilter[StereoTrackerSettings, Cues]):
     initialised at what is left. What the two papers do differently is in their `Cues`.
 
     Where we differ from the sources and why:
-        - a newcomer must be seen in several frames before it gets an id: noise is not a person;
+        - a track is tentative until it was seen in several frames: noise is not a person;
         - people seen a moment ago choose their detections before those missed for long, who
           search wider: an old track does not take what belongs to a present one; nor does a
           present one take what suits somebody missed better;
         - a person expected to be hidden by others pays for a detection: what is seen is more
           likely the one in front;
         - a detection that suits two people nearly alike is nobody's, as a merged region is;
-        - those not seen are weighed by where they could not be seen (see `unseen`);
+        - those not seen are weighed by where they could not be seen (see `update_missed`);
         - a match far from all particles scatters them anew around it: the cloud had lost its
           person, and resampling would leave it as one point;
         - velocity is smoothed over several matches: one frame's movement is mostly noise;
@@ -76,34 +88,36 @@ class StereoTracker(StereoFilter[StereoTrackerSettings, Cues]):
     def step(self, observation: Observation) -> StepResult:
         """Take one frame further."""
         seen = observation.people
-        colours = self._cues.seen(seen)
-        before, elapsed_s = self._begun(observation, colours)
+        colours = self._cues.measure_colours(seen)
+        before, elapsed_s = self._begin_frame(observation, colours)
         measured = seen.position[:, :2]
         way = before.velocity * elapsed_s
-        expected = predicted(before, way, self._settings, elapsed_s, self._random)
+        expected = predict(before, way, self._settings, elapsed_s, self._random)
         bodies, size = Bodies.at(expected.position, self._view), self._view.camera.size
         shown = expected_visibility(expected, bodies.boxes(expected.outline), size)
         costs = costs_of(expected, measured, colours, self._cues, self._settings, shown)
         pairs = match_people(expected, costs, ~seen.merged, self._settings)
-        people = aged(expected, pairs.track, elapsed_s)
+        people = age_tracks(expected, pairs.track, elapsed_s)
         since_s = expected.missed_s[pairs.track] + elapsed_s
-        shared = shared_regions(expected, bodies, pairs, seen, self._view)
+        shared = find_shared_regions(expected, bodies, pairs, seen, self._view)
         alone = shared.alone_of(pairs)
-        clear = apart(expected, pairs.track, self._settings.colour_distance_m)
+        clear = find_isolated(expected, pairs.track, self._settings.colour_distance_m)
         match = Match(pairs, shared, clear, seen, colours, since_s)
-        people = matched(people, match, self._cues, self._settings, self._random)
-        people = unseen(people, elapsed_s, self._view, self._settings)
-        people = guests_kept(people, expected, shared, self._settings, self._random)
+        people = update_matched(people, match, self._cues, self._settings, self._random)
+        people = update_missed(people, elapsed_s, self._view, self._settings)
+        people = update_occluded(people, expected, shared, self._settings, self._random)
         bodies = Bodies.at(people.position, self._view)
-        people = outlined(people, pairs, alone, seen, elapsed_s, bodies)
+        people = update_outlines(people, pairs, alone, seen, elapsed_s, bodies)
         box = bodies.boxes(people.outline)
-        people = self._cues.walked(people, elapsed_s)
-        people, self._last_id = confirmed(people, self._settings.confirm_matches, self._last_id)
+        people = self._cues.update_anchors(people, elapsed_s)
+        people, self._last_id = confirm_tracks(
+            people, self._settings.confirm_matches, self._last_id
+        )
         result = step_result(observation, people, box, pairs, alone, costs, self._view)
-        self._people = self._carried(people, box, pairs, seen, colours)
+        self._people = self._carry_over(people, box, pairs, seen, colours)
         return result
 
-    def _carried(
+    def _carry_over(
         self,
         people: Population,
         box: Floats,
@@ -111,7 +125,7 @@ class StereoTracker(StereoFilter[StereoTrackerSettings, Cues]):
         seen: Detections,
         colours: Colours,
     ) -> Population:
-        """Who goes into the next frame: resampled, the lost left behind, newcomers joined.
+        """Who goes into the next frame: resampled, the lost deleted, tentative tracks joined.
 
         Args:
             box: (people, 4) px of their bodies.
@@ -120,7 +134,7 @@ class StereoTracker(StereoFilter[StereoTrackerSettings, Cues]):
         people = people.replace(particles=resampled)
         free = ~seen.merged
         free[pairs.detection] = False
-        spots = Newcomers(seen, colours, np.flatnonzero(free))
-        new = newcomers(people, spots, self._settings, self._random, self._view)
-        there = still_there(people, box, self._settings, self._view.camera.size)
-        return joined((people.select(there), new))
+        spots = BirthCandidates(seen, colours, np.flatnonzero(free))
+        new = initiate_tracks(people, spots, self._settings, self._random, self._view)
+        there = should_keep(people, box, self._settings, self._view.camera.size)
+        return concatenate((people.select(there), new))

@@ -68,7 +68,7 @@ class Bodies:
         return np.concatenate((low, low + box[:, 2:]), axis=1) / self.px_per_m
 
 
-def outlined(
+def update_outlines(
     people: Population,
     pairs: Association,
     alone: NDArray[np.bool_],
@@ -89,7 +89,7 @@ def outlined(
     share = np.maximum(share, 1.0 / people.matches[rows])[:, None]
     old = people.outline[rows]
     new = bodies.select(rows).outlines(seen.box[chosen])
-    return people.changed(rows, outline=old + share * (new - old))
+    return people.with_rows(rows, outline=old + share * (new - old))
 
 
 def shown_boxes(

@@ -57,11 +57,11 @@ class HalvesOfFirstFrames:
 
     settings: StereoColourSettings
 
-    def seen(self, people: Detections) -> NDArray[np.float32]:
+    def measure_colours(self, people: Detections) -> NDArray[np.float32]:
         """(detections, 2, bins) histograms."""
         return np.stack((people.upper, people.lower), axis=1)
 
-    def updated(
+    def update_colours(
         self, model: NDArray[np.float32], seen: NDArray[np.float32], matches: NDArray[np.int32]
     ) -> NDArray[np.float32]:
         """The models after one more match; they stand still once the first frames are over.
@@ -72,7 +72,7 @@ class HalvesOfFirstFrames:
         share = np.where(matches < self.settings.model_frames, 1.0 / (matches + 1), 0.0)
         return model + share.astype(np.float32)[:, None, None] * (seen - model)
 
-    def complete(self, matches: NDArray[np.int32]) -> NDArray[np.bool_]:
+    def is_complete(self, matches: NDArray[np.int32]) -> NDArray[np.bool_]:
         """(people,) whose first frames are over: before, the paper compares no colours."""
         return np.asarray(matches >= self.settings.model_frames)
 
@@ -80,7 +80,7 @@ class HalvesOfFirstFrames:
         """The walking direction is no cue of this paper's: NaN for all pairs."""
         return np.full((len(people), len(measured)), np.nan)
 
-    def walked(self, people: Population, elapsed_s: float) -> Population:  # noqa: ARG002
+    def update_anchors(self, people: Population, elapsed_s: float) -> Population:  # noqa: ARG002
         """Nothing is kept of where people walked."""
         return people
 

@@ -19,21 +19,21 @@ Floats = NDArray[np.float64]
 class Cues(Protocol):
     """The cues of one paper beyond distance."""
 
-    def seen(self, people: Detections) -> NDArray[np.float32]:
+    def measure_colours(self, people: Detections) -> NDArray[np.float32]:
         """Colours of each detection: (detections, cues, bins) histograms."""
 
-    def updated(
+    def update_colours(
         self, model: NDArray[np.float32], seen: NDArray[np.float32], matches: NDArray[np.int32]
     ) -> NDArray[np.float32]:
         """Colour models (people, cues, bins) after one more match."""
 
-    def complete(self, matches: NDArray[np.int32]) -> NDArray[np.bool_]:
+    def is_complete(self, matches: NDArray[np.int32]) -> NDArray[np.bool_]:
         """Of whom, matched so often (people,), the colour model is what the paper compares with."""
 
     def direction(self, people: Population, measured: Floats) -> Floats:
         """Da of every pair (people, detections); NaN where a direction is missing."""
 
-    def walked(self, people: Population, elapsed_s: float) -> Population:
+    def update_anchors(self, people: Population, elapsed_s: float) -> Population:
         """The people with the positions brought up to date that directions are taken between."""
 
 

@@ -33,7 +33,7 @@ class StereoDirectionSettings(WalkingSettings, StereoTrackerSettings):
 class MiddleUpdated(WalkingCues):
     """Hue and saturation of the region's middle, updated after each match."""
 
-    def seen(self, people: Detections) -> NDArray[np.float32]:
+    def measure_colours(self, people: Detections) -> NDArray[np.float32]:
         """(detections, 1, bins) histograms."""
         return people.middle[:, None, :]
 

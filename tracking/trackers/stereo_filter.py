@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 from tracking.filtering import move
 from tracking.geometry import View
 from tracking.people import Observation
-from tracking.trackers.population import Population, nobody
+from tracking.trackers.population import Population, empty_population
 from tracking.trackers.resumption import Resume
 from tracking.trackers.stereo_cues import Cues
-from tracking.trackers.stereo_resuming import resumed
+from tracking.trackers.stereo_resuming import resume_people
 from tracking.trackers.stereo_settings import StereoFilterSettings, StereoTrackerSettings
 
 SettingsT = TypeVar("SettingsT", bound=StereoFilterSettings)
@@ -46,17 +46,17 @@ class StereoFilter(Generic[SettingsT, CuesT]):
 
     def resume(self, resume: Resume, observations: Iterable[Observation]) -> None:
         """Go on with the people as corrected; those who are new get ids above all there were."""
-        people, self._time_s = resumed(
+        people, self._time_s = resume_people(
             resume, observations, self._view, self._settings, self._cues, self._random
         )
-        self._people = self._gone_on(people)
+        self._people = self._resume_people(people)
         self._last_id = resume.highest_track
 
-    def _gone_on(self, people: Population) -> Population:
+    def _resume_people(self, people: Population) -> Population:
         """The people to go on with, of those resumed."""
         return people
 
-    def _begun(
+    def _begin_frame(
         self, observation: Observation, colours: NDArray[np.float32]
     ) -> tuple[Population, float]:
         """The people as the frame before left them, and the seconds since; nobody at first.
@@ -67,14 +67,14 @@ class StereoFilter(Generic[SettingsT, CuesT]):
             colours: (detections, cues, bins), which say how colour models look.
         """
         if self._people is None:
-            self._people = nobody(self._settings.particles, *colours.shape[1:])
+            self._people = empty_population(self._settings.particles, *colours.shape[1:])
             self._time_s = observation.time_s
         elapsed_s = max(observation.time_s - self._time_s, 0.0)
         self._time_s = max(observation.time_s, self._time_s)
         return self._people, elapsed_s
 
 
-def predicted(
+def predict(
     people: Population,
     step: NDArray[np.float64],
     settings: StereoTrackerSettings,

@@ -19,8 +19,8 @@ def match_people(
 ) -> Association:
     """Pairs of people and detections with the smallest total cost, in three turns.
 
-    First choose those seen a moment ago, then those missed for long, then newcomers. What suits
-    somebody missed for long better than who chose it is left to them. A detection that suits
+    First choose those seen a moment ago, then those missed for long, then tentative tracks. What
+    suits somebody missed for long better than who chose it is left to them. A detection that suits
     somebody left over nearly as well is taken back: it may be both of them.
 
     Args:

@@ -10,16 +10,16 @@ from numpy.typing import NDArray
 from tracking.filtering import Association, nearest_first, resample, weigh, weighted_mean
 from tracking.geometry import View
 from tracking.people import Detections, Observation
-from tracking.trackers.births_and_ends import Newcomers, confirmed, started
-from tracking.trackers.population import Population, joined
+from tracking.trackers.births_and_ends import BirthCandidates, confirm_tracks, start_tracks
+from tracking.trackers.population import Population, concatenate
 from tracking.trackers.protocol import StepResult
-from tracking.trackers.run_smoother import smoothed
+from tracking.trackers.run_smoother import smooth_run
 from tracking.trackers.stereo_boxes import Bodies
 from tracking.trackers.stereo_cues import Costs, Cues, cue_values
-from tracking.trackers.stereo_filter import StereoFilter, predicted
+from tracking.trackers.stereo_filter import StereoFilter, predict
 from tracking.trackers.stereo_result import step_result
 from tracking.trackers.stereo_settings import StereoTrackerSettings
-from tracking.trackers.stereo_update import aged
+from tracking.trackers.stereo_update import age_tracks
 from tracking.tracks.columns import Columns
 from tracking.tracks.run import Run
 
@@ -46,7 +46,7 @@ class PaperTracker(StereoFilter[StereoTrackerSettings, Cues]):
         super().__init__(view, settings, cues, seed)
         self._moved = np.zeros((0, 2))
 
-    def _gone_on(self, people: Population) -> Population:
+    def _resume_people(self, people: Population) -> Population:
         """The people to go on with; the corrected rows' velocity is their last movement."""
         self._moved = people.velocity
         return people
@@ -54,30 +54,32 @@ class PaperTracker(StereoFilter[StereoTrackerSettings, Cues]):
     def step(self, observation: Observation) -> StepResult:
         """Take one frame further."""
         seen = observation.people
-        colours = self._cues.seen(seen)
-        before, elapsed_s = self._begun(observation, colours)
-        expected = self._predicted(before, elapsed_s)
+        colours = self._cues.measure_colours(seen)
+        before, elapsed_s = self._begin_frame(observation, colours)
+        expected = self._predict(before, elapsed_s)
         costs = paper_costs(expected, seen.position[:, :2], colours, self._cues, self._settings)
         allowed = costs.allowed & ~seen.merged
         pairs = nearest_first(costs.total, allowed)
-        people, moved = self._weighed(expected, pairs, seen, colours, elapsed_s)
-        people = self._cues.walked(people, elapsed_s)
+        people, moved = self._update_matched(expected, pairs, seen, colours, elapsed_s)
+        people = self._cues.update_anchors(people, elapsed_s)
         free = ~seen.merged
         free[pairs.detection] = False
-        spots = Newcomers(seen, colours, np.flatnonzero(free))
-        new = started(spots, self._settings, self._random, self._view)
-        new, self._last_id = confirmed(new, 1, self._last_id)
-        everybody = joined((people, new))
-        self._people, self._moved = self._carried(everybody, np.concatenate((moved, new.velocity)))
-        return _told(observation, everybody, pairs, spots, costs, self._view)
+        spots = BirthCandidates(seen, colours, np.flatnonzero(free))
+        new = start_tracks(spots, self._settings, self._random, self._view)
+        new, self._last_id = confirm_tracks(new, 1, self._last_id)
+        everybody = concatenate((people, new))
+        self._people, self._moved = self._carry_over(
+            everybody, np.concatenate((moved, new.velocity))
+        )
+        return _report(observation, everybody, pairs, spots, costs, self._view)
 
-    def _predicted(self, people: Population, elapsed_s: float) -> Population:
+    def _predict(self, people: Population, elapsed_s: float) -> Population:
         """Everybody moved on by the last movement, or while missed by the velocity."""
         missed = people.missed_s[:, None] > 0.0
         step = np.where(missed, people.velocity, self._moved) * elapsed_s
-        return predicted(people, step, self._settings, elapsed_s, self._random)
+        return predict(people, step, self._settings, elapsed_s, self._random)
 
-    def _weighed(
+    def _update_matched(
         self,
         people: Population,
         pairs: Association,
@@ -100,18 +102,18 @@ class PaperTracker(StereoFilter[StereoTrackerSettings, Cues]):
         share = np.maximum(1.0 / mine.matches, 1.0 - kept)[:, None]
         moved = self._moved.copy()
         moved[rows] = movement
-        return aged(people, rows, elapsed_s).changed(
+        return age_tracks(people, rows, elapsed_s).with_rows(
             rows,
             weight=weight,
             position=position,
             velocity=mine.velocity + share * (movement - mine.velocity),
             matches=mine.matches + 1,
             seen_at=position,
-            colour=self._cues.updated(mine.colour, colours[chosen], mine.matches),
+            colour=self._cues.update_colours(mine.colour, colours[chosen], mine.matches),
             outline=Bodies.at(position, self._view).outlines(seen.box[chosen]),
         ), moved
 
-    def _carried(self, people: Population, moved: Floats) -> tuple[Population, Floats]:
+    def _carry_over(self, people: Population, moved: Floats) -> tuple[Population, Floats]:
         """Who goes into the next frame, resampled; those missed for too long have ended."""
         there = people.missed_s <= self._settings.lost_after_s
         kept = people.select(there)
@@ -119,15 +121,15 @@ class PaperTracker(StereoFilter[StereoTrackerSettings, Cues]):
         return kept.replace(particles=particles), moved[there]
 
 
-def finished(run: Run, view: View, fps: float, given: Columns | None = None) -> Run:
+def finish_run(run: Run, view: View, fps: float, given: Columns | None = None) -> Run:
     """The run smoothed from both ends; not with `paper`: there all comes from what came before.
 
     Args:
-        view: the camera. fps: frames a second. given: see `smoothed`.
+        view: the camera. fps: frames a second. given: see `smooth_run`.
     """
     if run.settings.get("paper", False):
         return run
-    return smoothed(run, view, fps, given)
+    return smooth_run(run, view, fps, given)
 
 
 def paper_costs(
@@ -146,21 +148,21 @@ def paper_costs(
         colours: (detections, cues, bins).
     """
     distance, colour, direction = cue_values(people, measured, colours, cues)
-    colour[~cues.complete(people.matches)] = np.nan
+    colour[~cues.is_complete(people.matches)] = np.nan
     told = settings.colour_weight * np.nan_to_num(colour) + np.nan_to_num(direction)
     total = distance + told
     return Costs(distance, colour, direction, total, distance <= settings.gate_m)
 
 
-def _told(
+def _report(
     observation: Observation,
     people: Population,
     pairs: Association,
-    spots: Newcomers,
+    spots: BirthCandidates,
     costs: Costs,
     view: View,
 ) -> StepResult:
-    """The frame's result; the last of the people are newcomers at the free detections."""
+    """The frame's result; the last of the people are new, at the free detections."""
     box = Bodies.at(people.position, view).boxes(people.outline)
     alone = np.ones(len(pairs.track), bool)
     result = step_result(observation, people, box, pairs, alone, costs, view)

@@ -37,16 +37,16 @@ def step_result(
     alone: NDArray[np.bool_],
     costs: Costs,
     view: View,
-    told: NDArray[np.bool_] | None = None,
+    reported: NDArray[np.bool_] | None = None,
 ) -> StepResult:
     """The frame's result: confirmed people only, sorted by track.
 
     Args:
         box: (people, 4) px of their bodies. alone: (pairs,) whose region holds nobody else.
-        told: (people,) who of those confirmed is to be told of; None: everybody.
+        reported: (people,) who of those confirmed is reported; None: everybody.
     """
     box = shown_boxes(box, pairs, alone, observation.people)
-    rows = np.flatnonzero(people.confirmed if told is None else people.confirmed & told)
+    rows = np.flatnonzero(people.confirmed if reported is None else people.confirmed & reported)
     rows = rows[np.argsort(people.track[rows])]
     frame, track = observation.frame, people.track[rows]
     particles, weight = people.particles[rows], people.weight[rows]

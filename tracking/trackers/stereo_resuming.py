@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from tracking.filtering import associate, scatter
 from tracking.geometry import View
 from tracking.people import Detections, Observation
-from tracking.trackers.population import Population, unknown_looks, unknown_motion
+from tracking.trackers.population import Population, unknown_appearance, unknown_motion
 from tracking.trackers.resumption import Resume, is_apart, is_seen, only
 from tracking.trackers.stereo_boxes import Bodies
 from tracking.trackers.stereo_cues import Cues
@@ -56,7 +56,7 @@ class Views:
     usual: Colours
 
 
-def resumed(
+def resume_people(
     resume: Resume,
     observations: Iterable[Observation],
     view: View,
@@ -73,14 +73,14 @@ def resumed(
     Args:
         observations: of the frames `resume.looks`, in order.
     """
-    rows = _placed(resume.rows, view)
+    rows = _place_on_floor(resume.rows, view)
     people = np.unique(rows["track"])
-    views, time_s = _views(rows, people, observations, cues)
-    population = _standing(rows, people, views, resume, view, settings, random)
-    return _walked(population, rows, resume, cues), time_s
+    views, time_s = _collect_views(rows, people, observations, cues)
+    population = _resumable(rows, people, views, resume, view, settings, random)
+    return _replay_anchors(population, rows, resume, cues), time_s
 
 
-def _standing(
+def _resumable(
     rows: Columns,
     people: NDArray[np.int32],
     views: Views,
@@ -108,12 +108,12 @@ def _standing(
         anchor_age_s=np.zeros(len(people)),
         outline=_outlines(rows, people, view),
         confidence=confidence,
-        looks=unknown_looks(len(people)),
+        appearance=unknown_appearance(len(people)),
         motion=unknown_motion(spread),
     )
 
 
-def _placed(rows: Columns, view: View) -> Columns:
+def _place_on_floor(rows: Columns, view: View) -> Columns:
     """The rows with a place on the floor: of those drawn without one, below the box."""
     foot = np.column_stack((rows["left"] + rows["width"] / 2, rows["top"] + rows["height"]))
     below = view.floor_from_pixel(foot)
@@ -123,7 +123,7 @@ def _placed(rows: Columns, view: View) -> Columns:
     return only(placed, np.asarray(np.isfinite(place).all(axis=1)))
 
 
-def _views(
+def _collect_views(
     rows: Columns, people: NDArray[np.int32], observations: Iterable[Observation], cues: Cues
 ) -> tuple[Views, float]:
     worth = is_seen(rows) * np.nan_to_num(rows["visibility"]).astype(np.float64)
@@ -132,9 +132,9 @@ def _views(
     time_s = 0.0
     for observation in observations:
         seen, time_s = observation.people, observation.time_s
-        colours = cues.seen(seen)
+        colours = cues.measure_colours(seen)
         here = np.flatnonzero((rows["frame"] == observation.frame) & (worth > 0.0))
-        row, detection = _matched(only(rows, here), seen)
+        row, detection = _match_rows(only(rows, here), seen)
         person.append(np.searchsorted(people, rows["track"][here[row]]))
         colour.append(colours[detection])
         value.append(worth[here[row]] * np.where(seen.truncated[detection], _CUT_OFF, 1.0))
@@ -144,7 +144,7 @@ def _views(
     return Views(*together, np.concatenate(value), usual), time_s
 
 
-def _matched(rows: Columns, seen: Detections) -> tuple[Indices, Indices]:
+def _match_rows(rows: Columns, seen: Detections) -> tuple[Indices, Indices]:
     """Rows of a frame and the detections that lie where they do."""
     offset = np.column_stack((rows["x"], rows["y"]))[:, None] - seen.position[None, :, :2]
     away_m = np.hypot(offset[..., 0], offset[..., 1])
@@ -232,7 +232,7 @@ def _outlines(rows: Columns, people: NDArray[np.int32], view: View) -> Floats:
     return np.column_stack(sides) / total[:, None]
 
 
-def _walked(people: Population, rows: Columns, resume: Resume, cues: Cues) -> Population:
+def _replay_anchors(people: Population, rows: Columns, resume: Resume, cues: Cues) -> Population:
     """The people with the way told that they walked before, frame by frame."""
     late = only(rows, rows["frame"] >= resume.frame - round(_WALK_S * resume.fps))
     number = np.searchsorted(people.track, late["track"])
@@ -244,6 +244,6 @@ def _walked(people: Population, rows: Columns, resume: Resume, cues: Cues) -> Po
     then = people.replace(position=first, missed_s=np.zeros(len(people)), anchors=anchors)
     for frame in np.unique(late["frame"]):
         here = late["frame"] == frame
-        then = then.changed(number[here], position=place[here])
-        then = cues.walked(then, 1.0 / resume.fps)
+        then = then.with_rows(number[here], position=place[here])
+        then = cues.update_anchors(then, 1.0 / resume.fps)
     return people.replace(anchors=then.anchors, anchor_age_s=then.anchor_age_s)

@@ -24,19 +24,19 @@ _FARTHEST_M = 0.6
 
 
 @dataclass(frozen=True, slots=True)
-class Shared:
+class SharedRegions:
     """People in regions that hold two of them.
 
     Attributes:
-        owner: (k,) index of the pair whose detection is shared. guest: (k,) row of the person
+        owner: (k,) index of the pair whose detection is shared. occluded: (k,) row of the person
             without a detection who is part of it.
-        owner_at, guest_at: (k, 2) m, where the region's sides put them.
+        owner_at, occluded_at: (k, 2) m, where the region's sides put them.
     """
 
     owner: NDArray[np.intp]
-    guest: NDArray[np.intp]
+    occluded: NDArray[np.intp]
     owner_at: Floats
-    guest_at: Floats
+    occluded_at: Floats
 
     def alone_of(self, pairs: Association) -> NDArray[np.bool_]:
         """(pairs,) whose region holds nobody else."""
@@ -45,16 +45,16 @@ class Shared:
         return alone
 
 
-_NOBODY = Shared(*np.zeros((2, 0), np.intp), *np.zeros((2, 0, 2)))
+_NOBODY = SharedRegions(*np.zeros((2, 0), np.intp), *np.zeros((2, 0, 2)))
 
 
-def shared_regions(
+def find_shared_regions(
     people: Population, bodies: Bodies, pairs: Association, seen: Detections, view: View
-) -> Shared:
+) -> SharedRegions:
     """Find the regions that hold two people and put each on its side.
 
     [Kawashita2014] section 3.4 leaves regions larger than a person out. Where we differ: a region
-    wider than the remembered outline of who took it, with somebody else expected in it, is both
+    wider than the learnt outline of who took it, with somebody else expected in it, is both
     of them; its left side is the left one's and its right side the right one's, so that both stay
     where they are instead of one taking the middle and the other drifting off.
 
@@ -64,26 +64,26 @@ def shared_regions(
     """
     alone = people.confirmed & (people.missed_s < _PATIENCE_S)
     alone[pairs.track] = False
-    guest = np.flatnonzero(alone)
-    if len(guest) == 0:
+    occluded = np.flatnonzero(alone)
+    if len(occluded) == 0:
         return _NOBODY
     box = bodies.boxes(people.outline)
     region = seen.box[pairs.detection]
-    inside = _share_inside(box[guest], region)
+    inside = _share_inside(box[occluded], region)
     room = region[:, 2] > _WIDER * box[pairs.track, 2]
     inside[:, ~room] = 0.0
     rows = np.flatnonzero(inside.max(axis=1, initial=0.0) >= _INSIDE)
     if len(rows) == 0:
         return _NOBODY
     owner, first = np.unique(inside[rows].argmax(axis=1), return_index=True)
-    guest = guest[rows[first]]
+    occluded = occluded[rows[first]]
     host = pairs.track[owner]
-    left_guest = (box[guest, 0] + box[guest, 2] / 2) < (box[host, 0] + box[host, 2] / 2)
-    return Shared(
+    left_occluded = (box[occluded, 0] + box[occluded, 2] / 2) < (box[host, 0] + box[host, 2] / 2)
+    return SharedRegions(
         owner,
-        guest,
-        _beside(bodies.select(host), box[host], region[owner], ~left_guest, view),
-        _beside(bodies.select(guest), box[guest], region[owner], left_guest, view),
+        occluded,
+        _beside(bodies.select(host), box[host], region[owner], ~left_occluded, view),
+        _beside(bodies.select(occluded), box[occluded], region[owner], left_occluded, view),
     )
 
 

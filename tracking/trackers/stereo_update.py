@@ -21,7 +21,7 @@ from tracking.people import Detections
 from tracking.trackers.population import Population
 from tracking.trackers.stereo_cues import Cues, likelihood_sigma
 from tracking.trackers.stereo_settings import StereoFilterSettings, StereoTrackerSettings
-from tracking.trackers.stereo_sharing import Shared
+from tracking.trackers.stereo_sharing import SharedRegions
 
 Floats = NDArray[np.float64]
 _SCATTERED_SHARE = 0.01
@@ -39,20 +39,20 @@ class Match:
     Attributes:
         pairs: rows of the population and of the detections.
         shared: which of their regions hold somebody else too.
-        apart: (pairs,) who has nobody close, so that a region's colours are theirs.
+        isolated: (pairs,) who has nobody close, so that a region's colours are theirs.
         seen: all detections. colours: (detections, cues, bins) of all.
         since_s: (pairs,) seconds since each matched person's last match.
     """
 
     pairs: Association
-    shared: Shared
-    apart: NDArray[np.bool_]
+    shared: SharedRegions
+    isolated: NDArray[np.bool_]
     seen: Detections
     colours: NDArray[np.float32]
     since_s: Floats
 
 
-def aged(people: Population, rows: NDArray[np.intp], elapsed_s: float) -> Population:
+def age_tracks(people: Population, rows: NDArray[np.intp], elapsed_s: float) -> Population:
     """Everybody one frame older: seconds missed, confidence; `rows` are those matched."""
     missed_s = people.missed_s + elapsed_s
     missed_s[rows] = 0.0
@@ -63,7 +63,7 @@ def aged(people: Population, rows: NDArray[np.intp], elapsed_s: float) -> Popula
     return people.replace(missed_s=missed_s, confidence=confidence, weight=weight)
 
 
-def matched(
+def update_matched(
     people: Population,
     match: Match,
     cues: Cues,
@@ -79,9 +79,9 @@ def matched(
     measured = match.seen.position[chosen, :2]
     measured[match.shared.owner] = match.shared.owner_at
     sigma = likelihood_sigma(measured, settings)
-    particles, weight = weighed(mine.particles, measured, sigma, random)
+    particles, weight = weigh_or_scatter(mine.particles, measured, sigma, random)
     position = weighted_mean(particles, weight)
-    return people.changed(
+    return people.with_rows(
         rows,
         particles=particles,
         weight=weight,
@@ -90,17 +90,17 @@ def matched(
         matches=mine.matches + 1,
         seen_at=position,
         colour=np.where(
-            match.apart[:, None, None],
-            cues.updated(mine.colour, match.colours[chosen], mine.matches),
+            match.isolated[:, None, None],
+            cues.update_colours(mine.colour, match.colours[chosen], mine.matches),
             mine.colour,
         ),
     )
 
 
-def guests_kept(
+def update_occluded(
     people: Population,
     expected: Population,
-    shared: Shared,
+    shared: SharedRegions,
     settings: StereoFilterSettings,
     random: np.random.Generator,
 ) -> Population:
@@ -108,12 +108,12 @@ def guests_kept(
 
     They count as predicted: [Kawashita2014] takes people in merged regions as undetected.
     """
-    rows = shared.guest
+    rows = shared.occluded
     if len(rows) == 0:
         return people
-    sigma = 2.0 * likelihood_sigma(shared.guest_at, settings)
-    particles, weight = weighed(people.particles[rows], shared.guest_at, sigma, random)
-    return people.changed(
+    sigma = 2.0 * likelihood_sigma(shared.occluded_at, settings)
+    particles, weight = weigh_or_scatter(people.particles[rows], shared.occluded_at, sigma, random)
+    return people.with_rows(
         rows,
         particles=particles,
         weight=weight,
@@ -122,7 +122,7 @@ def guests_kept(
     )
 
 
-def unseen(
+def update_missed(
     people: Population,
     elapsed_s: float,
     view: View,
@@ -132,7 +132,7 @@ def unseen(
     """Those not seen, weighed by where they would not be: behind the people who were seen.
 
     Where we differ from the sources: there prediction alone carries people who are not detected.
-    That somebody is not seen tells where he is not.
+    That somebody is not seen tells where he is not: negative evidence (Koch 2007).
 
     Args:
         sought: (people,) who may be behind others; None: everybody who is not seen.
@@ -150,10 +150,10 @@ def unseen(
     weight /= weight.sum(axis=1, keepdims=True)
     before = mine.mean(axis=1)
     position = people.position[lost] + weighted_mean(mine, weight) - before
-    return people.changed(lost, weight=weight, position=position)
+    return people.with_rows(lost, weight=weight, position=position)
 
 
-def weighed(
+def weigh_or_scatter(
     particles: NDArray[np.float32],
     measured: Floats,
     sigma: Floats,
@@ -170,7 +170,9 @@ def weighed(
     return particles, weight
 
 
-def apart(people: Population, rows: NDArray[np.intp], distance_m: float) -> NDArray[np.bool_]:
+def find_isolated(
+    people: Population, rows: NDArray[np.intp], distance_m: float
+) -> NDArray[np.bool_]:
     """Whether nobody else followed is close, so that a region's colours are one person's."""
     offset = people.position[rows, None] - people.position[None]
     close = np.hypot(offset[..., 0], offset[..., 1]) < distance_m

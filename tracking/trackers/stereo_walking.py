@@ -75,7 +75,7 @@ def turning_cost(people: Population, measured: Floats, settings: WalkingSettings
     return direction_cost(angle, settings.direction_threshold_rad, settings.direction_weight)
 
 
-def walked_on(people: Population, elapsed_s: float, step_m: float) -> Population:
+def move_anchors(people: Population, elapsed_s: float, step_m: float) -> Population:
     """Where a person is becomes the newer anchor once it is far enough from the last."""
     newer = people.anchors[:, 1]
     gone = people.position - newer
@@ -94,7 +94,7 @@ class WalkingCues:
 
     settings: WalkingSettings
 
-    def updated(
+    def update_colours(
         self, model: NDArray[np.float32], seen: NDArray[np.float32], matches: NDArray[np.int32]
     ) -> NDArray[np.float32]:
         """The models after one more match: a running mean, at first of everything seen.
@@ -109,7 +109,7 @@ class WalkingCues:
         share = np.maximum(1.0 / (matches + 1), 1.0 - self.settings.colour_memory)
         return share.astype(np.float32)
 
-    def complete(self, matches: NDArray[np.int32]) -> NDArray[np.bool_]:
+    def is_complete(self, matches: NDArray[np.int32]) -> NDArray[np.bool_]:
         """(people,) everybody from the first sighting on."""
         return np.asarray(matches > 0)
 
@@ -117,6 +117,6 @@ class WalkingCues:
         """Da of every pair: how much the way to each detection turns from the way walked."""
         return turning_cost(people, measured, self.settings)
 
-    def walked(self, people: Population, elapsed_s: float) -> Population:
+    def update_anchors(self, people: Population, elapsed_s: float) -> Population:
         """The people with the positions brought up to date that directions are taken between."""
-        return walked_on(people, elapsed_s, self.settings.direction_step_m)
+        return move_anchors(people, elapsed_s, self.settings.direction_step_m)

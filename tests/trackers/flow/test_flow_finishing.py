@@ -11,8 +11,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.trackers.flow.flow_scenes import FPS, view_of
-from tracking.trackers import smoothed
-from tracking.trackers.flow import finished
+from tracking.trackers import smooth_run
+from tracking.trackers.flow import finish_run
 from tracking.trackers.flow.pieces import joined
 from tracking.tracks.columns import (
     ASSOCIATION_COLUMNS,
@@ -96,14 +96,14 @@ def with_points(run: Run, frames: range, feet_m: float = 0.0) -> Run:
 
 
 def test_pieces_of_one_way_are_one_track() -> None:
-    found = finished(run_of((1, range(20, 40), *ONE), (2, range(52, 70), *ONE)), VIEW, FPS)
+    found = finish_run(run_of((1, range(20, 40), *ONE), (2, range(52, 70), *ONE)), VIEW, FPS)
     assert set(found.tracks["track"]) == {1}
     assert set(found.detections["track"]) == {1}
     assert set(np.asarray(found.tracklets.columns["track"])) == {1}
 
 
 def test_between_two_pieces_people_walk_straight_and_count_as_predicted() -> None:
-    found = finished(run_of((1, range(20, 40), *ONE), (2, range(52, 70), *ONE)), VIEW, FPS).tracks
+    found = finish_run(run_of((1, range(20, 40), *ONE), (2, range(52, 70), *ONE)), VIEW, FPS).tracks
     gap = (found["frame"] >= 40) & (found["frame"] < 52)
     assert gap.sum() == 12
     assert found["predicted"][gap].all()
@@ -132,7 +132,7 @@ def test_of_two_who_walk_abreast_each_goes_on_as_who_they_are() -> None:
 
 def test_ways_are_led_back_and_on() -> None:
     run = with_points(run_of((1, range(30, 50), *ONE)), range(FRAMES))
-    found = finished(run, VIEW, FPS).tracks
+    found = finish_run(run, VIEW, FPS).tracks
     assert (found["frame"].min(), found["frame"].max()) == (15, 64)
     assert found["y"] == pytest.approx(12.0 - 0.12 * found["frame"], abs=0.02)
     seen = (found["frame"] >= 30) & (found["frame"] < 50)
@@ -141,25 +141,25 @@ def test_ways_are_led_back_and_on() -> None:
 
 def test_ways_are_led_no_farther_than_points_are_followed_there() -> None:
     run = with_points(run_of((1, range(30, 50), *ONE)), range(25, 56))
-    found = finished(run, VIEW, FPS).tracks
+    found = finish_run(run, VIEW, FPS).tracks
     assert (found["frame"].min(), found["frame"].max()) == (25, 55)
 
 
 @pytest.mark.parametrize(("feet_m", "led"), [(-3.0, True), (0.0, True), (3.0, False)])
 def test_who_would_stand_before_the_feet_seen_is_not_there(feet_m: float, led: bool) -> None:
     run = with_points(run_of((1, range(30, 50), *ONE)), range(FRAMES), feet_m)
-    assert finished(run, VIEW, FPS).tracks["predicted"].any() == led
+    assert finish_run(run, VIEW, FPS).tracks["predicted"].any() == led
 
 
 def test_runs_of_which_no_points_are_known_are_led_all_the_same() -> None:
     run = run_of((1, range(30, 50), *ONE))
-    found = finished(replace(run, tracklets=Particles.none(TRACKLET_COLUMNS)), VIEW, FPS).tracks
+    found = finish_run(replace(run, tracklets=Particles.none(TRACKLET_COLUMNS)), VIEW, FPS).tracks
     assert (found["frame"].min(), found["frame"].max()) == (15, 64)
 
 
 def test_who_stands_is_led_nowhere() -> None:
     standing = (0.2, 7.0), (0.0, 0.0)
-    found = finished(run_of((1, range(30, 60), *standing)), VIEW, FPS).tracks
+    found = finish_run(run_of((1, range(30, 60), *standing)), VIEW, FPS).tracks
     assert found["frame"].tolist() == list(range(30, 60))
 
 
@@ -167,7 +167,7 @@ def test_nobody_is_led_out_of_the_picture_nor_of_the_frames_tracked() -> None:
     aside = (-4.2, 7.0), (1.2, 0.0)
     run = run_of((1, range(45, 60), *aside), (2, range(80, 100), (0.2, 14.0), (0.0, -1.2)))
     run = replace(run, tracklets=Particles.none(TRACKLET_COLUMNS))
-    found = finished(run, VIEW, FPS).tracks
+    found = finish_run(run, VIEW, FPS).tracks
     assert found["frame"].max() < FRAMES
     place = np.stack((found["x"], found["y"], np.full(len(found["x"]), 1.2)), axis=1)
     chest = VIEW.pixel_from_world(place)[found["predicted"]]
@@ -176,20 +176,20 @@ def test_nobody_is_led_out_of_the_picture_nor_of_the_frames_tracked() -> None:
 
 def test_without_hold_a_run_is_smoothed_as_any() -> None:
     run = run_of((1, range(20, 40), *ONE), (2, range(52, 70), *ONE), hold=False)
-    usual = smoothed(run, VIEW, FPS)
-    found = finished(run, VIEW, FPS)
+    usual = smooth_run(run, VIEW, FPS)
+    found = finish_run(run, VIEW, FPS)
     assert all((found.tracks[name] == usual.tracks[name]).all() for name in TRACK_COLUMNS)
 
 
 def test_a_run_of_nobody_stays_one() -> None:
     nobody = replace(run_of((1, range(20, 40), *ONE)), tracks=empty(TRACK_COLUMNS))
-    assert len(finished(nobody, VIEW, FPS).tracks["track"]) == 0
+    assert len(finish_run(nobody, VIEW, FPS).tracks["track"]) == 0
 
 
 @given(cut=st.integers(8, 40), gap=st.integers(0, 15), x=st.floats(-1.0, 1.0))
 def test_wherever_a_way_is_cut_no_row_stands_twice(cut: int, gap: int, x: float) -> None:
     way = (x, 12.0), (0.0, -1.2)
-    found = finished(
+    found = finish_run(
         run_of((1, range(10, 10 + cut), *way), (2, range(10 + cut + gap, 80), *way)), VIEW, FPS
     ).tracks
     keys = list(zip(found["frame"], found["track"], strict=True))

@@ -1,6 +1,6 @@
 """People followed by bundles of tracklets, gathered by mean shift [Yoneji2013]."""
 
-from tracking.trackers.flow.finisher import finished
+from tracking.trackers.flow.finisher import finish_run
 from tracking.trackers.flow.kernels import (
     KernelTable,
     kernel_rectangles,
@@ -14,7 +14,7 @@ __all__ = [
     "FlowSettings",
     "KernelTable",
     "build_flow",
-    "finished",
+    "finish_run",
     "kernel_rectangles",
     "kernel_sizes",
     "kernel_table",

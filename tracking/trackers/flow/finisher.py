@@ -14,7 +14,7 @@ from tracking.trackers.flow.relabel_run import retold
 from tracking.trackers.flow.result import BODY_WIDTH_M
 from tracking.trackers.flow.silhouettes import USUAL_HEIGHT_M
 from tracking.trackers.flow.witnesses import Witnesses
-from tracking.trackers.run_smoother import smoothed
+from tracking.trackers.run_smoother import smooth_run
 from tracking.tracks.columns import TRACK_COLUMNS, Columns
 from tracking.tracks.run import Run
 
@@ -31,7 +31,7 @@ _MEMORY_S = 0.25
 _CHEST_M = 1.2
 
 
-def finished(run: Run, view: View, fps: float, given: Columns | None = None) -> Run:
+def finish_run(run: Run, view: View, fps: float, given: Columns | None = None) -> Run:
     """The run as seen from its end.
 
     Beyond [Yoneji2013], which counts frame by frame. In a crowd people are found late and lost
@@ -39,19 +39,19 @@ def finished(run: Run, view: View, fps: float, given: Columns | None = None) -> 
         - people are those whose ways explain the tracklets over all their time, see `retold`;
         - pieces that lead from one to the other are one track;
         - where a track has no rows in between, the person walked straight;
-        - paths are smoothed, see `trackers.smoothed`;
+        - paths are smoothed, see `trackers.smooth_run`;
         - ways are led back and on for a while, at the pace they had, within the picture, as long
           as the tracklets leave room for somebody there, see `Witnesses`.
     What was added counts as predicted. With `hold` off runs are only smoothed.
 
     Args:
-        view: the camera. fps: frames a second. given: see `trackers.smoothed`.
+        view: the camera. fps: frames a second. given: see `trackers.smooth_run`.
     """
     if not run.settings.get("hold"):
-        return smoothed(run, view, fps, given)
+        return smooth_run(run, view, fps, given)
     run = joined(retold(run, view, fps), fps)
     run = replace(run, tracks=_without_gaps(run.tracks, view, fps))
-    run = smoothed(run, view, fps, given, memory_s=_MEMORY_S)
+    run = smooth_run(run, view, fps, given, memory_s=_MEMORY_S)
     led_s = float(run.settings.get("led_s", _USUAL_LED_S))
     return replace(run, tracks=_led(run, view, fps, led_s))
 

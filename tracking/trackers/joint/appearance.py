@@ -1,6 +1,6 @@
-"""What people look like: colours, lightness of clothes and height, and how much they tell.
+"""The appearance model: colours and lightness of clothes, and height.
 
-Standard term: an appearance model, compared by a log-likelihood ratio of same against different.
+People are compared by a log-likelihood ratio of same against different.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.people import Detections
-from tracking.trackers.population import LOOKS, Population
+from tracking.trackers.population import APPEARANCE_SIZE, Population
 
 Floats = NDArray[np.float64]
 Colours = NDArray[np.float32]
@@ -20,19 +20,19 @@ CUES = 5
 """Hue of the upper and the lower body, hue and saturation of the middle, clothes, height."""
 _SAME = (0.06, 0.07, 0.06, 2.5, 0.04)
 _OTHER = (0.5, 0.5, 0.5, 10.0, 0.10)
-"""Mean difference between two looks at one person, and between two people, until it is learnt:
+"""Mean difference between two measurements of one person, and of two people, until learnt:
 `1 - rho` of histograms, CIELAB and metres."""
 _WORTH = 100.0
 """Comparisons those are worth."""
 _MEMORY = 4000.0
-"""Comparisons that are remembered."""
+"""Comparisons that count."""
 _KNOWN = 3.0
-"""Matches after which half of what looks tell is taken for true."""
+"""Matches after which appearance counts for half."""
 _LEAST = 0.02
-"""Share of looks that say nothing, as of people partly covered."""
+"""Share of measurements that say nothing, as of people partly covered."""
 
 
-def colours_of(people: Detections) -> Colours:
+def stack_colours(people: Detections) -> Colours:
     """Hue of the upper and the lower body, and hue with saturation of the middle.
 
     [Kawashita2012] looks at the first two, [Kawashita2014] at the third.
@@ -48,41 +48,43 @@ def colours_of(people: Detections) -> Colours:
     return together
 
 
-def looks_of(people: Detections) -> NDArray[np.float32]:
-    """Clothes and height of each detection, as `Population.looks`."""
-    looks = np.empty((len(people), LOOKS), np.float32)
-    looks[:, :6] = people.clothes.reshape(-1, 6)
-    looks[:, 6] = np.where(people.truncated | people.merged, np.nan, people.size[:, 1])
-    return looks
+def measure_appearance(people: Detections) -> NDArray[np.float32]:
+    """Clothes and height of each detection, as `Population.appearance`."""
+    appearance = np.empty((len(people), APPEARANCE_SIZE), np.float32)
+    appearance[:, :6] = people.clothes.reshape(-1, 6)
+    appearance[:, 6] = np.where(people.truncated | people.merged, np.nan, people.size[:, 1])
+    return appearance
 
 
-def differences(people: Population, colours: Colours, looks: NDArray[np.float32]) -> Floats:
-    """How much every person differs from every look: (people, looks, `CUES`); NaN: not known.
+def appearance_differences(
+    people: Population, colours: Colours, appearance: NDArray[np.float32]
+) -> Floats:
+    """How much each person differs from each detection: (people, detections, `CUES`); NaN: unknown.
 
     Args:
-        colours: as `colours_of`. looks: as `looks_of`.
+        colours: as `stack_colours`. appearance: as `measure_appearance`.
     """
     found = np.empty((len(people), len(colours), CUES))
     rho = np.sqrt(people.colour).transpose(1, 0, 2) @ np.sqrt(colours).transpose(1, 2, 0)
     found[..., :3] = (1.0 - rho).transpose(1, 2, 0)
-    offset = people.looks[:, None] - looks[None]
+    offset = people.appearance[:, None] - appearance[None]
     found[..., 3] = np.sqrt(np.square(offset[..., :6]).mean(axis=2))
     found[..., 4] = np.abs(offset[..., 6])
     return np.maximum(found, 0.0)
 
 
-def trust(people: Population) -> Floats:
-    """(people,) 0 to 1, how far looks count: not much of who is hardly known."""
+def appearance_trust(people: Population) -> Floats:
+    """(people,) 0 to 1, how far appearance counts: little for somebody hardly known."""
     return np.asarray(people.matches / (people.matches + _KNOWN))
 
 
 @dataclass(frozen=True, slots=True)
-class Telling:
-    """How much each cue tells people apart in this footage, learnt while it is tracked.
+class AppearanceModel:
+    """How well each cue tells people apart in this footage, learnt while it is tracked.
 
     Attributes:
-        same, other: (`CUES`,) sums of differences between looks at one person, and between looks
-            at two people. same_count, other_count: (`CUES`,) of how many.
+        same, other: (`CUES`,) sums of differences between measurements of one person, and of
+            two people. same_count, other_count: (`CUES`,) of how many.
     """
 
     same: Floats
@@ -91,22 +93,22 @@ class Telling:
     other_count: Floats
 
     @classmethod
-    def usual(cls) -> Telling:
+    def prior(cls) -> AppearanceModel:
         """What is expected before anything was seen."""
         count = np.full(CUES, _WORTH)
         return cls(np.array(_SAME) * count, np.array(_OTHER) * count, count, count)
 
-    def learnt(self, same: Floats, other: Floats) -> Telling:
+    def update(self, same: Floats, other: Floats) -> AppearanceModel:
         """With more comparisons, (n, `CUES`) each; NaN says nothing."""
         one = _more(self.same, self.same_count, same)
         two = _more(self.other, self.other_count, other)
-        return Telling(one[0], two[0], one[1], two[1])
+        return AppearanceModel(one[0], two[0], one[1], two[1])
 
-    def likeness(self, difference: Floats) -> Floats:
+    def log_likelihood_ratio(self, difference: Floats) -> Floats:
         """Log-likelihood ratio of one person against two, summed over the cues.
 
         Both differences are taken as exponentially distributed. In clothes of one colour, two
-        people differ no more than looks at one do, and colours say nothing.
+        people differ no more than measurements of one do, and colours say nothing.
 
         Args:
             difference: (..., `CUES`).

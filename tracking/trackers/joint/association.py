@@ -1,6 +1,6 @@
-"""The best explanation of a frame: who is which detection, who is missed, who is new.
+"""Which detection is of whom, who is missed and who is new.
 
-Standard term: global nearest neighbour (GNN) data association, a 2-D assignment problem (H. W.
+Global nearest neighbour (GNN) data association, a 2-D assignment problem (H. W.
 Kuhn: The Hungarian Method for the Assignment Problem, 1955).
 """
 
@@ -10,19 +10,22 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.filtering import Association, cheapest_pairs, margins
-from tracking.trackers.joint.evidence import Evidence
+from tracking.trackers.joint.association_likelihoods import AssociationLikelihoods
 from tracking.trackers.population import Population
 
 NAT = 0.1
-"""What a nat is in costs that are told: as large as in the papers' sums of metres and colours."""
+"""What a nat is in reported costs: as large as in the papers' sums of metres and colours."""
 _SEEN_S = 0.5
 """Who was seen so recently may be meant by a detection as well as who has it."""
 
 
-def explained(
-    people: Population, evidence: Evidence, usable: NDArray[np.bool_], least_margin: float
+def associate_people(
+    people: Population,
+    likelihoods: AssociationLikelihoods,
+    usable: NDArray[np.bool_],
+    least_margin: float,
 ) -> tuple[Association, NDArray[np.intp]]:
-    """Pairs of people and detections: the likeliest of all explanations.
+    """Pairs of people and detections: the likeliest association of the frame.
 
     One assignment for everybody: each person has a detection or is missed, each detection is of
     somebody or of somebody new. A detection that suits somebody left over nearly as well may be
@@ -37,11 +40,11 @@ def explained(
     left out of them, and the hazards of the review are fitted to them as they are.
     """
     columns = np.flatnonzero(usable)
-    match, allowed = evidence.match[:, columns], evidence.allowed[:, columns]
-    track, detection = cheapest_pairs(match, allowed, evidence.missed)
+    match, allowed = likelihoods.match[:, columns], likelihoods.allowed[:, columns]
+    track, detection = cheapest_pairs(match, allowed, likelihoods.missed)
     rival = people.confirmed & (people.missed_s < _SEEN_S)
     rival[track] = False
-    cost = match - evidence.missed[:, None]
+    cost = match - likelihoods.missed[:, None]
     theirs = np.where(allowed, cost, np.inf)[rival][:, detection]
     gap = theirs.min(axis=0, initial=np.inf) - cost[track, detection]
     left_over = usable.copy()

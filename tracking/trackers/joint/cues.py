@@ -1,6 +1,6 @@
-"""What is seen and learnt of each person's looks and way.
+"""Measurement and update of each person's appearance and walking direction.
 
-Standard term: the update of the appearance model, an exponentially weighted mean.
+The appearance model is updated by an exponentially weighted mean.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.people import Detections
-from tracking.trackers.joint.appearance import colours_of
+from tracking.trackers.joint.appearance import stack_colours
 from tracking.trackers.joint.settings import JointSettings
 from tracking.trackers.population import Population
 from tracking.trackers.stereo_walking import WalkingCues
@@ -23,12 +23,12 @@ class JointCues(WalkingCues):
 
     settings: JointSettings
 
-    def seen(self, people: Detections) -> NDArray[np.float32]:
+    def measure_colours(self, people: Detections) -> NDArray[np.float32]:
         """(detections, 3, bins) histograms."""
-        return colours_of(people)
+        return stack_colours(people)
 
-    def looked(self, mine: Population, seen: NDArray[np.float32]) -> NDArray[np.float32]:
-        """`Population.looks` after one more match, alike; what is not known now stays."""
-        old = np.where(np.isfinite(mine.looks), mine.looks, seen)
+    def update_appearance(self, mine: Population, seen: NDArray[np.float32]) -> NDArray[np.float32]:
+        """`Population.appearance` after one more match, alike; what is not known now stays."""
+        old = np.where(np.isfinite(mine.appearance), mine.appearance, seen)
         share = self.newest_share(mine.matches)[:, None]
         return np.where(np.isfinite(seen), old + share * (seen - old), old)

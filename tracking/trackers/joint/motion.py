@@ -1,6 +1,6 @@
 """How people move: at a velocity that changes at random, known as well as it was measured.
 
-Standard term: the constant-velocity model with continuous white noise of acceleration, whose
+The constant-velocity model with continuous white noise of acceleration, whose
 process noise intensity is `agility` (Y. Bar-Shalom, X. R. Li, T. Kirubarajan: Estimation with
 Applications to Tracking and Navigation, 2001).
 """
@@ -18,7 +18,7 @@ from tracking.trackers.stereo_update import FASTEST_M_PER_S
 Floats = NDArray[np.float64]
 
 
-def predicted(
+def predict(
     people: Population, settings: JointSettings, elapsed_s: float, random: np.random.Generator
 ) -> Population:
     """Everybody moved on; those missed slow down.
@@ -43,7 +43,7 @@ def predicted(
     )
 
 
-def measured_motion(mine: Population, measured: Floats, sigma: Floats) -> tuple[Floats, Floats]:
+def update_motion(mine: Population, measured: Floats, sigma: Floats) -> tuple[Floats, Floats]:
     """Velocity (people, 2) m/s and motion (people, 3) once each was seen at a place.
 
     Args:

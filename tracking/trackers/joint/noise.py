@@ -18,7 +18,7 @@ Floats = NDArray[np.float64]
 _WORTH = 200.0
 """Matches that the settings are worth."""
 _MEMORY = 4000.0
-"""Matches that are remembered."""
+"""Matches that count."""
 _MOST = 9.0
 """Squared errors beyond this multiple of what was expected are accidents, and count as much."""
 _LEAST_SHARE, _MOST_SHARE = 0.3, 4.0
@@ -26,7 +26,7 @@ _LEAST_SHARE, _MOST_SHARE = 0.3, 4.0
 
 
 @dataclass(frozen=True, slots=True)
-class Noise:
+class MeasurementNoise:
     """The error of detections' places, as a share of what the settings say.
 
     Attributes:
@@ -39,7 +39,7 @@ class Noise:
     count: float
 
     @classmethod
-    def usual(cls, settings: JointSettings) -> Noise:
+    def prior(cls, settings: JointSettings) -> MeasurementNoise:
         """What the settings say."""
         expected = _WORTH * settings.sigma_near_m**2
         return cls(expected, expected, _WORTH)
@@ -49,9 +49,9 @@ class Noise:
         share = np.clip(self.off / self.expected, _LEAST_SHARE, _MOST_SHARE)
         return np.asarray(np.sqrt(share) * likelihood_sigma(measured, settings))
 
-    def learnt(
+    def update(
         self, offset: Floats, place: Floats, measured: Floats, settings: JointSettings
-    ) -> Noise:
+    ) -> MeasurementNoise:
         """With more matches: how far (people, 2) m from where they were expected people were seen.
 
         What the prediction itself may err is not the detection's error.
@@ -66,4 +66,4 @@ class Noise:
         off, expected = self.off + float(own.sum()), self.expected + float(usual.sum())
         count = self.count + len(own)
         faded = min(1.0, _MEMORY / count)
-        return Noise(max(off, 0.0) * faded, expected * faded, count * faded)
+        return MeasurementNoise(max(off, 0.0) * faded, expected * faded, count * faded)

@@ -1,14 +1,11 @@
-"""Who is told of, who is only remembered, and who has gone.
-
-Standard term: track management: tracks that are reported, coasted, deleted.
-"""
+"""Track management: which tracks are reported, coast unreported, or are deleted."""
 
 from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.trackers.births_and_ends import OUT_OF_VIEW, PATIENCE_S
+from tracking.trackers.births_and_ends import OUT_OF_VIEW, TENTATIVE_PATIENCE_S
 from tracking.trackers.joint.edges import share_a_step_off
 from tracking.trackers.joint.settings import JointSettings
 from tracking.trackers.population import Population
@@ -17,15 +14,15 @@ from tracking.trackers.stereo_boxes import Bodies, share_in_view
 Flags = NDArray[np.bool_]
 Floats = NDArray[np.float64]
 
-_TOLD_SHARE, _REMEMBERED_SHARE = 1.0, 3.0
-"""Nobody is told of, or remembered, for longer than so many times as they were seen."""
+_REPORTED_SHARE, _COASTED_SHARE = 1.0, 3.0
+"""No track is reported, or coasts, for longer than so many times as it was seen."""
 _IN_VIEW, _BY_CHANCE_S = 0.5, 0.4
 """Who shows so much of themselves is missed by chance, and for no longer."""
 _AT_THE_EDGE = 0.55
 """Who has less of themselves in the picture a step further off stands at its edge."""
 
 
-def hiding(people: Population, shown: Floats) -> Flags:
+def may_be_occluded(people: Population, shown: Floats) -> Flags:
     """(people,) who may be behind others if not seen: not who is in view and missed by chance.
 
     Args:
@@ -34,10 +31,12 @@ def hiding(people: Population, shown: Floats) -> Flags:
     return np.asarray((shown < _IN_VIEW) | (people.missed_s > _BY_CHANCE_S))
 
 
-def told(people: Population, shown: Floats, settings: JointSettings, interval_s: float) -> Flags:
+def is_reported(
+    people: Population, shown: Floats, settings: JointSettings, interval_s: float
+) -> Flags:
     """(people,) who is thought to be where they are predicted.
 
-    Somebody who should be seen and is not may be anywhere: they are remembered only.
+    Somebody who should be seen and is not may be anywhere: their track coasts unreported.
 
     Args:
         shown: (people,) share of each body expected to be in sight.
@@ -45,11 +44,11 @@ def told(people: Population, shown: Floats, settings: JointSettings, interval_s:
     """
     hidden = shown < settings.hidden_below
     patience_s = np.where(hidden, settings.lost_hidden_s, settings.lost_after_s)
-    patience_s = np.minimum(patience_s, _TOLD_SHARE * people.matches * interval_s)
+    patience_s = np.minimum(patience_s, _REPORTED_SHARE * people.matches * interval_s)
     return np.asarray(people.confirmed & (people.missed_s <= patience_s))
 
 
-def staying(
+def should_keep(
     people: Population,
     box: Floats,
     around: Bodies,
@@ -57,7 +56,7 @@ def staying(
     size: tuple[int, int],
     interval_s: float,
 ) -> Flags:
-    """(people,) who is followed or remembered on.
+    """(people,) whose track is kept, reported or coasting.
 
     Those who were last seen at the picture's edge, or walked out of it, are not: who enters there
     is somebody else.
@@ -69,7 +68,7 @@ def staying(
     inside = share_in_view(box, size)
     at_the_edge = share_a_step_off(around, size) < _AT_THE_EDGE
     patience_s = np.where(at_the_edge, settings.lost_at_edge_s, settings.remember_s)
-    patience_s = np.minimum(patience_s, _REMEMBERED_SHARE * people.matches * interval_s)
-    patience_s = np.where(people.confirmed, patience_s, PATIENCE_S)
+    patience_s = np.minimum(patience_s, _COASTED_SHARE * people.matches * interval_s)
+    patience_s = np.where(people.confirmed, patience_s, TENTATIVE_PATIENCE_S)
     patience_s = np.where(inside < OUT_OF_VIEW, 0.0, patience_s)
     return np.asarray(people.missed_s <= patience_s)

@@ -10,15 +10,15 @@ from numpy.typing import NDArray
 
 from tracking.filtering import weighted_mean
 from tracking.trackers.joint.cues import JointCues
-from tracking.trackers.joint.motion import measured_motion
+from tracking.trackers.joint.motion import update_motion
 from tracking.trackers.population import Population
-from tracking.trackers.stereo_update import Match, weighed
+from tracking.trackers.stereo_update import Match, weigh_or_scatter
 
 
-def matched(
+def update_matched(
     people: Population,
     match: Match,
-    looks: NDArray[np.float32],
+    appearance: NDArray[np.float32],
     sigma: NDArray[np.float64],
     cues: JointCues,
     random: np.random.Generator,
@@ -26,17 +26,18 @@ def matched(
     """The matched people weighed with their detections, and what is learnt from them.
 
     Args:
-        people: predicted. looks: (detections, k) as `Population.looks`. sigma: (detections,) m.
+        people: predicted. appearance: (detections, k) as `Population.appearance`.
+            sigma: (detections,) m.
     """
     rows, chosen = match.pairs.track, match.pairs.detection
     mine = people.select(rows)
     measured = match.seen.position[chosen, :2]
     measured[match.shared.owner] = match.shared.owner_at
-    particles, weight = weighed(mine.particles, measured, sigma[chosen], random)
+    particles, weight = weigh_or_scatter(mine.particles, measured, sigma[chosen], random)
     position = weighted_mean(particles, weight)
-    velocity, motion = measured_motion(mine, measured, sigma[chosen])
-    colour = cues.updated(mine.colour, match.colours[chosen], mine.matches)
-    return people.changed(
+    velocity, motion = update_motion(mine, measured, sigma[chosen])
+    colour = cues.update_colours(mine.colour, match.colours[chosen], mine.matches)
+    return people.with_rows(
         rows,
         particles=particles,
         weight=weight,
@@ -45,6 +46,10 @@ def matched(
         motion=motion,
         matches=mine.matches + 1,
         seen_at=position,
-        colour=np.where(match.apart[:, None, None], colour, mine.colour),
-        looks=np.where(match.apart[:, None], cues.looked(mine, looks[chosen]), mine.looks),
+        colour=np.where(match.isolated[:, None, None], colour, mine.colour),
+        appearance=np.where(
+            match.isolated[:, None],
+            cues.update_appearance(mine, appearance[chosen]),
+            mine.appearance,
+        ),
     )

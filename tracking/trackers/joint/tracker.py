@@ -1,4 +1,4 @@
-"""The joint stereo tracker: a particle filter a person, one explanation for everybody."""
+"""The joint stereo tracker: a particle filter per person, one association for all of them."""
 
 from __future__ import annotations
 
@@ -11,26 +11,42 @@ from numpy.typing import NDArray
 from tracking.filtering import Association, resample
 from tracking.geometry import View
 from tracking.people import Detections, Observation
-from tracking.trackers.births_and_ends import Newcomers, confirmed, newcomers
-from tracking.trackers.joint.appearance import Telling, differences, looks_of, trust
-from tracking.trackers.joint.association import NAT, explained
+from tracking.trackers.births_and_ends import BirthCandidates, confirm_tracks, initiate_tracks
+from tracking.trackers.joint.appearance import (
+    AppearanceModel,
+    appearance_differences,
+    appearance_trust,
+    measure_appearance,
+)
+from tracking.trackers.joint.association import NAT, associate_people
+from tracking.trackers.joint.association_likelihoods import (
+    AssociationLikelihoods,
+    detection_probability,
+    log_birth_intensity,
+    score_pairs,
+)
 from tracking.trackers.joint.cues import JointCues
 from tracking.trackers.joint.edges import here_and_a_step_off
-from tracking.trackers.joint.evidence import Evidence, arrivals, evidence_of, found_share
-from tracking.trackers.joint.motion import predicted
-from tracking.trackers.joint.noise import Noise
-from tracking.trackers.joint.reidentification import found_again
+from tracking.trackers.joint.motion import predict
+from tracking.trackers.joint.noise import MeasurementNoise
+from tracking.trackers.joint.reidentification import reidentify
 from tracking.trackers.joint.settings import JointSettings
-from tracking.trackers.joint.track_management import hiding, staying, told
-from tracking.trackers.joint.track_update import matched
-from tracking.trackers.population import Population, joined
+from tracking.trackers.joint.track_management import is_reported, may_be_occluded, should_keep
+from tracking.trackers.joint.track_update import update_matched
+from tracking.trackers.population import Population, concatenate
 from tracking.trackers.protocol import StepResult
-from tracking.trackers.stereo_boxes import Bodies, expected_visibility, outlined
+from tracking.trackers.stereo_boxes import Bodies, expected_visibility, update_outlines
 from tracking.trackers.stereo_cues import Costs
 from tracking.trackers.stereo_filter import StereoFilter
 from tracking.trackers.stereo_result import step_result
-from tracking.trackers.stereo_sharing import shared_regions
-from tracking.trackers.stereo_update import Match, aged, apart, guests_kept, unseen
+from tracking.trackers.stereo_sharing import find_shared_regions
+from tracking.trackers.stereo_update import (
+    Match,
+    age_tracks,
+    find_isolated,
+    update_missed,
+    update_occluded,
+)
 
 Floats = NDArray[np.float64]
 Colours = NDArray[np.float32]
@@ -40,13 +56,13 @@ _SURE = 20
 _SHORTEST_S = 1e-3
 """Between two frames."""
 _FRAMES_TIMED = 9
-"""The last frames of which the usual time between two is told."""
+"""Frames from which the usual interval is taken."""
 _FAR_OFF = 2.0
 """A time so many times as long or short as the usual one says nothing of the others."""
 
 
 class JointTracker(StereoFilter[JointSettings, JointCues]):
-    """Follows people by the likeliest explanation of each frame for everybody at once.
+    """Follows people by the likeliest association of each frame, over all people at once.
 
     The five steps of [Kawashita2012] and [Kawashita2014] with their cues, where we differ:
         - costs are log-likelihood ratios, in one assignment of people and detections in which
@@ -55,20 +71,20 @@ class JointTracker(StereoFilter[JointSettings, JointCues]):
         - particles spread as a Kalman filter's covariance grows, so that somebody is sought the
           wider the longer they are missed;
         - how far off places are, and how much colours, clothes and height tell people apart, is
-          learnt from the footage (see `Noise` and `Telling`);
-        - who should be seen and is not is remembered without being told of, and found again by
-          walk and looks; nobody is remembered for much longer than they were seen;
-        - who was last seen at the picture's edge soon ends.
+          learnt from the footage (see `MeasurementNoise` and `AppearanceModel`);
+        - the track of somebody who should be seen and is not coasts without being reported, and is
+          re-identified by motion and appearance; no track coasts for much longer than it was seen;
+        - a track last seen at the picture's edge is soon deleted.
     """
 
     def __init__(self, view: View, settings: JointSettings, seed: int) -> None:
         """Nobody is followed yet; all randomness comes from the seed."""
         super().__init__(view, settings, JointCues(settings), seed)
-        self._telling = Telling.usual()
-        self._noise = Noise.usual(settings)
+        self._appearance = AppearanceModel.prior()
+        self._noise = MeasurementNoise.prior(settings)
         self._intervals_s: deque[float] = deque(maxlen=_FRAMES_TIMED)
 
-    def _gone_on(self, people: Population) -> Population:
+    def _resume_people(self, people: Population) -> Population:
         """The people to go on with: who was corrected and seen is sure to be somebody."""
         known = np.where(people.matches > 1, np.maximum(people.matches, _SURE), people.matches)
         return people.replace(matches=known)
@@ -76,37 +92,39 @@ class JointTracker(StereoFilter[JointSettings, JointCues]):
     def step(self, observation: Observation) -> StepResult:
         """Take one frame further."""
         seen, settings, view = observation.people, self._settings, self._view
-        colours, looks = self._cues.seen(seen), looks_of(seen)
-        before, elapsed_s = self._begun(observation, colours)
+        colours, appearance = self._cues.measure_colours(seen), measure_appearance(seen)
+        before, elapsed_s = self._begin_frame(observation, colours)
         interval_s = self._usual_interval_s(elapsed_s)
-        expected = predicted(before, settings, elapsed_s, self._random)
+        expected = predict(before, settings, elapsed_s, self._random)
         bodies, size = Bodies.at(expected.position, view), view.camera.size
         known = expected.missed_s < settings.lost_after_s
         shown = expected_visibility(expected, bodies.boxes(expected.outline), size, known)
-        new = arrivals(seen, settings, elapsed_s, view)
-        difference = differences(expected, colours, looks)
+        new = log_birth_intensity(seen, settings, elapsed_s, view)
+        difference = appearance_differences(expected, colours, appearance)
         sigma = self._noise.sigma(seen.position[:, :2], settings)
-        costs, evidence = self._judged(expected, seen, sigma, difference, new, shown)
-        pairs, free = explained(expected, evidence, ~seen.merged, settings.least_margin / NAT)
-        people = aged(expected, pairs.track, elapsed_s)
+        costs, likelihoods = self._score_pairs(expected, seen, sigma, difference, new, shown)
+        pairs, free = associate_people(
+            expected, likelihoods, ~seen.merged, settings.least_margin / NAT
+        )
+        people = age_tracks(expected, pairs.track, elapsed_s)
         since_s = expected.missed_s[pairs.track] + elapsed_s
-        shared = shared_regions(expected, bodies, pairs, seen, view)
+        shared = find_shared_regions(expected, bodies, pairs, seen, view)
         alone = shared.alone_of(pairs)
-        clear = apart(expected, pairs.track, settings.colour_distance_m)
+        clear = find_isolated(expected, pairs.track, settings.colour_distance_m)
         match = Match(pairs, shared, clear, seen, colours, since_s)
-        people = matched(people, match, looks, sigma, self._cues, self._random)
+        people = update_matched(people, match, appearance, sigma, self._cues, self._random)
         self._learn(expected, match, difference)
-        people = unseen(people, elapsed_s, view, settings, hiding(people, shown))
-        people = guests_kept(people, expected, shared, settings, self._random)
+        people = update_missed(people, elapsed_s, view, settings, may_be_occluded(people, shown))
+        people = update_occluded(people, expected, shared, settings, self._random)
         bodies, around = here_and_a_step_off(people.position, view)
-        people = outlined(people, pairs, alone, seen, elapsed_s, bodies)
-        people = self._cues.walked(people, elapsed_s)
-        people = self._named(people, pairs, new, interval_s)
+        people = update_outlines(people, pairs, alone, seen, elapsed_s, bodies)
+        people = self._cues.update_anchors(people, elapsed_s)
+        people = self._confirm(people, pairs, new, interval_s)
         box = bodies.boxes(people.outline)
-        there = told(people, shown, settings, interval_s)
+        there = is_reported(people, shown, settings, interval_s)
         result = step_result(observation, people, box, pairs, alone, costs, view, there)
-        stay = staying(people, box, around, settings, size, interval_s)
-        self._people = self._carried(people.select(stay), Newcomers(seen, colours, free))
+        stay = should_keep(people, box, around, settings, size, interval_s)
+        self._people = self._carry_over(people.select(stay), BirthCandidates(seen, colours, free))
         return result
 
     def _usual_interval_s(self, elapsed_s: float) -> float:
@@ -120,7 +138,7 @@ class JointTracker(StereoFilter[JointSettings, JointCues]):
             self._intervals_s.append(elapsed_s)
         return elapsed_s if usual_s / _FAR_OFF <= elapsed_s <= usual_s * _FAR_OFF else usual_s
 
-    def _judged(
+    def _score_pairs(
         self,
         people: Population,
         seen: Detections,
@@ -128,54 +146,56 @@ class JointTracker(StereoFilter[JointSettings, JointCues]):
         difference: Floats,
         new: Floats,
         shown: Floats,
-    ) -> tuple[Costs, Evidence]:
-        """The evidence of all pairs, and as costs to tell of."""
+    ) -> tuple[Costs, AssociationLikelihoods]:
+        """The association likelihoods of all pairs, and the costs to report."""
         measured = seen.position[:, :2]
-        likeness = self._settings.looks_weight * self._telling.likeness(difference)
-        likeness *= trust(people)[:, None]
+        appearance = self._settings.looks_weight * self._appearance.log_likelihood_ratio(difference)
+        appearance *= appearance_trust(people)[:, None]
         turn = self._cues.direction(people, measured)
-        found = found_share(people, shown, self._settings)
-        evidence = evidence_of(people, seen, sigma, new, likeness, turn, found)
+        detected = detection_probability(people, shown, self._settings)
+        likelihoods = score_pairs(people, seen, sigma, new, appearance, turn, detected)
         colour = np.sqrt(difference[..., :3]).sum(axis=2)
-        total = NAT * (evidence.match - evidence.missed[:, None])
-        return Costs(evidence.distance, colour, NAT * turn, total, evidence.allowed), evidence
+        total = NAT * (likelihoods.match - likelihoods.missed[:, None])
+        return Costs(
+            likelihoods.distance, colour, NAT * turn, total, likelihoods.allowed
+        ), likelihoods
 
     def _learn(self, people: Population, match: Match, difference: Floats) -> None:
-        """How far off places are and what looks tell, from those matched with nobody close.
+        """Learn measurement noise and appearance from people matched with nobody close.
 
         Args:
             people: predicted to this frame.
         """
         pairs, known = match.pairs, people.confirmed
-        clear = match.apart & known[pairs.track]
+        clear = match.isolated & known[pairs.track]
         rows, chosen = pairs.track[clear], pairs.detection[clear]
         others = np.zeros(difference.shape[:2], bool)
         others[:, chosen] = known[:, None]
         others[rows, chosen] = False
-        self._telling = self._telling.learnt(difference[rows, chosen], difference[others])
+        self._appearance = self._appearance.update(difference[rows, chosen], difference[others])
         measured = match.seen.position[chosen, :2]
         offset, place = measured - people.position[rows], people.motion[rows, 0]
-        self._noise = self._noise.learnt(offset, place, measured, self._settings)
+        self._noise = self._noise.update(offset, place, measured, self._settings)
 
-    def _named(
+    def _confirm(
         self, people: Population, pairs: Association, new: Floats, interval_s: float
     ) -> Population:
-        """Newcomers seen for long enough have the id of somebody lost, or the next one."""
+        """Tentative tracks seen for long enough get the id of a coasting track, or the next one."""
         settings = self._settings
         enough = round(settings.confirm_s / max(interval_s, _SHORTEST_S))
         enough = max(settings.confirm_matches, enough)
         fresh = people.track[pairs.track] == 0
         fresh &= people.matches[pairs.track] >= enough
         ready, begun = pairs.track[fresh], new[pairs.detection[fresh]]
-        people = found_again(people, ready, begun, self._telling, settings)
-        people, self._last_id = confirmed(people, enough, self._last_id)
+        people = reidentify(people, ready, begun, self._appearance, settings)
+        people, self._last_id = confirm_tracks(people, enough, self._last_id)
         return people
 
-    def _carried(self, people: Population, spots: Newcomers) -> Population:
-        """Who goes into the next frame: those who stay, resampled, and newcomers."""
+    def _carry_over(self, people: Population, spots: BirthCandidates) -> Population:
+        """Who goes into the next frame: the tracks kept, resampled, and tentative ones."""
         particles = resample(people.particles, people.weight, self._random)
         people = people.replace(particles=particles)
         if len(spots.free) == 0:
             return people
-        new = newcomers(people, spots, self._settings, self._random, self._view)
-        return joined((people, new))
+        new = initiate_tracks(people, spots, self._settings, self._random, self._view)
+        return concatenate((people, new))

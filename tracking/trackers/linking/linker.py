@@ -17,13 +17,13 @@ from tracking.trackers.linking.link_selection import chains, chosen, least_rows
 from tracking.trackers.linking.run_ids import renamed
 from tracking.trackers.linking.seen_rows import Integers, Seen, seen_of
 from tracking.trackers.linking.tracklets import Tracklets, tracklets
-from tracking.trackers.run_smoother import smoothed
+from tracking.trackers.run_smoother import smooth_run
 from tracking.tracks.columns import CLOTHES, Columns
 from tracking.tracks.run import Run
 
 
 def linked(run: Run, view: View, fps: float, given: Columns | None = None) -> Run:
-    """The run with one id for each person, smoothed from both ends; see `smoothed`.
+    """The run with one id for each person, smoothed from both ends; see `smooth_run`.
 
     Trackers decide frame by frame, and where two people meet or somebody is lost they may go on
     with the wrong one. Of a recording it is known what came later: tracks are cut where it is
@@ -42,7 +42,7 @@ def linked(run: Run, view: View, fps: float, given: Columns | None = None) -> Ru
     if len(row):
         free = run.detections["track"] == 0
         run = reached(renamed(run, row, name, view, fps), free, view, fps)
-    return smoothed(run, view, fps, given)
+    return smooth_run(run, view, fps, given)
 
 
 def _names_of_rows(

@@ -1,6 +1,6 @@
 """Spheroids in the floor plane: people of one calibrated camera ([Waechter2013])."""
 
-from tracking.trackers.spheroid.finisher import finished
+from tracking.trackers.spheroid.finisher import finish_run
 from tracking.trackers.spheroid.overlays import (
     RegionOfEvaluation,
     outlines,
@@ -16,7 +16,7 @@ __all__ = [
     "SpheroidPerception",
     "SpheroidSettings",
     "build_spheroid",
-    "finished",
+    "finish_run",
     "outlines",
     "ramp_picture",
     "region_of_evaluation",

@@ -7,11 +7,11 @@ from hypothesis import strategies as st
 from scipy.stats import multivariate_t
 
 from tracking.filtering import associate
-from tracking.trackers.joint.appearance import CUES, Telling
-from tracking.trackers.joint.evidence import place_density
-from tracking.trackers.joint.motion import measured_motion, predicted
+from tracking.trackers.joint.appearance import CUES, AppearanceModel
+from tracking.trackers.joint.association_likelihoods import place_density
+from tracking.trackers.joint.motion import predict, update_motion
 from tracking.trackers.joint.settings import JointSettings
-from tracking.trackers.population import nobody, unknown_motion
+from tracking.trackers.population import empty_population, unknown_motion
 
 
 @given(
@@ -26,7 +26,7 @@ def test_places_follow_students_t_of_the_particles_spread(x, y, xx, yy, share):
 
 
 def people(count: int):
-    empty = nobody(400, 1, 4)
+    empty = empty_population(400, 1, 4)
     zeros = {
         name: np.zeros((count, *getattr(empty, name).shape[1:]), getattr(empty, name).dtype)
         for name in ("particles", "position", "velocity", "missed_s")
@@ -39,15 +39,15 @@ def test_particles_spread_as_the_place_becomes_less_known():
     one = people(3)
     start = one.motion[:, 0]
     for _ in range(20):
-        one = predicted(one, settings, 0.05, random)
+        one = predict(one, settings, 0.05, random)
     grown = one.particles.var(axis=1).mean(axis=1)
     np.testing.assert_allclose(grown, one.motion[:, 0] - start, rtol=0.25)
 
 
 def test_a_measured_place_makes_place_and_velocity_better_known():
     random, settings = np.random.default_rng(0), JointSettings()
-    ahead = predicted(people(1), settings, 0.05, random)
-    velocity, motion = measured_motion(ahead, np.array([[0.2, 0.0]]), np.array([0.05]))
+    ahead = predict(people(1), settings, 0.05, random)
+    velocity, motion = update_motion(ahead, np.array([[0.2, 0.0]]), np.array([0.05]))
     assert motion[0, 0] < min(ahead.motion[0, 0], 0.05**2)
     assert motion[0, 2] < ahead.motion[0, 2]
     assert velocity[0, 0] > 0.0 == velocity[0, 1]
@@ -55,22 +55,22 @@ def test_a_measured_place_makes_place_and_velocity_better_known():
 
 def test_cues_that_tell_nobody_apart_say_nothing():
     alike = np.tile((0.03, 0.03, 0.03, 2.0, 0.03), (3000, 1))
-    telling = Telling.usual()
+    model = AppearanceModel.prior()
     for _ in range(5):
-        telling = telling.learnt(alike, alike)
-    assert abs(telling.likeness(0.5 * alike[0])) < 0.5
-    assert abs(telling.likeness(3.0 * alike[0])) < 0.5
+        model = model.update(alike, alike)
+    assert abs(model.log_likelihood_ratio(0.5 * alike[0])) < 0.5
+    assert abs(model.log_likelihood_ratio(3.0 * alike[0])) < 0.5
 
 
 def test_cues_that_tell_people_apart_speak_for_who_looks_alike_and_against_others():
     same, other = np.full((3000, CUES), 0.03), np.full((3000, CUES), 0.4)
-    telling = Telling.usual().learnt(same, other)
-    assert telling.likeness(np.full(CUES, 0.02)) > 2.0
-    assert telling.likeness(np.full(CUES, 0.4)) < -2.0
+    model = AppearanceModel.prior().update(same, other)
+    assert model.log_likelihood_ratio(np.full(CUES, 0.02)) > 2.0
+    assert model.log_likelihood_ratio(np.full(CUES, 0.4)) < -2.0
 
 
 def test_what_is_not_known_of_somebody_says_nothing():
-    assert Telling.usual().likeness(np.full(CUES, np.nan)) == 0.0
+    assert AppearanceModel.prior().log_likelihood_ratio(np.full(CUES, np.nan)) == 0.0
 
 
 def test_being_missed_may_cost_each_person_something_else():

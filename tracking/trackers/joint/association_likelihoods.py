@@ -1,6 +1,6 @@
-"""How well every detection suits every person, and what it would mean to be missed.
+"""Association likelihoods: the score of every pair of a track and a detection, and of a miss.
 
-Standard term: the increments of track scores, log-likelihood ratios (S. Blackman, R. Popoli:
+They are the increments of track scores, log-likelihood ratios (S. Blackman, R. Popoli:
 Design and Analysis of Modern Tracking Systems, 1999). Where we differ: there is no false-alarm
 density beside the birth density, and places follow Student's t.
 """
@@ -22,12 +22,12 @@ Floats = NDArray[np.float64]
 
 _FREEDOM = 4.0
 """Of Student's t, which places follow: a detection is now and then far off."""
-_REACH_M = 0.9
-"""Nobody is found farther off than this and their fastest walk since they were seen."""
+_GATE_M = 0.9
+"""Radius of the gate, beside the fastest walk since the track was last seen."""
 _HIDDEN, _SHOWN = 0.05, 0.5
-"""Shares of a body in sight at which nobody and everybody is found."""
+"""Shares of a body in sight at which nobody and everybody is detected."""
 _FAINT = 0.05
-"""How likely somebody is found of whom nothing should show."""
+"""Detection probability of somebody of whom nothing should show."""
 _EDGE = 0.3
 """A box this share of its height away from the picture's edge is within the picture."""
 _DOUBT = 4.0
@@ -35,11 +35,11 @@ _DOUBT = 4.0
 
 
 @dataclass(frozen=True, slots=True)
-class Evidence:
-    """In nats, against the detection being of somebody new; less is likelier.
+class AssociationLikelihoods:
+    """Negative log-likelihood ratios against the detection being of somebody new, in nats.
 
     Attributes:
-        match: (people, detections), minus the log-likelihood ratio of each pair.
+        match: (people, detections), of each pair; less is likelier.
         missed: (people,), `-ln(1 - P_D)`. allowed: (people, detections), the gate.
         distance: (people, detections) m.
     """
@@ -50,7 +50,7 @@ class Evidence:
     distance: Floats
 
 
-def spread_of(people: Population) -> Floats:
+def particle_covariance(people: Population) -> Floats:
     """(people, 3) covariance xx, yy, xy of each person's particles, all alike in weight, m²."""
     count = people.particles.shape[1]
     alike = np.full(count, 1.0 / count, np.float32)
@@ -65,7 +65,7 @@ def place_density(offset: Floats, spread: Floats, sigma: Floats) -> Floats:
     """Log-density, in 1/m², of places around those expected: Student's t.
 
     Args:
-        offset: (people, detections, 2) m. spread: (people, 3) as `spread_of`.
+        offset: (people, detections, 2) m. spread: (people, 3) as `particle_covariance`.
         sigma: (detections,) m, the error of the places.
     """
     noise = np.square(sigma)[None, :]
@@ -77,10 +77,12 @@ def place_density(offset: Floats, spread: Floats, sigma: Floats) -> Floats:
     return np.asarray(-np.log(2.0 * np.pi) - 0.5 * np.log(area) - tails)
 
 
-def arrivals(seen: Detections, settings: JointSettings, elapsed_s: float, view: View) -> Floats:
-    """(detections,) log of how many new people are expected a m² in this frame, there.
+def log_birth_intensity(
+    seen: Detections, settings: JointSettings, elapsed_s: float, view: View
+) -> Floats:
+    """(detections,) log of the birth intensity there: new people expected a m² in this frame.
 
-    Standard term: the birth density (new-target density); it covers false alarms, too.
+    It covers false alarms, too.
     """
     width, height = view.camera.size
     box = seen.box
@@ -91,37 +93,39 @@ def arrivals(seen: Detections, settings: JointSettings, elapsed_s: float, view: 
     return np.asarray(rates[0] + within * (rates[1] - rates[0]) + np.log(max(elapsed_s, 1e-3)))
 
 
-def found_share(people: Population, shown: Floats, settings: JointSettings) -> Floats:
+def detection_probability(people: Population, shown: Floats, settings: JointSettings) -> Floats:
     """(people,) how likely each is detected, by the share of the body in sight.
 
-    Standard term: the detection probability. Newcomers may be nobody: the less often they were
-    seen, the likelier.
+    A tentative track may be of nobody: the less often it was matched, the likelier.
     """
     share = np.clip((shown - _HIDDEN) / (_SHOWN - _HIDDEN), _FAINT, 1.0 - settings.overlooked)
     return np.asarray(share * (people.matches + 1.0) / (people.matches + _DOUBT))
 
 
-def evidence_of(
+def score_pairs(
     people: Population,
     seen: Detections,
     sigma: Floats,
     new: Floats,
-    likeness: Floats,
+    appearance: Floats,
     turn: Floats,
-    found: Floats,
-) -> Evidence:
-    """The evidence of all pairs.
+    detected: Floats,
+) -> AssociationLikelihoods:
+    """The association likelihoods of all pairs.
 
     Args:
-        people: predicted to this frame. sigma: (detections,) m. new: (detections,) as `arrivals`.
-        likeness: (people, detections) log-likelihood ratio of the looks.
+        people: predicted to this frame. sigma: (detections,) m.
+        new: (detections,) as `log_birth_intensity`.
+        appearance: (people, detections) log-likelihood ratio of the appearance.
         turn: (people, detections) nats, NaN where there is no direction.
-        found: (people,) how likely each is detected.
+        detected: (people,) the detection probability.
     """
     offset = seen.position[None, :, :2] - people.position[:, None, :]
     distance = np.hypot(offset[..., 0], offset[..., 1])
-    place = place_density(offset, spread_of(people), sigma)
+    place = place_density(offset, particle_covariance(people), sigma)
     turned = np.where(np.isnan(turn), 0.0, turn)
-    match = new - place - likeness + turned - np.log(found)[:, None]
-    reach = _REACH_M + FASTEST_M_PER_S * people.missed_s
-    return Evidence(match, -np.log1p(-found), distance <= reach[:, None], distance)
+    match = new - place - appearance + turned - np.log(detected)[:, None]
+    gate_m = _GATE_M + FASTEST_M_PER_S * people.missed_s
+    return AssociationLikelihoods(
+        match, -np.log1p(-detected), distance <= gate_m[:, None], distance
+    )
