@@ -10,7 +10,7 @@ from pathlib import Path
 from app.cli.destination import check_folder, nearest_folder
 from app.cli.output import print_json, print_line, progress
 from tracking.progress import Progress
-from tracking.synthesis import Circumstances, check_seconds, render_recording
+from tracking.synthesis import Disturbances, check_seconds, render_recording
 
 _BYTES_A_SECOND = 1 << 20
 
@@ -23,7 +23,7 @@ class SynthRequest:
         scene: its name.
         seconds, people: the scene's own if None.
         seed: of all random numbers.
-        begin_s, dimmed_s, bumped_s: as `Circumstances` has them.
+        begin_s, dimmed_s, bumped_s: as `Disturbances` has them.
     """
 
     scene: str
@@ -38,7 +38,7 @@ class SynthRequest:
 def run_synth(out: Path, request: SynthRequest, *, as_json: bool) -> None:
     """Render the recording and print where it stands."""
     check_seconds(request.seconds)
-    circumstances = Circumstances(request.begin_s, request.dimmed_s, request.bumped_s)
+    disturbances = Disturbances(request.begin_s, request.dimmed_s, request.bumped_s)
     check_folder(nearest_folder(out.parent), int((request.seconds or 0) * _BYTES_A_SECOND))
     with _begun(f"rendering {request.scene}") as advance:
         folder = render_recording(
@@ -48,7 +48,7 @@ def run_synth(out: Path, request: SynthRequest, *, as_json: bool) -> None:
             request.people,
             request.seed,
             advance,
-            circumstances=circumstances,
+            disturbances=disturbances,
         )
     if as_json:
         print_json({"recording": str(folder)})

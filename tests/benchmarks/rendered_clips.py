@@ -16,14 +16,14 @@ from platformdirs import user_cache_path
 
 from tracking.pipeline import track
 from tracking.recording import open_recording
-from tracking.synthesis import SCENES, Circumstances, render_recording
+from tracking.synthesis import SCENES, Disturbances, render_recording
 from tracking.trackers import settings_from, tracker_named
 from tracking.tracks.run import Run
 
 Columns = dict[str, NDArray[Any]]
 Settings = tuple[tuple[str, Any], ...]
 
-ORDINARY = Circumstances()
+NO_DISTURBANCES = Disturbances()
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,7 +36,7 @@ class Clip:
         seconds: of the scene's length; the scene's own if None.
         people: the scene's own if None.
         eyes: 1 for the left eye alone; the scene's own if None.
-        circumstances: what is out of the ordinary.
+        disturbances: what is out of the ordinary.
     """
 
     scene: str
@@ -44,20 +44,20 @@ class Clip:
     seconds: float | None = None
     people: int | None = None
     eyes: int | None = None
-    circumstances: Circumstances = ORDINARY
+    disturbances: Disturbances = NO_DISTURBANCES
 
     @property
     def name(self) -> str:
         """Of the clip's folder."""
-        befallen = self.circumstances
+        disturbances = self.disturbances
         parts = [self.scene, str(self.seed)]
         for letter, value in (
             ("s", self.seconds),
             ("p", self.people),
             ("eyes", self.eyes),
-            ("from", befallen.begin_s or None),
-            ("dim", befallen.dimmed_s),
-            ("bump", befallen.bumped_s),
+            ("from", disturbances.begin_s or None),
+            ("dim", disturbances.dimmed_s),
+            ("bump", disturbances.bumped_s),
         ):
             if value is not None:
                 parts.append(f"{letter}{value:g}")
@@ -87,7 +87,7 @@ def folder_of(clip: Clip, kept: Path | None = None) -> Path:
             clip.people,
             clip.seed,
             eyes=clip.eyes,
-            circumstances=clip.circumstances,
+            disturbances=clip.disturbances,
         )
     return folder
 
@@ -145,7 +145,7 @@ class Looked:
 
 
 def moments(folder: Path) -> tuple[Looked, ...]:
-    """What of a programme is looked at."""
+    """What of a scenario is looked at."""
     with (folder / "moments.csv").open(encoding="utf-8", newline="") as stream:
         return tuple(
             Looked(

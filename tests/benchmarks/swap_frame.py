@@ -20,7 +20,7 @@ from scipy.signal import lfilter
 
 from tracking.editing import propose_swap_frames
 from tracking.synthesis import SCENES
-from tracking.synthesis.crowd import Walk, walk
+from tracking.synthesis.crowd import PlannedWalk, walk
 from tracking.synthesis.itineraries import plan_itineraries
 from tracking.synthesis.rig import Rig
 from tracking.tracks import CORRECTED_COLUMNS, SIGNAL_COLUMNS, Columns, TrackTable
@@ -99,7 +99,7 @@ def meetings(scene: str, seed: int) -> Iterator[Meeting]:
                 yield Meeting(places, looks[[first, second]], near)
 
 
-def _in_view(rig: Rig, way: Walk) -> NDArray[np.int64]:
+def _in_view(rig: Rig, way: PlannedWalk) -> NDArray[np.int64]:
     boxes = rig.view.box_of_person(way.position, 1.7, 0.5)
     middle = boxes[:, :2] + boxes[:, 2:] / 2
     with np.errstate(invalid="ignore"):

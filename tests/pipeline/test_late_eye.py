@@ -15,7 +15,7 @@ from tracking.people import Observation, StereoPerception
 from tracking.pipeline import track
 from tracking.recording import StereoFrame, open_recording
 from tracking.synthesis import render_recording
-from tracking.synthesis.circumstances import Circumstances
+from tracking.synthesis.disturbances import Disturbances
 from tracking.trackers import TRACKERS, Resume, parse_settings
 from tracking.tracks import Run, TrackTable
 
@@ -55,8 +55,8 @@ def agreeing(one: Tracked, other: Tracked, frames: range) -> float:
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Six people, in view from the first frame on."""
     made = tmp_path_factory.mktemp("recordings") / "square"
-    begun = Circumstances(begin_s=8.0)
-    return render_recording(made, "square", 4.0, 6, 6012, size=(320, 240), circumstances=begun)
+    begun = Disturbances(begin_s=8.0)
+    return render_recording(made, "square", 4.0, 6, 6012, size=(320, 240), disturbances=begun)
 
 
 def tracked(folder: Path, resume: Resume | None = None) -> Tracked:

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from tracking.errors import SettingsError
 from tracking.recording import open_recording
 from tracking.synthesis import SCENES, Scene, render_recording
-from tracking.synthesis.crowd import Walk
+from tracking.synthesis.crowd import PlannedWalk
 from tracking.synthesis.postures import stoops_of
 
 FPS = 20.0
@@ -20,12 +20,12 @@ SMALL = (180, 120)
 WHOLE_M = 0.02
 
 
-def _walk(stands: tuple[int, int], frames: int = 160) -> Walk:
+def _walk(stands: tuple[int, int], frames: int = 160) -> PlannedWalk:
     """Straight ahead at 1.2 m/s, but for the frames in which the person stands."""
     moves = np.full(frames, 1.2 / FPS)
     moves[stands[0] : stands[1]] = 0.0
     position = np.column_stack((np.cumsum(moves), np.zeros(frames)))
-    return Walk(0, position, np.zeros(frames))
+    return PlannedWalk(0, position, np.zeros(frames))
 
 
 @pytest.fixture(scope="module")

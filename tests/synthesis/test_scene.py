@@ -201,7 +201,7 @@ def test_a_scene_without_people_stays_empty() -> None:
     assert frame.left.shape == (120, 160, 3)
 
 
-@pytest.mark.parametrize("name", sorted(n for n, spec in SCENES.items() if not spec.programme))
+@pytest.mark.parametrize("name", sorted(n for n, spec in SCENES.items() if not spec.scenario))
 def test_people_come_into_view_in_every_scene(name: str) -> None:
     scene = Scene(SCENES[name], people=6, seed=1, seconds=10.0, size=(96, 72))
     times = np.arange(3.0, 10.0)

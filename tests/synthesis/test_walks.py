@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tracking.synthesis import SCENES
-from tracking.synthesis.crowd import CLOSEST_M, Walk, walk
+from tracking.synthesis.crowd import CLOSEST_M, PlannedWalk, walk
 from tracking.synthesis.gait import steps_of
 from tracking.synthesis.itineraries import EMPTY_S, plan_itineraries
 from tracking.synthesis.rig import Rig
@@ -16,7 +16,7 @@ from tracking.synthesis.rig import Rig
 FPS = 20.0
 
 
-def _walks(name: str, people: int, seconds: float, seed: int) -> list[Walk]:
+def _walks(name: str, people: int, seconds: float, seed: int) -> list[PlannedWalk]:
     spec = SCENES[name]
     rig = Rig.of_scene(spec, (640, 480))
     plans = plan_itineraries(spec, rig, people, seconds, np.random.default_rng(seed))
@@ -24,7 +24,7 @@ def _walks(name: str, people: int, seconds: float, seed: int) -> list[Walk]:
     return [way for way in ways if way is not None]
 
 
-def _table(walks: list[Walk], frames: int) -> np.ndarray:
+def _table(walks: list[PlannedWalk], frames: int) -> np.ndarray:
     table = np.full((frames, len(walks), 2), np.nan)
     for column, way in enumerate(walks):
         table[way.frames.start : way.frames.stop, column] = way.position

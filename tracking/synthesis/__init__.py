@@ -1,6 +1,6 @@
 """Scenes of walking people, rendered for two eyes with exact truth."""
 
-from tracking.synthesis.circumstances import Circumstances
+from tracking.synthesis.disturbances import Disturbances
 from tracking.synthesis.recording_writer import check_seconds, render_recording
 from tracking.synthesis.scene import Scene
 from tracking.synthesis.scenes import SCENES
@@ -9,7 +9,7 @@ from tracking.synthesis.truth import SceneTruth, Surfaces
 
 __all__ = [
     "SCENES",
-    "Circumstances",
+    "Disturbances",
     "FloorSpec",
     "LampSpec",
     "Scene",

@@ -10,15 +10,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.synthesis.body import TUBES, bodies, profile_of
-from tracking.synthesis.crowd import Walk, walk
+from tracking.synthesis.crowd import PlannedWalk, walk
 from tracking.synthesis.figures import Figures
 from tracking.synthesis.gait import Steps, steps_of
 from tracking.synthesis.itineraries import plan_itineraries
 from tracking.synthesis.passages import plan_passage
 from tracking.synthesis.postures import Stoops, stoops_of
-from tracking.synthesis.programme import Moment
-from tracking.synthesis.programmes import programme_of
 from tracking.synthesis.rig import Rig
+from tracking.synthesis.scenario import Moment
+from tracking.synthesis.scenarios import scenario_of
 from tracking.synthesis.skeleton import Posture, skeleton_of
 from tracking.synthesis.specs import SceneSpec
 from tracking.synthesis.wardrobe import ATLAS, PATCHES, RED_AND_BROWN, random_outfit, texture
@@ -38,11 +38,11 @@ class Cast:
         figures: bodies, a row per person.
         walks, steps, stoops: per person; None for who never sets off.
         textures: (k, 3) texels of all people and sizes, linear, blue, green, red.
-        moments: what of a programme is looked at.
+        moments: what of a scenario is looked at.
     """
 
     figures: Figures
-    walks: tuple[Walk | None, ...]
+    walks: tuple[PlannedWalk | None, ...]
     steps: tuple[Steps | None, ...]
     stoops: tuple[Stoops | None, ...]
     textures: Float32s
@@ -98,7 +98,7 @@ class Cast:
         figures = self.figures.of(people)
         return bodies(figures, skeleton_of(figures, posture))
 
-    def _walk(self, person: int | np.intp) -> Walk:
+    def _walk(self, person: int | np.intp) -> PlannedWalk:
         way = self.walks[person]
         assert way is not None  # only asked for people who are there
         return way
@@ -116,11 +116,11 @@ class Cast:
 
 def _ways(
     spec: SceneSpec, rig: Rig, people: int, frames: int, fps: float, seed: int
-) -> tuple[tuple[Walk | None, ...], tuple[Moment, ...]]:
-    """Everybody's walk, as a programme says or as people like."""
-    if spec.programme:
-        programme = programme_of(spec, people, seed)
-        return programme.walks(frames, fps), programme.moments
+) -> tuple[tuple[PlannedWalk | None, ...], tuple[Moment, ...]]:
+    """Everybody's walk, as a scenario says or as people like."""
+    if spec.scenario:
+        scenario = scenario_of(spec, people, seed)
+        return scenario.walks(frames, fps), scenario.moments
     rng = np.random.default_rng((seed, 1))
     if spec.passage is not None:
         plans = plan_passage(spec.passage, people, frames / fps, rng)

@@ -28,7 +28,7 @@ _SMOOTHING_FRAMES = 2.5
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Walk:
+class PlannedWalk:
     """One person's way over the floor, a row each frame.
 
     Attributes:
@@ -49,7 +49,7 @@ class Walk:
 
 def walk(
     spec: SceneSpec, plans: tuple[Itinerary, ...], frames: int, fps: float
-) -> tuple[Walk | None, ...]:
+) -> tuple[PlannedWalk | None, ...]:
     """The walks of all itineraries over `frames` frames; None for who never sets off."""
     crowd = _Crowd(spec, plans, 1.0 / fps)
     states = np.full((frames, len(plans), 3), np.nan)
@@ -60,14 +60,14 @@ def walk(
     return tuple(_walk_of(states[:, person]) for person in range(len(plans)))
 
 
-def _walk_of(states: Floats) -> Walk | None:
+def _walk_of(states: Floats) -> PlannedWalk | None:
     present = np.flatnonzero(np.isfinite(states[:, 0]))
     if not len(present):
         return None
     rows = states[present[0] : present[-1] + 1]
     position = gaussian_filter1d(rows[:, :2], _SMOOTHING_FRAMES, axis=0, mode="nearest")
     heading = gaussian_filter1d(np.unwrap(rows[:, 2]), _SMOOTHING_FRAMES, mode="nearest")
-    return Walk(int(present[0]), position, heading)
+    return PlannedWalk(int(present[0]), position, heading)
 
 
 class _Crowd:

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter1d
 
-from tracking.synthesis.crowd import Walk
+from tracking.synthesis.crowd import PlannedWalk
 
 Floats = NDArray[np.float64]
 
@@ -43,7 +43,7 @@ class Steps:
     pace: Floats
 
 
-def steps_of(walk: Walk, height_m: float, fps: float, start: float) -> Steps:
+def steps_of(walk: PlannedWalk, height_m: float, fps: float, start: float) -> Steps:
     """The steps of a walk.
 
     A foot that stands does not move: it lands where the body will pass over it in the middle of
@@ -78,7 +78,7 @@ def steps_of(walk: Walk, height_m: float, fps: float, start: float) -> Steps:
 class _Way:
     """A walk as a function of the distance walked, going straight on beyond its ends."""
 
-    def __init__(self, walk: Walk, fps: float) -> None:
+    def __init__(self, walk: PlannedWalk, fps: float) -> None:
         moved = np.diff(walk.position, axis=0, prepend=walk.position[:1])
         turned = np.abs(np.diff(walk.heading, prepend=walk.heading[:1]))
         length = np.linalg.norm(moved, axis=1)

@@ -14,7 +14,7 @@ from types import MappingProxyType
 import numpy as np
 
 from tracking.synthesis.itineraries import EMPTY_S
-from tracking.synthesis.programme import Moment, Programme, Role
+from tracking.synthesis.scenario import Moment, Role, Scenario
 
 MARKS_M: Mapping[str, tuple[float, float]] = MappingProxyType(
     {
@@ -39,15 +39,15 @@ _SETTLED_S, _BEFORE_GOING_S = 0.8, 1.2  # nobody moves or turns between these
 _STROLL_M_S, _WALK_M_S = 1.0, 1.15
 
 
-def standing() -> Programme:
+def standing() -> Scenario:
     """One person stands on each mark in turn."""
     way = _Way(0, _ENTRANCE_M, _STROLL_M_S)
     for mark in MARKS_M:
         way.stand(mark)
-    return Programme((way.leave(_EXIT_M),), tuple(way.moments))
+    return Scenario((way.leave(_EXIT_M),), tuple(way.moments))
 
 
-def walking() -> Programme:
+def walking() -> Scenario:
     """One person walks straight from mark to mark."""
     way = _Way(0, _ENTRANCE_M, _WALK_M_S)
     marks = tuple(MARKS_M)
@@ -55,10 +55,10 @@ def walking() -> Programme:
     for mark, following in pairwise(marks):
         way.stay(_TURN_S)
         way.walk(mark, following)
-    return Programme((way.leave(_EXIT_M),), tuple(way.moments))
+    return Scenario((way.leave(_EXIT_M),), tuple(way.moments))
 
 
-def pairs() -> Programme:
+def pairs() -> Scenario:
     """Two people stand on both marks of each pair, one in front of the other."""
     outer = _Way(0, _ENTRANCE_M, _STROLL_M_S)
     inner = _Way(1, (-2.95, 0.30), _STROLL_M_S)
@@ -67,7 +67,7 @@ def pairs() -> Programme:
         outer.stand(far, together)
         inner.stand(near, together)
     roles = outer.leave((-2.95, -1.30)), inner.leave((0.2, -2.4))
-    return Programme(roles, (*outer.moments, *inner.moments))
+    return Scenario(roles, (*outer.moments, *inner.moments))
 
 
 class _Way:

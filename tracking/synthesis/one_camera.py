@@ -28,7 +28,7 @@ def _office(name: str, title: str, people: int, seconds: float) -> SceneSpec:
         fps=15.0,
         eyes=1,
         focal=_OFFICE_FOCAL,
-        programme=name,
+        scenario=name,
     )
 
 

@@ -23,7 +23,7 @@ _TEXELS_PER_M = 210.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Drawn:
+class PeopleSamples:
     """People as samples of one eye's picture.
 
     Attributes:
@@ -68,7 +68,7 @@ class Painter:
         texels: Float32s,
         people: NDArray[np.intp],
         margin: float = 0.0,
-    ) -> Drawn:
+    ) -> PeopleSamples:
         """Draw bodies.
 
         Args:
@@ -86,7 +86,9 @@ class Painter:
         seen = inside.where(self._buffer.nearest(inside))
         values = self._values(pixels, light)[chosen]
         colour = self._shade(corners, values, seen, person, pixels, people, texels)
-        return Drawn(person, self._parts[chosen % len(self._triangles)], covered, seen, colour)
+        return PeopleSamples(
+            person, self._parts[chosen % len(self._triangles)], covered, seen, colour
+        )
 
     def _window(self, margin: float) -> tuple[int, int, int, int]:
         width, height = self._size
@@ -154,7 +156,7 @@ def sample_corners(
     return corners[chosen], chosen
 
 
-def composite(light: Float32s, drawn: Drawn) -> None:
+def composite(light: Float32s, drawn: PeopleSamples) -> None:
     """Lay the drawn samples over a background (height, width, 3), in place."""
     height, width = light.shape[:2]
     place = (drawn.seen.y // FINE) * width + drawn.seen.x // FINE

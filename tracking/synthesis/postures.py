@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.synthesis.crowd import Walk
+from tracking.synthesis.crowd import PlannedWalk
 
 Floats = NDArray[np.float64]
 
@@ -32,7 +32,7 @@ class Stoops:
     bend: Floats
 
 
-def stoops_of(walk: Walk, fps: float, share: float, rng: np.random.Generator) -> Stoops:
+def stoops_of(walk: PlannedWalk, fps: float, share: float, rng: np.random.Generator) -> Stoops:
     """The stoops of a walk.
 
     Args:
@@ -51,7 +51,7 @@ def stoops_of(walk: Walk, fps: float, share: float, rng: np.random.Generator) ->
     return Stoops(crouch, bend)
 
 
-def _stops(walk: Walk, fps: float) -> list[tuple[int, int]]:
+def _stops(walk: PlannedWalk, fps: float) -> list[tuple[int, int]]:
     """Half-open ranges of the walk's rows in which the person stands."""
     moved = np.linalg.norm(np.diff(walk.position, axis=0, prepend=walk.position[:1]), axis=1)
     stands = np.concatenate(([0], (moved * fps < _STANDS_M_S).astype(int), [0]))

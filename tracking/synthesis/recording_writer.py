@@ -11,8 +11,8 @@ from tracking.errors import CancelledError, SettingsError
 from tracking.geometry import write_calibration
 from tracking.progress import Progress
 from tracking.recording import Manifest, write_manifest
-from tracking.synthesis.circumstances import ORDINARY, Circumstances
-from tracking.synthesis.programme_writing import write_programme
+from tracking.synthesis.disturbances import NO_DISTURBANCES, Disturbances
+from tracking.synthesis.scenario_writing import write_scenario
 from tracking.synthesis.scene import Scene
 from tracking.synthesis.scenes import SCENES
 from tracking.synthesis.specs import SceneSpec
@@ -36,7 +36,7 @@ def render_recording(
     size: tuple[int, int] | None = None,
     fps: float | None = None,
     eyes: int | None = None,
-    circumstances: Circumstances = ORDINARY,
+    disturbances: Disturbances = NO_DISTURBANCES,
 ) -> Path:
     """Render a scene into a recording folder with exact truth.
 
@@ -52,7 +52,7 @@ def render_recording(
         size: width and height of the images in px, even; the scene's own if None.
         fps: frames a second; the scene's own if None.
         eyes: 2, or 1 for a recording of the left eye alone; the scene's own if None.
-        circumstances: what is out of the ordinary.
+        disturbances: what is out of the ordinary.
 
     Returns:
         The folder.
@@ -65,7 +65,7 @@ def render_recording(
     spec = _spec_of(scene)
     fps, eyes = spec.fps if fps is None else fps, spec.eyes if eyes is None else eyes
     _check(seconds, people, spec.size_px if size is None else size, fps, eyes)
-    _check_begin(spec, seconds, circumstances)
+    _check_begin(spec, seconds, disturbances)
     with replacing_folder(folder) as part:
         rendered = Scene(
             spec,
@@ -75,7 +75,7 @@ def render_recording(
             size=size,
             fps=fps,
             eyes=eyes,
-            circumstances=circumstances,
+            disturbances=disturbances,
         )
         _write(part, rendered, seed, progress, cancelled)
     return folder
@@ -109,10 +109,10 @@ def _check(
         raise SettingsError(f"eyes is {eyes}; give 1 or 2")
 
 
-def _check_begin(spec: SceneSpec, seconds: float | None, circumstances: Circumstances) -> None:
-    if seconds is None and circumstances.begin_s >= spec.seconds:
+def _check_begin(spec: SceneSpec, seconds: float | None, disturbances: Disturbances) -> None:
+    if seconds is None and disturbances.begin_s >= spec.seconds:
         raise SettingsError(
-            f"begin is {circumstances.begin_s:g}, but the scene {spec.name} lasts "
+            f"begin is {disturbances.begin_s:g}, but the scene {spec.name} lasts "
             f"{spec.seconds:g} seconds; begin earlier or give seconds"
         )
 
@@ -142,8 +142,8 @@ def _write(
             if progress is not None:
                 progress(number + 1, scene.frames)
     write_truth(folder, truths)
-    if scene.spec.programme or scene.spec.passage is not None:
-        write_programme(folder, scene)
+    if scene.spec.scenario or scene.spec.passage is not None:
+        write_scenario(folder, scene)
     _write_descriptions(folder, scene, seed)
 
 

@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 
 from tracking.recording.frame import Image, StereoFrame
 from tracking.synthesis.cast import Cast
-from tracking.synthesis.circumstances import ORDINARY, Circumstances, knocked
-from tracking.synthesis.programme import Moment
+from tracking.synthesis.disturbances import NO_DISTURBANCES, Disturbances, knock_camera
 from tracking.synthesis.rig import Rig
+from tracking.synthesis.scenario import Moment
 from tracking.synthesis.sensor import Sensor
 from tracking.synthesis.specs import SceneSpec
 from tracking.synthesis.stage import Stage
@@ -43,7 +43,7 @@ class Scene:
         size: tuple[int, int] | None = None,
         fps: float | None = None,
         eyes: int | None = None,
-        circumstances: Circumstances = ORDINARY,
+        disturbances: Disturbances = NO_DISTURBANCES,
     ) -> None:
         """Plan everybody's way and draw what stands still.
 
@@ -56,7 +56,7 @@ class Scene:
             fps: frames a second; the scene's own if None.
             eyes: 2, or 1 for the left eye alone, of the same pictures and truth; the scene's own
                 if None.
-            circumstances: what is out of the ordinary.
+            disturbances: what is out of the ordinary.
 
         Raises:
             SettingsError: the scene is not for so many people.
@@ -64,9 +64,9 @@ class Scene:
         size = spec.size_px if size is None else size
         self.fps = spec.fps if fps is None else fps
         self.eyes = spec.eyes if eyes is None else eyes
-        self.spec, self._circumstances = spec, circumstances
-        self._skipped = round(circumstances.begin_s * self.fps)
-        length_s = spec.seconds - circumstances.begin_s if seconds is None else seconds
+        self.spec, self._disturbances = spec, disturbances
+        self._skipped = round(disturbances.begin_s * self.fps)
+        length_s = spec.seconds - disturbances.begin_s if seconds is None else seconds
         self.frames = max(round(length_s * self.fps), 1)
         self.rig = Rig.of_scene(spec, size)
         count = spec.people if people is None else people
@@ -117,21 +117,21 @@ class Scene:
         return self.cast.places(self.on_floor(number), number + self._skipped)
 
     def moments(self) -> tuple[Moment, ...]:
-        """The programme's moments, in seconds of the recording."""
-        late = self._circumstances.begin_s
+        """The scenario's moments, in seconds of the recording."""
+        late = self._disturbances.begin_s
         return tuple(
             replace(moment, start_s=moment.start_s - late, end_s=moment.end_s - late)
             for moment in self.cast.moments
         )
 
     def _after_the_knock(self, size: tuple[int, int], seed: int) -> Stage | None:
-        if self._circumstances.bumped_s is None:
+        if self._disturbances.bumped_s is None:
             return None
-        spec = knocked(self.spec)
+        spec = knock_camera(self.spec)
         return Stage(spec, Rig.of_scene(spec, size), self.eyes, seed)
 
     def _stage_at(self, number: int) -> Stage:
-        if self._bumped_stage and self._circumstances.is_bumped(number / self.fps):
+        if self._bumped_stage and self._disturbances.is_bumped(number / self.fps):
             return self._bumped_stage
         return self._stage
 
@@ -141,6 +141,6 @@ class Scene:
         return StereoFrame(number, number / self.fps, left, right)
 
     def _expose(self, eye: int, number: int, light: Float32s) -> Image:
-        share = self._circumstances.brightness(number / self.fps)
+        share = self._disturbances.brightness(number / self.fps)
         lit = light if share == 1.0 else light * np.float32(share)
         return self._sensors[eye].expose(lit, number)

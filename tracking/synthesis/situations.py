@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tracking.synthesis.itineraries import EMPTY_S
-from tracking.synthesis.programme import EVERYBODY, Moment, Programme, Role
+from tracking.synthesis.scenario import EVERYBODY, Moment, Role, Scenario
 
 LONGEST_S = 10.0
 """No situation takes longer than this."""
@@ -184,7 +184,7 @@ _SITUATIONS = (
 COUNT = len(_SITUATIONS)
 
 
-def situation(number: int, seed: int) -> Programme:
+def situation(number: int, seed: int) -> Scenario:
     """One situation, from 1; another seed takes place elsewhere, mirrored, faster or slower."""
     asked = _SITUATIONS[number - 1]
     rng = np.random.default_rng((seed, 21, number))
@@ -199,10 +199,10 @@ def situation(number: int, seed: int) -> Programme:
         roles.append(Role(points))
     start, end = min(r.points[0, 0] for r in roles), max(r.points[-1, 0] for r in roles)
     moment = Moment(float(start), float(end), EVERYBODY, "situation", asked.title, asked.difficulty)
-    return Programme(tuple(roles), (moment,))
+    return Scenario(tuple(roles), (moment,))
 
 
-def situations(seed: int) -> Programme:
+def situations(seed: int) -> Scenario:
     """All of them in turn, each by people of its own."""
     roles: list[Role] = []
     moments = []
@@ -213,7 +213,7 @@ def situations(seed: int) -> Programme:
         for moment in one.moments:
             start, end = moment.start_s + offset_s, moment.end_s + offset_s
             moments.append(replace(moment, start_s=start, end_s=end))
-    return Programme(tuple(roles), tuple(moments))
+    return Scenario(tuple(roles), tuple(moments))
 
 
 def people_in(number: int) -> int:

@@ -104,7 +104,7 @@ class SceneSpec:
         fps, eyes: frames a second and how many eyes, unless told otherwise.
         focal: focal length as a share of the picture's width; unless told otherwise the stereo
             papers' 3.8 mm lens at VGA.
-        programme: what people do, one of `programmes`; empty: they come by as they like.
+        scenario: what people do, one of `scenarios`; empty: they come by as they like.
         passage: where people walk instead of to places in the area.
     """
 
@@ -130,5 +130,5 @@ class SceneSpec:
     fps: float = 20.0
     eyes: int = 2
     focal: float = 510.0 / 640.0
-    programme: str = ""
+    scenario: str = ""
     passage: PassageSpec | None = None

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from tracking.synthesis.body import topology
 from tracking.synthesis.cast import Cast
 from tracking.synthesis.light import FloorShade, FloorShadows
-from tracking.synthesis.painter import FINE, Drawn, Painter, composite
+from tracking.synthesis.painter import FINE, Painter, PeopleSamples, composite
 from tracking.synthesis.pillars import Pillars
 from tracking.synthesis.rig import Rig
 from tracking.synthesis.scenery import backdrop, inverse_depth
@@ -107,10 +107,10 @@ class Stage:
                 seen.append(person)
         return np.array(seen, np.intp)
 
-    def _lights(self, shade: FloorShade, drawn: list[Drawn] | list[None]) -> list[Float32s]:
+    def _lights(self, shade: FloorShade, drawn: list[PeopleSamples] | list[None]) -> list[Float32s]:
         return [self._light(eye, shade, one) for eye, one in enumerate(drawn)]
 
-    def _light(self, eye: int, shade: FloorShade, drawn: Drawn | None) -> Float32s:
+    def _light(self, eye: int, shade: FloorShade, drawn: PeopleSamples | None) -> Float32s:
         floor, rest = self._parts[eye]
         left = self._shadows.seen_by(shade, eye)
         light = np.asarray(cv2.add(cv2.multiply(floor, left), rest), np.float32)

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.synthesis.body import topology
-from tracking.synthesis.painter import FINE, Drawn
+from tracking.synthesis.painter import FINE, PeopleSamples
 from tracking.synthesis.rig import BASELINE_M, Rig
 from tracking.tracks import PARTS
 
@@ -75,7 +75,7 @@ def no_surfaces(size: tuple[int, int]) -> Surfaces:
     return Surfaces(np.zeros(shape, np.int32), np.full(shape, np.nan, np.float32))
 
 
-def surfaces_of(drawn: Drawn, people: NDArray[np.intp], rig: Rig) -> Surfaces:
+def surfaces_of(drawn: PeopleSamples, people: NDArray[np.intp], rig: Rig) -> Surfaces:
     """What is seen in the left eye's picture of people (n,), indices in the cast."""
     surfaces = no_surfaces(rig.size)
     pixels = surfaces.track.size
@@ -97,7 +97,7 @@ def surfaces_of(drawn: Drawn, people: NDArray[np.intp], rig: Rig) -> Surfaces:
 
 
 def truth_of(
-    people: NDArray[np.intp], position: Floats, pixels: Floats, drawn: Drawn
+    people: NDArray[np.intp], position: Floats, pixels: Floats, drawn: PeopleSamples
 ) -> SceneTruth:
     """The truth of a drawn frame.
 
@@ -122,14 +122,14 @@ def truth_of(
     )
 
 
-def _part_samples(drawn: Drawn, people: int) -> NDArray[np.int64]:
+def _part_samples(drawn: PeopleSamples, people: int) -> NDArray[np.int64]:
     """Samples seen (n, 3) of each person's parts."""
     kind = drawn.person * PARTS + drawn.part
     count = np.bincount(kind[drawn.seen.triangle], minlength=people * PARTS)
     return count.reshape(people, PARTS)
 
 
-def _whole_samples(drawn: Drawn, people: int) -> NDArray[np.int64]:
+def _whole_samples(drawn: PeopleSamples, people: int) -> NDArray[np.int64]:
     """Samples (n,) each person would cover, were nothing in the way and no edge of the image."""
     person = drawn.person[drawn.covered.triangle]
     x, y = drawn.covered.x, drawn.covered.y

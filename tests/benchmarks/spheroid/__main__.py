@@ -12,7 +12,7 @@ from typing import Any
 from tests.benchmarks.options import Asked
 from tests.benchmarks.results import Contents, run
 
-SECTIONS = ("marks", "situations", "real", "places", "befallen", "speed")
+SECTIONS = ("marks", "situations", "real", "places", "robustness", "speed")
 
 
 def _contents(wish: Asked) -> Contents:
@@ -30,10 +30,10 @@ def _contents(wish: Asked) -> Contents:
                 "seconds": clips.SECONDS,
                 "rows": recordings.places(known.places, wish.clips),
             },
-            "befallen": lambda: {
-                "begins with people": ghosts.befallen(known.peopled, wish.clips),
-                "light goes out": ghosts.befallen(known.dimmed, wish.clips),
-                "camera knocked": ghosts.befallen(known.bumped, wish.clips),
+            "robustness": lambda: {
+                "begins with people": ghosts.robustness(known.peopled, wish.clips),
+                "light goes out": ghosts.robustness(known.dimmed, wish.clips),
+                "camera knocked": ghosts.robustness(known.bumped, wish.clips),
             },
             "speed": _speed,
         },

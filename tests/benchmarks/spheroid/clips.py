@@ -5,12 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from tests.benchmarks.rendered_clips import Clip
-from tracking.synthesis import Circumstances
+from tracking.synthesis import Disturbances
 
 SITUATIONS = tuple(f"situation-{number}" for number in range(1, 16))
 PLACES = ("lobby", "plaza", "square", "pillars", "ceiling", "corridor")
 SECONDS = 12.0
-"""Of the clips that are not programmes."""
+"""Of the clips that are not scenarios."""
 
 _BEGIN_S, _LATER_S = 8.0, 6.0
 
@@ -46,14 +46,20 @@ def _clips(seeds: tuple[int, ...]) -> Clips:
         pairs=tuple(Clip("marks-pairs", seed) for seed in seeds),
         situations=tuple(Clip(name, seed) for seed in seeds for name in SITUATIONS),
         places=tuple(Clip(name, first, SECONDS) for name in PLACES),
-        peopled=tuple(_befallen(name, first, begin_s=_BEGIN_S) for name in ("ceiling", "plaza")),
-        dimmed=tuple(_befallen(name, first, dimmed_s=_LATER_S) for name in ("ceiling", "plaza")),
-        bumped=tuple(_befallen(name, first, bumped_s=_LATER_S) for name in ("ceiling", "plaza")),
+        peopled=tuple(
+            _disturbed_clip(name, first, begin_s=_BEGIN_S) for name in ("ceiling", "plaza")
+        ),
+        dimmed=tuple(
+            _disturbed_clip(name, first, dimmed_s=_LATER_S) for name in ("ceiling", "plaza")
+        ),
+        bumped=tuple(
+            _disturbed_clip(name, first, bumped_s=_LATER_S) for name in ("ceiling", "plaza")
+        ),
     )
 
 
-def _befallen(scene: str, seed: int, **befalls: float) -> Clip:
-    return Clip(scene, seed, SECONDS, eyes=1, circumstances=Circumstances(**befalls))
+def _disturbed_clip(scene: str, seed: int, **disturbances: float) -> Clip:
+    return Clip(scene, seed, SECONDS, eyes=1, disturbances=Disturbances(**disturbances))
 
 
 TUNED = _clips((5101,))

@@ -21,7 +21,7 @@ LONGEST_S = 5.0
 """No ghost may last longer (the goal)."""
 
 
-def befallen(clips: Sequence[Clip], kept: Path | None = None) -> list[dict[str, Any]]:
+def robustness(clips: Sequence[Clip], kept: Path | None = None) -> list[dict[str, Any]]:
     """Scores and ghosts of clips in which something is out of the ordinary."""
     return [_row(clip, folder_of(clip, kept)) for clip in clips]
 

@@ -31,7 +31,7 @@ def writers() -> Mapping[str, Callable[[Any], str]]:
         "situations": _situations,
         "real": _real,
         "places": _places,
-        "befallen": _befallen,
+        "robustness": _robustness,
         "speed": _speed,
     }
 
@@ -163,7 +163,7 @@ def _score(row: Figures) -> list[str]:
     ]
 
 
-def _befallen(figures: Figures) -> str:
+def _robustness(figures: Figures) -> str:
     clips = [(kind, row) for kind, several in figures.items() for row in several]
     rows = [
         [
@@ -177,7 +177,7 @@ def _befallen(figures: Figures) -> str:
     ]
     head = ("what", "clip", "MOTA", "IDF1", f"ghosts over {LONGEST_S:g} s", "longest alone, s")
     said = [f"- {row['recording']}: {note}" for _, row in clips for note in row["notes"]]
-    parts = [words.BEFALLEN.format(longest=LONGEST_S).strip(), table(head, rows)]
+    parts = [words.ROBUSTNESS.format(longest=LONGEST_S).strip(), table(head, rows)]
     parts.append("What users are told:\n\n" + ("\n".join(said) or "- nothing"))
     return "\n\n".join(parts)
 

@@ -64,9 +64,9 @@ def test_scores_of_real_footage_stand_beside_their_goals() -> None:
     assert "says no floor positions" in page
 
 
-def test_ghosts_and_what_users_are_told_stand_by_what_befell_the_recording() -> None:
+def test_ghosts_and_what_users_are_told_stand_by_disturbance() -> None:
     row = {"recording": "plaza", "MOTA": 0.9, "IDF1": 0.91, "ghosts": 1, "longest_s": 6.24}
     figures = {"camera knocked": [{**row, "notes": ["the camera moved"]}]}
-    page = report.writers()["befallen"](figures)
+    page = report.writers()["robustness"](figures)
     assert "| camera knocked | plaza | 0.900 | 0.910 | 1 | 6.2 |" in page
     assert "- plaza: the camera moved" in page

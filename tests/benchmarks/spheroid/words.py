@@ -66,7 +66,7 @@ PETS 2009 S2.L1 view 1 (one camera, 7 frames a second, 19 people), no learned de
 the floor within {radius:g} m.
 """
 
-BEFALLEN = """
+ROBUSTNESS = """
 ## When something is out of the ordinary
 
 A recording that begins with people in it (`--begin`), a part of the light that goes out

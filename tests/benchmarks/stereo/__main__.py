@@ -14,20 +14,20 @@ from typing import Any
 from tests.benchmarks.options import Asked
 from tests.benchmarks.results import Contents, run
 
-SECTIONS = ("tables", "trackers", "goals", "real", "lost", "befallen", "peers")
+SECTIONS = ("tables", "trackers", "goals", "real", "lost", "robustness", "peers")
 """As they are measured: runs of `tables` and `trackers` serve `goals`; programs of others come
 last, as they may fail."""
 
 
 def _contents(wish: Asked) -> Contents:
     from tests.benchmarks.stereo import (
-        befallen,
         choice,
         clip_scores,
         clips,
         pictures,
         real,
         report,
+        robustness,
         trackers,
         words,
     )
@@ -49,7 +49,7 @@ def _contents(wish: Asked) -> Contents:
             "peers": lambda: _peers(known, wish),
             "real": lambda: real.measure(wish.data),
             "lost": lambda: _lost(known, wish),
-            "befallen": lambda: befallen.measure(known.dimmed, known.sound, wish.clips),
+            "robustness": lambda: robustness.measure(known.dimmed, known.sound, wish.clips),
         },
         photographs={"lost": picture},
         state=lambda: trackers.sources()[:16],

@@ -102,8 +102,8 @@ def told(one: NotKept, clip: str) -> Figures:
 
 
 def _flat(values: Figures) -> Figures:
-    circumstance = values.pop("circumstance")
-    return {**values, "tracks": list(values["tracks"]), **circumstance}
+    context = values.pop("context")
+    return {**values, "tracks": list(values["tracks"]), **context}
 
 
 def _scored(folders: Sequence[Path]) -> Figures:

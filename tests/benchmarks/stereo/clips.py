@@ -9,7 +9,7 @@ from pathlib import Path
 
 from tests.benchmarks.kept_results import rendering
 from tests.benchmarks.rendered_clips import Clip, folder_of
-from tracking.synthesis import SCENES, Circumstances
+from tracking.synthesis import SCENES, Disturbances
 
 PAPERS = ("indoor", "outdoor", "lobby", "plaza", "square", "uniforms")
 """The camera set-ups of both papers, and people in clothes of one colour."""
@@ -17,7 +17,7 @@ PAPERS = ("indoor", "outdoor", "lobby", "plaza", "square", "uniforms")
 SCENES_MEASURED = (*PAPERS, "pillars", "corridor", "ceiling")
 _LEAST_PEOPLE = 30
 _FEWER_WILL_DO = ("corridor", "ceiling")  # no paper and no goal of accuracy has them
-_BEFALLEN = ("lobby", "plaza")
+_ROBUSTNESS = ("lobby", "plaza")
 _DIMMED_S, _SHORT_S = 7.0, 15.0
 
 
@@ -40,7 +40,7 @@ class Clips:
     @property
     def sound(self) -> tuple[Clip, ...]:
         """Clips whose right eye is troubled afterwards."""
-        return tuple(self.of_scene[scene][0] for scene in _BEFALLEN)
+        return tuple(self.of_scene[scene][0] for scene in _ROBUSTNESS)
 
     def folders(self, kept: Path | None = None) -> dict[str, Path]:
         """The recordings of all scenes by their clips' names."""
@@ -49,15 +49,15 @@ class Clips:
 
 
 def _clips(first_seed: int, numbers: Mapping[str, int]) -> Clips:
-    circumstances = Circumstances(dimmed_s=_DIMMED_S)
+    disturbances = Disturbances(dimmed_s=_DIMMED_S)
     return Clips(
         of_scene={
             scene: tuple(Clip(scene, first_seed + k) for k in range(number))
             for scene, number in numbers.items()
         },
         dimmed=tuple(
-            Clip(scene, first_seed, _SHORT_S, SCENES[scene].people // 2, None, circumstances)
-            for scene in _BEFALLEN
+            Clip(scene, first_seed, _SHORT_S, SCENES[scene].people // 2, None, disturbances)
+            for scene in _ROBUSTNESS
         ),
     )
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from tests.benchmarks.pages import Figures, table
 from tests.benchmarks.stereo import words
-from tests.benchmarks.stereo.circumstance import CLOSE, WHERE
+from tests.benchmarks.stereo.loss_context import CLOSE, WHERE
 from tests.benchmarks.stereo.pictures import caption
 from tests.benchmarks.stereo.reasons import WHAT
 from tracking.synthesis import SCENES

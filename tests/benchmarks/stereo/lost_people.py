@@ -40,7 +40,7 @@ def main() -> None:
 
 def line(one: Any) -> str:
     """A person who was not kept, on one line."""
-    around = one.circumstance
+    around = one.context
     other = f" with {one.other}" if one.other else ""
     beside = f" {around.neighbour}" if around.neighbour else ""
     return (
@@ -52,7 +52,7 @@ def line(one: Any) -> str:
 
 def counted(everybody: list[Any]) -> list[str]:
     """How often what went wrong where."""
-    often = Counter((one.what, one.circumstance.where) for one in everybody)
+    often = Counter((one.what, one.context.where) for one in everybody)
     return [f"{number:4d} {what}, {where}" for (what, where), number in often.most_common()]
 
 

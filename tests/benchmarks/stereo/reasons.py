@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tests.benchmarks.stereo.circumstance import Circumstance, circumstance
+from tests.benchmarks.stereo.loss_context import LossContext, loss_context
 from tests.benchmarks.stereo.truth import Columns, Flags, Integers, Truth, visible_for
 from tracking.scoring import BoxMatch, Examination, ScoringTable, examine, per_person_of
 
@@ -47,7 +47,7 @@ class NotKept:
         frame: when it showed, from 0. last: the last frame in which all was well.
         other: the person whose track was mixed up with this one's; 0: nobody.
         tracks: the person's before and after; 0: none.
-        circumstance: what was in the way.
+        context: what was in the way.
     """
 
     person: int
@@ -56,7 +56,7 @@ class NotKept:
     last: int
     other: int
     tracks: tuple[int, int]
-    circumstance: Circumstance
+    context: LossContext
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -115,7 +115,7 @@ def _never(truth: Truth, person: int) -> NotKept:
     """Somebody nobody followed: told by the moment in which most of it is seen."""
     rows = np.flatnonzero(truth.person == person)
     frame = int(truth.frame[rows[np.argmax(truth.share[rows])]])
-    around = circumstance(truth, person, frame, frame)
+    around = loss_context(truth, person, frame, frame)
     return NotKept(person, NEVER, frame, frame, around.neighbour, (0, 0), around)
 
 
@@ -242,7 +242,7 @@ def _half_lost(truth: Truth, person: int, only: Stretch, matches: Matches) -> No
     starts, sizes = np.unique(held, return_counts=True)
     last = int(starts[np.argmax(sizes)])
     frame = int(missing[held == last][0])
-    around = circumstance(truth, person, last, frame)
+    around = loss_context(truth, person, last, frame)
     return NotKept(person, LOST, frame, last, around.neighbour, (only.track, 0), around)
 
 
@@ -257,5 +257,5 @@ def _told(
     """The event with what was in the way from half a second before all was well last."""
     last, track = before
     start = max(0, last - round(_BEFORE_S * truth.fps))
-    around = circumstance(truth, person, start, new.first)
+    around = loss_context(truth, person, start, new.first)
     return NotKept(person, what, new.first, last, other, (track, new.track), around)

@@ -19,7 +19,7 @@ def writers() -> Mapping[str, Callable[[Any], str]]:
         "peers": peers.written,
         "real": _real,
         "lost": losses.written,
-        "befallen": _befallen,
+        "robustness": _robustness,
     }
 
 
@@ -70,7 +70,7 @@ def _uncovered(rows: Sequence[Figures]) -> str:
     )
 
 
-def _befallen(rows: Sequence[Figures]) -> str:
+def _robustness(rows: Sequence[Figures]) -> str:
     cells = [
         [
             row["what"],
@@ -86,4 +86,4 @@ def _befallen(rows: Sequence[Figures]) -> str:
     head = (
         "what happens", "scene", "kept", "MOTA", "IDF1", "switches", "error, m", "longest alone, s",
     )  # fmt: skip
-    return "\n\n".join((words.BEFALLEN.strip(), table(head, cells)))
+    return "\n\n".join((words.ROBUSTNESS.strip(), table(head, cells)))

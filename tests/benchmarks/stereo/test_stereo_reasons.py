@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable
 import numpy as np
 import pytest
 
-from tests.benchmarks.stereo import circumstance, reasons
+from tests.benchmarks.stereo import loss_context, reasons
 from tests.benchmarks.stereo.clip_scores import told
 from tests.benchmarks.stereo.reasons import NotKept, not_kept
 from tests.benchmarks.stereo.truth import Truth, visible_for
@@ -107,8 +107,8 @@ def test_whoever_comes_back_under_another_id_is_told_with_what_was_in_the_way() 
     tracks = _tracks(rows, {1: _turns(5, 7, 44, gap=6), 2: _always(6)})
     (one,) = not_kept(_truth(rows, hidden), tracks)
     assert (one.person, one.what, one.tracks) == (1, reasons.RENAMED, (5, 7))
-    around = one.circumstance
-    assert (around.where, around.neighbour) == (circumstance.HIDDEN_BY_PERSON, 2)
+    around = one.context
+    assert (around.where, around.neighbour) == (loss_context.HIDDEN_BY_PERSON, 2)
     assert around.share == pytest.approx(0.1)
 
 
@@ -116,14 +116,14 @@ def test_somebody_hidden_by_nobody_is_behind_a_thing() -> None:
     hidden = {(n, 1): 0.0 for n in range(35, 44)}
     tracks = _tracks(TWO, {1: _turns(5, 7, 44, gap=9), 2: _always(6)})
     (one,) = not_kept(_truth(TWO, hidden), tracks)
-    assert (one.what, one.circumstance.where) == (reasons.RENAMED, circumstance.HIDDEN_BY_THINGS)
+    assert (one.what, one.context.where) == (reasons.RENAMED, loss_context.HIDDEN_BY_THINGS)
 
 
 def test_somebody_half_out_of_the_picture_is_at_its_edge() -> None:
     rows = _walks({1: _stands(-3.2)})
     hidden = {(n, 1): 0.5 for n in range(80)}
     (one,) = not_kept(_truth(rows, hidden), _tracks(rows, {1: _turns(5, 7, 40)}))
-    assert one.circumstance.where == circumstance.AT_EDGE
+    assert one.context.where == loss_context.AT_EDGE
 
 
 def test_a_newcomer_under_the_track_of_somebody_gone_has_an_old_track() -> None:

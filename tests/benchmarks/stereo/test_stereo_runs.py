@@ -11,14 +11,14 @@ import pytest
 
 from tests.benchmarks.rendered_clips import Clip
 from tests.benchmarks.stereo import choice, clip_scores, report, trackers
-from tests.benchmarks.stereo.circumstance import Circumstance
 from tests.benchmarks.stereo.columns import OURS
+from tests.benchmarks.stereo.loss_context import LossContext
 from tests.benchmarks.stereo.lost_people import counted, line
 from tests.benchmarks.stereo.reasons import NotKept
 from tests.benchmarks.stereo.trackers import Variant, runs_over
 from tracking.pipeline import track
 from tracking.recording import open_recording
-from tracking.synthesis import Circumstances, render_recording
+from tracking.synthesis import Disturbances, render_recording
 
 FEWER = Variant("stereo-direction", (("particles", 50),))
 
@@ -27,8 +27,8 @@ FEWER = Variant("stereo-direction", (("particles", 50),))
 def clip(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A second in which people are there from the start."""
     folder = tmp_path_factory.mktemp("clips") / "lobby-1"
-    late = Circumstances(begin_s=8.0)
-    return render_recording(folder, "lobby", 1.0, 3, 6001, size=(320, 240), circumstances=late)
+    late = Disturbances(begin_s=8.0)
+    return render_recording(folder, "lobby", 1.0, 3, 6001, size=(320, 240), disturbances=late)
 
 
 def test_a_run_over_shared_perception_is_the_run_alone(clip: Path) -> None:
@@ -84,7 +84,7 @@ def test_trackers_and_goals_are_measured_and_written(clip: Path) -> None:
 
 
 def test_somebody_not_kept_is_told_on_one_line_and_counted() -> None:
-    around = Circumstance("behind somebody", 4, 0.02)
+    around = LossContext("behind somebody", 4, 0.02)
     one = NotKept(7, "new id", 413, 396, 0, (6, 14), around)
     assert line(one) == (
         "person   7: new id, frames 396-413, track 6->14, behind somebody 4, 2 % seen"

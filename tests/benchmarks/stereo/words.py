@@ -188,7 +188,7 @@ PICTURE = """
 grey everybody else's.
 """
 
-BEFALLEN = """
+ROBUSTNESS = """
 ## Light that changes, a right eye that fails or lags, poor cameras
 
 A part of the light goes out within a second (clips of 15 s), or the right eye of a clip of 30 s is

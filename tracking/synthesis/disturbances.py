@@ -1,4 +1,4 @@
-"""What can befall a recording: it begins late, the light changes, somebody knocks the camera."""
+"""Disturbances of a rendered recording: a late begin, changing light, a knocked camera."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ _KNOCKED_DEG, _TWISTED_DEG = 1.5, 1.0
 
 
 @dataclass(frozen=True, slots=True)
-class Circumstances:
-    """What is out of the ordinary; nothing, unless told.
+class Disturbances:
+    """What is out of the ordinary; nothing by default.
 
     Attributes:
         begin_s: this much of the scene's start is left out, so that it begins with people in it.
@@ -52,11 +52,11 @@ class Circumstances:
         return self.bumped_s is not None and second >= self.bumped_s
 
 
-def knocked(spec: SceneSpec) -> SceneSpec:
+def knock_camera(spec: SceneSpec) -> SceneSpec:
     """The scene as its camera sees it after the knock: the axis higher, the camera twisted."""
     return replace(
         spec, tilt_deg=spec.tilt_deg - _KNOCKED_DEG, roll_deg=spec.roll_deg + _TWISTED_DEG
     )
 
 
-ORDINARY = Circumstances()
+NO_DISTURBANCES = Disturbances()

@@ -8,20 +8,20 @@ import numpy as np
 import pytest
 
 from tracking.errors import SettingsError
-from tracking.synthesis import SCENES, Circumstances, Scene, render_recording
+from tracking.synthesis import SCENES, Disturbances, Scene, render_recording
 
 SIZE = (160, 120)
 
 
-ORDINARY = Circumstances()
+NO_DISTURBANCES = Disturbances()
 
 
-def _scene(circumstances: Circumstances = ORDINARY, seconds: float = 4.0) -> Scene:
-    return Scene(SCENES["ceiling"], 8, 3, seconds=seconds, size=SIZE, circumstances=circumstances)
+def _scene(disturbances: Disturbances = NO_DISTURBANCES, seconds: float = 4.0) -> Scene:
+    return Scene(SCENES["ceiling"], 8, 3, seconds=seconds, size=SIZE, disturbances=disturbances)
 
 
 def test_a_recording_can_begin_with_people_in_it() -> None:
-    late = _scene(Circumstances(begin_s=9.0))
+    late = _scene(Disturbances(begin_s=9.0))
     whole = _scene(seconds=13.0)
     assert late.frames == 80
     _, truth = late.frame(0)
@@ -33,12 +33,12 @@ def test_a_recording_can_begin_with_people_in_it() -> None:
 
 
 def test_a_scene_that_begins_late_is_shorter() -> None:
-    scene = Scene(SCENES["ceiling"], 1, 3, size=SIZE, circumstances=Circumstances(begin_s=28.0))
+    scene = Scene(SCENES["ceiling"], 1, 3, size=SIZE, disturbances=Disturbances(begin_s=28.0))
     assert scene.frames == 40
 
 
 def test_the_light_goes_down_at_once_and_stays_down() -> None:
-    dimmed, ordinary = _scene(Circumstances(dimmed_s=1.0)), _scene()
+    dimmed, ordinary = _scene(Disturbances(dimmed_s=1.0)), _scene()
     shares = [
         dimmed.frame(n)[0].left.astype(float).mean() / ordinary.frame(n)[0].left.mean()
         for n in (0, 19, 30, 45, 79)
@@ -51,8 +51,8 @@ def test_the_light_goes_down_at_once_and_stays_down() -> None:
 
 def test_a_knock_moves_the_picture_and_the_boxes_but_not_the_people() -> None:
     bumped, ordinary = (
-        Scene(SCENES["plaza"], 6, 3, seconds=8.0, size=SIZE, circumstances=circumstances)
-        for circumstances in (Circumstances(bumped_s=5.0), ORDINARY)
+        Scene(SCENES["plaza"], 6, 3, seconds=8.0, size=SIZE, disturbances=disturbances)
+        for disturbances in (Disturbances(bumped_s=5.0), NO_DISTURBANCES)
     )
     before, after = 99, 140
     (frame, _), (same, _) = bumped.frame(before), ordinary.frame(before)
@@ -68,7 +68,7 @@ def test_a_knock_moves_the_picture_and_the_boxes_but_not_the_people() -> None:
 
 def test_times_out_of_range_and_a_begin_after_the_end_are_told(tmp_path: Path) -> None:
     with pytest.raises(SettingsError, match="dimmed is -1"):
-        Circumstances(dimmed_s=-1.0)
+        Disturbances(dimmed_s=-1.0)
     with pytest.raises(SettingsError, match="lasts 30 seconds"):
-        render_recording(tmp_path / "out", "lobby", circumstances=Circumstances(begin_s=30.0))
+        render_recording(tmp_path / "out", "lobby", disturbances=Disturbances(begin_s=30.0))
     assert list(tmp_path.iterdir()) == []

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter1d
 
-from tracking.synthesis.crowd import Walk
+from tracking.synthesis.crowd import PlannedWalk
 
 Floats = NDArray[np.float64]
 
@@ -38,7 +38,7 @@ class Role:
 
 @dataclass(frozen=True, slots=True)
 class Moment:
-    """A stretch of a programme that has a name.
+    """A stretch of a scenario that has a name.
 
     Attributes:
         start_s, end_s: from when to when, half-open.
@@ -57,18 +57,18 @@ class Moment:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Programme:
+class Scenario:
     """Everybody's way, and the moments in it that are looked at."""
 
     roles: tuple[Role, ...]
     moments: tuple[Moment, ...]
 
-    def walks(self, frames: int, fps: float) -> tuple[Walk | None, ...]:
+    def walks(self, frames: int, fps: float) -> tuple[PlannedWalk | None, ...]:
         """The walks of all roles over `frames` frames; None for who comes later than that."""
         return tuple(_walk_of(role, frames, fps) for role in self.roles)
 
 
-def _walk_of(role: Role, frames: int, fps: float) -> Walk | None:
+def _walk_of(role: Role, frames: int, fps: float) -> PlannedWalk | None:
     first = int(np.ceil(role.points[0, 0] * fps))
     last = min(int(role.points[-1, 0] * fps), frames - 1)
     if last < first:
@@ -81,7 +81,7 @@ def _walk_of(role: Role, frames: int, fps: float) -> Walk | None:
     heading = gaussian_filter1d(_heading(role, fine), _TURNED_S * _FINE_HZ, mode="nearest")
     at = np.arange(first, last + 1) / fps
     x, y, turned = (np.interp(at, fine, values) for values in (*rounded, heading))
-    return Walk(first, np.column_stack((x, y)), turned)
+    return PlannedWalk(first, np.column_stack((x, y)), turned)
 
 
 def _at(role: Role, seconds: Floats, axis: int) -> Floats:

@@ -22,7 +22,7 @@ _CLOSE_M = 1.0
 
 
 @dataclass(frozen=True, slots=True)
-class Circumstance:
+class LossContext:
     """Of a moment, as the truth has it.
 
     Attributes:
@@ -36,7 +36,7 @@ class Circumstance:
     share: float
 
 
-def circumstance(truth: Truth, person: int, first: int, last: int) -> Circumstance:
+def loss_context(truth: Truth, person: int, first: int, last: int) -> LossContext:
     """What is in a person's way within frames, both included, when least of it is seen."""
     rows = truth.of(person, first, last)
     if not len(rows):
@@ -48,14 +48,14 @@ def circumstance(truth: Truth, person: int, first: int, last: int) -> Circumstan
         front, covered = _in_front(truth, row)
         outside = _outside(truth, row)
         if outside >= max(_OUTSIDE, covered):
-            return Circumstance(AT_EDGE, 0, share)
+            return LossContext(AT_EDGE, 0, share)
         if covered >= _COVERED:
-            return Circumstance(HIDDEN_BY_PERSON, front, share)
-        return Circumstance(HIDDEN_BY_THINGS, 0, share)
+            return LossContext(HIDDEN_BY_PERSON, front, share)
+        return LossContext(HIDDEN_BY_THINGS, 0, share)
     neighbour, apart_m = _nearest(truth, rows)
     if apart_m <= _CLOSE_M:
-        return Circumstance(CLOSE, neighbour, share)
-    return Circumstance(OPEN, 0, share)
+        return LossContext(CLOSE, neighbour, share)
+    return LossContext(OPEN, 0, share)
 
 
 def _nearest_rows(truth: Truth, person: int, frame: int) -> Integers:

@@ -1,4 +1,4 @@
-"""The programmes that scenes name."""
+"""The scenarios that scenes name."""
 
 from __future__ import annotations
 
@@ -8,17 +8,17 @@ from types import MappingProxyType
 
 from tracking.errors import SettingsError
 from tracking.synthesis import marks, situations
-from tracking.synthesis.programme import Programme
+from tracking.synthesis.scenario import Scenario
 from tracking.synthesis.specs import SceneSpec
 
-_FIXED: Mapping[str, Callable[[], Programme]] = MappingProxyType(
+_FIXED: Mapping[str, Callable[[], Scenario]] = MappingProxyType(
     {
         "marks": marks.standing,
         "marks-walking": marks.walking,
         "marks-pairs": marks.pairs,
     }
 )
-_VARIED: Mapping[str, Callable[[int], Programme]] = MappingProxyType(
+_VARIED: Mapping[str, Callable[[int], Scenario]] = MappingProxyType(
     {
         "situations": situations.situations,
         **{
@@ -30,16 +30,16 @@ _VARIED: Mapping[str, Callable[[int], Programme]] = MappingProxyType(
 """Another seed is another way of doing the same."""
 
 
-def programme_of(spec: SceneSpec, people: int, seed: int) -> Programme:
-    """The programme that a scene follows.
+def scenario_of(spec: SceneSpec, people: int, seed: int) -> Scenario:
+    """The scenario that a scene follows.
 
     Raises:
         SettingsError: it is not for so many people.
     """
-    fixed = _FIXED.get(spec.programme)
-    programme = fixed() if fixed else _VARIED[spec.programme](seed)
-    if people != len(programme.roles):
+    fixed = _FIXED.get(spec.scenario)
+    scenario = fixed() if fixed else _VARIED[spec.scenario](seed)
+    if people != len(scenario.roles):
         raise SettingsError(
-            f"people is {people}; the scene {spec.name} is for {len(programme.roles)}, leave it out"
+            f"people is {people}; the scene {spec.name} is for {len(scenario.roles)}, leave it out"
         )
-    return programme
+    return scenario

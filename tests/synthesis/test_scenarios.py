@@ -11,29 +11,29 @@ import pytest
 
 from tracking.errors import SettingsError
 from tracking.synthesis import SCENES, Scene, render_recording
-from tracking.synthesis.crowd import CLOSEST_M, Walk
+from tracking.synthesis.crowd import CLOSEST_M, PlannedWalk
 from tracking.synthesis.marks import MARKS_M
-from tracking.synthesis.programme import EVERYBODY, Moment
-from tracking.synthesis.programmes import programme_of
 from tracking.synthesis.rig import Rig
+from tracking.synthesis.scenario import EVERYBODY, Moment
+from tracking.synthesis.scenarios import scenario_of
 
-PROGRAMMES = sorted(name for name, spec in SCENES.items() if spec.programme)
-SITUATIONS = [name for name in PROGRAMMES if name.startswith("situation-")]
+SCENARIOS = sorted(name for name, spec in SCENES.items() if spec.scenario)
+SITUATIONS = [name for name in SCENARIOS if name.startswith("situation-")]
 FPS = 15.0
 
 
 @dataclass(frozen=True)
 class _Played:
-    """A programme with its walks."""
+    """A scenario with its walks."""
 
-    walks: tuple[Walk | None, ...]
+    walks: tuple[PlannedWalk | None, ...]
     moments: tuple[Moment, ...]
 
 
 def _played(name: str, seed: int = 1) -> _Played:
     spec = SCENES[name]
-    programme = programme_of(spec, spec.people, seed)
-    return _Played(programme.walks(round(spec.seconds * FPS), FPS), programme.moments)
+    scenario = scenario_of(spec, spec.people, seed)
+    return _Played(scenario.walks(round(spec.seconds * FPS), FPS), scenario.moments)
 
 
 def _table(played: _Played) -> np.ndarray:
@@ -44,8 +44,8 @@ def _table(played: _Played) -> np.ndarray:
     return table
 
 
-@pytest.mark.parametrize("name", PROGRAMMES)
-def test_everybody_comes_and_goes_before_a_programme_ends(name: str) -> None:
+@pytest.mark.parametrize("name", SCENARIOS)
+def test_everybody_comes_and_goes_before_a_scenario_ends(name: str) -> None:
     played = _played(name, 7)
     last = round(SCENES[name].seconds * FPS) - 1
     rig = Rig.of_scene(SCENES[name], (640, 480))
@@ -57,9 +57,9 @@ def test_everybody_comes_and_goes_before_a_programme_ends(name: str) -> None:
             assert not rig.sees(rig.view.box_of_person(place[None], 1.7, 0.5)[0])
 
 
-@pytest.mark.parametrize("name", PROGRAMMES)
+@pytest.mark.parametrize("name", SCENARIOS)
 @pytest.mark.parametrize("seed", [1, 2])
-def test_nobody_walks_through_anybody_in_a_programme(name: str, seed: int) -> None:
+def test_nobody_walks_through_anybody_in_a_scenario(name: str, seed: int) -> None:
     table = _table(_played(name, seed))
     gap = np.linalg.norm(table[:, :, None] - table[:, None], axis=-1)
     gap[:, np.eye(table.shape[1], dtype=bool)] = np.nan
@@ -125,7 +125,7 @@ def test_all_situations_in_turn_are_those_that_stand_alone() -> None:
     assert np.allclose(shapes, shown, atol=0.03)
 
 
-def test_a_programme_refuses_other_numbers_of_people() -> None:
+def test_a_scenario_refuses_other_numbers_of_people() -> None:
     with pytest.raises(SettingsError, match="for 2, leave it out"):
         Scene(SCENES["marks-pairs"], people=5, size=(64, 48))
 

@@ -1,17 +1,17 @@
-"""Writes where everybody is, seen or not, and what of a programme is looked at."""
+"""Writes where everybody is, seen or not, and what of a scenario is looked at."""
 
 from __future__ import annotations
 
 from pathlib import Path
 
-from tracking.synthesis.programme import EVERYBODY
+from tracking.synthesis.scenario import EVERYBODY
 from tracking.synthesis.scene import Scene
 
 FLOOR, MOMENTS = "floor.csv", "moments.csv"
 
 
-def write_programme(folder: Path, scene: Scene) -> None:
-    """Write `floor.csv` and, of a scene with a programme, `moments.csv`.
+def write_scenario(folder: Path, scene: Scene) -> None:
+    """Write `floor.csv` and, of a scene with a scenario, `moments.csv`.
 
     `floor.csv`: frame (from 0), id, x, y in metres of everybody on the floor, in view or not.
     `moments.csv`: start and end (frames from 0, half-open), id (0: everybody), kind, name,
