@@ -1,4 +1,4 @@
-"""`restore`: a backup of a session, listed or had back."""
+"""`restore`: a backup of a session, listed or restored."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from app.cli.output import print_json, print_line, say
 from tracking.errors import SessionError
 from tracking.recording.plurals import counted
 from tracking.session import (
-    Generation,
+    Backup,
     Session,
-    check_generation,
-    generations,
-    list_generations,
+    check_backup,
+    find_backups,
+    list_backups,
     replace_damaged,
 )
 
@@ -60,13 +60,13 @@ def _restored(path: Path, number: int) -> Session:
     try:
         session = Session.open(path)
     except SessionError:
-        if not path.is_file() or not generations(path.resolve()):
+        if not path.is_file() or not find_backups(path.resolve()):
             raise
         restored, kept = replace_damaged(path, number)
         say(f"note: the file that could not be read is kept as {kept}")
         return restored
     with closing(session):
-        check_generation(session.path or path, number)
+        check_backup(session.path or path, number)
         _refuse_read_only(session, path, "restored")
         return session.restore(number)
 
@@ -80,35 +80,35 @@ def _refuse_read_only(session: Session, path: Path, what: str) -> None:
 def _print(path: Path, *, as_json: bool) -> None:
     if not path.is_file():
         raise SessionError(f"{path}: there is no such session; check the path")
-    kept = list_generations(path)
+    kept = list_backups(path)
     if as_json:
-        print_json([_facts(generation) for generation in kept])
+        print_json([_facts(backup) for backup in kept])
         return
-    for generation in kept:
-        print_line(_line(generation))
+    for backup in kept:
+        print_line(_line(backup))
     if not kept:
         print_line("no backup is kept yet; every save keeps the one before it")
 
 
-def _facts(generation: Generation) -> dict[str, Any]:
+def _facts(backup: Backup) -> dict[str, Any]:
     return {
-        "generation": generation.number,
-        "saved": generation.saved or None,
-        "size_bytes": generation.size_bytes,
-        "edits": generation.edits,
-        "undone_edits": generation.undone_edits,
-        "tracks": generation.tracks,
-        "path": str(generation.path),
-        "problem": generation.problem or None,
-        "damage": generation.damage or None,
+        "backup": backup.number,
+        "saved": backup.saved or None,
+        "size_bytes": backup.size_bytes,
+        "edits": backup.edits,
+        "undone_edits": backup.undone_edits,
+        "tracks": backup.tracks,
+        "path": str(backup.path),
+        "problem": backup.problem or None,
+        "damage": backup.damage or None,
     }
 
 
-def _line(generation: Generation) -> str:
-    if generation.problem:
-        return f"{generation.number}  {generation.problem}"
-    when = generation.saved[:19].replace("T", " ")
-    size = f"{generation.size_bytes / 2**20:.1f} MB"
-    held = f"{counted(generation.edits, 'edit')}, {counted(generation.tracks, 'track')}"
-    line = f"{generation.number}  saved {when} UTC  {held}  {size}"
-    return f"{line}  {generation.damage}" if generation.damage else line
+def _line(backup: Backup) -> str:
+    if backup.problem:
+        return f"{backup.number}  {backup.problem}"
+    when = backup.saved[:19].replace("T", " ")
+    size = f"{backup.size_bytes / 2**20:.1f} MB"
+    held = f"{counted(backup.edits, 'edit')}, {counted(backup.tracks, 'track')}"
+    line = f"{backup.number}  saved {when} UTC  {held}  {size}"
+    return f"{line}  {backup.damage}" if backup.damage else line

@@ -64,14 +64,14 @@ def test_what_fails_before_the_backup_is_in_place_keeps_no_second_damaged_file(
 def test_a_backup_is_chosen_once_nobody_else_can_save(
     damaged: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    read = backup_restore.read_generation
+    read = backup_restore.read_backup
     held: list[bool] = []
 
     def reads(path: Path, number: int) -> object:
         held.append(is_open(path))
         return read(path, number)
 
-    monkeypatch.setattr("tracking.session.backup_restore.read_generation", reads)
+    monkeypatch.setattr("tracking.session.backup_restore.read_backup", reads)
     restored, _ = replace_damaged(damaged, 1)
     restored.close()
     assert held == [True]

@@ -12,7 +12,7 @@ from made_up_sessions import crashed, edit, state_of
 
 from tracking.editing import plan_rename, plan_swap
 from tracking.errors import OutputError
-from tracking.session import Session, describe, generations, replace_damaged, session_writer
+from tracking.session import Session, describe, find_backups, replace_damaged, session_writer
 from tracking.session.session_writer import companions
 
 
@@ -25,7 +25,7 @@ def flip(file: Path, text: bytes = b"red coat") -> None:
 
 @pytest.fixture
 def sound(session: Session) -> Path:
-    """A session in which a track has a name, with an older generation."""
+    """A session in which a track has a name, with a backup."""
     session.apply(plan_rename(session.tracks, session.labels, 1, "red coat"))
     session.save()
     session.close()
@@ -71,8 +71,8 @@ def test_the_original_stays_as_it_was_found_however_often_it_is_saved(damaged: P
     assert kept.name in note
     assert kept.read_bytes() == original
     assert len(list(companions(damaged).glob("damaged-*"))) == 1
-    with pytest.raises(AssertionError):  # five generations alone would have dropped it
-        assert original in [file.read_bytes() for file in generations(damaged)]
+    with pytest.raises(AssertionError):  # five backups alone would have dropped it
+        assert original in [file.read_bytes() for file in find_backups(damaged)]
 
 
 def test_on_a_disk_without_second_names_the_original_is_copied(
@@ -145,7 +145,7 @@ def test_a_restored_backup_that_is_damaged_stays_known_to_be(sound: Path) -> Non
     with closing(Session.open(sound)) as session:
         session.apply(plan_swap(session.tracks, 1, 2, 10))
         session.save()
-    backup = generations(sound)[0]
+    backup = find_backups(sound)[0]
     flip(backup)
     found = backup.read_bytes()
     with closing(Session.open(sound)) as session:
@@ -159,7 +159,7 @@ def test_a_damaged_backup_in_the_place_of_a_session_that_cannot_be_read_is_told(
     sound: Path,
 ) -> None:
     saved(sound)
-    flip(generations(sound)[0])
+    flip(find_backups(sound)[0])
     sound.write_bytes(b"nothing")
     session, _ = replace_damaged(sound, 1)
     session.close()

@@ -15,9 +15,9 @@ import pytest
 from made_up_sessions import edit, make_session
 
 from app.cli.restore import run_restore
-from app.presenters.files.document_loader import older_copy
+from app.presenters.files.document_loader import copy_newest_backup
 from tracking.errors import OutputError, SessionError, TrackwrightError, UnsafeFileError
-from tracking.session import Session, generations, list_generations, replace_damaged
+from tracking.session import Session, find_backups, list_backups, replace_damaged
 from tracking.session.session_writer import companions
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="links and pipes of POSIX")
@@ -146,11 +146,11 @@ def test_what_looks_like_a_save_cut_short_leads_nowhere(
 def test_a_trap_among_the_backups_is_listed_with_its_problem_and_never_restored(
     saved_thrice: Path, elsewhere: Path, trap: Trap
 ) -> None:
-    newest = generations(saved_thrice)[0]
+    newest = find_backups(saved_thrice)[0]
     newest.unlink()
     trap(newest, elsewhere)
     present, before = saved_thrice.read_bytes(), states(elsewhere)
-    listed = list_generations(saved_thrice)
+    listed = list_backups(saved_thrice)
     assert [bool(kept.problem) for kept in listed] == [True, False]
     assert str(newest) in listed[0].problem
     # A second name is read, as of any file of the user's: this one is no session.
@@ -159,7 +159,7 @@ def test_a_trap_among_the_backups_is_listed_with_its_problem_and_never_restored(
         run_restore(saved_thrice, 1, only_list=False, as_json=True)
     if trap is not as_second_name:
         with pytest.raises(UnsafeFileError):
-            older_copy(saved_thrice)
+            copy_newest_backup(saved_thrice)
     assert saved_thrice.read_bytes() == present
     run_restore(saved_thrice, 2, only_list=False, as_json=True)
     assert states(elsewhere) == before
@@ -198,13 +198,13 @@ def test_backups_in_a_folder_that_is_a_link_are_not_restored(saved_thrice: Path)
     companions(saved_thrice).symlink_to(away)
     before = states(away)
     for restore in (
-        lambda: list_generations(saved_thrice),
+        lambda: list_backups(saved_thrice),
         lambda: run_restore(saved_thrice, 1, only_list=False, as_json=True),
         lambda: replace_damaged(saved_thrice, 1),
     ):
         with pytest.raises(UnsafeFileError, match="is a link, which is not followed"):
             restore()
-    assert generations(saved_thrice) == ()
+    assert find_backups(saved_thrice) == ()
     assert states(away) == before
 
 
@@ -259,7 +259,7 @@ def test_on_a_disk_without_second_names_backups_are_copied_past_links(
     edit(session)
     session.save()
     session.close()
-    assert generations(path)[0].read_bytes() == saved
+    assert find_backups(path)[0].read_bytes() == saved
     assert states(elsewhere) == before
 
 
@@ -330,7 +330,7 @@ def told_to_another_user(path: Path) -> None:
     other.close()
     Session.look_into(path).close()
     with pytest.raises(UnsafeFileError, match="belongs to the user root"):
-        list_generations(path)
+        list_backups(path)
     with pytest.raises(SessionError, match="belongs to the user root"):
         run_restore(path, 1, only_list=False, as_json=False)
 
@@ -346,7 +346,7 @@ def test_root_edits_the_session_of_another_user_as_programs_in_containers_do(
     assert not session.read_only
     edit(session)
     session.save()
-    assert not any(kept.problem for kept in session.generations())
+    assert not any(kept.problem for kept in session.list_backups())
     session.close()
 
 
@@ -379,5 +379,5 @@ def test_files_that_belong_together_still_move_together(saved_thrice: Path) -> N
     shutil.copytree(companions(saved_thrice), other / companions(saved_thrice).name)
     moved = Session.open(other / saved_thrice.name)
     assert not moved.read_only
-    assert not any(kept.problem for kept in moved.generations())
+    assert not any(kept.problem for kept in moved.list_backups())
     moved.close()

@@ -15,7 +15,7 @@ from made_up_sessions import crashed, edit, state_of
 
 from tracking.errors import OutputError
 from tracking.owned_files import sync_folder
-from tracking.session import Session, generations
+from tracking.session import Session, find_backups
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="folders are not synced there")
 
@@ -37,7 +37,7 @@ def failing_folders(number: int = errno.EIO) -> Iterator[None]:
 def after_a_power_cut(session: Session, folder: Path) -> Path:
     """The new name is undone; the journal is as it was synced."""
     path = crashed(session, folder)
-    generations(path)[0].replace(path)
+    find_backups(path)[0].replace(path)
     return path
 
 

@@ -14,7 +14,7 @@ from made_up_sessions import crashed, edit, make_recording, make_run, make_sessi
 
 from tracking.editing import Change, State, plan_split
 from tracking.errors import OutputError, SessionError
-from tracking.session import Session, generations
+from tracking.session import Session, find_backups
 from tracking.session.journal import Journal
 from tracking.session.journal_rows import numbered
 from tracking.session.session_writer import companions
@@ -117,7 +117,7 @@ def test_a_journal_that_cannot_be_moved_yet_does_not_undo_a_save_over_its_sessio
     again.close()
     was = tmp_path / "was"  # what stood there before, with its edits
     (was / companions(path).name).mkdir(parents=True)
-    shutil.copy(generations(path)[0], was / path.name)
+    shutil.copy(find_backups(path)[0], was / path.name)
     for file in companions(path).glob("kept-aside-1.sqlite*"):
         ending = file.name.removeprefix("kept-aside-1.sqlite")
         shutil.copy(file, was / companions(path).name / f"journal.sqlite{ending}")

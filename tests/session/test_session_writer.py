@@ -16,7 +16,7 @@ from made_up_sessions import make_recording, make_run, make_session, state_of
 
 from tracking.editing import plan_swap
 from tracking.errors import OutputError, SessionError
-from tracking.session import Session, generations
+from tracking.session import Session, find_backups
 from tracking.session.lock import SessionLock
 from tracking.session.session_writer import companions
 
@@ -98,13 +98,13 @@ def test_what_reads_back_otherwise_is_not_saved(
     assert session.path.read_bytes() == before
 
 
-def test_five_older_generations_are_kept(session: Session) -> None:
+def test_five_backups_are_kept(session: Session) -> None:
     assert session.path is not None
     saved = [session.path.read_bytes()]
     for frame in range(7):
         session.apply(plan_swap(session.tracks, 1, 2, frame))
         saved.append(session.save().read_bytes())
-    kept = generations(session.path)
+    kept = find_backups(session.path)
     assert [file.read_bytes() for file in kept] == saved[-2:-7:-1]
     older = Session.open(kept[2])
     assert len(older.history) == 4
@@ -121,7 +121,7 @@ def test_a_disk_without_second_names_gets_copies(
     before = session.path.read_bytes()
     monkeypatch.setattr(os, "link", unknown)
     session.save()
-    assert generations(session.path)[0].read_bytes() == before
+    assert find_backups(session.path)[0].read_bytes() == before
 
 
 def test_a_folder_that_does_not_exist_is_said(tmp_path: Path) -> None:
@@ -221,14 +221,14 @@ def test_a_folder_that_may_not_be_written_opens_for_reading(session: Session) ->
         session.path.parent.chmod(0o755)
 
 
-def test_a_disk_that_keeps_refusing_does_not_push_older_generations_out(
+def test_a_disk_that_keeps_refusing_does_not_push_backups_out(
     session: Session, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     assert session.path is not None
     for frame in range(3):
         session.apply(plan_swap(session.tracks, 1, 2, frame))
         session.save()
-    before = [file.read_bytes() for file in generations(session.path)]
+    before = [file.read_bytes() for file in find_backups(session.path)]
     present = session.path.read_bytes()
 
     replace = os.replace
@@ -245,7 +245,7 @@ def test_a_disk_that_keeps_refusing_does_not_push_older_generations_out(
             session.save()
     monkeypatch.undo()
     session.save()
-    assert [file.read_bytes() for file in generations(session.path)] == [present, *before]
+    assert [file.read_bytes() for file in find_backups(session.path)] == [present, *before]
 
 
 def test_a_save_keeps_a_private_session_private(session: Session) -> None:

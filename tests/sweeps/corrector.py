@@ -18,7 +18,7 @@ from tracking.session import (
     ImportOrigin,
     ImportWish,
     Session,
-    generations,
+    find_backups,
     importable,
     take_into,
 )
@@ -80,7 +80,7 @@ class Corrector:
         take_into(self._session, rows, ImportOrigin.of(source, "mot"))
 
     def _restore(self) -> None:
-        kept = generations(self._path)
+        kept = find_backups(self._path)
         if kept:
             number = self._chance.randint(1, min(2, len(kept)))
             self._tell(f"~ {state(Session.look_into(kept[number - 1]))}")

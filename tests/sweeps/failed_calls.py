@@ -32,7 +32,7 @@ from tests.sweeps.session_state import Said, look, state
 from tests.sweeps.system_calls import calls, check, traced
 from tracking.editing import plan_rename, plan_swap
 from tracking.errors import TrackwrightError
-from tracking.session import Session, generations
+from tracking.session import Session, find_backups
 from tracking.session.session_writer import companions
 
 _READING = ("read", "pread64", "openat", "newfstatat", "statx", "getdents64", "flock")
@@ -268,7 +268,7 @@ def typed(*words: str) -> Callable[[Path, Path], int]:
 def say_coming(path: Path, said: Path) -> None:
     """Say what a restore leads to."""
     with said.open("a") as lines:
-        lines.write(f"~ {state(Session.look_into(generations(path)[0]))}\n")
+        lines.write(f"~ {state(Session.look_into(find_backups(path)[0]))}\n")
 
 
 def exporting(name: str, file: str) -> Scenario:

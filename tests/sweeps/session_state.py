@@ -8,7 +8,7 @@ from pathlib import Path
 
 from tracking.editing import apply_change
 from tracking.errors import TrackwrightError
-from tracking.session import Session, generations
+from tracking.session import Session, find_backups
 from tracking.tracks import Labels, TrackTable
 
 
@@ -80,7 +80,7 @@ def _problem(session: Session, path: Path, said: Said) -> str:
 
 def _kept(path: Path, last: str) -> str:
     """What was there before a restore is the newest of the older ones."""
-    older = generations(path)
+    older = find_backups(path)
     if older:
         session = Session.look_into(older[0])
         if state(session) == last or one_step_further(session, last):

@@ -26,7 +26,7 @@ from tests.sweeps.corrector import made_session
 from tests.sweeps.runner import Findings, Plan, asked_plan, emptied, slowdown, sweep
 from tracking.editing import plan_rename
 from tracking.errors import TrackwrightError
-from tracking.session import Session, generations
+from tracking.session import Session, find_backups
 from tracking.session.session_writer import companions
 
 _TURNS = 14
@@ -176,7 +176,7 @@ def without_lock(path: Path, chance: random.Random) -> str:
 
 def everything_kept(path: Path) -> Iterator[str]:
     """All edits anywhere: in the session, in older saves, in journals that were kept aside."""
-    for file in (path, *generations(path)):
+    for file in (path, *find_backups(path)):
         with contextlib.suppress(TrackwrightError):
             session = Session.look_into(file) if file != path else Session.open(file)
             yield from (entry.after for entry in session.history)

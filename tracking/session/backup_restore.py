@@ -7,8 +7,8 @@ import shutil
 from pathlib import Path
 
 from tracking.owned_files import real_path, sync_folder
+from tracking.session.backups import read_backup
 from tracking.session.document import Session
-from tracking.session.older import read_generation
 from tracking.session.session_writer import (
     copy_file,
     file_state,
@@ -20,7 +20,7 @@ from tracking.session.store import Store
 
 
 def replace_damaged(path: Path, number: int) -> tuple[Session, Path]:
-    """Have a backup back where the session itself cannot be opened.
+    """Restore a backup where the session itself cannot be opened.
 
     The damaged file is kept beside it, and so are edits of a journal that builds on that file:
     they are told in the notes of the session.
@@ -39,7 +39,7 @@ def replace_damaged(path: Path, number: int) -> tuple[Session, Path]:
     path = real_path(path)
     store = Store.claim(path)
     try:
-        file, _ = read_generation(path, number)
+        file, _ = read_backup(path, number)
         damaged, kept = file_state(path), keep_damaged(path)
         try:
             with telling_where(path, "the backup was not put in its place"):

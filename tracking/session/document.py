@@ -10,17 +10,17 @@ from typing import TYPE_CHECKING
 from tracking.editing import Change, Entry, Written, plan_undo_alone, with_parts_carried
 from tracking.errors import EditError, OutputError, SessionError
 from tracking.owned_files import real_path
+from tracking.session.backups import read_backup, standing_in
 from tracking.session.image import Stamps, empty_snapshot
 from tracking.session.journal import Act
 from tracking.session.known_recordings import KnownRecordings
 from tracking.session.notes import tell
-from tracking.session.older import read_generation, standing_in
 from tracking.session.on_disk import OnDisk
 from tracking.session.pending_edits import read_with_waiting
 from tracking.session.pending_save import PendingSave, next_stamps
 from tracking.session.reference import Footage, refer_to
 from tracking.session.session_reader import read_session
-from tracking.session.session_writer import UNLIMITED, file_state, generations, keep_damaged
+from tracking.session.session_writer import UNLIMITED, file_state, find_backups, keep_damaged
 from tracking.session.stamps import author_named, made_up, now, software
 from tracking.session.store import Store
 from tracking.tracks import Run, TrackTable
@@ -239,11 +239,11 @@ class Session(OnDisk):
         path, store = self._path, self._store
         if path is None or store is None:
             raise SessionError("the session was never saved; there is nothing older to restore")
-        file, older = read_generation(path, number)
+        file, older = read_backup(path, number)
         known = file_state(file)
         if self.dirty:
             self._write(replace(self.begin_save(), most=UNLIMITED))
-        found = [kept for kept in generations(path) if file_state(kept) == known]
+        found = [kept for kept in find_backups(path) if file_state(kept) == known]
         if known is None or not found:
             raise SessionError(f"{path}: backup {number} was taken away meanwhile")
         file = found[0]

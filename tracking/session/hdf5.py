@@ -36,8 +36,7 @@ def opened(path: Path) -> Iterator[h5py.File]:
         # What the library says of a file that is cut short tells its users nothing.
         reason = f" ({' '.join(str(why).split())})" if isinstance(why, ValueError) else ""
         raise SessionError(
-            f"{path}: the session file is damaged or cut short{reason}; "
-            "restore an older state of it"
+            f"{path}: the session file is damaged or cut short{reason}; restore a backup of it"
         ) from why
 
 

@@ -8,7 +8,7 @@ from functools import partial
 from pathlib import Path
 
 from tracking.session.image import Snapshot, Stamps, write_image
-from tracking.session.session_writer import GENERATIONS, replace_verified
+from tracking.session.session_writer import MAX_BACKUPS, replace_verified
 from tracking.session.stamps import made_up, now, software
 from tracking.session.store import Store
 
@@ -29,7 +29,7 @@ class PendingSave:
     path: Path
     content: int
     store: Store
-    most: int = GENERATIONS
+    most: int = MAX_BACKUPS
     written: Future[None] = field(default_factory=Future)
 
     def write(self) -> None:

@@ -23,7 +23,7 @@ from tracking.session.reference import RecordingReference, SourceFingerprint
 from tracking.session.runs import StoredRun
 from tracking.session.seal import holds as is_sealed
 from tracking.session.seal import is_changed, is_missing
-from tracking.session.session_writer import generations
+from tracking.session.session_writer import find_backups
 from tracking.session.stamps import now
 from tracking.session.table_reader import Unpacking
 from tracking.tracks import CORRECTED_COLUMNS, LARGEST_NUMBER, TrackTable
@@ -134,7 +134,7 @@ def verdicts_on(paths: Sequence[Path]) -> list[dict[str, Any]]:
 
 def _way_out(path: Path, refused: str) -> str:
     """What can be done about a file that is refused, for the end of a message."""
-    if generations(path):
+    if find_backups(path):
         return f"; trackwright restore {path.name} has back what was saved before"
     if refused == DAMAGED:
         return "; no older save is kept: bring a copy of it, or track the recording again"

@@ -6,9 +6,9 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from tracking.editing import History
+from tracking.session.backups import Backup, list_backups
 from tracking.session.edited_tracks import Edited
 from tracking.session.image import Snapshot, Stamps
-from tracking.session.older import Generation, list_generations
 from tracking.session.pending_save import PendingSave
 from tracking.session.reference import RecordingReference
 from tracking.session.runs import Runs
@@ -150,9 +150,9 @@ class SessionState:
         """Those of the notes that say what of it is damaged or may be missing."""
         return tuple(self._damage)
 
-    def generations(self) -> tuple[Generation, ...]:
+    def list_backups(self) -> tuple[Backup, ...]:
         """What was saved before and is kept, the newest first: quick, no table is read."""
-        return () if self._path is None else list_generations(self._path)
+        return () if self._path is None else list_backups(self._path)
 
     def _as_it_is(self, stamps: Stamps, recording: RecordingReference) -> Snapshot:
         """All of it at this moment, to be saved."""

@@ -21,7 +21,7 @@ from tracking.errors import OutputError, UnsafeFileError
 from tracking.owned_files import SAFE_FLAGS, check_file, check_folder, sync_folder
 from tracking.session.image_file import ImageFile
 
-GENERATIONS = 5
+MAX_BACKUPS = 5
 UNLIMITED = 999_999
 """Backups kept while one of them is restored: none is dropped then."""
 _TRIES, _PAUSE_S = 20, 0.1
@@ -41,20 +41,20 @@ def companions(path: Path) -> Path:
     return path.with_name(f".{path.name}.trackwright")
 
 
-def generations(path: Path) -> tuple[Path, ...]:
+def find_backups(path: Path) -> tuple[Path, ...]:
     """The backups of a session that are kept, the newest first.
 
     None where the folder beside the session is not the user's own. Before one is read,
-    `check_backup` says whether it is a file that was kept here.
+    `check_backup_file` says whether it is a file that was kept here.
     """
     try:
         check_folder(companions(path))
     except (UnsafeFileError, OSError):
         return ()
-    return tuple(_generation(path, age) for age in _ages(path))
+    return tuple(_backup_path(path, age) for age in _ages(path))
 
 
-def check_backup(path: Path, backup: Path) -> None:
+def check_backup_file(path: Path, backup: Path) -> None:
     """Refuse a backup of the session at `path` that is not a file of the user's own.
 
     It is only read, so it may have further names, as in copies of the folder by hard links.
@@ -69,7 +69,7 @@ def check_backup(path: Path, backup: Path) -> None:
 
 
 def replace_verified(
-    path: Path, write: Callable[[ImageFile], None], most: int = GENERATIONS
+    path: Path, write: Callable[[ImageFile], None], most: int = MAX_BACKUPS
 ) -> None:
     """Put what `write` writes in the session's place; the file that was there becomes a backup.
 
@@ -91,7 +91,7 @@ def replace_verified(
                 image.verify()
             with contextlib.suppress(OSError):  # whoever could read the old one, and nobody else
                 shutil.copymode(path, beside)
-            _keep_generation(path)
+            _keep_backup(path)
             _replace(beside, path)
             _drop_oldest(path, most)
         finally:
@@ -191,7 +191,7 @@ def _replace(new: Path, path: Path) -> None:
     os.replace(new, path)  # noqa: PTH105
 
 
-def _keep_generation(path: Path) -> None:
+def _keep_backup(path: Path) -> None:
     """Give the present file a second name, as the newest backup; the others grow older.
 
     A save that failed later on may have kept it already: saving again and again on a disk that
@@ -202,8 +202,8 @@ def _keep_generation(path: Path) -> None:
     ages = _ages(path)
     in_a_row = [age for place, age in enumerate(ages, 1) if age == place]
     for age in reversed(in_a_row):
-        _generation(path, age).replace(_generation(path, age + 1))
-    newest = _generation(path, 1)
+        _backup_path(path, age).replace(_backup_path(path, age + 1))
+    newest = _backup_path(path, 1)
     try:
         os.link(path, newest)
     except OSError:  # a disk without second names
@@ -218,12 +218,12 @@ def _keep_generation(path: Path) -> None:
 def _drop_oldest(path: Path, most: int) -> None:
     for age in _ages(path)[most:]:
         with contextlib.suppress(OSError):  # it goes with the next save
-            _generation(path, age).unlink()
+            _backup_path(path, age).unlink()
 
 
 def _is_kept(path: Path) -> bool:
     """Whether the newest backup is the present file."""
-    newest = _generation(path, 1)
+    newest = _backup_path(path, 1)
     if _is_same(newest, path):
         return True
     try:
@@ -252,5 +252,5 @@ def _ages(path: Path) -> list[int]:
     return sorted(int(match[1]) for match in found if match)
 
 
-def _generation(path: Path, age: int) -> Path:
+def _backup_path(path: Path, age: int) -> Path:
     return companions(path) / f"{path.stem}.{age}{path.suffix}"

@@ -1,4 +1,4 @@
-"""Commands for what people made: sessions to other tools and back, their log, older states."""
+"""Commands for what people made: sessions to other tools and back, their log, backups."""
 
 from __future__ import annotations
 
@@ -130,7 +130,7 @@ def log(
 @program.command()
 def restore(
     session: Annotated[Path, typer.Argument(help="A session.")],
-    generation: Annotated[
+    backup: Annotated[
         int,
         typer.Option(
             "--backup",
@@ -160,4 +160,4 @@ def restore(
     if accept_damage:
         run_accept(session, as_json=json)
         return
-    run_restore(session, generation, only_list=only_list, as_json=json)
+    run_restore(session, backup, only_list=only_list, as_json=json)

@@ -20,7 +20,7 @@ COMMANDS: Final = (
     Command("file.demo", "File", "Try the demo", icon="demo"),
     Command("file.save", "File", "Save", ("Ctrl+S",), savable, separated=True, icon="save"),
     Command("file.save_as", "File", "Save as...", ("Ctrl+Shift+S",), savable),
-    Command("file.restore", "File", "Restore an older state...", (), replaceable),
+    Command("file.restore", "File", "Restore a backup...", (), replaceable),
     Command(
         "file.import",
         "File",

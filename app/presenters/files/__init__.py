@@ -1,1 +1,1 @@
-"""Documents opened, kept, exported; older states; the first page."""
+"""Documents opened, kept, exported; backups; the first page."""

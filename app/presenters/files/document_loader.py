@@ -20,11 +20,11 @@ from tracking.session import (
     KnownRecordings,
     PendingSave,
     Session,
-    generations,
+    find_backups,
     session_of_import,
 )
 from tracking.session.session_writer import (
-    check_backup,
+    check_backup_file,
     companions,
     copy_file,
     free_name,
@@ -165,7 +165,7 @@ def remove_session(path: Path) -> None:
     shutil.rmtree(companions(path), ignore_errors=True)
 
 
-def older_copy(path: Path) -> Path | None:
+def copy_newest_backup(path: Path) -> Path | None:
     """The session as it was saved before, put beside it under a name of its own; None: none.
 
     Raises:
@@ -173,10 +173,10 @@ def older_copy(path: Path) -> Path | None:
             another user's.
     """
     path = real_path(path)
-    older = generations(path)
+    older = find_backups(path)
     if not older:
         return None
-    check_backup(path, older[0])
+    check_backup_file(path, older[0])
     copy = path.with_name(f"{path.stem}-as-saved-before{path.suffix}")
     if os.path.lexists(copy):
         copy = free_name(path.with_name(f"{path.stem}-as-saved-before-{path.suffix}"))

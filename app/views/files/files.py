@@ -21,10 +21,10 @@ from app.presenters.runs.run_summary import told_of_tracking
 from app.presenters.scenes import WelcomeScene
 from app.views.desk.recording_controller import RecordingController
 from app.views.files.author import Author
+from app.views.files.backup_controller import BackupController
 from app.views.files.close_prompts import Leaving, Then
 from app.views.files.compare import SessionsBeside
 from app.views.files.export_controller import Exporting
-from app.views.files.generations import OlderStates
 from app.views.files.import_controller import Importing
 from app.views.files.open_recovery import Mishaps
 from app.views.files.result_storage import Keeping
@@ -80,9 +80,9 @@ class Files(QObject):
         self.detectors.changed.connect(self.changed)
         self.detectors.failed.connect(self.failed)
         self.detectors.said.connect(self.said)
-        self.older = OlderStates(window, work, self)
-        self.older.said.connect(self.said)
-        self.older.changed.connect(self.changed)
+        self.backups = BackupController(window, work, self)
+        self.backups.said.connect(self.said)
+        self.backups.changed.connect(self.changed)
         self.beside = SessionsBeside(window, work, self)
         self.keeping = Keeping(window, work, self)
         self.keeping.changed.connect(self.changed)
@@ -279,7 +279,7 @@ class Files(QObject):
             desk, self.desk = self.desk, None
             self.keeping.drop()
             self.beside.close()
-            self.older.close()
+            self.backups.close()
             self.detectors.close()
             if desk.document.recording.is_stereo:  # one camera leaves nothing to choose
                 self._remembered.set_text("eyes", desk.eyes)

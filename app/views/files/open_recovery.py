@@ -13,7 +13,7 @@ from app.presenters.i18n import tr
 from app.views.widgets.questions import choose_file
 from app.views.widgets.work import Work
 from tracking.errors import SessionError, TrackwrightError
-from tracking.session import RecordingMissing, generations
+from tracking.session import RecordingMissing, find_backups
 
 if TYPE_CHECKING:
     from app.views.files.files import Files
@@ -45,7 +45,7 @@ class Mishaps(QObject):
         if isinstance(error, RecordingMissing) and session is not None:
             find = partial(self._find, session)
             self._window.notice.say(error.reason, tr("Find it..."), find, is_error=True)
-        elif isinstance(error, SessionError) and session is not None and generations(session):
+        elif isinstance(error, SessionError) and session is not None and find_backups(session):
             take = tr("Open the copy saved before")
             older = partial(self._open_older, session)
             self._window.notice.say(str(error), take, older, is_error=True)
@@ -58,7 +58,7 @@ class Mishaps(QObject):
 
     def _open_older(self, session: Path) -> None:
         try:
-            copy = document_loader.older_copy(session)
+            copy = document_loader.copy_newest_backup(session)
         except TrackwrightError as error:
             self.failed.emit(error)
             return

@@ -62,7 +62,7 @@ def test_log_does_not_write_over_a_session(trackwright: Trackwright, edited: Pat
 
 def test_restore_lists_what_is_kept(trackwright: Trackwright, edited: Path) -> None:
     listed = json.loads(trackwright("restore", edited, "--list", "--json")[1])
-    assert [(kept["generation"], kept["edits"]) for kept in listed] == [(1, 1), (2, 0)]
+    assert [(kept["backup"], kept["edits"]) for kept in listed] == [(1, 1), (2, 0)]
     printed = trackwright("restore", edited, "--list")[1]
     assert printed.splitlines()[0].startswith("1  saved 20")
     assert "1 edits" not in printed
@@ -73,7 +73,7 @@ def test_restore_puts_an_older_one_in_place(trackwright: Trackwright, edited: Pa
     assert (status, json.loads(printed)["edits"]) == (0, 0)
     with closing(Session.open(edited)) as session:
         assert len(session.history) == 0
-        assert [kept.edits for kept in session.generations()] == [3, 2, 1, 0]
+        assert [kept.edits for kept in session.list_backups()] == [3, 2, 1, 0]
 
 
 def test_restore_tells_what_is_wrong(

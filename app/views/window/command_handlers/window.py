@@ -28,7 +28,7 @@ def of_the_window(window: MainWindow) -> dict[str, Callable[[], None]]:
         "file.export_counts": files.exporting.ask_counts,
         "file.export_log": files.exporting.ask_log,
         "file.author": files.author.ask,
-        "file.restore": files.older.ask,
+        "file.restore": files.backups.ask,
         "file.compare": files.beside.ask,
         "file.close": files.close_recording,
         "file.quit": window.files.quit,

@@ -56,9 +56,9 @@ def test_letters_strewn_over_a_command_do_not_find_it():
     strewn = (
         CommandItem("review.next", "Review", "Next review item", (), True),
         CommandItem("tracks.reset", "Correct", "Merge with the rest", (), True),
-        CommandItem("view.keys", "View", "Restore the older state", (), True),
+        CommandItem("view.keys", "View", "Restore the backup", (), True),
     )
-    assert match_score("reset", "Restore the older state") is not None
+    assert match_score("reset", "Restore the backup") is not None
     assert best_commands("reset", strewn) == []
     layout = CommandItem("view.reset", "View", "Reset layout", (), False)
     assert best_commands("reset", (*strewn, layout)) == [layout]

@@ -1,4 +1,4 @@
-"""Backups of a session: what was saved before, listed and had back."""
+"""Backups of a session: what was saved before, listed and restored."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ from tracking.session import session_reader
 from tracking.session.hdf5 import opened, text_attribute
 from tracking.session.image import Snapshot
 from tracking.session.runs import StoredRun
-from tracking.session.session_writer import check_backup, companions, generations
+from tracking.session.session_writer import check_backup_file, companions, find_backups
 
 
 @dataclass(frozen=True, slots=True)
-class Generation:
+class Backup:
     """A session as it was saved before.
 
     Attributes:
@@ -45,14 +45,14 @@ class Generation:
     damage: str = ""
 
 
-def list_generations(path: Path) -> tuple[Generation, ...]:
+def list_backups(path: Path) -> tuple[Backup, ...]:
     """The backups that are kept beside a session, the newest first.
 
     No table is read; one that is damaged, or no file of the user's own, is listed with its problem.
     Raises UnsafeFileError where the folder they stand in is a link or another user's.
     """
     _check_folder(path)
-    files = generations(path)
+    files = find_backups(path)
     found = _found(path, files)
     return tuple(
         replace(_described(number, file, problem), damage=damage)
@@ -60,24 +60,24 @@ def list_generations(path: Path) -> tuple[Generation, ...]:
     )
 
 
-def check_generation(path: Path, number: int) -> None:
+def check_backup(path: Path, number: int) -> None:
     """Raise SessionError where no backup of that number is kept, or none can be."""
     _check_folder(path)
-    count = len(generations(path))
+    count = len(find_backups(path))
     if not 1 <= number <= count:
         kept = f"there are {count}, 1 is the newest" if count else "none is kept yet"
         raise SessionError(f"{path} has no backup {number} ({kept})")
 
 
-def read_generation(path: Path, number: int) -> tuple[Path, Snapshot]:
+def read_backup(path: Path, number: int) -> tuple[Path, Snapshot]:
     """The file of a backup and what it says; what is damaged of it is told.
 
     Raises SessionError where there is none of that number, where it cannot be read, and where a
     newer program made it.
     """
-    check_generation(path, number)
-    files = generations(path)
-    check_backup(path, files[number - 1])
+    check_backup(path, number)
+    files = find_backups(path)
+    check_backup_file(path, files[number - 1])
     snapshot = session_reader.read_session(files[number - 1])
     if snapshot.newer:
         raise SessionError(
@@ -111,27 +111,27 @@ def _found(path: Path, files: Sequence[Path]) -> list[tuple[str, str]]:
 def _problem(path: Path, file: Path) -> str:
     """Why a file is none that was kept here; "" where it is one."""
     try:
-        check_backup(path, file)
+        check_backup_file(path, file)
     except UnsafeFileError as why:
         return str(why)
     return ""
 
 
-def _described(number: int, file: Path, problem: str) -> Generation:
+def _described(number: int, file: Path, problem: str) -> Backup:
     size = os.lstat(file).st_size if os.path.lexists(file) else 0
     if problem:
-        return Generation(number, file, size, problem=problem)
+        return Backup(number, file, size, problem=problem)
     try:
         with opened(file) as held:
             undone = held["edits/undone"][()]
-            return Generation(
+            return Backup(
                 *(number, file, size, text_attribute(held, "modified")),
                 edits=int(np.count_nonzero(~undone)),
                 undone_edits=int(np.count_nonzero(undone)),
                 tracks=_tracks(held["tracks"]),
             )
     except SessionError as why:
-        return Generation(number, file, size, problem=str(why))
+        return Backup(number, file, size, problem=str(why))
 
 
 def _tracks(group: h5py.Group) -> int:

@@ -1,4 +1,4 @@
-"""File > Restore an older state: listed, looked at and restored in the background."""
+"""File > Restore a backup: listed, looked at and restored in the background."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ from PySide6.QtCore import QObject, Signal
 
 from app.background import Job
 from app.presenters.error_messages import explain
-from app.presenters.files.generations import older_states, what_differs
+from app.presenters.files.backups import list_backup_lines, what_differs
 from app.presenters.i18n import tr
-from app.views.files.generations_dialog import GenerationsDialog
+from app.views.files.backup_dialog import BackupDialog
 from app.views.widgets.work import Work
 from tracking.session import Session
 
@@ -19,8 +19,8 @@ if TYPE_CHECKING:
     from app.views.window.main_window import MainWindow
 
 
-class OlderStates(QObject):
-    """Restores older states of the session that is open in a window.
+class BackupController(QObject):
+    """Restores backups of the session that is open in a window.
 
     Signals: `said(text)`; `changed()`, another state of the session is open.
     """
@@ -39,22 +39,22 @@ class OlderStates(QObject):
         return None if self._window.desk is None else self._window.desk.document.session
 
     def ask(self) -> None:
-        """List the older states of the open session."""
+        """List the backups of the open session."""
         session = self._session
         if session is None or session.path is None:
             return
         path = session.path
-        self._work.run(tr("Looking for older states"), lambda _: older_states(path), self._choose)
+        self._work.run(tr("Looking for backups"), lambda _: list_backup_lines(path), self._choose)
 
     def restore(self, number: int) -> None:
-        """Have an older state back; what the session is now becomes the newest older one."""
+        """Restore a backup; the current state becomes the newest backup."""
         session = self._session
         if session is None:
             return
         # What is edited while the state is put back would be an edit of neither.
         self._window.workspace.setEnabled(False)
         self._work.run(
-            tr("Restoring an older state"),
+            tr("Restoring a backup"),
             lambda _: session.restore(number),
             self._show,
             lambda: self._window.workspace.setEnabled(True),
@@ -71,22 +71,22 @@ class OlderStates(QObject):
 
     def _choose(self, lines: object) -> None:
         if not isinstance(lines, tuple) or not lines:
-            self.said.emit(tr("No older state is kept yet: each save keeps the one before it"))
+            self.said.emit(tr("No backup is kept yet: each save keeps the one before it"))
             return
-        dialog = GenerationsDialog(lines, self._window)
+        dialog = BackupDialog(lines, self._window)
         dialog.looked_at.connect(partial(self._look, dialog))
         dialog.restore_asked.connect(self.restore)
         dialog.finished.connect(self.close)
         dialog.begin()
 
-    def _look(self, dialog: GenerationsDialog, number: int) -> None:
+    def _look(self, dialog: BackupDialog, number: int) -> None:
         """Find out what differs, in a thread; the last question counts."""
         session = self._session
         if session is None or session.path is None:
             return
         self.close()
         path, now, entries = session.path, session.tracks.snapshot(), session.history.entries
-        job = Job("older state", partial(what_differs, path, number, now, entries), self)
+        job = Job("backup", partial(what_differs, path, number, now, entries), self)
         job.done.connect(lambda lines: dialog.show_differences(number, lines))
         job.failed.connect(lambda error: dialog.show_differences(number, (explain(error),)))
         self._looking = job
@@ -99,6 +99,6 @@ class OlderStates(QObject):
             session.close()
             return
         desk.tracking.take_session(session)
-        done = tr("Restored. The state before is kept as the newest older state: File > Restore")
+        done = tr("Restored. The state before is kept as the newest backup: File > Restore")
         self.said.emit(" ".join((done, *session.damage)))
         self.changed.emit()

@@ -1,4 +1,4 @@
-"""Older states of a session in words: a list, and what differs from now."""
+"""Backups of a session in words: a list, and what differs from now."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from app.presenters.i18n import counted, tr
 from app.presenters.panels import local_time
 from tracking.editing import Entry
 from tracking.progress import Progress
-from tracking.session import Generation, list_generations
-from tracking.session.older import read_generation
+from tracking.session import Backup, list_backups
+from tracking.session.backups import read_backup
 from tracking.tracks import Columns, TrackTable, row_keys
 
 _LISTED = 6
@@ -22,8 +22,8 @@ _PLACE = ("left", "top", "width", "height", "x", "y")
 
 
 @dataclass(frozen=True, slots=True)
-class GenerationLine:
-    """One older state.
+class BackupLine:
+    """One backup.
 
     Attributes:
         number: 1 is the newest. when, edits, tracks, size: in words.
@@ -38,29 +38,29 @@ class GenerationLine:
     problem: str = ""
 
 
-def older_states(path: Path) -> tuple[GenerationLine, ...]:
-    """The older states that are kept, the newest first."""
-    return tuple(_line(one) for one in list_generations(path))
+def list_backup_lines(path: Path) -> tuple[BackupLine, ...]:
+    """The backups that are kept, the newest first."""
+    return tuple(_line(one) for one in list_backups(path))
 
 
 def what_differs(
     path: Path, number: int, now: TrackTable, entries: Sequence[Entry], report: Progress
 ) -> tuple[str, ...]:
-    """What would be different after an older state is restored, a line each.
+    """What would be different after a backup is restored, a line each.
 
     Raises:
         SessionError: it cannot be read. CancelledError: by `report`.
     """
     report(0, 2)
-    _, then = read_generation(path, number)
+    _, then = read_backup(path, number)
     report(1, 2)
     lines = [*then.damage, *_edits_apart(entries, then.edits), *_tracks_apart(now, then.tracks)]
     report(2, 2)
     return tuple(lines) or (tr("Nothing: it equals the session as it is now."),)
 
 
-def _line(one: Generation) -> GenerationLine:
-    return GenerationLine(
+def _line(one: Backup) -> BackupLine:
+    return BackupLine(
         number=one.number,
         when=local_time(one.saved) if one.saved else tr("unknown"),
         edits=counted(one.edits, "{n} edit", "{n} edits"),

@@ -1,4 +1,4 @@
-"""A list of older states of the session, and what would be different."""
+"""A list of backups of the session, and what would be different."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.presenters.files.generations import GenerationLine
+from app.presenters.files.backups import BackupLine
 from app.views.widgets.parts import heading, quiet
 
 _LEAST_WIDTH = 560
 
 
-class GenerationsDialog(QDialog):
-    """Shows older states; one of them may be restored.
+class BackupDialog(QDialog):
+    """Shows backups; one of them may be restored.
 
     Signals:
         looked_at(int): one was chosen; `show_differences` is to be called.
@@ -33,12 +33,12 @@ class GenerationsDialog(QDialog):
     looked_at = Signal(int)
     restore_asked = Signal(int)
 
-    def __init__(self, lines: tuple[GenerationLine, ...], parent: QWidget | None = None) -> None:
+    def __init__(self, lines: tuple[BackupLine, ...], parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._lines = lines
-        self.setObjectName("generations")
+        self.setObjectName("backups")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.setWindowTitle(self.tr("Restore an older state"))
+        self.setWindowTitle(self.tr("Restore a backup"))
         self.setMinimumWidth(_LEAST_WIDTH)
         rows = QVBoxLayout(self)
         rows.setContentsMargins(20, 20, 20, 16)
@@ -68,7 +68,7 @@ class GenerationsDialog(QDialog):
         table = QTableWidget(len(self._lines), 4, self)
         names = (self.tr("Saved"), self.tr("Edits"), self.tr("Tracks"), self.tr("Size"))
         table.setHorizontalHeaderLabels(names)
-        table.setAccessibleName(self.tr("Older states, the newest first"))
+        table.setAccessibleName(self.tr("Backups, the newest first"))
         table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
@@ -119,7 +119,7 @@ class GenerationsDialog(QDialog):
         self._restore.setEnabled(False)
         number = self.chosen
         if not number:
-            self._differences.setPlainText(self.tr("No older state is kept yet."))
+            self._differences.setPlainText(self.tr("No backup is kept yet."))
             return
         problem = self._lines[self._table.currentRow()].problem
         self._differences.setPlainText(problem or self.tr("Looking ..."))

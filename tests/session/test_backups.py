@@ -1,4 +1,4 @@
-"""Backups are listed and had back; nothing is lost by it."""
+"""Backups are listed and restored without loss."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from made_up_sessions import make_run, state_of
 
 from tracking.editing import plan_rename, plan_swap
 from tracking.errors import OutputError, SessionError
-from tracking.session import Session, generations, list_generations
+from tracking.session import Session, find_backups, list_backups
 from tracking.session.session_writer import companions
 
 
@@ -37,12 +37,12 @@ def reopened(session: Session) -> Session:
     return Session.open(path)
 
 
-def test_generations_are_listed_with_what_they_hold(
+def test_backups_are_listed_with_what_they_hold(
     session: Session, states: list[tuple[object, ...]]
 ) -> None:
     session.undo()
     session.save()
-    listed = session.generations()
+    listed = session.list_backups()
     assert [kept.number for kept in listed] == [1, 2, 3, 4, 5]
     assert [kept.edits for kept in listed] == [6, 5, 4, 3, 2]
     assert [kept.saved for kept in listed] == sorted((kept.saved for kept in listed), reverse=True)
@@ -51,22 +51,22 @@ def test_generations_are_listed_with_what_they_hold(
     assert not any(kept.problem for kept in listed)
 
 
-def test_tracks_of_a_generation_that_does_not_say_are_counted(
+def test_tracks_of_a_backup_that_does_not_say_are_counted(
     session: Session, states: list[tuple[object, ...]]
 ) -> None:
-    with h5py.File(session.generations()[1].path, "a") as file:
+    with h5py.File(session.list_backups()[1].path, "a") as file:
         del file["tracks"].attrs["count"]
         file["tracks/track"][...] = np.arange(len(file["tracks/track"])) % 3 + 1
-    assert [kept.tracks for kept in session.generations()] == [4, 3, 4, 4, 4]
+    assert [kept.tracks for kept in session.list_backups()] == [4, 3, 4, 4, 4]
 
 
-def test_a_damaged_generation_is_listed_with_its_problem(
+def test_a_damaged_backup_is_listed_with_its_problem(
     session: Session, states: list[tuple[object, ...]]
 ) -> None:
-    damaged = session.generations()[2].path
+    damaged = session.list_backups()[2].path
     damaged.unlink()
     damaged.write_bytes(b"\x89HDF\r\n\x1a\nnothing")
-    listed = session.generations()
+    listed = session.list_backups()
     assert [bool(kept.problem) for kept in listed] == [False, False, True, False, False]
     assert str(damaged) in listed[2].problem
     present = state_of(session)
@@ -77,15 +77,15 @@ def test_a_damaged_generation_is_listed_with_its_problem(
 
 
 @pytest.mark.parametrize("number", [1, 3, 5])
-def test_a_generation_is_had_back_and_the_present_is_one_then(
+def test_a_backup_is_restored_and_the_present_becomes_one(
     session: Session, states: list[tuple[object, ...]], number: int
 ) -> None:
     restored = session.restore(number)
     assert state_of(restored) == states[-1 - number]
     assert not restored.dirty
     assert session.read_only
-    assert len(restored.generations()) == 6
-    assert [state_of_file(file) for file in generations(restored.path)] == states[-1:-7:-1]
+    assert len(restored.list_backups()) == 6
+    assert [state_of_file(file) for file in find_backups(restored.path)] == states[-1:-7:-1]
     again = reopened(restored)
     assert (again.recovered, state_of(again)) == (0, states[-1 - number])
     again.close()
@@ -96,14 +96,14 @@ def state_of_file(path: Path) -> tuple[object, ...]:
         return state_of(session)
 
 
-def test_edits_that_were_not_saved_are_in_the_newest_generation(
+def test_edits_that_were_not_saved_are_in_the_newest_backup(
     session: Session, states: list[tuple[object, ...]]
 ) -> None:
     session.apply(plan_rename(session.tracks, session.labels, 1, "red coat"))
     unsaved = state_of(session)
     restored = session.restore(5)
     assert state_of(restored) == states[1]
-    kept = [state_of_file(file) for file in generations(restored.path)]
+    kept = [state_of_file(file) for file in find_backups(restored.path)]
     assert kept == [unsaved, *states[-1:-7:-1]]
     restored.close()
 
@@ -118,13 +118,13 @@ def test_a_restored_session_is_edited_undone_and_saved_as_any_other(
     again = reopened(restored)
     assert (again.recovered, state_of(again)) == (2, after)
     again.save()
-    assert len(again.generations()) == 5
+    assert len(again.list_backups()) == 5
     back = again.restore(2)
     assert state_of(back) == states[-1]
     back.close()
 
 
-def test_runs_of_a_restored_generation_are_its_own(session: Session) -> None:
+def test_runs_of_a_restored_backup_are_its_own(session: Session) -> None:
     session.add_run(make_run(seed=7))
     session.save()
     restored = session.restore(1)
@@ -135,7 +135,7 @@ def test_runs_of_a_restored_generation_are_its_own(session: Session) -> None:
     again.close()
 
 
-def test_a_generation_that_is_not_there_is_told(session: Session) -> None:
+def test_a_backup_that_is_not_there_is_told(session: Session) -> None:
     with pytest.raises(SessionError, match=r"no backup 1 \(none is kept yet"):
         session.restore(1)
     session.save()
@@ -157,7 +157,7 @@ def test_what_another_program_has_open_is_not_restored(
 
 def test_a_session_that_was_never_saved_has_nothing_older(session: Session) -> None:
     fresh = Session.create(session_recording(session))
-    assert fresh.generations() == ()
+    assert fresh.list_backups() == ()
     with pytest.raises(SessionError, match="never saved"):
         fresh.restore(1)
 
@@ -169,20 +169,20 @@ def session_recording(session: Session) -> object:
     return OneFile(session.path.parent / "recording")
 
 
-def test_a_full_disk_leaves_the_present_and_every_generation(
+def test_a_full_disk_leaves_the_present_and_every_backup(
     session: Session, states: list[tuple[object, ...]], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def full(*_: object) -> None:
         raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
 
     assert session.path is not None
-    before = session.path.read_bytes(), [file.read_bytes() for file in generations(session.path)]
+    before = session.path.read_bytes(), [file.read_bytes() for file in find_backups(session.path)]
     monkeypatch.setattr(os, "fsync", full)
     with pytest.raises(OutputError, match="no space"):
         session.restore(4)
     monkeypatch.undo()
     assert session.path.read_bytes() == before[0]
-    assert [file.read_bytes() for file in generations(session.path)] == before[1]
+    assert [file.read_bytes() for file in find_backups(session.path)] == before[1]
     assert state_of(session) == states[-1]
     restored = session.restore(4)
     assert state_of(restored) == states[-5]
@@ -214,7 +214,7 @@ def test_a_crash_while_restoring_leaves_the_old_or_the_restored_one(
     again = Session.open(after / "s.h5")
     assert not again.read_only
     assert state_of(again) == (states[-1] if step == "before" else states[-5])
-    kept = [state_of_file(file) for file in generations(again.path)]
+    kept = [state_of_file(file) for file in find_backups(again.path)]
     assert all(state in [*kept, state_of(again)] for state in states[1:])
     again.close()
 
@@ -236,12 +236,12 @@ def of_damaged_backup(session: Session) -> Path:
         session.save()
     session.close()
     assert session.path is not None
-    flip(generations(session.path)[0], b"red coat")
+    flip(find_backups(session.path)[0], b"red coat")
     return session.path
 
 
 def test_damage_of_a_backup_is_told_before_it_is_restored(of_damaged_backup: Path) -> None:
-    listed = list_generations(of_damaged_backup)
+    listed = list_backups(of_damaged_backup)
     assert ["checksum does not hold" in kept.damage for kept in listed] == [True, False, False]
     assert not any(kept.problem for kept in listed)
 
@@ -249,7 +249,7 @@ def test_damage_of_a_backup_is_told_before_it_is_restored(of_damaged_backup: Pat
 def test_damage_of_a_backup_is_told_when_it_is_restored(
     of_damaged_backup: Path, caplog: pytest.LogCaptureFixture
 ) -> None:
-    backup = generations(of_damaged_backup)[0]
+    backup = find_backups(of_damaged_backup)[0]
     with closing(Session.open(of_damaged_backup)) as session:
         assert session.damage == ()
         with closing(session.restore(1)) as restored:
@@ -265,9 +265,9 @@ def test_a_backup_with_two_names_is_restored_and_never_written(
 ) -> None:
     """As in a copy of the folder by hard links."""
     second = tmp_path / "copy-of-last-night.h5"
-    second.hardlink_to(generations(session.path or Path())[1])
+    second.hardlink_to(find_backups(session.path or Path())[1])
     before = second.read_bytes()
-    assert not any(kept.problem for kept in session.generations())
+    assert not any(kept.problem for kept in session.list_backups())
     with closing(session.restore(2)) as restored:
         assert state_of(restored) == states[-3]
         restored.apply(plan_swap(restored.tracks, 1, 2, 20))
@@ -279,7 +279,7 @@ def test_a_backup_with_two_names_is_restored_and_never_written(
 def test_a_backup_that_goes_while_it_is_restored_is_told(
     session: Session, states: list[tuple[object, ...]], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("tracking.session.document.generations", lambda _: ())
+    monkeypatch.setattr("tracking.session.document.find_backups", lambda _: ())
     with pytest.raises(SessionError, match="backup 2 was taken away"):
         session.restore(2)
     assert state_of(session) == states[-1]

@@ -1,9 +1,9 @@
-"""Older states of a session listed, looked at and restored in the real window."""
+"""Backups of a session listed, looked at and restored in the real window."""
 
 import pytest
 from PySide6.QtWidgets import QPlainTextEdit, QTableWidget
 
-from app.views.files.generations_dialog import GenerationsDialog
+from app.views.files.backup_dialog import BackupDialog
 from tracking.editing import plan_delete
 
 
@@ -27,15 +27,15 @@ def _delete(desk, track: int) -> None:
 @pytest.fixture
 def dialog(window, saved_twice, qtbot):
     window.run_command("file.restore")
-    qtbot.waitUntil(lambda: window.findChild(GenerationsDialog, "generations") is not None)
-    return window.findChild(GenerationsDialog, "generations")
+    qtbot.waitUntil(lambda: window.findChild(BackupDialog, "backups") is not None)
+    return window.findChild(BackupDialog, "backups")
 
 
 def _differences(dialog) -> str:
     return dialog.findChild(QPlainTextEdit).toPlainText()
 
 
-def test_older_states_are_listed_with_what_would_be_other_than_now(dialog, saved_twice, qtbot):
+def test_backups_are_listed_with_what_would_be_other_than_now(dialog, saved_twice, qtbot):
     table = dialog.findChild(QTableWidget)
     edits = [table.item(row, 1).text() for row in range(table.rowCount())]
     assert edits == ["1 edit", "0 edits"]
@@ -49,7 +49,7 @@ def test_older_states_are_listed_with_what_would_be_other_than_now(dialog, saved
     dialog.reject()
 
 
-def test_an_older_state_is_restored_and_what_was_there_can_be_had_back(
+def test_a_backup_is_restored_and_what_was_there_can_be_restored(
     window, desk, dialog, saved_twice, qtbot
 ):
     a, b = saved_twice
@@ -63,16 +63,16 @@ def test_an_older_state_is_restored_and_what_was_there_can_be_had_back(
     assert window.workspace.isEnabled()
     desk.editing.rename(a, "again")  # it can be worked on
     qtbot.waitUntil(lambda: not window.work.busy)
-    window.files.older.restore(1)
+    window.files.backups.restore(1)
     qtbot.waitUntil(lambda: not window.work.busy)
     names = [one.name for one in desk.document.session.labels.tracks.values()]
     assert names == ["not saved"]
     assert b not in desk.document.session.tracks
 
 
-def test_a_session_saved_once_has_no_older_state(window, desk, qtbot):
+def test_a_session_saved_once_has_no_backup(window, desk, qtbot):
     said: list[str] = []
     window.files.said.connect(said.append)
     window.run_command("file.restore")
     qtbot.waitUntil(lambda: bool(said))
-    assert "No older state" in said[0]
+    assert "No backup" in said[0]
