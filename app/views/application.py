@@ -159,13 +159,15 @@ def show_document(window: MainWindow, path: Path, frame: int | None = None) -> N
     window.files.failed.connect(problems.append)
     window.show()
     window.files.open_path(path)
-    wait_until(lambda: window.desk is not None or bool(problems))
-    desk = window.desk
-    if problems or desk is None:
+    wait_until(lambda: window.controller is not None or bool(problems))
+    controller = window.controller
+    if problems or controller is None:
         raise problems[0] if problems else RecordingError(f"{path}: opening took too long")
-    desk.playback.go(desk.document.busiest_frame if frame is None else frame)
-    wait_until(lambda: desk.playback.number == desk.playback.clock.frame or bool(problems))
-    wait_until(lambda: desk.playback.frame is not None or bool(problems))
+    controller.playback.go(controller.document.busiest_frame if frame is None else frame)
+    wait_until(
+        lambda: controller.playback.number == controller.playback.clock.frame or bool(problems)
+    )
+    wait_until(lambda: controller.playback.frame is not None or bool(problems))
     if problems:
         raise problems[0]
 

@@ -14,9 +14,9 @@ from PySide6.QtCore import QObject, Qt, QTimer
 from PySide6.QtWidgets import QWidget
 
 from app.views.application import borrowed_window, show_document, wait_until
-from app.views.desk.recording_controller import RecordingController
 from app.views.pictures.overhead import OverheadView
 from app.views.pictures.picture import PictureView
+from app.views.recording.recording_controller import RecordingController
 from app.views.timeline.overview import OverviewStrip
 from app.views.timeline.tracks_area import TracksArea
 from app.views.window.main_window import MainWindow
@@ -157,18 +157,18 @@ def measure() -> dict[str, float]:
 def _play(window: MainWindow, session: Path, taken: dict[str, list[float]]) -> dict[str, float]:
     """Play what is cached several times over."""
     show_document(window, session, 0)
-    desk, heart = window.desk, Heartbeat()
-    assert desk is not None
-    desk.set_eyes("both")
-    desk.editing.pick(1)
-    wait_until(lambda: desk.playback.loaded == ((0, FRAMES),))
-    _round(desk)  # what is made once is made
+    controller, heart = window.controller, Heartbeat()
+    assert controller is not None
+    controller.set_eyes("both")
+    controller.editing.pick(1)
+    wait_until(lambda: controller.playback.loaded == ((0, FRAMES),))
+    _round(controller)  # what is made once is made
     for times in taken.values():
         times.clear()
     heart.start()
     begun_s, busy_s = time.perf_counter(), time.process_time()
     for _ in range(ROUNDS):
-        _round(desk)
+        _round(controller)
     passed_s, busy_s = time.perf_counter() - begun_s, time.process_time() - busy_s
     heart.stop()
     paints = {f"{name}_paint_ms": float(np.median(times)) for name, times in taken.items()}
@@ -183,22 +183,22 @@ def _play(window: MainWindow, session: Path, taken: dict[str, list[float]]) -> d
 def _live(window: MainWindow, recording: Path) -> dict[str, float]:
     """Play while the best tracker works on the recording, both from its first frame."""
     show_document(window, recording, 0)
-    desk, heart = window.desk, Heartbeat()
-    assert desk is not None
-    desk.set_eyes("both")
-    wait_until(lambda: len(desk.playback.loaded) > 0)
+    controller, heart = window.controller, Heartbeat()
+    assert controller is not None
+    controller.set_eyes("both")
+    wait_until(lambda: len(controller.playback.loaded) > 0)
     heart.start()
-    desk.toggle()
-    wait_until(lambda: desk.live.done >= LIVE_FRAMES or not desk.live.running)
+    controller.toggle()
+    wait_until(lambda: controller.live.done >= LIVE_FRAMES or not controller.live.running)
     heart.stop()
     return heart.figures()
 
 
-def _round(desk: RecordingController) -> None:
+def _round(controller: RecordingController) -> None:
     """Play from the start to the end."""
-    desk.playback.go(0)
-    desk.toggle()
-    wait_until(lambda: not desk.playback.clock.playing)
+    controller.playback.go(0)
+    controller.toggle()
+    wait_until(lambda: not controller.playback.clock.playing)
 
 
 if __name__ == "__main__":

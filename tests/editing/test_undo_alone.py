@@ -41,7 +41,7 @@ BOXES = st.tuples(*[st.floats(0.5, 1e3)] * 4)
 
 
 @dataclass
-class Desk:
+class Editor:
     """A table, its labels and their history, edited together."""
 
     table: TrackTable
@@ -145,157 +145,157 @@ def own_edits(history: History) -> set[int]:
 @given(st.data())
 def test_without_one_edit_the_rest_is_what_it_would_have_been(data: st.DataObject) -> None:
     places = data.draw(PLACES)
-    desk = Desk(table_at(places))
+    editor = Editor(table_at(places))
     for _ in range(data.draw(st.integers(2, 8))):
-        change = data.draw(changes(desk.table, desk.labels))
+        change = data.draw(changes(editor.table, editor.labels))
         if change is not None:
-            desk.do(change)
+            editor.do(change)
     for _ in range(data.draw(st.integers(1, 6))):
-        if not len(desk.history):
+        if not len(editor.history):
             return
-        number = data.draw(st.integers(1, len(desk.history)))
-        if why := desk.history.why_not_alone(number):
+        number = data.draw(st.integers(1, len(editor.history)))
+        if why := editor.history.why_not_alone(number):
             with pytest.raises(EditError, match=re.escape(why)):
-                desk.undo_alone(number)
+                editor.undo_alone(number)
             continue
-        desk.undo_alone(number)
-        table, labels = replayed(table_at(places), desk.history, own_edits(desk.history))
-        assert bytes_of(desk.table) == table
-        assert said_of(desk.labels) == labels
-        change = data.draw(changes(desk.table, desk.labels))
+        editor.undo_alone(number)
+        table, labels = replayed(table_at(places), editor.history, own_edits(editor.history))
+        assert bytes_of(editor.table) == table
+        assert said_of(editor.labels) == labels
+        change = data.draw(changes(editor.table, editor.labels))
         if change is not None:
-            desk.do(change)
-    after, labels = bytes_of(desk.table), desk.labels
-    while desk.history.next_undo:
-        desk.undo()
-    assert (bytes_of(desk.table), desk.labels) == (bytes_of(table_at(places)), Labels())
-    while desk.history.next_redo:
-        desk.redo()
-    assert (bytes_of(desk.table), desk.labels) == (after, labels)
-    again = History(desk.history.entries)
+            editor.do(change)
+    after, labels = bytes_of(editor.table), editor.labels
+    while editor.history.next_undo:
+        editor.undo()
+    assert (bytes_of(editor.table), editor.labels) == (bytes_of(table_at(places)), Labels())
+    while editor.history.next_redo:
+        editor.redo()
+    assert (bytes_of(editor.table), editor.labels) == (after, labels)
+    again = History(editor.history.entries)
     assert [again.why_not_alone(entry.id) for entry in again] == [
-        desk.history.why_not_alone(entry.id) for entry in again
+        editor.history.why_not_alone(entry.id) for entry in again
     ]
 
 
 @pytest.fixture
-def desk() -> Desk:
-    return Desk(table_of({1: [(0, 30)], 2: [(0, 30)], 3: [(0, 30)]}))
+def editor() -> Editor:
+    return Editor(table_of({1: [(0, 30)], 2: [(0, 30)], 3: [(0, 30)]}))
 
 
-def test_an_edit_of_other_tracks_stays_when_an_older_one_is_undone(desk: Desk) -> None:
-    start = bytes_of(desk.table)
-    desk.do(plan_swap(desk.table, 1, 2, 10))
-    desk.do(plan_delete(desk.table, 3, 0, 5))
-    entry = desk.undo_alone(1)
+def test_an_edit_of_other_tracks_stays_when_an_older_one_is_undone(editor: Editor) -> None:
+    start = bytes_of(editor.table)
+    editor.do(plan_swap(editor.table, 1, 2, 10))
+    editor.do(plan_delete(editor.table, 3, 0, 5))
+    entry = editor.undo_alone(1)
     assert (entry.kind, entry.text) == ("undo", "Undo edit 1 alone: Swap 1 and 2 from frame 10 on")
-    assert (entry.undoes, desk.history.taken_back_by(1)) == (1, 3)
-    desk.undo_alone(2)
-    assert bytes_of(desk.table) == start
+    assert (entry.undoes, editor.history.taken_back_by(1)) == (1, 3)
+    editor.undo_alone(2)
+    assert bytes_of(editor.table) == start
 
 
-def test_an_edit_inside_a_swapped_stretch_stands_on_the_swap(desk: Desk) -> None:
-    desk.do(plan_swap(desk.table, 1, 2, 10))
-    desk.do(plan_move_box(desk.table, 2, 20, (1.0, 2.0, 3.0, 4.0)))
-    desk.do(plan_delete(desk.table, 1, 25))
+def test_an_edit_inside_a_swapped_stretch_stands_on_the_swap(editor: Editor) -> None:
+    editor.do(plan_swap(editor.table, 1, 2, 10))
+    editor.do(plan_move_box(editor.table, 2, 20, (1.0, 2.0, 3.0, 4.0)))
+    editor.do(plan_delete(editor.table, 1, 25))
     with pytest.raises(EditError) as told:
-        desk.undo_alone(1)
+        editor.undo_alone(1)
     assert str(told.value) == (
         '"Delete 1 from frame 25 on" (edit 3) was made on top of it: undo that first, then 1 more'
     )
 
 
-def test_an_edit_before_a_swapped_stretch_does_not_stand_on_the_swap(desk: Desk) -> None:
-    desk.do(plan_swap(desk.table, 1, 2, 10))
-    desk.do(plan_move_box(desk.table, 2, 9, (1.0, 2.0, 3.0, 4.0)))
-    assert desk.history.why_not_alone(1) == ""
+def test_an_edit_before_a_swapped_stretch_does_not_stand_on_the_swap(editor: Editor) -> None:
+    editor.do(plan_swap(editor.table, 1, 2, 10))
+    editor.do(plan_move_box(editor.table, 2, 9, (1.0, 2.0, 3.0, 4.0)))
+    assert editor.history.why_not_alone(1) == ""
 
 
-def test_what_is_undone_does_not_stand_on_anything(desk: Desk) -> None:
-    desk.do(plan_swap(desk.table, 1, 2, 10))
-    desk.do(plan_delete(desk.table, 1, 25))
-    desk.undo()
-    assert desk.history.why_not_alone(1) == ""
-    assert desk.history.why_not_alone(2) == "edit 2 is undone already"
+def test_what_is_undone_does_not_stand_on_anything(editor: Editor) -> None:
+    editor.do(plan_swap(editor.table, 1, 2, 10))
+    editor.do(plan_delete(editor.table, 1, 25))
+    editor.undo()
+    assert editor.history.why_not_alone(1) == ""
+    assert editor.history.why_not_alone(2) == "edit 2 is undone already"
 
 
-def test_what_is_taken_back_alone_does_not_stand_on_anything(desk: Desk) -> None:
-    start = bytes_of(desk.table)
-    desk.do(plan_swap(desk.table, 1, 2, 10))
-    desk.do(plan_delete(desk.table, 1, 25))
-    desk.undo_alone(2)
-    assert desk.history.why_not_alone(2) == "edit 2 is taken back already, by edit 3"
-    desk.undo_alone(1)
-    assert bytes_of(desk.table) == start
+def test_what_is_taken_back_alone_does_not_stand_on_anything(editor: Editor) -> None:
+    start = bytes_of(editor.table)
+    editor.do(plan_swap(editor.table, 1, 2, 10))
+    editor.do(plan_delete(editor.table, 1, 25))
+    editor.undo_alone(2)
+    assert editor.history.why_not_alone(2) == "edit 2 is taken back already, by edit 3"
+    editor.undo_alone(1)
+    assert bytes_of(editor.table) == start
 
 
-def test_an_edit_taken_back_alone_can_be_made_again(desk: Desk) -> None:
-    desk.do(plan_swap(desk.table, 1, 2, 10))
-    desk.do(plan_delete(desk.table, 3, 5))
-    after = bytes_of(desk.table)
-    desk.undo_alone(1)
-    desk.undo_alone(3)
-    assert bytes_of(desk.table) == after
-    assert desk.history.taken_back_by(1) == 0
-    desk.undo_alone(1)
-    assert desk.history.taken_back_by(1) == 5
+def test_an_edit_taken_back_alone_can_be_made_again(editor: Editor) -> None:
+    editor.do(plan_swap(editor.table, 1, 2, 10))
+    editor.do(plan_delete(editor.table, 3, 5))
+    after = bytes_of(editor.table)
+    editor.undo_alone(1)
+    editor.undo_alone(3)
+    assert bytes_of(editor.table) == after
+    assert editor.history.taken_back_by(1) == 0
+    editor.undo_alone(1)
+    assert editor.history.taken_back_by(1) == 5
 
 
-def test_what_was_made_where_an_edit_was_taken_back_bars_making_it_again(desk: Desk) -> None:
-    desk.do(plan_swap(desk.table, 1, 2, 10))
-    desk.undo_alone(1)
-    desk.do(plan_delete(desk.table, 1, 25))
-    assert "edit 3" in desk.history.why_not_alone(2)
+def test_what_was_made_where_an_edit_was_taken_back_bars_making_it_again(editor: Editor) -> None:
+    editor.do(plan_swap(editor.table, 1, 2, 10))
+    editor.undo_alone(1)
+    editor.do(plan_delete(editor.table, 1, 25))
+    assert "edit 3" in editor.history.why_not_alone(2)
 
 
-def test_fields_of_one_label_are_undone_each_alone(desk: Desk) -> None:
+def test_fields_of_one_label_are_undone_each_alone(editor: Editor) -> None:
     for plan in (
-        lambda: plan_rename(desk.table, desk.labels, 1, "red coat"),
-        lambda: plan_set_attribute(desk.table, desk.labels, 1, "bag", "yes"),
-        lambda: plan_set_notes(desk.table, desk.labels, 1, "limps"),
+        lambda: plan_rename(editor.table, editor.labels, 1, "red coat"),
+        lambda: plan_set_attribute(editor.table, editor.labels, 1, "bag", "yes"),
+        lambda: plan_set_notes(editor.table, editor.labels, 1, "limps"),
     ):
-        desk.do(plan())
-    desk.undo_alone(1)
-    label = desk.labels.of_track(1)
+        editor.do(plan())
+    editor.undo_alone(1)
+    label = editor.labels.of_track(1)
     assert (label.name, label.attributes, label.notes) == ("", {"bag": "yes"}, "limps")
-    desk.do(plan_rename(desk.table, desk.labels, 1, "blue coat"))
-    assert "edit 5" in desk.history.why_not_alone(4)
+    editor.do(plan_rename(editor.table, editor.labels, 1, "blue coat"))
+    assert "edit 5" in editor.history.why_not_alone(4)
 
 
-def test_reviewed_ranges_apart_are_undone_each_alone(desk: Desk) -> None:
-    desk.do(plan_mark_reviewed(desk.labels, 0, 0, 10))
-    desk.do(plan_mark_reviewed(desk.labels, 0, 20, 30))
-    assert desk.history.why_not_alone(1) == ""
-    desk.do(plan_mark_reviewed(desk.labels, 0, 10, 20))
-    assert "edit 3" in desk.history.why_not_alone(1)
+def test_reviewed_ranges_apart_are_undone_each_alone(editor: Editor) -> None:
+    editor.do(plan_mark_reviewed(editor.labels, 0, 0, 10))
+    editor.do(plan_mark_reviewed(editor.labels, 0, 20, 30))
+    assert editor.history.why_not_alone(1) == ""
+    editor.do(plan_mark_reviewed(editor.labels, 0, 10, 20))
+    assert "edit 3" in editor.history.why_not_alone(1)
 
 
-def test_a_range_beyond_all_frames_is_no_trouble(desk: Desk) -> None:
-    desk.do(plan_swap(desk.table, 1, 2, 10, 10**12))
-    columns = desk.history.touches
-    again = History(desk.history.entries, TouchIndex.from_columns(columns, 1))
+def test_a_range_beyond_all_frames_is_no_trouble(editor: Editor) -> None:
+    editor.do(plan_swap(editor.table, 1, 2, 10, 10**12))
+    columns = editor.history.touches
+    again = History(editor.history.entries, TouchIndex.from_columns(columns, 1))
     assert again.why_not_alone(1) == ""
     assert columns["end"].max() <= 2**31
 
 
-def test_an_edit_that_is_not_there_is_said(desk: Desk) -> None:
+def test_an_edit_that_is_not_there_is_said(editor: Editor) -> None:
     with pytest.raises(EditError, match="there is no edit 7; the log has 0"):
-        desk.undo_alone(7)
+        editor.undo_alone(7)
 
 
-def test_a_long_text_is_not_made_longer_each_time(desk: Desk) -> None:
-    desk.do(plan_set_attribute(desk.table, desk.labels, 1, "coat", "red" * 100))
+def test_a_long_text_is_not_made_longer_each_time(editor: Editor) -> None:
+    editor.do(plan_set_attribute(editor.table, editor.labels, 1, "coat", "red" * 100))
     for number in range(1, 8):
-        desk.undo_alone(number)
-    assert all(len(entry.text) <= 320 for entry in desk.history)
-    assert desk.history.entries[-1].text.endswith("…")
+        editor.undo_alone(number)
+    assert all(len(entry.text) <= 320 for entry in editor.history)
+    assert editor.history.entries[-1].text.endswith("…")
 
 
 def test_a_keyframe_that_others_are_interpolated_from_is_not_taken_back_alone():
-    desk = Desk(table_at([(0, 1)]))
-    desk.do(plan_draw_box(desk.table, 2, 3, (1.0, 2.0, 3.0, 4.0)))
-    desk.do(plan_draw_box(desk.table, 2, 9, (9.0, 2.0, 3.0, 4.0), join=True))
-    assert len(desk.table.frames_of_track(2)) == 7
-    assert "edit 2" in desk.history.why_not_alone(1)
+    editor = Editor(table_at([(0, 1)]))
+    editor.do(plan_draw_box(editor.table, 2, 3, (1.0, 2.0, 3.0, 4.0)))
+    editor.do(plan_draw_box(editor.table, 2, 9, (9.0, 2.0, 3.0, 4.0), join=True))
+    assert len(editor.table.frames_of_track(2)) == 7
+    assert "edit 2" in editor.history.why_not_alone(1)
     with pytest.raises(EditError, match="edit 2"):
-        desk.undo_alone(1)
+        editor.undo_alone(1)

@@ -12,8 +12,8 @@ from tempfile import TemporaryDirectory
 import numpy as np
 
 from app.views.application import borrowed_window, show_document, wait_until
-from app.views.desk.recording_controller import RecordingController
 from app.views.look.theme import Look
+from app.views.recording.recording_controller import RecordingController
 from app.views.window.main_window import MainWindow
 from tests.pictures.screen import virtual_screen
 from tests.pictures.small_png import save_small
@@ -63,16 +63,16 @@ def playing(scene: str, frame: int) -> Callable[[str, Path], None]:
 def swap_preview(name: str, own: Path) -> None:
     """Two people who met, and the swap that would change their ids over."""
     with _playing(_recording("plaza", own), 120) as window:
-        desk = window.desk
-        assert desk is not None
-        wait_until(lambda: not desk.live.running and not window.work.busy, _PATIENCE_MS)
-        desk.playback.pause()
-        a, b, frame = _who_met(desk)
-        desk.playback.go(frame)
-        desk.editing.rename(a, "red coat")
-        desk.editing.pick(a)
+        controller = window.controller
+        assert controller is not None
+        wait_until(lambda: not controller.live.running and not window.work.busy, _PATIENCE_MS)
+        controller.playback.pause()
+        a, b, frame = _who_met(controller)
+        controller.playback.go(frame)
+        controller.editing.rename(a, "red coat")
+        controller.editing.pick(a)
         window.run_command("tracks.swap")
-        desk.editing.pick(b)
+        controller.editing.pick(b)
         _shoot(window, name)
 
 
@@ -96,23 +96,23 @@ def _playing(recording: Path, frame: int) -> Iterator[MainWindow]:
     """The window while it plays and tracks, once it has come to the frame."""
     with borrowed_window(LOOKS[0].value, SIZE) as window:
         show_document(window, recording, 0)
-        desk = window.desk
-        assert desk is not None
+        controller = window.controller
+        assert controller is not None
         window.run_command("play.toggle")
-        wait_until(lambda: desk.playback.number >= frame, _PATIENCE_MS)
+        wait_until(lambda: controller.playback.number >= frame, _PATIENCE_MS)
         yield window
 
 
-def _who_met(desk: RecordingController) -> tuple[int, int, int]:
+def _who_met(controller: RecordingController) -> tuple[int, int, int]:
     """The two long tracks of clearly different colours that came closest to each other."""
-    tracks = desk.document.tracks
+    tracks = controller.document.tracks
     nearest = (np.inf, 0, 0, 0)
-    for frame in range(100, desk.document.recording.frame_count - 100, 5):
+    for frame in range(100, controller.document.recording.frame_count - 100, 5):
         rows = tracks.of_frame(frame)
         lasting = [len(tracks.of_track(int(one))["frame"]) > 120 for one in rows["track"]]
         ids, x, y = (rows[name][lasting] for name in ("track", "x", "y"))
         apart = np.hypot(x[:, None] - x, y[:, None] - y)
-        colours = np.array([desk.document.colour_of(int(one)) for one in ids]).astype(float)
+        colours = np.array([controller.document.colour_of(int(one)) for one in ids]).astype(float)
         alike = np.linalg.norm(colours[:, None] - colours, axis=2) < 150
         apart[alike] = np.inf
         if len(x) > 1 and apart.min() < nearest[0]:

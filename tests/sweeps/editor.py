@@ -53,13 +53,13 @@ class Editor:
         """Save, close the session and the window."""
         self._save_and_wait()
         self._press(_KEY.Key_W, _CONTROL)
-        wait_until(lambda: self._window.desk is None, _PATIENCE_MS)
+        wait_until(lambda: self._window.controller is None, _PATIENCE_MS)
         self._window.close()
 
     @property
     def _session(self) -> Session:
-        desk = self._window.desk
-        session = desk.document.session if desk is not None else None
+        controller = self._window.controller
+        session = controller.document.session if controller is not None else None
         if session is None:
             raise AssertionError("no session is open in the window")
         return session
@@ -71,7 +71,7 @@ class Editor:
 
     def _open(self) -> None:
         self._window.files.open_path(self._path)
-        opened = wait_until(lambda: self._window.desk is not None, _PATIENCE_MS)
+        opened = wait_until(lambda: self._window.controller is not None, _PATIENCE_MS)
         assert opened, "the session did not open"
 
     # keys
@@ -121,9 +121,11 @@ class Editor:
         self._press(_KEY.Key_Escape)
 
     def _rename(self) -> None:
-        desk = self._window.desk
-        if desk is not None and desk.document.selection:
-            desk.editing.rename(desk.document.selection.track, f"p{self._chance.randint(0, 99)}")
+        controller = self._window.controller
+        if controller is not None and controller.document.selection:
+            controller.editing.rename(
+                controller.document.selection.track, f"p{self._chance.randint(0, 99)}"
+            )
 
     def _undo(self) -> None:
         self._press(_KEY.Key_Z, _CONTROL)
@@ -146,5 +148,5 @@ class Editor:
             self._save_and_wait()
             if not self._session.dirty:
                 self._press(_KEY.Key_W, _CONTROL)
-                wait_until(lambda: self._window.desk is None, _PATIENCE_MS)
+                wait_until(lambda: self._window.controller is None, _PATIENCE_MS)
                 self._open()

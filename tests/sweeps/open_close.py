@@ -20,8 +20,8 @@ from PySide6.QtCore import QObject, QSettings
 
 from app.memory import map_large_blocks
 from app.views.application import start_application, wait_until
-from app.views.desk.recording_controller import RecordingController
 from app.views.files.files import GIVE_BACK_MS
+from app.views.recording.recording_controller import RecordingController
 from app.views.widgets.user_settings import Remembered
 from app.views.window.main_window import MainWindow
 from app.views.window.shutdown_signals import take_down
@@ -71,19 +71,19 @@ def resident_after(session: Path, cycles: int, folder: Path) -> list[float]:
 def open_and_close(window: MainWindow, session: Path) -> None:
     """One cycle."""
     window.files.open_path(session)
-    assert wait_until(lambda: window.desk is not None), "the session did not open"
-    play(window.desk)
+    assert wait_until(lambda: window.controller is not None), "the session did not open"
+    play(window.controller)
     window.files.close_without_asking()
     window.show_welcome()
     gone_s = time.monotonic() + 3 * GIVE_BACK_MS / 1000
     wait_until(lambda: time.monotonic() > gone_s and threading.active_count() == 1)
 
 
-def play(desk: RecordingController | None) -> None:
-    """Play the first frames; nothing holds the desk after that."""
-    assert desk is not None
-    desk.playback.toggle()
-    played = wait_until(lambda: desk.playback.clock.frame >= FRAMES_PLAYED)
+def play(controller: RecordingController | None) -> None:
+    """Play the first frames; nothing holds the controller after that."""
+    assert controller is not None
+    controller.playback.toggle()
+    played = wait_until(lambda: controller.playback.clock.frame >= FRAMES_PLAYED)
     assert played, "it does not play"
 
 

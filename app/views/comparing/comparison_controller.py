@@ -14,8 +14,8 @@ from app.presenters.comparing.other_people import OtherPeople
 from app.presenters.document.document import Document
 from app.presenters.i18n import tr
 from app.views.correcting.edit_controller import Editing
-from app.views.desk.workspace import Workspace
 from app.views.playing.playback import Playback
+from app.views.recording.workspace import Workspace
 from tracking.editing import Change, Difference
 from tracking.errors import TrackwrightError
 from tracking.session import Session

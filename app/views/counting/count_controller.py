@@ -1,4 +1,4 @@
-"""Counting on the desk: counters at lines and regions, the panel, the flow map."""
+"""Counting in the open recording: counters at lines and regions, the panel, the flow map."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ from app.presenters.document.document import Document
 from app.presenters.document.frame_state import FrameState, ViewOptions
 from app.presenters.i18n import counted, tr
 from app.presenters.labelling.label_tools import CountText
-from app.views.desk.workspace import Workspace
 from app.views.playing.playback import Playback
+from app.views.recording.workspace import Workspace
 from tracking.counting import Counts
 from tracking.progress import Progress
 

@@ -39,8 +39,8 @@ class Author(QObject):
         dialog.setLabelText(
             tr("Edits are logged under this name. Leave it empty to use the name of your account.")
         )
-        desk = self._window.desk
-        session = desk.document.session if desk is not None else None
+        controller = self._window.controller
+        session = controller.document.session if controller is not None else None
         dialog.setTextValue(self.name or (session.author if session is not None else ""))
         dialog.textValueSelected.connect(self.set_name)
         dialog.open()
@@ -53,6 +53,6 @@ class Author(QObject):
 
     def sign(self) -> None:
         """Have the open document log under the name."""
-        desk = self._window.desk
-        if desk is not None:
-            desk.document.sign(self.name)
+        controller = self._window.controller
+        if controller is not None:
+            controller.document.sign(self.name)

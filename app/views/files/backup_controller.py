@@ -36,7 +36,7 @@ class BackupController(QObject):
 
     @property
     def _session(self) -> Session | None:
-        return None if self._window.desk is None else self._window.desk.document.session
+        return None if self._window.controller is None else self._window.controller.document.session
 
     def ask(self) -> None:
         """List the backups of the open session."""
@@ -94,11 +94,11 @@ class BackupController(QObject):
 
     def _show(self, session: Session) -> None:
         self._window.workspace.setEnabled(True)
-        desk = self._window.desk
-        if desk is None:
+        controller = self._window.controller
+        if controller is None:
             session.close()
             return
-        desk.tracking.take_session(session)
+        controller.tracking.take_session(session)
         done = tr("Restored. The state before is kept as the newest backup: File > Restore")
         self.said.emit(" ".join((done, *session.damage)))
         self.changed.emit()

@@ -54,12 +54,12 @@ class Leaving:
 
     def _words(self) -> tuple[str, str]:
         """The question, which names what it is about, and what is lost."""
-        desk, session = self._files.desk, self._files.session
-        if desk is None:
+        controller, session = self._files.controller, self._files.session
+        if controller is None:
             return "", ""
-        name = desk.document.recording.name
+        name = controller.document.recording.name
         if self._files.tracker_found_some:
-            return tracker_at_work(name, desk.live.tracker, desk.live.status)
+            return tracker_at_work(name, controller.live.tracker, controller.live.status)
         if session is None:
             return result_in_memory(name)
         if session.path is None or document_loader.is_unsaved_place(session.path):
@@ -68,8 +68,8 @@ class Leaving:
 
     def _drop_tracked(self, again: Then) -> None:
         """Only what the tracker found goes; `again` asks about edits, where there are any."""
-        if self._files.desk is not None:
-            self._files.desk.tracking.drop()
+        if self._files.controller is not None:
+            self._files.controller.tracking.drop()
         again()
 
     def _save(self, again: Then) -> None:

@@ -21,14 +21,14 @@ from app.views.widgets.questions import choose_file
 from app.views.widgets.work import Work
 
 if TYPE_CHECKING:
-    from app.views.desk.recording_controller import RecordingController
+    from app.views.recording.recording_controller import RecordingController
     from app.views.window.main_window import MainWindow
 
 _SESSIONS = "trackwright (*.h5)"
 
 
 class SessionsBeside(QObject):
-    """Shows another session of the same recording beside the one on the window's desk."""
+    """Shows another session of the same recording beside the one that is open."""
 
     def __init__(self, window: MainWindow, work: Work, parent: QObject) -> None:
         super().__init__(parent)
@@ -52,13 +52,13 @@ class SessionsBeside(QObject):
 
     def compare_with(self, path: Path) -> None:
         """Read another session in the background and show where it disagrees."""
-        desk = self._window.desk
-        if desk is None or desk.document.session is None:
+        controller = self._window.controller
+        if controller is None or controller.document.session is None:
             return
-        session = desk.document.session
+        session = controller.document.session
         work = partial(read_other, path, session, session.tracks.snapshot())
         title = tr("Comparing with {name}", name=path.name)
-        self._work.run(title, lambda report: work(report), partial(self._show, desk))
+        self._work.run(title, lambda report: work(report), partial(self._show, controller))
 
     def close(self) -> None:
         """Show nobody else's people any more."""
@@ -67,48 +67,52 @@ class SessionsBeside(QObject):
 
     def draw(self) -> None:
         """Draw other people at the frame that is shown; those of a compared run go first."""
-        desk, shown = self._window.desk, self._shown
-        session = desk.document.session if desk is not None else None
+        controller, shown = self._window.controller, self._shown
+        session = controller.document.session if controller is not None else None
         panel = shown.panel(session.tracks.revision) if shown and session is not None else None
         self._window.workspace.compare.show_scene(panel)
-        compared = desk.comparing.dashed if desk is not None else None
-        self._draw_people(desk, compared or (shown.people if shown and panel else None))
+        compared = controller.comparing.dashed if controller is not None else None
+        self._draw_people(controller, compared or (shown.people if shown and panel else None))
 
-    def _draw_people(self, desk: RecordingController | None, people: OtherPeople | None) -> None:
+    def _draw_people(
+        self, controller: RecordingController | None, people: OtherPeople | None
+    ) -> None:
         """Draw a run's or the other session's people, dashed; None: nobody else's."""
         view = self._window.workspace
-        if desk is None or people is None:
+        if controller is None or people is None:
             for picture in (view.left, view.right):
                 picture.show_others(())
             view.overhead.show_others(())
             return
-        frame = desk.playback.number
+        frame = controller.playback.number
         view.left.show_others(people.picture(Eye.LEFT, frame))
-        view.right.show_others(people.picture(Eye.RIGHT, frame) if desk.eyes == "both" else ())
+        view.right.show_others(
+            people.picture(Eye.RIGHT, frame) if controller.eyes == "both" else ()
+        )
         view.overhead.show_others(people.floor(frame))
 
-    def _show(self, desk: RecordingController, other: OtherSession) -> None:
-        if desk is self._window.desk:
+    def _show(self, controller: RecordingController, other: OtherSession) -> None:
+        if controller is self._window.controller:
             self._shown = AgreementPresenter(
-                desk.document.recording, other, desk.document.colour_of
+                controller.document.recording, other, controller.document.colour_of
             )
             self.draw()
 
     def _again(self) -> None:
-        desk, shown = self._window.desk, self._shown
-        if desk is None or shown is None or desk.document.session is None:
+        controller, shown = self._window.controller, self._shown
+        if controller is None or shown is None or controller.document.session is None:
             return
-        session = desk.document.session
+        session = controller.document.session
         work = partial(compared_again, shown.other, session, session.tracks.snapshot())
         title = tr("Comparing with {name}", name=shown.other.name)
-        self._work.run(title, lambda report: work(report), partial(self._show, desk))
+        self._work.run(title, lambda report: work(report), partial(self._show, controller))
 
     def _go(self, frame: int, track: int) -> None:
-        desk = self._window.desk
-        if desk is None:
+        controller = self._window.controller
+        if controller is None:
             return
-        desk.playback.pause()
-        desk.playback.go(frame)  # first: it may show the session's tracks again
-        if track and desk.document.flow is None:
-            desk.document.selection.choose(track)
-        desk.draw()
+        controller.playback.pause()
+        controller.playback.go(frame)  # first: it may show the session's tracks again
+        if track and controller.document.flow is None:
+            controller.document.selection.choose(track)
+        controller.draw()

@@ -29,7 +29,7 @@ from tracking.progress import Progress
 from tracking.session import Session, write_log_csv, write_log_json
 
 if TYPE_CHECKING:
-    from app.views.desk.recording_controller import RecordingController
+    from app.views.recording.recording_controller import RecordingController
     from app.views.window.main_window import MainWindow
 
 _LOGS = "CSV (*.csv);;JSON (*.json)"
@@ -51,7 +51,7 @@ class Exporting(QObject):
 
     @property
     def _session(self) -> Session | None:
-        return None if self._window.desk is None else self._window.desk.document.session
+        return None if self._window.controller is None else self._window.controller.document.session
 
     def ask_tracks(self) -> None:
         """Ask which tracks are exported, and as what; then for a place."""
@@ -70,10 +70,10 @@ class Exporting(QObject):
 
     def _ask_place(self, name: str, run: int) -> None:
         self._format = name
-        desk = self._window.desk
+        controller = self._window.controller
         each = next(one for one in export_formats() if one.name == name)
-        if desk is not None:
-            proposed = proposed_name(desk.document.recording.name, each)
+        if controller is not None:
+            proposed = proposed_name(controller.document.recording.name, each)
             wanted = None if run < 0 else run
             filters = f"{each.title} (*{each.ending})"
             self._ask(
@@ -85,13 +85,13 @@ class Exporting(QObject):
 
     def tracks_to(self, path: Path, name: str = "mot", run: int | None = None) -> None:
         """Write the corrected tracks, or a run's, in a format; piece by piece, and cancellable."""
-        session, desk = self._session, self._window.desk
+        session, controller = self._session, self._window.controller
         kind = format_named(name)
         write = kind.write
-        if session is None or desk is None or write is None:
+        if session is None or controller is None or write is None:
             return
         # What is edited meanwhile is not in it.
-        put_together = exporting(session, run, desk.document.recording.view)
+        put_together = exporting(session, run, controller.document.recording.view)
 
         def work(report: Progress) -> tuple[str, tuple[str, ...]]:
             refuse_to_lose(path)
@@ -120,21 +120,23 @@ class Exporting(QObject):
 
     def report_in(self, place: Path) -> None:
         """Write a report of the score as it was worked out last; where it was not, score first."""
-        desk = self._window.desk
-        if desk is None:
+        controller = self._window.controller
+        if controller is None:
             return
-        presenter = desk.scoring.presenter
+        presenter = controller.scoring.presenter
         scored, subject = presenter.scored, presenter.wanted()
         if scored is not None and (subject is None or scored.subject.version == subject.version):
-            self._report(desk, scored, place)
+            self._report(controller, scored, place)
         elif subject is not None:
             work = partial(worked_out, subject, None, presenter.held(subject))
-            self._work.run(tr("Scoring"), work, lambda scored: self._report(desk, scored, place))
+            self._work.run(
+                tr("Scoring"), work, lambda scored: self._report(controller, scored, place)
+            )
 
-    def _report(self, desk: RecordingController, scored: Scored, place: Path) -> None:
-        if desk is not self._window.desk:
+    def _report(self, controller: RecordingController, scored: Scored, place: Path) -> None:
+        if controller is not self._window.controller:
             return
-        presenter, document = desk.scoring.presenter, desk.document
+        presenter, document = controller.scoring.presenter, controller.document
         held = presenter.held(scored.subject)
         name = presenter.scene("").results[scored.subject.whose + 1]
         folder = place / proposed_folder(document.recording.name)
@@ -162,23 +164,23 @@ class Exporting(QObject):
 
     def ask_counts(self) -> None:
         """Ask for a place and write what is counted, step by step; told where nothing is."""
-        desk = self._window.desk
-        if desk is None or desk.counting.work() is None:
+        controller = self._window.controller
+        if controller is None or controller.counting.work() is None:
             self.said.emit(tr("Nothing is counted: draw a line (Alt+3) or a region (Alt+4) first"))
             return
         self._ask(tr("Export counts"), "counts.csv", "CSV (*.csv)", self.counts_to)
 
     def counts_to(self, path: Path) -> None:
         """Count the tracks of now and write that as CSV."""
-        desk = self._window.desk
-        counting = desk.counting.work() if desk is not None else None
+        controller = self._window.controller
+        counting = controller.counting.work() if controller is not None else None
         if counting is not None:
             self._write(path, lambda report: _written(counting(report), path))
 
     def _ask(self, title: str, name: str, filters: str, chosen: Callable[[Path], object]) -> None:
-        desk = self._window.desk
-        if self._session is not None and desk is not None:
-            start = beside(desk.document, name)
+        controller = self._window.controller
+        if self._session is not None and controller is not None:
+            start = beside(controller.document, name)
             last = self._window.remembered.last_folder("export")
             choose_new_file(self._window, title, start, filters, chosen, last)
 

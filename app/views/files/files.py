@@ -19,7 +19,6 @@ from app.presenters.files.track_import import holds_tracks_alone
 from app.presenters.i18n import tr
 from app.presenters.runs.run_summary import told_of_tracking
 from app.presenters.scenes import WelcomeScene
-from app.views.desk.recording_controller import RecordingController
 from app.views.files.author import Author
 from app.views.files.backup_controller import BackupController
 from app.views.files.close_prompts import Leaving, Then
@@ -31,6 +30,7 @@ from app.views.files.result_storage import Keeping
 from app.views.files.save_controller import Saving
 from app.views.files.whereabouts import Whereabouts
 from app.views.parts.detectors import Detectors
+from app.views.recording.recording_controller import RecordingController
 from app.views.runs.track_dialog import TrackDialog
 from app.views.widgets.literal import literal_title
 from app.views.widgets.questions import choose_file
@@ -48,7 +48,7 @@ GIVE_BACK_MS = 500
 
 
 class Files(QObject):
-    """Opens recordings and sessions on the window's desk, saves and closes them.
+    """Opens recordings and sessions in the window, saves and closes them.
 
     Signals: `changed()`, another document, title or save state; `progressed()`, the tracker at
     work is further; `failed(error)`; `said(text)`.
@@ -69,7 +69,7 @@ class Files(QObject):
         self._whereabouts = Whereabouts(remembered, self)
         self._greeting = ""
         self._leaving = Leaving(self, window)
-        self.desk: RecordingController | None = None
+        self.controller: RecordingController | None = None
         self.author = Author(window, remembered, self)
         self.exporting = Exporting(window, work, self)
         self.exporting.said.connect(self.said)
@@ -106,7 +106,7 @@ class Files(QObject):
     def open_dropped(self, urls: Sequence[QUrl]) -> None:
         """Open the first of some files that were dropped; tracks go into the recording shown."""
         paths = [Path(url.toLocalFile()) for url in urls if url.isLocalFile()]
-        if paths and self.desk is not None and holds_tracks_alone(paths[0]):
+        if paths and self.controller is not None and holds_tracks_alone(paths[0]):
             self.importing.read_dropped(paths[0])
         elif paths:
             self.open_path(paths[0])
@@ -143,8 +143,8 @@ class Files(QObject):
                 return
             self._show(opened, from_start=play)
             self.saving.proposed = save_at
-            if play and self.desk is not None:
-                self.desk.toggle()
+            if play and self.controller is not None:
+                self.controller.toggle()
 
         again = partial(self.open_path, path, recording, options, play=play, save_at=save_at)
         work = partial(left_behind.open_with_unsaved, path, recording, options)
@@ -159,26 +159,28 @@ class Files(QObject):
     def _show(self, opened: Opened, from_start: bool) -> None:
         self.close()
         path = opened.path
-        self.desk = desk = RecordingController(opened.document, self._window.workspace, self)
-        self.saving.begin(desk.document.session)
+        self.controller = controller = RecordingController(
+            opened.document, self._window.workspace, self
+        )
+        self.saving.begin(controller.document.session)
         self.author.sign()
-        self.detectors.begin(desk)
-        desk.changed.connect(self.changed)
-        desk.drawn.connect(self.beside.draw)
-        desk.progressed.connect(self.progressed)
-        desk.failed.connect(self.failed)
-        desk.said.connect(self.said)
-        desk.tracking.tracked.connect(self.keeping.keep)
-        desk.tracking.noted.connect(self._tell_of_tracking)
-        desk.scoring.truth_asked.connect(self._ask_truth)
+        self.detectors.begin(controller)
+        controller.changed.connect(self.changed)
+        controller.drawn.connect(self.beside.draw)
+        controller.progressed.connect(self.progressed)
+        controller.failed.connect(self.failed)
+        controller.said.connect(self.said)
+        controller.tracking.tracked.connect(self.keeping.keep)
+        controller.tracking.noted.connect(self._tell_of_tracking)
+        controller.scoring.truth_asked.connect(self._ask_truth)
         if not document_loader.is_unsaved_place(path):
             self._remembered.add_recent(path.resolve(), opened.document.recording.name)
         self._window.workspace.show_whole()  # how another recording was zoomed says nothing here
         self._window.show_workspace()
         self._tell_oddities(opened)
-        desk.pictured = pictured_from(self._remembered.text("pictured"))
-        desk.set_eyes(self._remembered.text("eyes", "both"))
-        self._whereabouts.begin(desk, path, from_start)
+        controller.pictured = pictured_from(self._remembered.text("pictured"))
+        controller.set_eyes(self._remembered.text("eyes", "both"))
+        self._whereabouts.begin(controller, path, from_start)
 
     def greet_after_crash(self) -> None:
         """Say, with what is opened next, that it was open when the program ended in a crash."""
@@ -204,8 +206,8 @@ class Files(QObject):
 
     def _ask_truth(self, filters: str) -> None:
         """Ask for a file to score against."""
-        if self.desk is not None:
-            last, take = self._remembered.last_folder("truth"), self.desk.scoring.choose_file
+        if self.controller is not None:
+            last, take = self._remembered.last_folder("truth"), self.controller.scoring.choose_file
             choose_file(self._window, tr("The ground truth"), filters, take, last)
 
     # tracking
@@ -222,8 +224,8 @@ class Files(QObject):
 
     def ask_track(self) -> None:
         """Ask for tracker and settings, then put it to work; corrected tracks are not touched."""
-        desk = self.desk
-        if desk is None:
+        controller = self.controller
+        if controller is None:
             return
         if self.keeping.holds:
             self.keeping.offer()
@@ -233,27 +235,31 @@ class Files(QObject):
             warning = tr(
                 "The corrected tracks stay as they are; the new result is kept beside them."
             )
-        document = desk.document
+        document = controller.document
         asked = document.parts_asked
         dialog = TrackDialog(
-            document.recording, desk.tracking.proposed, warning, self._window, asked
+            document.recording, controller.tracking.proposed, warning, self._window, asked
         )
         dialog.accepted.connect(lambda: self._track(dialog))
         dialog.open()
 
     def _track(self, dialog: TrackDialog) -> None:
-        if self.desk is not None:
-            self.desk.tracking.track(*dialog.answer())
+        if self.controller is not None:
+            self.controller.tracking.track(*dialog.answer())
 
     @property
     def session(self) -> Session | None:
         """The open session."""
-        return self.desk.document.session if self.desk is not None else None
+        return self.controller.document.session if self.controller is not None else None
 
     @property
     def tracker_found_some(self) -> bool:
         """Whether a tracker is at work and has come past its first frame."""
-        return self.desk is not None and self.desk.live.running and self.desk.live.done > 0
+        return (
+            self.controller is not None
+            and self.controller.live.running
+            and self.controller.live.done > 0
+        )
 
     # leaving
 
@@ -275,24 +281,24 @@ class Files(QObject):
 
     def close(self) -> None:
         """Let the open document go; its threads have ended when this returns."""
-        if self.desk is not None:
-            desk, self.desk = self.desk, None
+        if self.controller is not None:
+            controller, self.controller = self.controller, None
             self.keeping.drop()
             self.beside.close()
             self.backups.close()
             self.detectors.close()
-            if desk.document.recording.is_stereo:  # one camera leaves nothing to choose
-                self._remembered.set_text("eyes", desk.eyes)
-            self._remembered.set_text("pictured", desk.pictured.lasting)
+            if controller.document.recording.is_stereo:  # one camera leaves nothing to choose
+                self._remembered.set_text("eyes", controller.eyes)
+            self._remembered.set_text("pictured", controller.pictured.lasting)
             self._whereabouts.end()
-            desk.close()
-            desk.deleteLater()
+            controller.close()
+            controller.deleteLater()
             QTimer.singleShot(GIVE_BACK_MS, give_back)
 
     def told_at_end(self) -> list[str]:
         """What is to be known where the program ends without asking: where unsaved work is."""
         held = self.keeping.holds and not self.keeping.at_work
-        at_work = self.desk is not None and self.desk.live.running
+        at_work = self.controller is not None and self.controller.live.running
         return left_behind.told_at_end(self.session, held=held, tracking=at_work)
 
     def close_without_asking(self) -> None:
@@ -304,9 +310,9 @@ class Files(QObject):
 
     def title(self) -> str:
         """The window's title, with Qt's place for the mark of unsaved changes."""
-        if self.desk is None:
+        if self.controller is None:
             return "trackwright"
-        recording, session = self.desk.document.recording, self.session
+        recording, session = self.controller.document.recording, self.session
         name = literal_title(recording.name)
         if session is not None and session.path is not None:
             kept = not document_loader.is_unsaved_place(session.path)

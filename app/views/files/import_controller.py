@@ -23,8 +23,8 @@ from app.presenters.files.track_import import (
     with_good,
 )
 from app.presenters.i18n import counted, tr
-from app.views.desk.recording_controller import RecordingController
 from app.views.files.import_dialog import ImportDialog
+from app.views.recording.recording_controller import RecordingController
 from app.views.widgets.questions import ask_unit, choose_file
 from app.views.widgets.work import Work
 from tracking.errors import SessionError, TrackwrightError, UnitUnsaidError
@@ -59,17 +59,17 @@ class Importing(QObject):
 
     def read_dropped(self, path: Path) -> None:
         """The same of a file that was dropped, where the command may be given, too."""
-        desk = self._window.desk
-        if desk is None:
+        controller = self._window.controller
+        if controller is None:
             return
-        if why_not := self._why_not(desk):
+        if why_not := self._why_not(controller):
             self.said.emit(why_not)
         else:
             self.read(path)
 
-    def _why_not(self, desk: RecordingController) -> str:
+    def _why_not(self, controller: RecordingController) -> str:
         """Why nothing can be imported now; "": it can."""
-        now = desk.situation
+        now = controller.situation
         return drawable(now.while_busy() if self._work.busy else now)
 
     def read(self, path: Path, known: TrackFormat | None = None, unit: str = "") -> None:
@@ -77,10 +77,10 @@ class Importing(QObject):
 
         Where it does not say the unit of its lengths, the user is asked.
         """
-        desk = self._window.desk
-        if desk is None:
+        controller = self._window.controller
+        if controller is None:
             return
-        filmed = replace(filmed_by(desk.document.recording), stated=Stated(unit))
+        filmed = replace(filmed_by(controller.document.recording), stated=Stated(unit))
 
         def work(report: Progress) -> ReadFile | None:
             try:
@@ -89,45 +89,45 @@ class Importing(QObject):
                 return None
 
         def done(read: ReadFile | None) -> None:
-            if desk is not self._window.desk:
+            if controller is not self._window.controller:
                 return
             if read is None:
                 ask_unit(self._window, path.name, lambda unit: self.read(path, known, unit))
             else:
-                LookedOver(self, desk, read).open()
+                LookedOver(self, controller, read).open()
 
         self._work.run(tr("Reading {name}", name=path.name), work, done)
 
-    def take(self, desk: RecordingController, read: ReadFile, fitted: Fitted) -> None:
+    def take(self, controller: RecordingController, read: ReadFile, fitted: Fitted) -> None:
         """Take the tracks: as an edit, or where there is no session as a new one.
 
         Nothing is taken where another session came since the file was looked over, or a tracker's
         people are in view.
         """
-        came = (fitted.into is None) != (desk.document.session is None)
-        if why_not := tr("another session came meanwhile") if came else self._why_not(desk):
+        came = (fitted.into is None) != (controller.document.session is None)
+        if why_not := tr("another session came meanwhile") if came else self._why_not(controller):
             text = tr("Nothing was imported: {why}; import the file again", why=why_not)
             self.failed.emit(SessionError(text))
             return
         if fitted.into is None:
-            work = partial(_kept, desk, read, fitted)
+            work = partial(_kept, controller, read, fitted)
             title = tr("Importing {name}", name=read.path.name)
-            self._work.run(title, work, partial(self._show, desk, fitted), cancellable=False)
+            self._work.run(title, work, partial(self._show, controller, fitted), cancellable=False)
             return
         try:
             if fitted.written is not None:
-                desk.document.apply(fitted.written.change, fitted.written)
+                controller.document.apply(fitted.written.change, fitted.written)
         except TrackwrightError as error:
             self.failed.emit(error)
             return
-        self._tell(desk, fitted)
+        self._tell(controller, fitted)
 
-    def _show(self, desk: RecordingController, fitted: Fitted, session: Session) -> None:
-        desk.tracking.take_session(session)
-        self._tell(desk, fitted)
+    def _show(self, controller: RecordingController, fitted: Fitted, session: Session) -> None:
+        controller.tracking.take_session(session)
+        self._tell(controller, fitted)
 
-    def _tell(self, desk: RecordingController, fitted: Fitted) -> None:
-        desk.draw()
+    def _tell(self, controller: RecordingController, fitted: Fitted) -> None:
+        controller.draw()
         told = counted(fitted.found.tracks, "{n} track imported", "{n} tracks imported")
         bad = fitted.found.bad_count
         left = counted(bad, "{n} row was left out", "{n} rows were left out") if bad else ""
@@ -137,11 +137,13 @@ class Importing(QObject):
 class LookedOver(QObject):
     """A file that was read, in its dialog; what is chosen there is worked out in the background."""
 
-    def __init__(self, importing: Importing, desk: RecordingController, read: ReadFile) -> None:
+    def __init__(
+        self, importing: Importing, controller: RecordingController, read: ReadFile
+    ) -> None:
         super().__init__(importing)
-        self._importing, self._desk, self._read = importing, desk, read
+        self._importing, self._controller, self._read = importing, controller, read
         formats = [(each.name, each.title) for each in READABLE]
-        self._dialog = ImportDialog(read.path.name, formats, desk.window_page)
+        self._dialog = ImportDialog(read.path.name, formats, controller.window_page)
         self._fitted: Fitted | None = None
         self._search = Newest("import", self._prepare, self)
         self._search.progressed.connect(self._dialog.show_progress)
@@ -159,10 +161,10 @@ class LookedOver(QObject):
 
     @property
     def _session(self) -> Session | None:
-        return self._desk.document.session
+        return self._controller.document.session
 
     def _show(self) -> None:
-        own = len(self._desk.document.tracks.ids) if self._session is not None else 0
+        own = len(self._controller.document.tracks.ids) if self._session is not None else 0
         scene = import_scene(self._read, self._fitted, own)
         self._dialog.show_scene(scene, self._read.format.name)
 
@@ -200,11 +202,17 @@ class LookedOver(QObject):
         self._search.stop()
         self._dialog.deleteLater()
         self.deleteLater()
-        if result and self._fitted is not None and self._desk is self._importing._window.desk:
-            self._importing.take(self._desk, self._read, self._fitted)
+        if (
+            result
+            and self._fitted is not None
+            and self._controller is self._importing._window.controller
+        ):
+            self._importing.take(self._controller, self._read, self._fitted)
 
 
-def _kept(desk: RecordingController, read: ReadFile, fitted: Fitted, report: Progress) -> Session:
+def _kept(
+    controller: RecordingController, read: ReadFile, fitted: Fitted, report: Progress
+) -> Session:
     """The tracks as a session of their own."""
     report(0, 1)
-    return document_loader.keep_import(desk.document.recording, fitted.found, read.origin)
+    return document_loader.keep_import(controller.document.recording, fitted.found, read.origin)

@@ -63,15 +63,15 @@ class Keeping(QObject):
 
     def try_again(self, then: Then | None = None, path: Path | None = None) -> None:
         """Keep what is held, at a place or among the program's own files; `then` once it is."""
-        desk, run = self._window.desk, self._run
-        if desk is None or run is None:
+        controller, run = self._window.controller, self._run
+        if controller is None or run is None:
             return
-        if desk.document.session is not None:
+        if controller.document.session is not None:
             self._add(run)
         elif self._work.busy:
             self._waits = True
         else:
-            document = desk.document
+            document = controller.document
             work = partial(_kept, document.recording, run, path, document.colours_watched)
             title = tr("Keeping the result")
             self._at_work = True
@@ -89,10 +89,10 @@ class Keeping(QObject):
             self.try_again()
 
     def _add(self, run: Run) -> None:
-        desk = self._window.desk
+        controller = self._window.controller
         try:
-            if desk is not None:
-                desk.tracking.add_run(run)
+            if controller is not None:
+                controller.tracking.add_run(run)
             self.drop()
         except TrackwrightError as error:
             self._tell(_why(error))
@@ -106,8 +106,8 @@ class Keeping(QObject):
             self._tell(_why(kept))
             return
         self.drop()
-        if self._window.desk is not None:
-            self._window.desk.tracking.take_session(kept)
+        if self._window.controller is not None:
+            self._window.controller.tracking.take_session(kept)
         if then is not None:
             then()
 

@@ -88,9 +88,9 @@ class Saving(QObject):
     def save_as(self, then: Then | None = None) -> None:
         """Ask for a place and save there."""
         self._window.workspace.take_typed()
-        if self._files.desk is not None:
+        if self._files.controller is not None:
             own = self._files.session.path if self._files.session is not None else None
-            document = self._files.desk.document
+            document = self._files.controller.document
             kept = own is not None and not document_loader.is_unsaved_place(own)
             name = (
                 own.name if own is not None and kept else proposed_session(document.recording.name)

@@ -6,40 +6,42 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, QTimer
 
-from app.views.desk.recording_controller import RecordingController
+from app.views.recording.recording_controller import RecordingController
 from app.views.widgets.user_settings import Place, Remembered
 
 _NOTE_MS = 2000
 
 
 class Whereabouts(QObject):
-    """Puts a desk where its document was left, and notes every few seconds where it is now."""
+    """Goes to where a document was left, and notes every few seconds where it is now."""
 
     def __init__(self, remembered: Remembered, parent: QObject) -> None:
         super().__init__(parent)
         self._remembered = remembered
-        self._desk: RecordingController | None = None
+        self._controller: RecordingController | None = None
         self._opened = Path()
         self._noted: tuple[tuple[Path, ...], Place] | None = None
         self._timer = QTimer(self, interval=_NOTE_MS)
         self._timer.timeout.connect(self.note)
 
-    def begin(self, desk: RecordingController, opened: Path, from_start: bool) -> None:
+    def begin(self, controller: RecordingController, opened: Path, from_start: bool) -> None:
         """Go where the document was left, unless it is to be seen from its start."""
-        self._desk, self._opened, self._noted = desk, opened, None
+        self._controller, self._opened, self._noted = controller, opened, None
         place = Place() if from_start else self._remembered.place(self._paths()[0])
-        if place.track in desk.document.tracks.ids:
-            desk.document.selection.choose(place.track)
-        desk.playback.go(place.frame)
-        desk.draw()
+        if place.track in controller.document.tracks.ids:
+            controller.document.selection.choose(place.track)
+        controller.playback.go(place.frame)
+        controller.draw()
         self.note()
         self._timer.start()
 
     def note(self) -> None:
         """Write down where the user is, where that is another place than before."""
-        if self._desk is None:
+        if self._controller is None:
             return
-        here = Place(self._desk.playback.clock.frame, self._desk.document.selection.track)
+        here = Place(
+            self._controller.playback.clock.frame, self._controller.document.selection.track
+        )
         if self._noted != (self._paths(), here):
             self._noted = self._paths(), here
             self._remembered.note_open(self._paths(), here)
@@ -48,11 +50,11 @@ class Whereabouts(QObject):
         """The document is let go as it should be."""
         self._timer.stop()
         self.note()
-        self._desk = None
+        self._controller = None
         self._remembered.note_closed()
 
     def _paths(self) -> tuple[Path, ...]:
         """What is open: the session where there is one, then what was asked for."""
-        session = self._desk.document.session if self._desk is not None else None
+        session = self._controller.document.session if self._controller is not None else None
         paths = (session.path if session is not None else None, self._opened)
         return tuple(dict.fromkeys(path.resolve() for path in paths if path is not None))

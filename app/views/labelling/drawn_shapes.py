@@ -24,9 +24,9 @@ from app.presenters.labelling.shape_planner import (
     plan_reshaped,
     plan_taken_away,
 )
-from app.views.desk.workspace import Workspace
 from app.views.labelling.shapes import ShapesLayer
 from app.views.playing.playback import Playback
+from app.views.recording.workspace import Workspace
 from tracking.editing import Change
 
 Do = Callable[[Callable[[], Change]], bool]

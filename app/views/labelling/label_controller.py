@@ -19,13 +19,13 @@ from app.presenters.labelling.labelling_scene import (
     Tool,
 )
 from app.presenters.scenes import Eye
-from app.views.desk.workspace import Workspace
 from app.views.labelling.drawn_shapes import Shapes
 from app.views.labelling.labelling_panel import LabellingPanel
 from app.views.labelling.part_keys import PartKeys
 from app.views.labelling.part_labels import PartsLayer
 from app.views.labelling.shapes import ShapesLayer
 from app.views.playing.playback import Playback
+from app.views.recording.workspace import Workspace
 from tracking.editing import Change, plan_mark_reviewed, plan_unmark_reviewed
 from tracking.errors import TrackwrightError
 

@@ -19,10 +19,10 @@ from app.presenters.parts.mistake_pictures import Here, Search, cut_outs, is_of
 from app.presenters.parts.training_result import MistakeItem, TrainingResult
 from app.presenters.parts.training_set import Source, TrainingSet, with_labels
 from app.presenters.parts.truth_labels import plan_truth_labels
-from app.views.desk.recording_controller import RecordingController
 from app.views.files.export_controller import beside
 from app.views.parts.result_dialog import ResultDialog
 from app.views.parts.train_dialog import TrainDialog
+from app.views.recording.recording_controller import RecordingController
 from app.views.widgets.questions import choose_file, choose_new_file
 from app.views.widgets.user_settings import Remembered
 from app.views.widgets.work import Work
@@ -60,9 +60,9 @@ class Detectors(QObject):
         self._learnt: tuple[Path, ...] = ()
         self._dialog: ResultDialog | None = None
 
-    def begin(self, desk: RecordingController) -> None:
+    def begin(self, controller: RecordingController) -> None:
         """A recording was opened: it is tracked with the detector in use."""
-        desk.document.detector = self.choice
+        controller.document.detector = self.choice
 
     def close(self) -> None:
         """The recording is closed: its pictures are not read any more."""
@@ -71,7 +71,7 @@ class Detectors(QObject):
 
     @property
     def _document(self) -> Document | None:
-        return None if self._window.desk is None else self._window.desk.document
+        return None if self._window.controller is None else self._window.controller.document
 
     # training
 
@@ -137,18 +137,18 @@ class Detectors(QObject):
 
     def _go_to(self, item: MistakeItem) -> None:
         """Look at a mistake, where it is of what is open: elsewhere the id is another person's."""
-        desk = self._window.desk
-        session = None if desk is None else desk.document.session
+        controller = self._window.controller
+        session = None if controller is None else controller.document.session
         path = None if session is None else session.path
-        if desk is None or not is_of(desk.document.recording, path, item):
+        if controller is None or not is_of(controller.document.recording, path, item):
             where = item.source.path or item.recording
             self._tell(tr("That is in {where}: open it first", where=where))
             return
-        desk.playback.pause()
-        desk.playback.go(item.frame)  # first: it may show the session's tracks again
-        desk.document.selection.choose(item.track)
-        desk.labelling.choose_part(item.part)
-        desk.draw()
+        controller.playback.pause()
+        controller.playback.go(item.frame)  # first: it may show the session's tracks again
+        controller.document.selection.choose(item.track)
+        controller.labelling.choose_part(item.part)
+        controller.draw()
 
     # which one is used
 
@@ -184,9 +184,9 @@ class Detectors(QObject):
     def _use(self, choice: DetectorChoice) -> None:
         self.choice = choice
         self._remembered.set_text(_REMEMBERED, choice.path)
-        if self._window.desk is not None:
-            self.begin(self._window.desk)
-            self._window.desk.document.detector_chosen = True
+        if self._window.controller is not None:
+            self.begin(self._window.controller)
+            self._window.controller.document.detector_chosen = True
         self._tell(tr("From now on people are tracked in parts with: {name}", name=choice.name))
         self.changed.emit()
 
@@ -235,8 +235,8 @@ class Detectors(QObject):
         def apply(change: Change) -> None:
             document.apply(change)
             self.said.emit(tr("Done: {what}", what=change.text))
-            if self._window.desk is not None:
-                self._window.desk.draw()
+            if self._window.controller is not None:
+                self._window.controller.draw()
 
         self._work.run(tr("Labelling from the truth"), work, apply)
 

@@ -1,4 +1,4 @@
-"""Body parts on the desk: rectangles, particles, plots, the walk from failure to failure."""
+"""Body parts of the open recording: rectangles, particles, plots, walking failures."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from app.presenters.i18n import tr
 from app.presenters.parts.part_views import part_name
 from app.presenters.parts.parts import PartsPresenter
 from app.presenters.parts.parts_scene import Failure, PicturedParts
-from app.views.desk.workspace import Workspace
 from app.views.labelling.label_controller import Labelling
 from app.views.playing.playback import Playback
+from app.views.recording.workspace import Workspace
 
 _SMALL = 0.25
 """Of the height of the view: parts of somebody smaller are hard to tell apart."""

@@ -1,4 +1,4 @@
-"""Scoring on the desk: truth over the views, errors on the timeline, the panel of figures."""
+"""Scoring: truth over the views, errors on the timeline, the panel of figures."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ from app.presenters.scenes import Eye
 from app.presenters.scoring.score_scene import NO_TRUTH
 from app.presenters.scoring.scorer import ScoringPresenter
 from app.presenters.scoring.subject import Scored, ScoreSubject, worked_out
-from app.views.desk.workspace import Workspace
 from app.views.playing.playback import Playback
+from app.views.recording.workspace import Workspace
 from app.views.timeline.axis import TimeAxis
 from tracking.errors import TrackwrightError
 from tracking.formats import TRACK_ENDINGS

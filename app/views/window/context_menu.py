@@ -65,13 +65,13 @@ class ContextMenu(QObject):
 
     def open(self, track: int, at: QPoint) -> None:
         """Select who was clicked (-1: who is selected already) and offer what can be done."""
-        desk = self._window.desk
-        if desk is None:
+        controller = self._window.controller
+        if controller is None:
             return
-        waiting = desk.document.flow is not None
-        if not waiting and track >= 0 and track not in desk.document.selection.all:
-            desk.editing.pick(track)
-        names = _OF_PERSON if desk.document.selection else _OF_NOBODY
+        waiting = controller.document.flow is not None
+        if not waiting and track >= 0 and track not in controller.document.selection.all:
+            controller.editing.pick(track)
+        names = _OF_PERSON if controller.document.selection else _OF_NOBODY
         self._window.bring_up_to_date()
         self._fill(_OF_EDIT if waiting else names).popup(at)
 

@@ -21,11 +21,11 @@ from app.presenters.commands import CommandContext, command_items
 from app.presenters.error_messages import explain
 from app.presenters.i18n import tr
 from app.presenters.scenes import CommandItem
-from app.views.desk.recording_controller import RecordingController
-from app.views.desk.workspace import Workspace
 from app.views.files.files import Files
 from app.views.look.icons import application_icon
 from app.views.pictures.canvas import Canvas
+from app.views.recording.recording_controller import RecordingController
+from app.views.recording.workspace import Workspace
 from app.views.welcome.welcome import WelcomePage
 from app.views.widgets.notice import NoticeBar
 from app.views.widgets.progress_strip import ProgressStrip
@@ -138,9 +138,9 @@ class MainWindow(QMainWindow):
     # what is shown
 
     @property
-    def desk(self) -> RecordingController | None:
+    def controller(self) -> RecordingController | None:
         """The open recording; None while the welcome page is shown."""
-        return self.files.desk
+        return self.files.controller
 
     def show_welcome(self) -> None:
         """Show the first page."""
@@ -181,7 +181,7 @@ class MainWindow(QMainWindow):
 
     def _show_progress(self) -> None:
         """Show how far the tracker at work is; other work shows itself."""
-        live = self.desk.live if self.desk is not None else None
+        live = self.controller.live if self.controller is not None else None
         if self.work.busy:
             return
         if live is not None and live.running:
@@ -192,7 +192,7 @@ class MainWindow(QMainWindow):
             self.progress.finish()
 
     def _situation(self) -> CommandContext:
-        situation = CommandContext() if self.desk is None else self.desk.situation
+        situation = CommandContext() if self.controller is None else self.controller.situation
         detectors, unkept = self.files.detectors, self.files.keeping.holds
         in_use = detectors.choice.name if detectors.choice.path else ""
         trained = detectors.result is not None
@@ -202,16 +202,16 @@ class MainWindow(QMainWindow):
     def _checked(self) -> frozenset[str]:
         on = {f"view.look_{self.look_choice.look.value}"}
         on.add("detector.open" if self.files.detectors.choice.path else "detector.built_in")
-        if self.desk is not None:
-            pictured = self.desk.pictured
-            on.add(f"view.{self.desk.eyes}")
-            if self.desk.tracking.following.on:
+        if self.controller is not None:
+            pictured = self.controller.pictured
+            on.add(f"view.{self.controller.eyes}")
+            if self.controller.tracking.following.on:
                 on.add("play.follow")
-            if self.desk.labelling.suggests:
+            if self.controller.labelling.suggests:
                 on.add("detector.suggest")
-            if self.desk.reviewing.plays:
+            if self.controller.reviewing.plays:
                 on.add("review.plays")
-            if self.desk.reviewing.measures:
+            if self.controller.reviewing.measures:
                 on.add("review.measure")
             on |= {f"view.{name}" for name, is_on in asdict(pictured).items() if is_on}
         return frozenset(on)
@@ -258,7 +258,7 @@ class MainWindow(QMainWindow):
 
         It comes to `keyPressEvent` then, which says why nobody is selected.
         """
-        at_work = self.desk is not None and self.desk.live.running
+        at_work = self.controller is not None and self.controller.live.running
         if at_work and isinstance(self.focusWidget(), Canvas):
             return False
         return super().focusNextPrevChild(next)
@@ -267,8 +267,8 @@ class MainWindow(QMainWindow):
         """End what is under way and keep nothing of it."""
         if self.work.busy:
             self.work.cancel()
-        elif self.desk is not None and self.desk.live.running:
-            self.desk.tracking.drop()
+        elif self.controller is not None and self.controller.live.running:
+            self.controller.tracking.drop()
             self.say(tr("Tracking was cancelled; nothing of it is kept"))
             self.refresh()
 

@@ -78,6 +78,6 @@ class RefusalNotice:
     @property
     def _may_type_now(self) -> bool:
         """Somebody is selected by now, and that nobody was is still told."""
-        desk = self._window.desk
+        controller = self._window.controller
         told = self._notice.text == self._refused != ""
-        return told and desk is not None and bool(desk.document.selection)
+        return told and controller is not None and bool(controller.document.selection)

@@ -13,7 +13,7 @@ from pytestqt.qtbot import QtBot
 from shifted_runs import AGAIN_AT, SHIFTED
 
 from app.presenters.files import document_loader
-from app.views.desk.recording_controller import RecordingController
+from app.views.recording.recording_controller import RecordingController
 from app.views.window.main_window import MainWindow
 from tracking.recording import open_recording
 from tracking.session import Session
@@ -23,16 +23,18 @@ Press = Callable[..., None]
 
 
 @pytest.fixture
-def desk(window: MainWindow, qtbot: QtBot, tiny_session: Path) -> RecordingController:
-    """The desk once its first frame is shown."""
+def controller(window: MainWindow, qtbot: QtBot, tiny_session: Path) -> RecordingController:
+    """The recording's controller once its first frame is shown."""
     window.files.open_path(tiny_session)
-    qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
-    assert window.desk is not None
-    return window.desk
+    qtbot.waitUntil(
+        lambda: window.controller is not None and window.controller.playback.frame is not None
+    )
+    assert window.controller is not None
+    return window.controller
 
 
 @pytest.fixture
-def press(window: MainWindow, desk: RecordingController, qtbot: QtBot) -> Press:
+def press(window: MainWindow, controller: RecordingController, qtbot: QtBot) -> Press:
     """Press a key where the keyboard is."""
 
     def press(key: Qt.Key, modifiers: Qt.KeyboardModifier = Qt.KeyboardModifier.NoModifier) -> None:
@@ -66,10 +68,14 @@ def shifted_session(tiny_recording: Path, shifted_run: tuple[Run, int], tmp_path
 
 
 @pytest.fixture
-def shifted_desk(window: MainWindow, qtbot: QtBot, shifted_session: Path) -> RecordingController:
-    """The desk on that session, at the frame to track again from."""
+def shifted_controller(
+    window: MainWindow, qtbot: QtBot, shifted_session: Path
+) -> RecordingController:
+    """The recording's controller on that session, at the frame to track again from."""
     window.files.open_path(shifted_session)
-    qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
-    assert window.desk is not None
-    window.desk.playback.go(AGAIN_AT)
-    return window.desk
+    qtbot.waitUntil(
+        lambda: window.controller is not None and window.controller.playback.frame is not None
+    )
+    assert window.controller is not None
+    window.controller.playback.go(AGAIN_AT)
+    return window.controller

@@ -5,12 +5,12 @@ SHIFTED = (58, 72)
 """Frames in which somebody of the run stands a metre beside where he is."""
 
 
-def items(desk):
-    return desk.document.comparison.scene().items
+def items(controller):
+    return controller.document.comparison.scene().items
 
 
-def place(desk, track, frame):
-    return float(desk.document.session.tracks.of_track(track, frame, frame + 1)["x"][0])
+def place(controller, track, frame):
+    return float(controller.document.session.tracks.of_track(track, frame, frame + 1)["x"][0])
 
 
 def boxes(marks):

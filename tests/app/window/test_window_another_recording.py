@@ -22,10 +22,10 @@ def _views(window) -> tuple[Canvas, Canvas, Canvas]:
 
 
 def _open(window, qtbot, path) -> None:
-    before = window.desk
+    before = window.controller
     window.files.open_path(path)
-    qtbot.waitUntil(lambda: window.desk is not None and window.desk is not before)
-    qtbot.waitUntil(lambda: window.desk.playback.frame is not None)
+    qtbot.waitUntil(lambda: window.controller is not None and window.controller is not before)
+    qtbot.waitUntil(lambda: window.controller.playback.frame is not None)
 
 
 @pytest.fixture
@@ -39,7 +39,7 @@ def other_session(tiny_recording, tiny_run, tmp_path):
 
 
 def test_another_recording_is_shown_whole_however_the_last_one_was_zoomed(
-    window, qtbot, desk, other_session
+    window, qtbot, controller, other_session
 ):
     for view in _views(window):
         view.zoom(6.0, QPointF(20, 20))
@@ -49,7 +49,9 @@ def test_another_recording_is_shown_whole_however_the_last_one_was_zoomed(
     assert [_is_fitted(view) for view in _views(window)] == [True, True, True]
 
 
-def test_a_slip_of_the_mouse_leaves_a_view_fitted_in_a_window_of_any_size(window, qtbot, desk):
+def test_a_slip_of_the_mouse_leaves_a_view_fitted_in_a_window_of_any_size(
+    window, qtbot, controller
+):
     for view in _views(window):
         place = QPoint(12, 30)
         QTest.mousePress(view, Qt.MouseButton.LeftButton, pos=place)
@@ -62,7 +64,7 @@ def test_a_slip_of_the_mouse_leaves_a_view_fitted_in_a_window_of_any_size(window
         assert [_is_fitted(view) for view in _views(window)] == [True, True, True]
 
 
-def test_zoomed_in_and_out_again_a_view_follows_the_size_of_the_window(window, qtbot, desk):
+def test_zoomed_in_and_out_again_a_view_follows_the_size_of_the_window(window, qtbot, controller):
     view = window.workspace.overhead
     for factor in (1.2, 1.2, 1 / 1.2, 1 / 1.2):
         view.zoom(factor, QPointF(30, 40))
@@ -78,25 +80,27 @@ def test_a_command_shows_the_whole_picture_and_the_floor(window, qtbot, press):
     assert [_is_fitted(view) for view in _views(window)] == [True, True, True]
 
 
-def test_what_is_laid_over_the_pictures_is_remembered(window, qtbot, desk, press, other_session):
-    assert desk.pictured.counts
+def test_what_is_laid_over_the_pictures_is_remembered(
+    window, qtbot, controller, press, other_session
+):
+    assert controller.pictured.counts
     press(Qt.Key.Key_U, Qt.KeyboardModifier.ShiftModifier)
     press(Qt.Key.Key_F)
     window.files.close_without_asking()
     _open(window, qtbot, other_session)
-    assert not window.desk.pictured.counts
-    assert window.desk.pictured.grid
-    assert window.desk.pictured.trails
+    assert not window.controller.pictured.counts
+    assert window.controller.pictured.grid
+    assert window.controller.pictured.trails
 
 
 def test_panels_that_were_open_are_not_opened_with_another_recording(
-    window, qtbot, desk, press, other_session
+    window, qtbot, controller, press, other_session
 ):
     press(Qt.Key.Key_C, Qt.KeyboardModifier.ShiftModifier)
-    assert desk.pictured.counting
+    assert controller.pictured.counting
     window.files.close_without_asking()
     _open(window, qtbot, other_session)
-    assert not window.desk.pictured.counting
+    assert not window.controller.pictured.counting
 
 
 @pytest.mark.parametrize("text", ["", "counts", "+nothing -", "-score \u2603 ++"])
@@ -105,5 +109,5 @@ def test_views_that_are_remembered_wrong_are_as_usual(
 ):
     remembered.set_text("pictured", text)
     _open(window, qtbot, tiny_session)
-    assert window.desk.pictured.counts
-    assert not window.desk.pictured.score
+    assert window.controller.pictured.counts
+    assert not window.controller.pictured.score

@@ -8,20 +8,20 @@ from tracking.editing import plan_delete
 
 
 @pytest.fixture
-def saved_twice(window, desk, qtbot):
+def saved_twice(window, controller, qtbot):
     """Saved with one edit, then with another one; a third waits in the journal."""
-    a, b = desk.document.tracks.ids[:2]
-    for edit in (lambda: desk.editing.rename(a, "one"), lambda: _delete(desk, b)):
+    a, b = controller.document.tracks.ids[:2]
+    for edit in (lambda: controller.editing.rename(a, "one"), lambda: _delete(controller, b)):
         edit()
         window.files.saving.save()
         qtbot.waitUntil(lambda: not window.work.busy and not window.files.saving.unsaved)
-    desk.editing.rename(a, "not saved")
+    controller.editing.rename(a, "not saved")
     return a, b
 
 
-def _delete(desk, track: int) -> None:
-    desk.document.apply(plan_delete(desk.document.session.tracks, track))
-    desk.draw()
+def _delete(controller, track: int) -> None:
+    controller.document.apply(plan_delete(controller.document.session.tracks, track))
+    controller.draw()
 
 
 @pytest.fixture
@@ -50,27 +50,27 @@ def test_backups_are_listed_with_what_would_be_other_than_now(dialog, saved_twic
 
 
 def test_a_backup_is_restored_and_what_was_there_can_be_restored(
-    window, desk, dialog, saved_twice, qtbot
+    window, controller, dialog, saved_twice, qtbot
 ):
     a, b = saved_twice
     qtbot.waitUntil(lambda: dialog._restore.isEnabled())
     dialog._restore.click()
     qtbot.waitUntil(lambda: not window.work.busy)
-    session = desk.document.session
+    session = controller.document.session
     assert b in session.tracks
-    assert desk.document.label(a).name == "one"
+    assert controller.document.label(a).name == "one"
     assert len(window.workspace.history._items) == 1
     assert window.workspace.isEnabled()
-    desk.editing.rename(a, "again")  # it can be worked on
+    controller.editing.rename(a, "again")  # it can be worked on
     qtbot.waitUntil(lambda: not window.work.busy)
     window.files.backups.restore(1)
     qtbot.waitUntil(lambda: not window.work.busy)
-    names = [one.name for one in desk.document.session.labels.tracks.values()]
+    names = [one.name for one in controller.document.session.labels.tracks.values()]
     assert names == ["not saved"]
-    assert b not in desk.document.session.tracks
+    assert b not in controller.document.session.tracks
 
 
-def test_a_session_saved_once_has_no_backup(window, desk, qtbot):
+def test_a_session_saved_once_has_no_backup(window, controller, qtbot):
     said: list[str] = []
     window.files.said.connect(said.append)
     window.run_command("file.restore")

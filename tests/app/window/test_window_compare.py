@@ -15,7 +15,7 @@ LEFT = Qt.MouseButton.LeftButton
 
 
 @pytest.fixture
-def anns(desk, tiny_session, tmp_path):
+def anns(controller, tiny_session, tmp_path):
     """A second person's session: two ids swapped from frame 60 on, one person gone at the end."""
     path = tmp_path / "ann.h5"
     shutil.copy(tiny_session, path)
@@ -35,7 +35,7 @@ def compared(window, anns, qtbot):
 
 
 def test_figures_and_stretches_are_listed_and_a_click_goes_there(
-    window, desk, compared, anns, qtbot
+    window, controller, compared, anns, qtbot
 ):
     _, a, b = anns
     assert "kappa 0." in compared._figures.text()
@@ -46,9 +46,9 @@ def test_figures_and_stretches_are_listed_and_a_click_goes_there(
     compared._list.scrollTo(index)
     point = compared._list.visualRect(index).center()
     QTest.mouseClick(compared._list.viewport(), LEFT, pos=point)
-    assert desk.playback.clock.frame == 70
-    assert desk.document.selection.track == b
-    qtbot.waitUntil(lambda: desk.playback.number == 70)
+    assert controller.playback.clock.frame == 70
+    assert controller.document.selection.track == b
+    qtbot.waitUntil(lambda: controller.playback.number == 70)
     there = {one.label for one in window.workspace.left._others}
     own = {str(one.track) for one in window.workspace.left._scene.people}
     assert own - there == {str(a)}
@@ -64,12 +64,12 @@ def test_what_they_disagree_about_is_not_cut(compared):
     assert view.sizeHintForRow(0) >= 2 * metrics.height()
 
 
-def test_after_an_edit_it_can_be_compared_again(window, desk, compared, anns, qtbot):
+def test_after_an_edit_it_can_be_compared_again(window, controller, compared, anns, qtbot):
     _, a, b = anns
-    session = desk.document.session
+    session = controller.document.session
     assert compared._again.isHidden()
-    desk.document.apply(plan_swap(session.tracks, a, b, 60))
-    desk.draw()
+    controller.document.apply(plan_swap(session.tracks, a, b, 60))
+    controller.draw()
     assert not compared._again.isHidden()
     compared._again.click()
     qtbot.waitUntil(lambda: not window.work.busy)
@@ -77,8 +77,8 @@ def test_after_an_edit_it_can_be_compared_again(window, desk, compared, anns, qt
     assert compared._again.isHidden()
 
 
-def test_closing_takes_the_others_away(window, desk, compared, qtbot):
-    desk.playback.go(60)
+def test_closing_takes_the_others_away(window, controller, compared, qtbot):
+    controller.playback.go(60)
     qtbot.waitUntil(lambda: bool(window.workspace.left._others))
     compared.left.emit()
     assert compared.isHidden()
@@ -93,7 +93,7 @@ def test_the_other_session_is_left_as_it_was_and_free_for_others(window, compare
 
 
 def test_the_open_session_itself_and_other_recordings_are_refused(
-    window, desk, qtbot, tiny_session, tiny_recording, tiny_run, tmp_path
+    window, controller, qtbot, tiny_session, tiny_recording, tiny_run, tmp_path
 ):
     window.files.beside.compare_with(tiny_session)
     qtbot.waitUntil(lambda: not window.work.busy)

@@ -6,7 +6,7 @@ import csv
 
 import numpy as np
 import pytest
-from correcting_desk import opened_desk
+from correcting_window import open_for_correcting
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
@@ -32,34 +32,36 @@ Key = Qt.Key
 
 
 @pytest.fixture
-def desk(window, qtbot, tiny_session):
-    return opened_desk(window, qtbot, tiny_session)
+def controller(window, qtbot, tiny_session):
+    return open_for_correcting(window, qtbot, tiny_session)
 
 
 @pytest.fixture
-def counted(desk, qtbot):
+def counted(controller, qtbot):
     """Draws lines and regions, and waits until they are counted."""
 
     def draw(lines=(GATE, SCREEN), regions=(HALL,)):
-        document = desk.document
+        document = controller.document
         document.apply(plan_lines(document.session.labels, lines))
         if regions:
             document.apply(plan_regions(document.session.labels, regions))
-        desk.draw()
-        at_rest(desk, qtbot)
-        return desk
+        controller.draw()
+        at_rest(controller, qtbot)
+        return controller
 
     return draw
 
 
-def at_rest(desk, qtbot) -> None:
-    qtbot.waitUntil(lambda: desk.counting.counts is not None and not desk.counting._search.busy)
+def at_rest(controller, qtbot) -> None:
+    qtbot.waitUntil(
+        lambda: controller.counting.counts is not None and not controller.counting._search.busy
+    )
     qtbot.wait(1)
 
 
-def go(desk, qtbot, frame: int) -> None:
-    desk.playback.go(frame)
-    qtbot.waitUntil(lambda: desk.playback.number == frame)
+def go(controller, qtbot, frame: int) -> None:
+    controller.playback.go(frame)
+    qtbot.waitUntil(lambda: controller.playback.number == frame)
     qtbot.wait(1)
 
 
@@ -76,17 +78,17 @@ def said_on(view) -> dict[str, str]:
 
 
 def test_counters_stand_at_lines_and_regions_for_the_frame_shown(window, counted, qtbot):
-    desk = counted()
-    columns = desk.document.session.tracks.columns()
-    fps = desk.document.recording.fps
+    controller = counted()
+    columns = controller.document.session.tracks.columns()
+    fps = controller.document.recording.fps
     found = passages(columns, fps, [GATE, SCREEN])
     assert len(found.of_line(0)) >= 2
     for frame in (
         0,
         int(np.median(found.of_line(0).frame)),
-        desk.document.recording.frame_count - 1,
+        controller.document.recording.frame_count - 1,
     ):
-        go(desk, qtbot, frame)
+        go(controller, qtbot, frame)
         told = said_on(window.workspace.left)
         for number, line in enumerate((GATE, SCREEN)):
             part = found.of_line(number)
@@ -100,15 +102,15 @@ def test_counters_stand_at_lines_and_regions_for_the_frame_shown(window, counted
 
 
 def test_counters_can_be_turned_off(window, counted, qtbot):
-    desk = counted()
+    controller = counted()
     window.run_command("view.counts")
     assert set(said_on(window.workspace.overhead).values()) == {""}
     window.run_command("view.counts")
     assert said_on(window.workspace.overhead)["gate"] != ""
-    assert desk.pictured.counts
+    assert controller.pictured.counts
 
 
-def test_the_panel_says_what_to_do_where_nothing_is_drawn(window, desk):
+def test_the_panel_says_what_to_do_where_nothing_is_drawn(window, controller):
     panel = window.workspace.counting
     assert not panel.isVisible()
     window.run_command("view.counting")
@@ -120,63 +122,66 @@ def test_the_panel_says_what_to_do_where_nothing_is_drawn(window, desk):
 
 
 def test_the_panel_lists_what_is_counted_and_plots_what_is_picked(window, counted, qtbot):
-    desk = counted()
+    controller = counted()
     window.run_command("view.counting")
     assert [row[0] for row in cells(window)] == ["gate", "screen", "hall"]
     panel = window.workspace.counting
     assert [plot.name for plot in panel.plot._scene.plots] == ["So far", "Per 0.5 s"]
-    ahead, back = desk.counting.counts.lines[0].totals
+    ahead, back = controller.counting.counts.lines[0].totals
     curves = panel.plot._scene.plots[0].curves
     assert (curves[0].values[-1], curves[1].values[-1]) == (ahead, back)
     panel.tallies.setCurrentCell(2, 0)
     assert [plot.unit for plot in panel.plot._scene.plots] == ["", "1/m²", "m/s"]
     assert (
         panel.plot._scene.plots[0].curves[0].values.max()
-        == desk.counting.counts.regions[0].people.max()
+        == controller.counting.counts.regions[0].people.max()
     )
 
 
 def test_a_click_into_the_plots_goes_there(window, counted, qtbot):
-    desk = counted()
+    controller = counted()
     window.run_command("view.counting")
     plot = window.workspace.counting.plot
     qtbot.waitUntil(lambda: plot.width() > 100)
     x = plot.axis.x_of(31.5)
     QTest.mouseClick(plot, LEFT, pos=QPoint(round(x), plot.height() // 2))
-    qtbot.waitUntil(lambda: desk.playback.number == plot.axis.frame_at(round(x)))
-    assert abs(desk.playback.number - 31) <= 1
+    qtbot.waitUntil(lambda: controller.playback.number == plot.axis.frame_at(round(x)))
+    assert abs(controller.playback.number - 31) <= 1
 
 
 def test_an_edit_is_counted_anew_and_a_run_stays_as_it_was(window, counted, qtbot):
-    desk = counted()
+    controller = counted()
     window.run_command("view.counting")
-    document, before = desk.document, desk.counting.counts
+    document, before = controller.document, controller.counting.counts
     most = sum(before.lines[0].totals)
     gone = sorted(set(before.passages.of_line(0).track.tolist()))
-    desk.document.apply(plan_delete_tracks(document.session.tracks, gone))
-    desk.draw()
-    qtbot.waitUntil(lambda: desk.counting.counts is not before)
-    at_rest(desk, qtbot)
-    assert desk.counting.counts.lines[0].totals == (0, 0)
+    controller.document.apply(plan_delete_tracks(document.session.tracks, gone))
+    controller.draw()
+    qtbot.waitUntil(lambda: controller.counting.counts is not before)
+    at_rest(controller, qtbot)
+    assert controller.counting.counts.lines[0].totals == (0, 0)
     panel = window.workspace.counting
     assert panel._whose.count() == 2
     panel.whose_chosen.emit(1)
-    qtbot.waitUntil(lambda: desk.counting.presenter.counted.subject.whose == 0)
-    assert sum(desk.counting.counts.lines[0].totals) == most
+    qtbot.waitUntil(lambda: controller.counting.presenter.counted.subject.whose == 0)
+    assert sum(controller.counting.counts.lines[0].totals) == most
     panel.whose_chosen.emit(0)
-    qtbot.waitUntil(lambda: desk.counting.presenter.counted.subject.whose == SHOWN)
+    qtbot.waitUntil(lambda: controller.counting.presenter.counted.subject.whose == SHOWN)
 
 
 def test_the_newest_of_several_changes_wins(window, counted, qtbot):
-    desk = counted()
+    controller = counted()
     window.run_command("view.counting")
     panel = window.workspace.counting
     for step_s in (0.25, 1.0, 2.0):
         panel.step_chosen.emit(step_s)
     panel.jitter_chosen.emit(0.1)
-    qtbot.waitUntil(lambda: desk.counting.counts.settings.step_s == 2.0)
-    at_rest(desk, qtbot)
-    assert (desk.counting.counts.settings.step_s, desk.counting.counts.settings.jitter_m) == (
+    qtbot.waitUntil(lambda: controller.counting.counts.settings.step_s == 2.0)
+    at_rest(controller, qtbot)
+    assert (
+        controller.counting.counts.settings.step_s,
+        controller.counting.counts.settings.jitter_m,
+    ) == (
         2.0,
         0.1,
     )
@@ -184,13 +189,13 @@ def test_the_newest_of_several_changes_wins(window, counted, qtbot):
 
 
 def test_every_step_stands_in_the_table_and_is_copied(window, counted, qtbot):
-    desk = counted()
+    controller = counted()
     window.run_command("view.counting")
     panel = window.workspace.counting
     panel._as_table.click()
     table = panel.table
     assert table.isVisible()
-    counts = desk.counting.counts
+    counts = controller.counting.counts
     assert table.steps.rowCount() == len(counts.steps)
     headings = [table.steps.headerData(column, Qt.Orientation.Horizontal) for column in range(8)]
     assert headings == [
@@ -215,38 +220,38 @@ def test_every_step_stands_in_the_table_and_is_copied(window, counted, qtbot):
 
 
 def test_a_click_on_a_step_goes_there(window, counted, qtbot):
-    desk = counted()
+    controller = counted()
     window.run_command("view.counting")
     panel = window.workspace.counting
     panel._as_table.click()
     panel.table.clicked.emit(panel.table.steps.index(4, 1))
-    expected = int(desk.counting.counts.steps.frame[4])
-    qtbot.waitUntil(lambda: desk.playback.number == expected)
+    expected = int(controller.counting.counts.steps.frame[4])
+    qtbot.waitUntil(lambda: controller.playback.number == expected)
     font = panel.table.steps.data(panel.table.steps.index(4, 0), Qt.ItemDataRole.FontRole)
     assert font.bold()
 
 
 def test_counts_are_exported_as_csv(window, counted, qtbot, tmp_path):
-    desk = counted()
+    controller = counted()
     out = tmp_path / "counts.csv"
     window.files.exporting.counts_to(out)
     qtbot.waitUntil(lambda: out.exists() and not window.work.busy)
     with out.open(newline="") as stream:
         rows = list(csv.DictReader(stream))
-    columns = desk.document.session.tracks.columns()
-    frames, fps = desk.document.recording.frame_count, desk.document.recording.fps
+    columns = controller.document.session.tracks.columns()
+    frames, fps = controller.document.recording.frame_count, controller.document.recording.fps
     (hall,) = occupancy(columns, fps, [HALL], frames)
     people = [int(row["people"]) for row in rows if row["name"] == "hall"]
     assert people == hall.people.tolist()
 
 
 def test_what_is_exported_is_of_the_tracks_of_now(window, counted, qtbot, tmp_path):
-    desk = counted(lines=(GATE,), regions=())
+    controller = counted(lines=(GATE,), regions=())
     window.run_command("view.counts")  # nobody asks for counts from now on
-    document, out = desk.document, tmp_path / "counts.csv"
+    document, out = controller.document, tmp_path / "counts.csv"
     gone = list(document.session.tracks.track_ids)
     document.apply(plan_delete_tracks(document.session.tracks, gone))
-    desk.draw()
+    controller.draw()
     window.files.exporting.counts_to(out)
     qtbot.waitUntil(lambda: out.exists() and not window.work.busy)
     with out.open(newline="") as stream:
@@ -266,27 +271,27 @@ def test_f6_reaches_the_counting(window, counted):
 
 
 def test_who_trembles_at_a_line_in_the_picture_is_left_out_by_choice(window, counted, qtbot):
-    desk = counted(lines=(SCREEN,), regions=())
+    controller = counted(lines=(SCREEN,), regions=())
     window.run_command("view.counting")
     panel = window.workspace.counting
     assert panel._jitter_px.isVisible()
     assert not panel._jitter.isVisible()
     panel._jitter_px.setValue(12.0)
-    qtbot.waitUntil(lambda: desk.counting.counts.settings.jitter_px == 12.0)
+    qtbot.waitUntil(lambda: controller.counting.counts.settings.jitter_px == 12.0)
 
 
-def test_exporting_nothing_is_told(window, desk, qtbot):
+def test_exporting_nothing_is_told(window, controller, qtbot):
     window.run_command("file.export_counts")
     assert "Nothing is counted" in window.statusBar().currentMessage()
 
 
-def test_a_line_is_drawn_in_the_picture_and_counts_feet(window, desk, press, qtbot):
+def test_a_line_is_drawn_in_the_picture_and_counts_feet(window, controller, press, qtbot):
     press(Key.Key_3, Qt.KeyboardModifier.AltModifier)
-    layer = desk.labelling._shapes.on_picture
+    layer = controller.labelling._shapes.on_picture
     for at in (QPointF(20.0, 120.0), QPointF(300.0, 120.0)):
         place = layer.canvas.viewport.point(at.x(), at.y()).toPoint()
         QTest.mouseClick(layer, LEFT, pos=place)
-    (line,) = desk.document.session.labels.lines
+    (line,) = controller.document.session.labels.lines
     assert line.in_picture
     scale = layer.canvas.viewport.scale
     assert line.start == pytest.approx((20.0, 120.0), abs=1.0 / scale)
@@ -294,64 +299,64 @@ def test_a_line_is_drawn_in_the_picture_and_counts_feet(window, desk, press, qtb
     tail, tip = outline.arrow
     assert tip[1] > tail[1]  # to the right of its way is down the picture
     assert window.workspace.overhead._labels.outlines == ()
-    at_rest(desk, qtbot)
-    columns = desk.document.session.tracks.columns()
-    found = passages(columns, desk.document.recording.fps, [line])
-    assert desk.counting.counts.lines[0].totals == found.totals
+    at_rest(controller, qtbot)
+    columns = controller.document.session.tracks.columns()
+    found = passages(columns, controller.document.recording.fps, [line])
+    assert controller.counting.counts.lines[0].totals == found.totals
 
 
 def test_a_corner_in_the_picture_is_dragged_though_there_are_lines_on_the_floor(
     window, counted, press, qtbot
 ):
-    desk = counted(regions=())
+    controller = counted(regions=())
     press(Key.Key_3, Qt.KeyboardModifier.AltModifier)
-    layer = desk.labelling._shapes.on_picture
+    layer = controller.labelling._shapes.on_picture
     start = layer.canvas.viewport.point(*SCREEN.end).toPoint()
     QTest.mousePress(layer, LEFT, pos=start)
     QTest.mouseMove(layer, start + QPoint(-40, 0))
     QTest.mouseRelease(layer, LEFT, pos=start + QPoint(-40, 0))
-    gate, screen = desk.document.session.labels.lines
+    gate, screen = controller.document.session.labels.lines
     assert gate == GATE
     assert screen.end[0] == pytest.approx(320 - 40 / layer.canvas.viewport.scale, abs=2.0)
 
 
-def test_the_flow_map_lies_on_the_floor_while_it_is_asked_for(window, desk, qtbot):
+def test_the_flow_map_lies_on_the_floor_while_it_is_asked_for(window, controller, qtbot):
     overhead = window.workspace.overhead
     window.run_command("view.flow_map")
     qtbot.waitUntil(lambda: overhead._flow is not None)
-    flow = desk.counting.presenter.counted.flow
+    flow = controller.counting.presenter.counted.flow
     assert flow.most > 0
     assert len(overhead._flow.arrows) > 0
     assert len(overhead._flow.legend) == 3
     before = overhead._flow
-    go(desk, qtbot, 10)
+    go(controller, qtbot, 10)
     assert overhead._flow is before
     window.run_command("view.flow_map")
     assert overhead._flow is None
 
 
-def test_people_are_counted_while_they_are_tracked(window, desk, qtbot, tiny_run):
-    document = desk.document
+def test_people_are_counted_while_they_are_tracked(window, controller, qtbot, tiny_run):
+    document = controller.document
     document.apply(plan_lines(document.session.labels, [GATE]))
     document.begin_live()
     document.take_live(_steps_of(tiny_run, *tiny_run.frames))
-    desk.draw()
-    at_rest(desk, qtbot)
-    assert desk.counting.presenter.counted.subject.version[0] == "live"
+    controller.draw()
+    at_rest(controller, qtbot)
+    assert controller.counting.presenter.counted.subject.version[0] == "live"
     found = passages(tiny_run.tracks, document.recording.fps, [GATE])
-    assert desk.counting.counts.lines[0].totals == found.totals != (0, 0)
+    assert controller.counting.counts.lines[0].totals == found.totals != (0, 0)
     document.end_live()
 
 
-def test_where_a_tracker_goes_on_the_people_before_count_too(window, desk, qtbot, tiny_run):
-    document = desk.document
+def test_where_a_tracker_goes_on_the_people_before_count_too(window, controller, qtbot, tiny_run):
+    document = controller.document
     document.apply(plan_lines(document.session.labels, [GATE]))
     document.begin_live(40)
     document.take_live(_steps_of(tiny_run, 40, tiny_run.frames[1]))
-    desk.draw()
-    at_rest(desk, qtbot)
+    controller.draw()
+    at_rest(controller, qtbot)
     found = passages(tiny_run.tracks, document.recording.fps, [GATE])
-    assert desk.counting.counts.lines[0].totals == found.totals
+    assert controller.counting.counts.lines[0].totals == found.totals
     document.end_live()
 
 
@@ -371,7 +376,7 @@ def test_closing_the_recording_leaves_nothing_behind(window, counted, no_threads
     window.run_command("view.counting")
     window.run_command("view.flow_map")
     window.files.close_without_asking()
-    assert window.desk is None
+    assert window.controller is None
     assert not window.workspace.counting.isVisible()
     assert window.workspace.overhead._flow is None
     assert window.workspace.overhead._labels.outlines == ()

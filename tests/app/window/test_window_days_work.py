@@ -7,7 +7,7 @@ from contextlib import closing
 from pathlib import Path
 
 import pytest
-from correcting_desk import CROWDED, CTRL, LEFT, SHIFT, Hands
+from correcting_window import CROWDED, CTRL, LEFT, SHIFT, Hands
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QToolButton
@@ -58,25 +58,27 @@ def test_a_days_work_is_undone_done_again_saved_reopened_and_compared(
 
 def _open_and_track_live(window: MainWindow, qtbot: QtBot, folder: Path) -> Hands:
     window.files.open_path(folder)
-    qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
+    qtbot.waitUntil(
+        lambda: window.controller is not None and window.controller.playback.frame is not None
+    )
     with qtbot.waitActive(window):
         window.activateWindow()
-    assert window.desk is not None
-    hands = Hands(window, window.desk, qtbot)
+    assert window.controller is not None
+    hands = Hands(window, window.controller, qtbot)
     hands.press(Key.Key_Space)  # the first play tracks
-    assert window.desk.live.running
+    assert window.controller.live.running
     qtbot.waitUntil(lambda: window.files.session is not None and not window.work.busy)
-    window.desk.playback.pause()
+    window.controller.playback.pause()
     hands.go(CROWDED)
     return hands
 
 
 def _swap_by_keys(hands: Hands) -> None:
     hands.press(Key.Key_Tab)
-    first = hands.desk.document.selection.track
+    first = hands.controller.document.selection.track
     hands.press(Key.Key_X)
     hands.press(Key.Key_Tab)
-    flow = hands.desk.document.flow
+    flow = hands.controller.document.flow
     assert flow is not None
     other = flow.other
     before = hands.row(first, flow.cut), hands.row(other, flow.cut)
@@ -118,7 +120,7 @@ def _merge_back(hands: Hands) -> None:
         for entry in reversed(_session(hands).history.entries)
         if entry.kind == "split"
     )
-    hands.desk.editing.pick(int(track))
+    hands.controller.editing.pick(int(track))
     hands.press(Key.Key_M)
     hands.type(str(rest))
     hands.press(Key.Key_Return)
@@ -156,15 +158,17 @@ def _save_and_close(hands: Hands, path: Path) -> Path:
         lambda: not hands.window.work.busy and not hands.window.files.saving.unsaved,
     )
     hands.press(Key.Key_W, CTRL)
-    hands.qtbot.waitUntil(lambda: hands.window.desk is None)
+    hands.qtbot.waitUntil(lambda: hands.window.controller is None)
     return path
 
 
 def _open_again(window: MainWindow, qtbot: QtBot, path: Path) -> Hands:
     window.files.open_path(path)
-    qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
-    assert window.desk is not None
-    return Hands(window, window.desk, qtbot)
+    qtbot.waitUntil(
+        lambda: window.controller is not None and window.controller.playback.frame is not None
+    )
+    assert window.controller is not None
+    return Hands(window, window.controller, qtbot)
 
 
 def _compare_with_a_colleague(hands: Hands, path: Path) -> None:
@@ -185,12 +189,12 @@ def _compare_with_a_colleague(hands: Hands, path: Path) -> None:
 def _select(hands: Hands, track: int) -> None:
     hands.window.activateWindow()  # which a desktop does by itself when a menu closes
     hands.qtbot.waitUntil(hands.window.isActiveWindow)
-    hands.desk.editing.pick(track)
-    assert hands.desk.document.selection.track == track
+    hands.controller.editing.pick(track)
+    assert hands.controller.document.selection.track == track
 
 
 def _session(hands: Hands) -> Session:
-    session = hands.desk.document.session
+    session = hands.controller.document.session
     if session is None:
         pytest.fail("no session is open")
     return session

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from correcting_desk import CROWDED, CTRL, Hands, opened_desk
+from correcting_window import CROWDED, CTRL, Hands, open_for_correcting
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QPushButton
@@ -28,15 +28,15 @@ Key = Qt.Key
 
 @pytest.fixture
 def hands(window, qtbot, parted_session):
-    return Hands(window, opened_desk(window, qtbot, parted_session), qtbot)
+    return Hands(window, open_for_correcting(window, qtbot, parted_session), qtbot)
 
 
 @pytest.fixture
 def labelled(hands):
     """Every other frame of everybody was labelled as it is."""
-    document = hands.desk.document
+    document = hands.controller.document
     document.apply(plan_label_part(document.session.labels, _as_it_is(document)))
-    hands.desk.draw()
+    hands.controller.draw()
     return hands
 
 
@@ -89,7 +89,7 @@ def test_too_few_labels_are_told_part_by_part(hands, window, qtbot):
 
 def test_labels_of_a_session_are_counted_and_can_be_left_out(labelled, window, qtbot):
     dialog = _train_dialog(window, qtbot)
-    document = labelled.desk.document
+    document = labelled.controller.document
     said = list(_as_it_is(document))
     off = sum(label.part == 0 and not label.on_part for label in said)
     assert dialog._cells[0][2].text() == str(off)
@@ -101,7 +101,10 @@ def test_labels_of_a_session_are_counted_and_can_be_left_out(labelled, window, q
 
 
 def test_labels_are_learnt_from_as_they_were_when_training_was_asked_for(labelled):
-    session, recording = labelled.desk.document.session, labelled.desk.document.recording
+    session, recording = (
+        labelled.controller.document.session,
+        labelled.controller.document.recording,
+    )
     read = _labels_here(session, recording)
     before = len(session.labels.parts)
     labelled.press(Key.Key_Z, CTRL)
@@ -134,7 +137,7 @@ def test_the_loop_closes_labels_train_a_detector_that_tracking_uses(
     result, labelled, window, qtbot
 ):
     trained = window.files.detectors.result
-    assert trained.detector.origin.recordings == (labelled.desk.document.recording.name,)
+    assert trained.detector.origin.recordings == (labelled.controller.document.recording.name,)
     found = [cells[1].text() for cells in result._cells]
     assert all("%" in text for text in found)
     areas = [float(cells[5].text()) for cells in result._cells]
@@ -147,16 +150,16 @@ def test_the_loop_closes_labels_train_a_detector_that_tracking_uses(
         if b.text() == "Use for tracking"
     )
     use.click()
-    choice = labelled.desk.document.detector
+    choice = labelled.controller.document.detector
     assert load_detector(Path(choice.path)).fingerprint == trained.detector.fingerprint
     assert choice.name in result._told.text()
-    assert labelled.desk.tracking.proposed == "three-part"
+    assert labelled.controller.tracking.proposed == "three-part"
     assert choice.name.startswith("detector trained 20")
     window.run_command("review.again")
     again = window.findChildren(TrackDialog)[-1]
     assert again.answer()[:2][1].detector == choice.path
     again.reject()
-    document = labelled.desk.document
+    document = labelled.controller.document
     asked = TrackDialog(document.recording, "three-part", "", window, document.parts_asked)
     name, settings, _, _ = asked.answer()
     assert (name, settings.detector) == ("three-part", choice.path)
@@ -207,10 +210,10 @@ def test_a_mistake_is_a_small_picture_that_takes_one_to_its_frame(result, labell
     assert piece.shape[2] == 3
     assert 0 < box[2] < piece.shape[1]
     result.mistakes.itemClicked.emit(result.mistakes.item(0))
-    desk = labelled.desk
-    assert desk.playback.clock.frame == items[0].frame
-    assert desk.document.selection.track == items[0].track
-    assert desk.labelling.part == items[0].part
+    controller = labelled.controller
+    assert controller.playback.clock.frame == items[0].frame
+    assert controller.document.selection.track == items[0].track
+    assert controller.labelling.part == items[0].part
 
 
 def test_a_mistake_of_another_session_is_a_picture_of_its_recording(
@@ -225,7 +228,7 @@ def test_a_mistake_of_another_session_is_a_picture_of_its_recording(
     wrong = Mistake(number, int(row["part"]), "", *where, bool(row["label"]), 1.0)
     source = taught.sources[0]
     item = MistakeItem(source, source.recording, wrong, taught.box_of(number), "", "", "")
-    document, search = labelled.desk.document, Search(known_recordings())
+    document, search = labelled.controller.document, Search(known_recordings())
     here = Here.of(document.recording, document.session)
     from_closed = cut_outs(None, search, [item], lambda *_: None)[item]
     from_open = cut_outs(here, search, [item], lambda *_: None)[item]
@@ -308,7 +311,7 @@ def test_the_menu_shows_which_detector_is_in_use(hands, window, qtbot, tmp_path)
     path = tmp_path / "mine & yours.h5"
     save_detector(path, built_in_detector())
     window.files.detectors.use_file(path)
-    qtbot.waitUntil(lambda: hands.desk.document.detector.path == str(path))
+    qtbot.waitUntil(lambda: hands.controller.document.detector.path == str(path))
     window.bring_up_to_date()
     assert not built_in.isChecked()
     assert from_file.isChecked()
@@ -326,14 +329,14 @@ def test_a_file_that_is_no_detector_is_refused_and_the_one_in_use_stays(
     window.files.detectors.use_file(path)
     qtbot.waitUntil(lambda: not window.work.busy)
     assert window.notice.isVisible()
-    assert hands.desk.document.detector == DetectorChoice()
+    assert hands.controller.document.detector == DetectorChoice()
 
 
 def test_a_detector_from_a_file_is_used_and_remembered(hands, window, qtbot, tmp_path):
     path = tmp_path / "mine.h5"
     save_detector(path, built_in_detector())
     window.files.detectors.use_file(path)
-    qtbot.waitUntil(lambda: hands.desk.document.detector.path == str(path))
+    qtbot.waitUntil(lambda: hands.controller.document.detector.path == str(path))
     checked = {item.command: item.checked for item in window.command_items()}
     assert checked["detector.built_in"] is False
     assert known_choice(window.remembered.text("detector")) == DetectorChoice(str(path))
@@ -342,7 +345,7 @@ def test_a_detector_from_a_file_is_used_and_remembered(hands, window, qtbot, tmp
 
 
 def test_occluders_that_are_drawn_are_handed_to_trackers_of_parts(hands, window, qtbot):
-    document = hands.desk.document
+    document = hands.controller.document
     pillar = Occluder("pillar", ((10.0, 20.0), (40.0, 20.0), (40.0, 200.0)))
     document.apply(plan_occluders(document.session.labels, (pillar,)))
     dialog = _ask(window, qtbot, TrackDialog, Key.Key_T)
@@ -357,7 +360,7 @@ def test_occluders_that_are_drawn_are_handed_to_trackers_of_parts(hands, window,
 
 
 def test_parts_are_labelled_from_rendered_truth_as_one_edit(hands, window, qtbot):
-    document = hands.desk.document
+    document = hands.controller.document
     window.run_command("detector.truth")
     qtbot.waitUntil(lambda: not window.work.busy)
     labels = document.session.labels.parts

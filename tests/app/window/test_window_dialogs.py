@@ -24,7 +24,7 @@ def _choose(window, ask, path):
 
 
 def test_a_dialog_begins_in_the_folder_of_the_last_file_of_its_kind(
-    window, desk, qtbot, tmp_path, monkeypatch
+    window, controller, qtbot, tmp_path, monkeypatch
 ):
     tracks, elsewhere = tmp_path / "tracks", tmp_path / "elsewhere"
     for folder in (tracks, elsewhere):
@@ -41,8 +41,8 @@ def test_a_dialog_begins_in_the_folder_of_the_last_file_of_its_kind(
     assert _folder(window, ask_import) == str(tracks)
 
 
-def test_a_dialog_that_opens_a_file_begins_beside_what_is_open(window, desk):
-    beside = str(desk.document.session.path.parent)
+def test_a_dialog_that_opens_a_file_begins_beside_what_is_open(window, controller):
+    beside = str(controller.document.session.path.parent)
     assert _folder(window, window.files.ask_open) == beside
     assert _folder(window, window.files.importing.ask) == beside
 
@@ -58,16 +58,20 @@ def test_a_dialog_begins_where_the_latest_file_is_that_is_left(window, tmp_path)
     assert _folder(window, window.files.ask_open) == str(tmp_path)
 
 
-def test_a_dialog_begins_at_the_session_where_its_last_folder_has_gone(window, desk, tmp_path):
+def test_a_dialog_begins_at_the_session_where_its_last_folder_has_gone(
+    window, controller, tmp_path
+):
     gone = tmp_path / "gone"
     window.remembered.last_folder("session").note(gone / "old.h5")
-    proposed = desk.document.session.path.parent
+    proposed = controller.document.session.path.parent
     assert _folder(window, window.files.saving.save_as) == str(proposed)
 
 
-def test_a_session_is_proposed_under_the_name_of_its_recording(window, desk, tiny_recording, qtbot):
+def test_a_session_is_proposed_under_the_name_of_its_recording(
+    window, controller, tiny_recording, qtbot
+):
     window.files.open_path(tiny_recording)
-    qtbot.waitUntil(lambda: window.desk is not None and window.desk is not desk)
+    qtbot.waitUntil(lambda: window.controller is not None and window.controller is not controller)
     dialog = _dialog(window, window.files.saving.save_as)
     (name,) = dialog.selectedFiles()
     dialog.reject()

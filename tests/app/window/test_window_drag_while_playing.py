@@ -3,14 +3,14 @@
 from dataclasses import replace
 
 import pytest
-from correcting_desk import CROWDED, LEFT, NO_KEY, Hands, opened_desk
+from correcting_window import CROWDED, LEFT, NO_KEY, Hands, open_for_correcting
 from PySide6.QtCore import QPointF
 from PySide6.QtTest import QTest
 
 
 @pytest.fixture
 def hands(window, qtbot, tiny_session) -> Hands:
-    return Hands(window, opened_desk(window, qtbot, tiny_session), qtbot)
+    return Hands(window, open_for_correcting(window, qtbot, tiny_session), qtbot)
 
 
 def _drag_over_a_change_of_frame(hands, start, frame) -> None:
@@ -36,7 +36,7 @@ def test_the_box_that_is_seen_as_the_drag_begins_is_moved(hands):
 
 
 def test_who_has_left_the_picture_meanwhile_is_not_dragged(hands):
-    document = hands.desk.document
+    document = hands.controller.document
     someone, gone = hands.apart(), CROWDED + 3
     start = hands.box_on(someone).center()
     hands.window.workspace.left.grabs(start)

@@ -5,7 +5,7 @@ from statistics import median
 
 import numpy as np
 import pytest
-from correcting_desk import CROWDED, LEFT, NO_KEY, SHIFT, Hands, opened_desk
+from correcting_window import CROWDED, LEFT, NO_KEY, SHIFT, Hands, open_for_correcting
 from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QToolButton
@@ -18,7 +18,7 @@ from tracking.tracks import Source
 
 @pytest.fixture
 def hands(window, qtbot, tiny_session) -> Hands:
-    return Hands(window, opened_desk(window, qtbot, tiny_session), qtbot)
+    return Hands(window, open_for_correcting(window, qtbot, tiny_session), qtbot)
 
 
 @pytest.fixture
@@ -39,9 +39,9 @@ def _chip(hands, text: str) -> QToolButton:
 def test_a_swap_from_the_menu_of_a_picture_with_a_chip_for_the_other(hands, someone):
     view, other = hands.window.workspace.left, None
     hands.choose_in_menu(view, hands.box_on(someone).center(), "tracks.swap")
-    other = hands.desk.document.flow.others[0]
+    other = hands.controller.document.flow.others[0]
     QTest.mouseClick(_chip(hands, str(other)), LEFT)
-    cut = hands.desk.document.flow.cut
+    cut = hands.controller.document.flow.cut
     before = hands.row(someone, cut), hands.row(other, cut)
     _apply(hands)
     after = hands.row(other, cut), hands.row(someone, cut)
@@ -57,7 +57,7 @@ def test_the_menu_of_every_view_is_about_who_was_clicked(hands, someone, where):
         lane = hands.lane_of(someone)
         hands.choose_in_menu(view.timeline.area, lane, "tracks.end_here")
     else:
-        hands.desk.set_eyes("both")
+        hands.controller.set_eyes("both")
         hands.qtbot.wait(5)
         people = view.right._scene.people
         mark = next(person for person in people if person.track == someone)
@@ -74,15 +74,15 @@ def test_the_menu_of_a_person_is_whole_each_time_it_opens(hands, someone):
         hands.choose_in_menu(overhead, hands.place_on(someone), "tracks.delete_track")
         hands.window.menus.actions["tracks.none"].trigger()
         QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
-        assert hands.desk.document.flow is None
+        assert hands.controller.document.flow is None
 
 
 def test_the_menu_key_over_the_timeline_is_about_who_is_selected(hands, someone):
-    hands.desk.editing.pick(someone)
+    hands.controller.editing.pick(someone)
     area = hands.window.workspace.timeline.area
     nobodys = QPointF(30, area.height() - 4)
     hands.choose_in_menu(area, nobodys, "tracks.delete_track", by_key=True)
-    assert hands.desk.document.flow.everybody == (someone,)
+    assert hands.controller.document.flow.everybody == (someone,)
 
 
 def test_a_new_id_is_given_by_its_chip_over_a_range_chosen_by_its_button(hands, someone):
@@ -90,10 +90,10 @@ def test_a_new_id_is_given_by_its_chip_over_a_range_chosen_by_its_button(hands, 
     hands.choose_in_menu(
         hands.window.workspace.overhead, hands.place_on(someone), "tracks.reassign"
     )
-    new = hands.desk.document.session.tracks.highest_track + 1
+    new = hands.controller.document.session.tracks.highest_track + 1
     QTest.mouseClick(_chip(hands, f"new {new}"), LEFT)
     QTest.mouseClick(_chip(hands, "this range"), LEFT)
-    flow = hands.desk.document.flow
+    flow = hands.controller.document.flow
     assert flow.scope is EditScope.RANGE
     _apply(hands)
     assert hands.frames(new) == [frame for frame in before if flow.cut <= frame < flow.end]
@@ -115,13 +115,13 @@ def test_a_box_is_moved_by_its_inside_and_resized_by_a_corner(hands, someone):
     larger = hands.row(someone, CROWDED)
     assert larger["height"] == pytest.approx(moved["height"] + 30 / scale, abs=2 / scale)
     assert larger["left"] + larger["width"] == pytest.approx(moved["left"] + moved["width"])
-    assert len(hands.desk.document.session.history) == 2
+    assert len(hands.controller.document.session.history) == 2
 
 
 def test_a_box_is_moved_at_once_though_nobody_or_somebody_else_is_selected(hands, someone):
     view, other = hands.window.workspace.left, hands.people()[0]
     for selected in (0, other if other != someone else hands.people()[1]):
-        hands.desk.editing.pick(selected)
+        hands.controller.editing.pick(selected)
         hands.qtbot.wait(5)
         fitted, before, box = view.viewport, hands.row(someone, CROWDED), hands.box_on(someone)
         hands.drag(view, box.center(), box.center() + QPointF(20, 0))
@@ -129,20 +129,24 @@ def test_a_box_is_moved_at_once_though_nobody_or_somebody_else_is_selected(hands
         by = 20 / view.viewport.scale
         assert moved["left"] == pytest.approx(before["left"] + by, abs=2 / view.viewport.scale)
         assert moved["width"] == pytest.approx(before["width"])
-        assert hands.desk.document.selection.track == someone
+        assert hands.controller.document.selection.track == someone
         assert view.viewport == fitted
 
 
 def test_a_move_that_waits_for_enter_is_not_lost_by_a_drag_on_somebody_else(hands, someone):
     view = hands.window.workspace.left
     other = next(one for one in hands.people() if one != someone)
-    hands.desk.editing.pick(other)
+    hands.controller.editing.pick(other)
     hands.press(Qt.Key.Key_V)
     hands.press(Qt.Key.Key_Right)
     view.zoom(2.0, hands.box_on(someone).center())
-    flow, zoomed, start = hands.desk.document.flow, view.viewport, hands.box_on(someone).center()
+    flow, zoomed, start = (
+        hands.controller.document.flow,
+        view.viewport,
+        hands.box_on(someone).center(),
+    )
     hands.drag(view, start, start + QPointF(40, 0))
-    assert hands.desk.document.flow == flow
+    assert hands.controller.document.flow == flow
     assert view.viewport != zoomed  # panned
     before = hands.row(other, CROWDED)
     hands.press(Qt.Key.Key_Return)
@@ -151,14 +155,14 @@ def test_a_move_that_waits_for_enter_is_not_lost_by_a_drag_on_somebody_else(hand
 
 def test_a_move_that_waits_for_enter_is_not_lost_by_a_drag_over_the_floor(hands, someone):
     view = hands.window.workspace.overhead
-    hands.desk.editing.pick(someone)
+    hands.controller.editing.pick(someone)
     hands.press(Qt.Key.Key_V)
     hands.press(Qt.Key.Key_Right)
     view.zoom(2.0, hands.place_on(someone))
-    flow, zoomed, start = hands.desk.document.flow, view.viewport, hands.place_on(someone)
+    flow, zoomed, start = hands.controller.document.flow, view.viewport, hands.place_on(someone)
     before = hands.row(someone, CROWDED)
     hands.drag(view, start, start + QPointF(40, 0))
-    assert hands.desk.document.flow == flow
+    assert hands.controller.document.flow == flow
     assert view.viewport != zoomed  # panned
     hands.press(Qt.Key.Key_Return)
     assert hands.row(someone, CROWDED)["left"] == before["left"] + 1
@@ -171,7 +175,7 @@ def test_escape_while_somebodys_box_is_dragged_leaves_it_where_it_was(hands, som
     hands.press(Qt.Key.Key_Escape)
     QTest.mouseRelease(view, LEFT, NO_KEY, (start + QPointF(80, 0)).toPoint())
     assert hands.row(someone, CROWDED) == row
-    assert hands.desk.document.flow is None
+    assert hands.controller.document.flow is None
 
 
 def test_while_another_person_is_waited_for_a_drag_pans(hands, someone):
@@ -192,7 +196,7 @@ def test_dragging_beside_the_selected_box_pans_and_edits_nothing(hands, someone)
     corner = QPointF(view.rect().bottomRight()) - QPointF(12, 12)
     hands.drag(view, corner, corner - QPointF(60, 60))
     assert view.viewport != before
-    assert not len(hands.desk.document.session.history)
+    assert not len(hands.controller.document.session.history)
 
 
 def test_a_box_is_drawn_for_a_new_person(hands):
@@ -203,16 +207,16 @@ def test_a_box_is_drawn_for_a_new_person(hands):
     QTest.mouseMove(view, start.toPoint())
     assert view.cursor().shape() is Qt.CursorShape.CrossCursor
     hands.drag(view, start, end)
-    row = hands.row(hands.desk.document.selection.track, CROWDED)
+    row = hands.row(hands.controller.document.selection.track, CROWDED)
     drawn = [row[name] for name in ("left", "top", "width", "height")]
     assert drawn == pytest.approx([100, 60, 30, 80], abs=1.5)
     assert np.isfinite(row["x"] + row["y"])
-    assert hands.desk.document.flow is None
+    assert hands.controller.document.flow is None
 
 
 def test_a_person_dragged_over_the_floor_is_followed_in_both_eyes_until_dropped(hands, someone):
     view = hands.window.workspace
-    hands.desk.set_eyes("both")
+    hands.controller.set_eyes("both")
     hands.qtbot.wait(5)
     before = _seen(view, someone)
     start, row = hands.place_on(someone), hands.row(someone, CROWDED)
@@ -230,12 +234,14 @@ def test_a_person_dragged_over_the_floor_is_followed_in_both_eyes_until_dropped(
 
 
 def test_the_boxes_of_a_dragged_person_lie_on_one_epipolar_line(hands, someone):
-    desk, start = hands.desk, hands.row(someone, CROWDED)
-    desk.dragging.grab_person(someone)
-    desk.dragging.drag_person(start["x"] + 0.4, start["y"] + 0.3)
-    instant, pictures = desk.document.instant(CROWDED), desk.document.pictures
-    frame, rectification = desk.playback.frame, desk.document.recording.rectification
-    eyes = [pictures.scene(eye, frame, instant, desk.pictured) for eye in (Eye.LEFT, Eye.RIGHT)]
+    controller, start = hands.controller, hands.row(someone, CROWDED)
+    controller.dragging.grab_person(someone)
+    controller.dragging.drag_person(start["x"] + 0.4, start["y"] + 0.3)
+    instant, pictures = controller.document.instant(CROWDED), controller.document.pictures
+    frame, rectification = controller.playback.frame, controller.document.recording.rectification
+    eyes = [
+        pictures.scene(eye, frame, instant, controller.pictured) for eye in (Eye.LEFT, Eye.RIGHT)
+    ]
     left, right = (next(one.box for one in eye.people if one.track == someone) for eye in eyes)
     assert rectification is not None
     assert rectification.identity
@@ -251,7 +257,7 @@ def test_escape_while_dragging_leaves_the_person_where_they_were(hands, someone)
     QTest.mouseMove(view, (start + QPointF(80, 0)).toPoint())
     QTest.mouseRelease(view, LEFT, NO_KEY, (start + QPointF(80, 0)).toPoint())
     assert hands.row(someone, CROWDED) == row
-    assert hands.desk.document.flow is None
+    assert hands.controller.document.flow is None
 
 
 def test_shift_and_click_select_several_in_all_views_who_are_deleted_together(hands):
@@ -263,20 +269,20 @@ def test_shift_and_click_select_several_in_all_views_who_are_deleted_together(ha
     assert selected == lanes == {a, b}
     hands.choose_in_menu(views.overhead, hands.place_on(a), "tracks.delete_track")
     _apply(hands)
-    assert not set(hands.desk.document.session.tracks.track_ids) & {a, b}
+    assert not set(hands.controller.document.session.tracks.track_ids) & {a, b}
     hands.window.run_command("edit.undo")
-    assert set(hands.desk.document.session.tracks.track_ids) >= {a, b}
+    assert set(hands.controller.document.session.tracks.track_ids) >= {a, b}
 
 
 def test_several_are_merged_into_the_one_picked_first(hands):
     a, b, *_ = hands.people()
-    hands.desk.editing.pick(a)
-    hands.desk.editing.add(b)
+    hands.controller.editing.pick(a)
+    hands.controller.editing.add(b)
     hands.window.run_command("tracks.merge")
-    assert hands.desk.document.planned.scene.ready
+    assert hands.controller.document.planned.scene.ready
     _apply(hands)
-    assert b not in hands.desk.document.session.tracks
-    assert a in hands.desk.document.session.tracks
+    assert b not in hands.controller.document.session.tracks
+    assert a in hands.controller.document.session.tracks
 
 
 def test_the_preview_shows_what_goes_zoomed_is_done(hands, someone):
@@ -297,7 +303,7 @@ def test_a_click_is_answered_in_a_moment(hands, someone):
         QTest.mouseClick(view, LEFT, NO_KEY, middle.toPoint())
         lasted_s = time.monotonic() - began_s  # waiting for others counts, too
         taken.append(lasted_s / pace(time.monotonic))
-        hands.desk.editing.pick(0)
+        hands.controller.editing.pick(0)
     assert median(taken) < 6
 
 

@@ -23,7 +23,9 @@ def ends(monkeypatch):
 @pytest.fixture
 def opened(window, qtbot, tiny_recording):
     window.files.open_path(tiny_recording)
-    qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
+    qtbot.waitUntil(
+        lambda: window.controller is not None and window.controller.playback.frame is not None
+    )
     return window
 
 
@@ -33,7 +35,7 @@ def _tracked(window):
 
 @pytest.mark.usefixtures("ends")
 def test_what_was_tracked_before_the_tracker_died_becomes_a_session(opened, qtbot):
-    opened.desk.tracking.track("stereo-colour")
+    opened.controller.tracking.track("stereo-colour")
     qtbot.waitUntil(lambda: _tracked(opened))
     run = opened.files.session.runs[0]
     first, end = run.frames
@@ -42,4 +44,4 @@ def test_what_was_tracked_before_the_tracker_died_becomes_a_session(opened, qtbo
     assert early in opened.notice.text
     assert "It is on disk" in opened.notice.text
     assert [note.startswith(early) for note in run.notes] == [True]
-    assert not opened.desk.live.running
+    assert not opened.controller.live.running

@@ -1,17 +1,17 @@
 """Room for the eyes: their pictures fill it, the floor has the rest."""
 
 import pytest
-from correcting_desk import opened_desk
+from correcting_window import open_for_correcting
 from PySide6.QtCore import QSettings
 
-from app.views.desk.workspace import Workspace
+from app.views.recording.workspace import Workspace
 from app.views.widgets.user_settings import Remembered
 
 
 @pytest.fixture
 def space(window, qtbot, tiny_session):
     window.resize(1280, 700)
-    opened_desk(window, qtbot, tiny_session)
+    open_for_correcting(window, qtbot, tiny_session)
     window.grab()  # lays it out
     return window.workspace
 
@@ -55,7 +55,7 @@ def test_a_border_moved_beside_one_eye_stays_until_both_are_shown(space, window,
 
 
 def _moved(window, qtbot, path):
-    opened_desk(window, qtbot, path)
+    open_for_correcting(window, qtbot, path)
     window.workspace._splitters["top"].moveSplitter(500, 1)
     return window.workspace._splitters["top"].sizes()
 
@@ -65,7 +65,7 @@ def test_a_border_the_user_moved_stays_as_another_recording_is_opened(
 ):
     sizes = _moved(window, qtbot, tiny_session)
     window.files.close_recording()
-    opened_desk(window, qtbot, tiny_session)
+    open_for_correcting(window, qtbot, tiny_session)
     assert space._splitters["top"].sizes() == sizes
 
 

@@ -10,7 +10,7 @@ from PySide6.QtCore import Qt
 from app.presenters.correcting import EditKind
 from app.presenters.document import session_colours
 from app.presenters.track_colours import TrackColours
-from app.views.desk.recording_controller import RecordingController
+from app.views.recording.recording_controller import RecordingController
 from tracking.errors import EditError, RecordingError
 from tracking.session import Session
 from tracking.trackers import StepResult
@@ -23,16 +23,18 @@ Key = Qt.Key
 @pytest.fixture
 def untracked(window, qtbot, tiny_recording) -> RecordingController:
     window.files.open_path(tiny_recording)
-    qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
-    return window.desk
+    qtbot.waitUntil(
+        lambda: window.controller is not None and window.controller.playback.frame is not None
+    )
+    return window.controller
 
 
 @pytest.fixture
-def looked_away(desk) -> RecordingController:
-    """The desk with a further tracker at work, while the session's tracks are looked at."""
-    desk.document.begin_live()
-    assert desk.document.show_live(on=False)
-    return desk
+def looked_away(controller) -> RecordingController:
+    """The controller with a further tracker at work, while the session's tracks are looked at."""
+    controller.document.begin_live()
+    assert controller.document.show_live(on=False)
+    return controller
 
 
 def _steps(run, until):
@@ -44,31 +46,31 @@ def _steps(run, until):
 
 
 @pytest.fixture
-def followed(desk, tiny_run, monkeypatch) -> RecordingController:
-    """The desk that follows a further tracker at work, whose people it shows."""
-    monkeypatch.setattr(type(desk.live), "running", property(lambda _: True))
-    desk.document.begin_live()
-    desk.document.take_live(_steps(tiny_run, 30))
-    desk.tracking.following.begin()
-    assert desk.document.is_live
-    return desk
+def followed(controller, tiny_run, monkeypatch) -> RecordingController:
+    """The recording's controller that follows a further tracker at work, whose people it shows."""
+    monkeypatch.setattr(type(controller.live), "running", property(lambda _: True))
+    controller.document.begin_live()
+    controller.document.take_live(_steps(tiny_run, 30))
+    controller.tracking.following.begin()
+    assert controller.document.is_live
+    return controller
 
 
 @pytest.fixture
 def swapping(followed) -> RecordingController:
-    """The same desk once somebody has looked away from it and begun to correct."""
-    desk, document = followed, followed.document
-    desk.playback.go(40)
+    """The same controller once somebody has looked away from it and begun to correct."""
+    controller, document = followed, followed.document
+    controller.playback.go(40)
     assert not document.is_live
     first, second = document.tracks.of_frame(40)["track"].tolist()[:2]
     document.correcting.pick(first)
-    desk.editing.begin(EditKind.SWAP)
+    controller.editing.begin(EditKind.SWAP)
     document.correcting.pick(second)
-    return desk
+    return controller
 
 
-def _waiting(desk):
-    flow = desk.document.flow
+def _waiting(controller):
+    flow = controller.document.flow
     return None if flow is None else (flow.kind, flow.track, flow.other)
 
 
@@ -163,39 +165,39 @@ def test_after_a_first_tracker_failed_somebody_can_be_drawn(untracked, window):
     assert untracked.document.flow.kind is EditKind.DRAW
 
 
-def test_after_a_tracker_was_stopped_before_its_first_frame_the_session_is_shown(desk):
-    desk.document.begin_live()
-    desk.live.finished.emit(None)
-    assert not desk.document.is_live
-    assert desk.document.tracks.ids
+def test_after_a_tracker_was_stopped_before_its_first_frame_the_session_is_shown(controller):
+    controller.document.begin_live()
+    controller.live.finished.emit(None)
+    assert not controller.document.is_live
+    assert controller.document.tracks.ids
 
 
 def test_after_a_run_that_cannot_be_kept_the_session_can_be_corrected(
-    desk, window, tiny_run, monkeypatch
+    controller, window, tiny_run, monkeypatch
 ):
     def refuse(*_, **__) -> int:
         raise EditError("the run's tracks are no table")
 
     monkeypatch.setattr(Session, "add_run", refuse)
-    desk.document.begin_live()
-    desk.live.finished.emit(tiny_run)
+    controller.document.begin_live()
+    controller.live.finished.emit(tiny_run)
     assert window.files.keeping.holds
-    assert (desk.document.at_work, desk.document.is_live) == (False, False)
+    assert (controller.document.at_work, controller.document.is_live) == (False, False)
 
 
 def test_a_run_that_ends_leaves_the_table_under_an_edit_that_waits(looked_away, press, tiny_run):
-    desk, document = looked_away, looked_away.document
+    controller, document = looked_away, looked_away.document
     before = document.session.tracks.columns()["track"].copy()
     first, second = document.tracks.of_frame(40)["track"].tolist()[:2]
-    desk.playback.go(40)
+    controller.playback.go(40)
     document.correcting.pick(first)
-    desk.editing.begin(EditKind.SWAP)
+    controller.editing.begin(EditKind.SWAP)
     document.correcting.pick(second)
-    desk.live.finished.emit(tiny_run)
+    controller.live.finished.emit(tiny_run)
     assert document.session.adopted_run == 0
     assert np.array_equal(document.session.tracks.columns()["track"], before)
     assert (document.flow.track, document.flow.other) == (first, second)
-    desk.editing.confirm()
+    controller.editing.confirm()
     assert set(document.session.history.next_undo.change.tracks) == {first, second}
 
 
@@ -205,68 +207,68 @@ def test_tracks_that_are_looked_at_are_not_replaced_by_a_run_that_ends(looked_aw
 
 
 def test_whoever_watches_a_further_run_to_its_end_has_its_tracks_and_nobody_selected(
-    desk, tiny_run
+    controller, tiny_run
 ):
-    desk.document.begin_live()
-    desk.document.selection.choose(1)  # by the tracker's numbers
-    desk.live.finished.emit(tiny_run)
-    assert desk.document.session.adopted_run == 1
-    assert not desk.document.selection
+    controller.document.begin_live()
+    controller.document.selection.choose(1)  # by the tracker's numbers
+    controller.live.finished.emit(tiny_run)
+    assert controller.document.session.adopted_run == 1
+    assert not controller.document.selection
 
 
-def test_a_colour_stays_as_runs_end_and_are_dropped(desk, tiny_run):
-    document, session = desk.document, desk.document.session
+def test_a_colour_stays_as_runs_end_and_are_dropped(controller, tiny_run):
+    document, session = controller.document, controller.document.session
     track = session.tracks.track_ids[0]
-    desk.editing.rename(track, "first")  # so that a further run is kept beside
+    controller.editing.rename(track, "first")  # so that a further run is kept beside
     document.correcting.pick(track)
-    desk.playback.go(40)
-    desk.editing.begin(EditKind.SPLIT)
-    desk.editing.confirm()
+    controller.playback.go(40)
+    controller.editing.begin(EditKind.SPLIT)
+    controller.editing.confirm()
     before = [document.colour_of(one) for one in session.tracks.track_ids]
     colours = document._showing.colours
     document.begin_live()
-    desk.live.finished.emit(tiny_run)
-    desk.tracking.drop()
+    controller.live.finished.emit(tiny_run)
+    controller.tracking.drop()
     assert [document.colour_of(one) for one in session.tracks.track_ids] == before
     assert document._showing.colours is colours
 
 
 @pytest.fixture
-def long(desk, monkeypatch) -> RecordingController:
-    """The desk where every session counts as long, and everybody wears another colour then."""
+def long(controller, monkeypatch) -> RecordingController:
+    """The controller with every session counted as long, and other colours for everybody."""
     monkeypatch.setattr(session_colours, "_QUICK_ROWS", 0)
     of_session = TrackColours.of_session
-    desk.made_in = []
+    controller.made_in = []
 
     def shifted(table, run, seen=None):
-        desk.made_in.append(threading.current_thread())
+        controller.made_in.append(threading.current_thread())
         colours = of_session(table, run, seen)
         colours._place = {one: (place + 5) % 20 for one, place in colours._place.items()}
         return colours
 
     monkeypatch.setattr(TrackColours, "of_session", shifted)
-    return desk
+    return controller
 
 
 def test_colours_of_a_long_session_come_from_another_thread_into_all_views(long, tiny_run, qtbot):
-    desk, document = long, long.document
-    qtbot.waitUntil(lambda: len(desk.reviewing.queue.kinds()) > 0)
+    controller, document = long, long.document
+    qtbot.waitUntil(lambda: len(controller.reviewing.queue.kinds()) > 0)
     track = document.session.tracks.track_ids[0]
     before = document.colour_of(track)
     document.begin_live()
-    desk.live.finished.emit(tiny_run)
+    controller.live.finished.emit(tiny_run)
     document.selection.choose(track)
-    desk.draw()
+    controller.draw()
     assert document.session.adopted_run == 1
     assert document.colour_of(track) == before  # the old ones till then
     qtbot.waitUntil(lambda: document.colours_due is None)
-    now, frame = document.colour_of(track), desk.playback.number
-    assert threading.main_thread() not in desk.made_in
+    now, frame = document.colour_of(track), controller.playback.number
+    assert threading.main_thread() not in controller.made_in
     assert now != before
     lanes = {lane.track: lane.colour for lane in document.timeline(frame, frame).lanes}
     assert lanes == {one: document.colour_of(one) for one in lanes}
     assert document.card().colour == now
-    people = [one for item in desk.reviewing.queue.items for one in item.people]
+    people = [one for item in controller.reviewing.queue.items for one in item.people]
     assert all(one.colour == document.colour_of(one.track) for one in people)
 
 
@@ -307,30 +309,36 @@ def test_closing_a_recording_does_not_wait_for_its_colours(
 def test_whoever_looks_away_from_a_further_run_reads_what_made_the_tracks_in_view(
     looked_away, monkeypatch
 ):
-    desk = looked_away
-    monkeypatch.setattr(type(desk.live), "running", property(lambda _: True))
-    monkeypatch.setattr(desk.live, "tracker", "three-part")
-    monkeypatch.setattr(type(desk.live), "status", property(lambda _: "live"))
-    made_by = desk.document.session.corrected_run.tracker
-    assert (desk.tracking.state.name, desk.tracking.state.status) == (made_by, "tracked")
-    assert desk.document.show_live(on=True)
-    assert (desk.tracking.state.name, desk.tracking.state.status) == ("three-part", "live")
+    controller = looked_away
+    monkeypatch.setattr(type(controller.live), "running", property(lambda _: True))
+    monkeypatch.setattr(controller.live, "tracker", "three-part")
+    monkeypatch.setattr(type(controller.live), "status", property(lambda _: "live"))
+    made_by = controller.document.session.corrected_run.tracker
+    assert (controller.tracking.state.name, controller.tracking.state.status) == (
+        made_by,
+        "tracked",
+    )
+    assert controller.document.show_live(on=True)
+    assert (controller.tracking.state.name, controller.tracking.state.status) == (
+        "three-part",
+        "live",
+    )
 
 
 def test_the_review_goes_on_where_it_was_once_the_new_run_was_looked_at(followed, qtbot):
-    desk, queue = followed, followed.reviewing.queue
-    desk.playback.go(40)
+    controller, queue = followed, followed.reviewing.queue
+    controller.playback.go(40)
     qtbot.waitUntil(lambda: bool(queue.items))
-    assert desk.reviewing.situation["review_items"]
-    desk.reviewing.narrow(queue.kinds()[0].kind)
-    kind, items, meter = queue.kind, queue.items, desk.reviewing._meter
-    desk.tracking.following.begin()
-    assert not desk.reviewing.situation["review_items"]
-    assert desk.reviewing._scene().items == ()
-    desk.playback.go(40)
+    assert controller.reviewing.situation["review_items"]
+    controller.reviewing.narrow(queue.kinds()[0].kind)
+    kind, items, meter = queue.kind, queue.items, controller.reviewing._meter
+    controller.tracking.following.begin()
+    assert not controller.reviewing.situation["review_items"]
+    assert controller.reviewing._scene().items == ()
+    controller.playback.go(40)
     assert (queue.kind, queue.items) == (kind, items)
-    assert desk.reviewing._meter is meter
-    assert not desk.reviewing._search.busy
+    assert controller.reviewing._meter is meter
+    assert not controller.reviewing._search.busy
 
 
 def test_the_keyboard_stays_with_the_picture_when_a_row_is_clicked_and_a_further_run_begins(

@@ -4,7 +4,7 @@ import json
 from dataclasses import replace
 
 import pytest
-from correcting_desk import opened_desk
+from correcting_window import open_for_correcting
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QInputDialog, QMenu
@@ -20,18 +20,18 @@ MANY = 20_000
 
 
 @pytest.fixture
-def desk(window, qtbot, tiny_session):
-    return opened_desk(window, qtbot, tiny_session, 0)
+def controller(window, qtbot, tiny_session):
+    return open_for_correcting(window, qtbot, tiny_session, 0)
 
 
 @pytest.fixture
-def named(desk):
+def named(controller):
     """Four edits: track a named twice, b once between, and b noted."""
-    a, b = desk.document.tracks.of_frame(60)["track"].tolist()[:2]
-    desk.editing.rename(a, "one")
-    desk.editing.rename(b, "two")
-    desk.editing.rename(a, "three")
-    desk.editing.write_notes(b, "late")
+    a, b = controller.document.tracks.of_frame(60)["track"].tolist()[:2]
+    controller.editing.rename(a, "one")
+    controller.editing.rename(b, "two")
+    controller.editing.rename(a, "three")
+    controller.editing.write_notes(b, "late")
     return a, b
 
 
@@ -46,27 +46,27 @@ def _click(window, edit: int) -> None:
     QTest.mouseClick(panel._list.viewport(), LEFT, pos=_row(panel, edit))
 
 
-def test_a_click_goes_to_the_frame_and_selects_the_tracks(window, desk, named):
+def test_a_click_goes_to_the_frame_and_selects_the_tracks(window, controller, named):
     _click(window, 2)
-    entry = desk.document.session.history.entry(2)
-    assert desk.playback.clock.frame == entry.frame
-    assert desk.document.selection.track == named[1]
+    entry = controller.document.session.history.entry(2)
+    assert controller.playback.clock.frame == entry.frame
+    assert controller.document.selection.track == named[1]
 
 
-def test_an_old_edit_is_undone_alone_by_its_key_or_the_reason_is_told(window, desk, named):
+def test_an_old_edit_is_undone_alone_by_its_key_or_the_reason_is_told(window, controller, named):
     _click(window, 1)
     panel = window.workspace.history
     QTest.keyClick(panel._list, Qt.Key.Key_Z, _CTRL_ALT)
     assert "edit 3" in window.notice._text.text()  # the later name stands on it
-    assert len(desk.document.session.history) == 4
+    assert len(controller.document.session.history) == 4
     _click(window, 3)
     QTest.keyClick(panel._list, Qt.Key.Key_Z, _CTRL_ALT)
-    assert desk.document.label(named[0]).name == "one"
-    assert desk.document.label(named[1]).notes == "late"
+    assert controller.document.label(named[0]).name == "one"
+    assert controller.document.label(named[1]).notes == "late"
     assert panel._model.item(panel._model.row_of(3)).taken_by == 5
 
 
-def test_the_menu_says_why_an_edit_cannot_be_undone_alone(window, desk, named):
+def test_the_menu_says_why_an_edit_cannot_be_undone_alone(window, controller, named):
     panel = window.workspace.history
     panel._open_menu(_row(panel, 1))
     menu = panel._list.findChildren(QMenu)[-1]
@@ -76,17 +76,17 @@ def test_the_menu_says_why_an_edit_cannot_be_undone_alone(window, desk, named):
     menu.close()
 
 
-def test_undo_to_here_goes_back_and_forth(window, desk, named, qtbot):
-    desk.walk.go_back_to(1)
-    qtbot.waitUntil(lambda: desk.document.session.history.next_undo.id == 1)
-    assert desk.document.label(named[0]).name == "one"
-    desk.walk.go_back_to(4)
-    qtbot.waitUntil(lambda: desk.document.session.history.next_undo.id == 4)
-    assert desk.document.label(named[0]).name == "three"
+def test_undo_to_here_goes_back_and_forth(window, controller, named, qtbot):
+    controller.walk.go_back_to(1)
+    qtbot.waitUntil(lambda: controller.document.session.history.next_undo.id == 1)
+    assert controller.document.label(named[0]).name == "one"
+    controller.walk.go_back_to(4)
+    qtbot.waitUntil(lambda: controller.document.session.history.next_undo.id == 4)
+    assert controller.document.label(named[0]).name == "three"
 
 
-def test_the_list_is_narrowed_down_and_what_is_undone_stays_in_it(window, desk, named):
-    desk.editing.undo()
+def test_the_list_is_narrowed_down_and_what_is_undone_stays_in_it(window, controller, named):
+    controller.editing.undo()
     panel = window.workspace.history
     assert [panel._model.item(row).undone for row in range(4)] == [True, False, False, False]
     panel._text.setText("three")
@@ -97,20 +97,20 @@ def test_the_list_is_narrowed_down_and_what_is_undone_stays_in_it(window, desk, 
 
 
 def test_edits_are_logged_under_the_name_that_was_set_and_it_is_remembered(
-    window, desk, named, remembered
+    window, controller, named, remembered
 ):
     window.run_command("file.author")
     dialog = window.findChild(QInputDialog, "author")
     dialog.setTextValue("  Ann  B. ")
     dialog.accept()
-    desk.editing.rename(named[0], "five")
-    assert desk.document.session.history.next_undo.author == "Ann B."
+    controller.editing.rename(named[0], "five")
+    assert controller.document.session.history.next_undo.author == "Ann B."
     assert remembered.text("author") == "Ann B."
-    first = next(iter(desk.document.session.history))
+    first = next(iter(controller.document.session.history))
     assert first.author != "Ann B."
 
 
-def test_the_log_is_exported_as_csv_or_json(window, desk, named, qtbot, tmp_path):
+def test_the_log_is_exported_as_csv_or_json(window, controller, named, qtbot, tmp_path):
     for name in ("log.csv", "log.json"):
         window.files.exporting.log_to(tmp_path / name)
         qtbot.waitUntil(lambda: not window.work.busy)
@@ -121,7 +121,7 @@ def test_the_log_is_exported_as_csv_or_json(window, desk, named, qtbot, tmp_path
     assert log[0]["text"] == 'Name 1 "one"'
 
 
-def test_twenty_thousand_edits_are_listed_and_one_more_is_told_quickly(window, desk):
+def test_twenty_thousand_edits_are_listed_and_one_more_is_told_quickly(window, controller):
     state = State(labels=LabelState({1: TrackLabel("one")}))
     change = Change("rename", "Name 1", 7, state, state)
     made = History().draft(change, "2024-05-01T10:00:00.000Z", "mika")

@@ -35,8 +35,10 @@ def disk(monkeypatch):
 def held(window, qtbot, tiny_recording, tiny_run, disk):
     """The window with a run that could not be kept."""
     window.files.open_path(tiny_recording)
-    qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
-    window.desk.tracking.tracked.emit(tiny_run)
+    qtbot.waitUntil(
+        lambda: window.controller is not None and window.controller.playback.frame is not None
+    )
+    window.controller.tracking.tracked.emit(tiny_run)
     qtbot.waitUntil(lambda: bool(window.notice.text) and not window.work.busy)
     return window
 
@@ -88,7 +90,7 @@ def test_leaving_asks_and_discarding_drops_it(held, qtbot):
     held.files.close_recording()
     box = held.findChild(QMessageBox, "unsaved")
     box.button(QMessageBox.StandardButton.Discard).click()
-    qtbot.waitUntil(lambda: held.desk is None)
+    qtbot.waitUntil(lambda: held.controller is None)
     assert not held.files.keeping.holds
 
 
@@ -100,8 +102,10 @@ def test_a_folder_that_cannot_be_made_is_no_bug(
 
     monkeypatch.setattr(document_loader, "keep_run", refuse)
     window.files.open_path(tiny_recording)
-    qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
-    window.desk.tracking.tracked.emit(tiny_run)
+    qtbot.waitUntil(
+        lambda: window.controller is not None and window.controller.playback.frame is not None
+    )
+    window.controller.tracking.tracked.emit(tiny_run)
     qtbot.waitUntil(lambda: "Permission denied" in window.notice.text)
     assert window.files.keeping.holds
 
@@ -111,8 +115,8 @@ def test_who_ends_the_program_is_told_of_a_loss_only_where_keeping_failed(
 ):
     disk.full = False
     window.files.open_path(tiny_recording)
-    qtbot.waitUntil(lambda: window.desk is not None and not window.work.busy)
-    window.desk.tracking.tracked.emit(tiny_run)
+    qtbot.waitUntil(lambda: window.controller is not None and not window.work.busy)
+    window.controller.tracking.tracked.emit(tiny_run)
     assert window.files.keeping.holds
     assert window.files.told_at_end() == []
     qtbot.waitUntil(lambda: window.files.session is not None)

@@ -1,7 +1,7 @@
 """Labels given with keys and mouse in the real window."""
 
 import pytest
-from correcting_desk import CROWDED, opened_desk
+from correcting_window import CROWDED, open_for_correcting
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
 
@@ -13,13 +13,13 @@ LEFT = Qt.MouseButton.LeftButton
 
 
 @pytest.fixture
-def desk(window, qtbot, tiny_session):
-    return opened_desk(window, qtbot, tiny_session)
+def controller(window, qtbot, tiny_session):
+    return open_for_correcting(window, qtbot, tiny_session)
 
 
 @pytest.fixture
-def labels(desk):
-    return lambda: desk.document.session.labels
+def labels(controller):
+    return lambda: controller.document.session.labels
 
 
 def _click(layer, x: float, y: float) -> None:
@@ -41,15 +41,19 @@ def _draw(layer, corners) -> None:
 TRIANGLE = ((0.3, 0.3), (0.5, 0.3), (0.4, 0.6))
 
 
-def test_parts_are_said_to_be_on_off_or_unsure_by_one_key_each(window, desk, press, labels, qtbot):
+def test_parts_are_said_to_be_on_off_or_unsure_by_one_key_each(
+    window, controller, press, labels, qtbot
+):
     press(Key.Key_Tab)
-    track = desk.document.selection.track
+    track = controller.document.selection.track
     for key in (Key.Key_4, Key.Key_5, Key.Key_6):
         press(key)
     said = [labels().parts[CROWDED, track, part].on_part for part in range(3)]
     assert said == [True, False, None]
-    assert desk.playback.clock.frame == CROWDED + 1  # after the last part, on to the next frame
-    qtbot.waitUntil(lambda: desk.playback.number == CROWDED + 1)
+    assert (
+        controller.playback.clock.frame == CROWDED + 1
+    )  # after the last part, on to the next frame
+    qtbot.waitUntil(lambda: controller.playback.number == CROWDED + 1)
     press(Key.Key_8)
     press(Key.Key_4)
     assert labels().parts[CROWDED + 1, track, 1].on_part is True
@@ -65,11 +69,13 @@ def test_parts_are_said_to_be_on_off_or_unsure_by_one_key_each(window, desk, pre
     assert len(labels().parts) == 0
 
 
-def test_without_labels_the_parts_lie_in_the_box_from_head_to_feet(desk, press):
+def test_without_labels_the_parts_lie_in_the_box_from_head_to_feet(controller, press):
     press(Key.Key_Tab)
     press(Key.Key_1, _ALT)
-    marks = desk.labelling._parts._marks
-    row = desk.document.session.tracks.of_track(desk.document.selection.track, CROWDED, CROWDED + 1)
+    marks = controller.labelling._parts._marks
+    row = controller.document.session.tracks.of_track(
+        controller.document.selection.track, CROWDED, CROWDED + 1
+    )
     tops = [mark.box[1] for mark in marks]
     assert [mark.part for mark in marks] == [0, 1, 2]
     assert tops == sorted(tops)
@@ -79,11 +85,11 @@ def test_without_labels_the_parts_lie_in_the_box_from_head_to_feet(desk, press):
     assert not any(mark.given for mark in marks)
 
 
-def test_a_part_is_dragged_to_its_place_and_drawn_anew(desk, press, labels):
+def test_a_part_is_dragged_to_its_place_and_drawn_anew(controller, press, labels):
     press(Key.Key_Tab)
-    track = desk.document.selection.track
+    track = controller.document.selection.track
     press(Key.Key_1, _ALT)
-    layer = desk.labelling._parts
+    layer = controller.labelling._parts
     mark = next(one for one in layer._marks if one.part == 1)
     view = layer.canvas.viewport
     middle = view.point(mark.box[0] + mark.box[2] / 2, mark.box[1] + mark.box[3] / 2).toPoint()
@@ -101,25 +107,25 @@ def test_a_part_is_dragged_to_its_place_and_drawn_anew(desk, press, labels):
     assert (CROWDED, track, 0) not in labels().parts
 
 
-def test_a_click_beside_the_parts_selects_another_person(desk, press):
+def test_a_click_beside_the_parts_selects_another_person(controller, press):
     press(Key.Key_Tab)
     press(Key.Key_1, _ALT)
-    here = desk.document.tracks.of_frame(CROWDED)
+    here = controller.document.tracks.of_frame(CROWDED)
     other = int(here["track"][-1])
-    layer = desk.labelling._parts
+    layer = controller.labelling._parts
     foot = layer.canvas.viewport.point(
         float(here["left"][-1] + here["width"][-1] / 2),
         float(here["top"][-1] + here["height"][-1] / 2),
     )
     QTest.mouseClick(layer, LEFT, pos=foot.toPoint())
-    assert desk.document.selection.track == other
-    assert desk.labelling.tool is Tool.PARTS
+    assert controller.document.selection.track == other
+    assert controller.labelling.tool is Tool.PARTS
 
 
 @pytest.mark.parametrize("closing", ["Enter", "double click", "first corner"])
-def test_an_occluder_is_drawn_by_its_corners(desk, press, labels, closing):
+def test_an_occluder_is_drawn_by_its_corners(controller, press, labels, closing):
     press(Key.Key_2, _ALT)
-    layer = desk.labelling._shapes.on_picture
+    layer = controller.labelling._shapes.on_picture
     _draw(layer, TRIANGLE)
     assert labels().occluders == ()
     if closing == "Enter":
@@ -137,9 +143,9 @@ def test_an_occluder_is_drawn_by_its_corners(desk, press, labels, closing):
     assert len(occluder.polygon) == 3
 
 
-def test_a_corner_is_dragged_and_what_is_picked_is_taken_away(desk, press, labels):
+def test_a_corner_is_dragged_and_what_is_picked_is_taken_away(controller, press, labels):
     press(Key.Key_2, _ALT)
-    layer = desk.labelling._shapes.on_picture
+    layer = controller.labelling._shapes.on_picture
     _draw(layer, TRIANGLE)
     QTest.keyClick(layer, Key.Key_Enter)
     before = labels().occluders[0].polygon
@@ -156,28 +162,30 @@ def test_a_corner_is_dragged_and_what_is_picked_is_taken_away(desk, press, label
     assert labels().occluders[0].polygon == before
 
 
-def test_esc_drops_what_is_half_drawn_and_then_leaves_the_tool(window, desk, press, labels):
+def test_esc_drops_what_is_half_drawn_and_then_leaves_the_tool(window, controller, press, labels):
     press(Key.Key_2, _ALT)
-    layer = desk.labelling._shapes.on_picture
+    layer = controller.labelling._shapes.on_picture
     _draw(layer, TRIANGLE)
     QTest.keyClick(layer, Key.Key_Backspace)
     QTest.keyClick(layer, Key.Key_Return)
     assert labels().occluders == ()  # two corners are no polygon
     QTest.keyClick(layer, Key.Key_Escape)
-    assert desk.labelling.tool is Tool.OCCLUDERS
+    assert controller.labelling.tool is Tool.OCCLUDERS
     QTest.keyClick(layer, Key.Key_Escape)
-    assert desk.labelling.tool is None
+    assert controller.labelling.tool is None
     assert not layer.isVisible()
     assert not window.workspace.labelling.isVisible()
     press(Key.Key_2, _ALT)
     window.workspace.timeline.setFocus()
     press(Key.Key_Escape)  # also from elsewhere in the window
-    assert desk.labelling.tool is None
+    assert controller.labelling.tool is None
 
 
-def test_a_counting_line_has_its_forward_arrow_to_the_right_of_its_way(window, desk, press, labels):
+def test_a_counting_line_has_its_forward_arrow_to_the_right_of_its_way(
+    window, controller, press, labels
+):
     press(Key.Key_3, _ALT)
-    layer = desk.labelling._shapes.on_floor
+    layer = controller.labelling._shapes.on_floor
     _click(layer, 0.3, 0.5)
     _click(layer, 0.7, 0.5)
     (line,) = labels().lines
@@ -189,9 +197,9 @@ def test_a_counting_line_has_its_forward_arrow_to_the_right_of_its_way(window, d
     assert seen == ["line 1"]
 
 
-def test_a_region_is_named_and_one_whose_edges_cross_is_refused(window, desk, press, labels):
+def test_a_region_is_named_and_one_whose_edges_cross_is_refused(window, controller, press, labels):
     press(Key.Key_4, _ALT)
-    layer = desk.labelling._shapes.on_floor
+    layer = controller.labelling._shapes.on_floor
     _draw(layer, TRIANGLE)
     QTest.keyClick(layer, Key.Key_Return)
     drawn = window.workspace.labelling.drawn
@@ -204,7 +212,7 @@ def test_a_region_is_named_and_one_whose_edges_cross_is_refused(window, desk, pr
     assert drawn._list.count() == 1
 
 
-def test_reviewed_ranges_are_listed_marked_and_unmarked(window, desk, press, labels, qtbot):
+def test_reviewed_ranges_are_listed_marked_and_unmarked(window, controller, press, labels, qtbot):
     press(Key.Key_5, _ALT)
     ranges = window.workspace.labelling.ranges
     ranges._first.setValue(10)
@@ -213,47 +221,50 @@ def test_reviewed_ranges_are_listed_marked_and_unmarked(window, desk, press, lab
     assert [(one.track, one.start, one.end) for one in labels().reviewed] == [(0, 10, 20)]
     assert ranges._list.item(0).text() == "Everybody: frames 10 to 19"
     ranges._list.itemClicked.emit(ranges._list.item(0))
-    assert desk.playback.clock.frame == 10
+    assert controller.playback.clock.frame == 10
     ranges._list.setCurrentRow(0)
     ranges._unmark.click()
     assert labels().reviewed == ()
 
 
 def test_no_more_than_a_second_is_proposed_as_reviewed_or_the_range_that_is_set(
-    window, desk, press
+    window, controller, press
 ):
     press(Key.Key_5, _ALT)
     ranges = window.workspace.labelling.ranges
-    frame, fps = desk.playback.number, desk.document.recording.fps
+    frame, fps = controller.playback.number, controller.document.recording.fps
     assert ranges._first.value() == frame
-    assert ranges._last.value() == min(frame + round(fps), desk.document.recording.frame_count) - 1
+    assert (
+        ranges._last.value()
+        == min(frame + round(fps), controller.document.recording.frame_count) - 1
+    )
     assert ranges._unmark.isHidden()
-    desk.document.correcting.marked = (5, 9)
-    desk.draw()
+    controller.document.correcting.marked = (5, 9)
+    controller.draw()
     assert (ranges._first.value(), ranges._last.value()) == (5, 8)
 
 
-def test_a_click_where_a_tool_does_not_draw_is_answered(window, desk, press):
+def test_a_click_where_a_tool_does_not_draw_is_answered(window, controller, press):
     said = []
-    desk.labelling.said.connect(said.append)
+    controller.labelling.said.connect(said.append)
     press(Key.Key_2, _ALT)
     window.workspace.right.picture_clicked.emit(5.0, 5.0)
     assert said == ["Occluders are drawn in the left eye"]
-    desk.labelling.leave()
+    controller.labelling.leave()
     window.workspace.right.picture_clicked.emit(5.0, 5.0)
     assert len(said) == 1
 
 
-def test_labels_can_be_hidden_and_an_edit_takes_over_from_a_tool(window, desk, press):
+def test_labels_can_be_hidden_and_an_edit_takes_over_from_a_tool(window, controller, press):
     press(Key.Key_2, _ALT)
-    _draw(desk.labelling._shapes.on_picture, TRIANGLE)
-    QTest.keyClick(desk.labelling._shapes.on_picture, Key.Key_Return)
-    desk.labelling.leave()
+    _draw(controller.labelling._shapes.on_picture, TRIANGLE)
+    QTest.keyClick(controller.labelling._shapes.on_picture, Key.Key_Return)
+    controller.labelling.leave()
     assert len(window.workspace.left._labels.outlines) == 1
     press(Key.Key_U)
     assert window.workspace.left._labels.outlines == ()
     press(Key.Key_Tab)
     press(Key.Key_2, _ALT)
     press(Key.Key_X)
-    assert desk.document.flow is not None
-    assert desk.labelling.tool is None
+    assert controller.document.flow is not None
+    assert controller.labelling.tool is None

@@ -3,7 +3,7 @@
 import cv2
 import numpy as np
 import pytest
-from correcting_desk import CTRL, Hands, opened_desk
+from correcting_window import CTRL, Hands, open_for_correcting
 from PySide6.QtCore import Qt
 
 from app.views.files import save_controller
@@ -23,7 +23,7 @@ def hands(window, qtbot, tmp_path) -> Hands:
     (folder / "recording.toml").write_text(
         'format = 1\nname = "one camera"\nfps = 10.0\n[left]\nsource = "*.png"\n'
     )
-    return Hands(window, opened_desk(window, qtbot, folder, 2), qtbot)
+    return Hands(window, open_for_correcting(window, qtbot, folder, 2), qtbot)
 
 
 def _draw(hands, corner: tuple[float, float]) -> None:
@@ -34,9 +34,9 @@ def _draw(hands, corner: tuple[float, float]) -> None:
 
 
 def test_the_first_box_makes_the_session_and_asks_nothing(hands):
-    assert hands.desk.document.session is None
+    assert hands.controller.document.session is None
     _draw(hands, (30, 20))
-    session = hands.desk.document.session
+    session = hands.controller.document.session
     assert session.tracks.track_ids == (1,)
     row = hands.row(1, 2)
     assert [row[n] for n in ("left", "top")] == pytest.approx([30, 20], abs=1)
@@ -56,15 +56,15 @@ def test_boxes_drawn_on_two_frames_are_joined_straight_through_the_picture(hands
 def test_undo_takes_the_first_box_back_at_once_and_redo_brings_it_again(hands):
     _draw(hands, (30, 20))
     hands.press(Key.Key_Z, CTRL)
-    assert hands.desk.document.session.tracks.track_ids == ()
+    assert hands.controller.document.session.tracks.track_ids == ()
     hands.press(Key.Key_Y, CTRL)
-    assert hands.desk.document.session.tracks.track_ids == (1,)
+    assert hands.controller.document.session.tracks.track_ids == (1,)
 
 
 def test_leaving_the_first_box_undone_makes_no_session(hands):
     hands.press(Key.Key_W)
     hands.press(Key.Key_Escape)
-    assert hands.desk.document.session is None
+    assert hands.controller.document.session is None
 
 
 def test_what_was_labelled_is_saved_where_the_dialog_says(hands, tmp_path, monkeypatch):

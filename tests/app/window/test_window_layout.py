@@ -14,12 +14,14 @@ def window_on_a_laptop(window, qtbot, tiny_session, monkeypatch):
     monkeypatch.setattr(review_search.Lookout, "find", lambda *_, **__: ())
     window.resize(1440, 900)
     window.files.open_path(tiny_session)
-    qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
-    desk = window.desk
-    desk.editing.pick(desk.document.tracks.ids[0])
+    qtbot.waitUntil(
+        lambda: window.controller is not None and window.controller.playback.frame is not None
+    )
+    controller = window.controller
+    controller.editing.pick(controller.document.tracks.ids[0])
     for number in range(8):
-        desk.editing.rename(desk.document.selection.track, f"name {number}")
-    qtbot.waitUntil(lambda: not desk.reviewing._search.busy)
+        controller.editing.rename(controller.document.selection.track, f"name {number}")
+    qtbot.waitUntil(lambda: not controller.reviewing._search.busy)
     window.grab()  # lays it out
     return window
 

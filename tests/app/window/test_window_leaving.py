@@ -19,8 +19,10 @@ _BUTTON = QMessageBox.StandardButton
 def fresh(window, qtbot, tiny_recording):
     """A recording that nobody has tracked yet."""
     window.files.open_path(tiny_recording)
-    qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
-    return window.desk
+    qtbot.waitUntil(
+        lambda: window.controller is not None and window.controller.playback.frame is not None
+    )
+    return window.controller
 
 
 def _answer(window, qtbot, button):
@@ -32,13 +34,13 @@ def _answer(window, qtbot, button):
     return text
 
 
-def _rename(desk, name):
-    desk.editing.rename(desk.document.session.tracks.track_ids[0], name)
+def _rename(controller, name):
+    controller.editing.rename(controller.document.session.tracks.track_ids[0], name)
 
 
-def test_saving_that_is_refused_while_other_work_runs_can_be_done_later(window, desk, qtbot):
+def test_saving_that_is_refused_while_other_work_runs_can_be_done_later(window, controller, qtbot):
     go = threading.Event()
-    _rename(desk, "first")
+    _rename(controller, "first")
     window.work.run("Scoring", lambda _: go.wait(PATIENCE_S), lambda _: None)
     window.files.saving.save()
     go.set()
@@ -47,19 +49,19 @@ def test_saving_that_is_refused_while_other_work_runs_can_be_done_later(window, 
     qtbot.waitUntil(lambda: not window.files.saving.unsaved)
 
 
-def test_edits_not_saved_are_asked_for_also_while_a_tracker_begins(window, desk):
-    _rename(desk, "first")
-    desk.tracking.track("stereo-colour")
-    assert desk.live.done == 0
+def test_edits_not_saved_are_asked_for_also_while_a_tracker_begins(window, controller):
+    _rename(controller, "first")
+    controller.tracking.track("stereo-colour")
+    assert controller.live.done == 0
     assert window.files.saving.unsaved
 
 
-def test_the_question_names_the_session_and_its_recording(window, desk, qtbot, tiny_session):
-    _rename(desk, "first")
+def test_the_question_names_the_session_and_its_recording(window, controller, qtbot, tiny_session):
+    _rename(controller, "first")
     window.files.close_recording()
     text = _answer(window, qtbot, _BUTTON.Cancel)
     assert tiny_session.name in text
-    assert desk.document.recording.name in text
+    assert controller.document.recording.name in text
 
 
 def test_the_question_names_the_tracker_at_work(window, fresh, qtbot):
@@ -70,14 +72,14 @@ def test_the_question_names_the_tracker_at_work(window, fresh, qtbot):
     assert f'{fresh.live.tracker} is still tracking "{fresh.document.recording.name}"' in text
 
 
-def test_an_edit_that_was_taken_back_is_not_asked_about(window, desk):
-    _rename(desk, "first")
-    desk.editing.undo()
+def test_an_edit_that_was_taken_back_is_not_asked_about(window, controller):
+    _rename(controller, "first")
+    controller.editing.undo()
     assert window.files.may_leave(lambda: None)
 
 
-def test_a_result_in_place_of_one_that_was_dropped_is_asked_about(window, desk, qtbot):
-    session = desk.document.session
+def test_a_result_in_place_of_one_that_was_dropped_is_asked_about(window, controller, qtbot):
+    session = controller.document.session
     session.add_run(session.runs[0], adopt=False)
     window.files.saving.save()
     qtbot.waitUntil(lambda: not window.files.saving.unsaved)
@@ -86,29 +88,29 @@ def test_a_result_in_place_of_one_that_was_dropped_is_asked_about(window, desk, 
     session.add_run(session.runs[0], adopt=False)
     window.files.close_recording()
     assert "Save" in _answer(window, qtbot, _BUTTON.Cancel)
-    assert window.desk is desk
+    assert window.controller is controller
 
 
-def test_a_result_that_was_added_and_dropped_again_is_not_asked_about(window, desk):
-    session = desk.document.session
+def test_a_result_that_was_added_and_dropped_again_is_not_asked_about(window, controller):
+    session = controller.document.session
     session.add_run(session.runs[0], adopt=False)
     session.drop_run(1)
     assert window.files.may_leave(lambda: None)
 
 
 def test_unsaved_work_of_an_earlier_sitting_is_kept_and_not_asked_about_again(
-    window, desk, qtbot, tiny_session
+    window, controller, qtbot, tiny_session
 ):
-    _rename(desk, "first")
-    track = desk.document.session.history.next_undo.change.tracks[0]
+    _rename(controller, "first")
+    track = controller.document.session.history.next_undo.change.tracks[0]
     window.files.close_without_asking()
     for _ in range(2):
         window.files.open_path(tiny_session)
-        qtbot.waitUntil(lambda: window.desk is not None and not window.work.busy)
-        assert window.desk.document.label(track).name == "first"
+        qtbot.waitUntil(lambda: window.controller is not None and not window.work.busy)
+        assert window.controller.document.label(track).name == "first"
         assert window.files.saving.unsaved
         window.files.close_recording()
-        assert window.desk is None
+        assert window.controller is None
 
 
 def test_a_session_that_was_never_saved_is_asked_about_where_it_was_made_alone(
@@ -121,54 +123,54 @@ def test_a_session_that_was_never_saved_is_asked_about_where_it_was_made_alone(
     assert fresh.document.recording.name in _answer(window, qtbot, _BUTTON.Cancel)
     window.files.close_without_asking()
     window.files.open_path(path)
-    qtbot.waitUntil(lambda: window.desk is not None and not window.work.busy)
+    qtbot.waitUntil(lambda: window.controller is not None and not window.work.busy)
     window.files.close_recording()
-    assert window.desk is None
+    assert window.controller is None
     assert path.is_file()
 
 
-def test_letting_a_tracker_go_does_not_let_edits_go(window, desk, qtbot):
-    _rename(desk, "first")
-    desk.tracking.track("stereo-colour")
-    qtbot.waitUntil(lambda: desk.live.done > 3)
+def test_letting_a_tracker_go_does_not_let_edits_go(window, controller, qtbot):
+    _rename(controller, "first")
+    controller.tracking.track("stereo-colour")
+    qtbot.waitUntil(lambda: controller.live.done > 3)
     window.files.close_recording()
     assert "tracker" in _answer(window, qtbot, _BUTTON.Discard)
-    assert not desk.live.running
+    assert not controller.live.running
     assert "Save" in _answer(window, qtbot, _BUTTON.Cancel)
-    assert desk.document.session.history.next_undo is not None
+    assert controller.document.session.history.next_undo is not None
 
 
 def test_a_file_that_does_not_open_leaves_the_open_session_as_it_is_and_asks_nothing(
-    window, desk, qtbot, tmp_path
+    window, controller, qtbot, tmp_path
 ):
     wrong = tmp_path / "wrong.h5"
     wrong.write_text("no session")
-    _rename(desk, "first")
+    _rename(controller, "first")
     window.files.open_path(wrong)
     qtbot.waitUntil(lambda: "wrong.h5" in window.notice.text and not window.work.busy)
     assert window.findChild(QMessageBox, "unsaved") is None
-    assert window.desk is desk
+    assert window.controller is controller
     assert window.files.saving.unsaved
 
 
 @pytest.mark.parametrize("button", [_BUTTON.Save, _BUTTON.Discard], ids=["save", "discard"])
 def test_a_file_that_opens_takes_the_place_of_the_session_once_that_is_answered(
-    window, desk, qtbot, tiny_recording, button
+    window, controller, qtbot, tiny_recording, button
 ):
-    _rename(desk, "first")
+    _rename(controller, "first")
     window.files.open_path(tiny_recording)
     assert "Save" in _answer(window, qtbot, button)
-    qtbot.waitUntil(lambda: window.desk not in (None, desk))
+    qtbot.waitUntil(lambda: window.controller not in (None, controller))
     assert window.files.session is None
 
 
 def test_a_session_opened_once_more_is_as_it_was_saved_where_its_changes_are_discarded(
-    window, desk, qtbot, tiny_session
+    window, controller, qtbot, tiny_session
 ):
-    _rename(desk, "first")
+    _rename(controller, "first")
     window.files.open_path(tiny_session)
     _answer(window, qtbot, _BUTTON.Discard)
-    qtbot.waitUntil(lambda: window.desk not in (None, desk))
+    qtbot.waitUntil(lambda: window.controller not in (None, controller))
     assert window.files.session.history.next_undo is None
     assert not window.files.session.read_only
 
@@ -202,21 +204,23 @@ def test_opening_another_recording_lets_the_first_one_go(
     let_go = []
     for path in (tiny_session, tiny_recording):
         window.files.open_path(path)
-        qtbot.waitUntil(lambda: window.desk is not None and not window.work.busy)
-        qtbot.waitUntil(lambda: window.desk.playback.frame is not None)
+        qtbot.waitUntil(lambda: window.controller is not None and not window.work.busy)
+        qtbot.waitUntil(lambda: window.controller.playback.frame is not None)
         window.run_command("view.foreground")
-        let_go.append(weakref.ref(window.desk.document.recording))
+        let_go.append(weakref.ref(window.controller.document.recording))
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     gc.collect()
     assert let_go[0]() is None
     assert let_go[1]() is not None
 
 
-def test_edits_whose_folder_vanished_are_told_when_the_recording_is_closed(window, desk, tmp_path):
-    _rename(desk, "first")
-    path = desk.document.session.path
+def test_edits_whose_folder_vanished_are_told_when_the_recording_is_closed(
+    window, controller, tmp_path
+):
+    _rename(controller, "first")
+    path = controller.document.session.path
     shutil.rmtree(companions(path))
     path.rename(tmp_path / "elsewhere.h5")
     window.files.close_without_asking()
-    assert window.desk is None
+    assert window.controller is None
     assert "may be lost" in window.notice.text

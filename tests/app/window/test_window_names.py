@@ -45,8 +45,10 @@ def _nameless(widget: QWidget) -> list[str]:
 @pytest.fixture
 def opened(window, qtbot, tiny_session):
     window.files.open_path(tiny_session)
-    qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
-    window.desk.editing.pick(window.desk.document.tracks.ids[0])
+    qtbot.waitUntil(
+        lambda: window.controller is not None and window.controller.playback.frame is not None
+    )
+    window.controller.editing.pick(window.controller.document.tracks.ids[0])
     return window
 
 
@@ -99,7 +101,7 @@ def test_no_key_has_two_commands():
 def test_the_title_marks_what_is_not_saved(opened, qtbot):
     qtbot.waitUntil(lambda: "tiny.h5" in opened.windowTitle())
     assert not opened.isWindowModified()
-    opened.desk.editing.rename(opened.desk.document.tracks.ids[0], "red coat")
+    opened.controller.editing.rename(opened.controller.document.tracks.ids[0], "red coat")
     qtbot.waitUntil(opened.isWindowModified)
     opened.run_command("file.save")
     qtbot.waitUntil(lambda: not opened.isWindowModified())

@@ -1,7 +1,7 @@
 """What the line below the pictures tells, and when it goes again."""
 
 import pytest
-from correcting_desk import Hands, opened_desk
+from correcting_window import Hands, open_for_correcting
 from PySide6.QtCore import QPoint, Qt
 
 from tracking.errors import SessionError
@@ -11,7 +11,7 @@ Key = Qt.Key
 
 @pytest.fixture
 def hands(window, qtbot, tiny_session) -> Hands:
-    hands = Hands(window, opened_desk(window, qtbot, tiny_session), qtbot)
+    hands = Hands(window, open_for_correcting(window, qtbot, tiny_session), qtbot)
     hands.press(Key.Key_Tab)
     return hands
 
@@ -23,21 +23,21 @@ def full_disk(hands, monkeypatch):
     def refuse(*_):
         raise SessionError("the edit could not be written: the disk is full")
 
-    monkeypatch.setattr(hands.desk.document.session, "apply", refuse)
+    monkeypatch.setattr(hands.controller.document.session, "apply", refuse)
     return monkeypatch.undo
 
 
 def test_an_edit_the_disk_refused_waits_on_and_enter_tries_again(window, hands, full_disk, qtbot):
     hands.press(Key.Key_Delete)
-    assert hands.desk.document.planned.change is not None
+    assert hands.controller.document.planned.change is not None
     hands.press(Key.Key_Return)
     assert "the disk is full" in window.notice.text
-    assert hands.desk.document.flow is not None
+    assert hands.controller.document.flow is not None
     assert window.workspace.preview.isVisible()
     full_disk()
     hands.press(Key.Key_Return)
-    assert hands.desk.document.flow is None
-    assert len(hands.desk.document.session.history) == 1
+    assert hands.controller.document.flow is None
+    assert len(hands.controller.document.session.history) == 1
     qtbot.waitUntil(lambda: window.notice.text == "")
 
 
@@ -49,10 +49,10 @@ def test_a_save_that_works_ends_what_was_told_of_one_that_did_not(window, hands,
 
 def test_the_word_about_what_was_recovered_goes_with_the_first_edit(window, hands, qtbot):
     window.notice.say("recovered", passing=True)
-    hands.desk.draw()
+    hands.controller.draw()
     qtbot.wait(5)
     assert window.notice.text == "recovered"
-    hands.desk.editing.rename(hands.desk.document.selection.track, "anna")
+    hands.controller.editing.rename(hands.controller.document.selection.track, "anna")
     qtbot.waitUntil(lambda: window.notice.text == "")
 
 

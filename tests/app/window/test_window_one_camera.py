@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from correcting_desk import opened_desk
+from correcting_window import open_for_correcting
 from PySide6.QtCore import Qt
 
 from app.presenters.pictures.of_run import AtWork
@@ -22,8 +22,8 @@ Key, SHIFT = Qt.Key, Qt.KeyboardModifier.ShiftModifier
 
 
 @pytest.fixture
-def desk(window, qtbot, tiny_session):
-    return opened_desk(window, qtbot, tiny_session)
+def controller(window, qtbot, tiny_session):
+    return open_for_correcting(window, qtbot, tiny_session)
 
 
 def overlay(window) -> np.ndarray | None:
@@ -31,11 +31,13 @@ def overlay(window) -> np.ndarray | None:
 
 
 @pytest.mark.parametrize("key", [Key.Key_E, Key.Key_R])
-def test_a_key_lays_them_over_the_left_eye_and_takes_them_off(window, desk, press, key):
-    run = desk.document.session.corrected_run
+def test_a_key_lays_them_over_the_left_eye_and_takes_them_off(window, controller, press, key):
+    run = controller.document.session.corrected_run
     object.__setattr__(run, "tracker", "spheroid")
     object.__setattr__(run, "settings", {"paper": True})
-    desk.editing.pick(int(desk.document.tracks.of_frame(desk.playback.number)["track"][0]))
+    controller.editing.pick(
+        int(controller.document.tracks.of_frame(controller.playback.number)["track"][0])
+    )
     press(key, SHIFT)
     assert np.count_nonzero(overlay(window)[..., 3]) > 50
     assert window.workspace.right._scene.overlay is None
@@ -47,28 +49,28 @@ def test_a_key_lays_them_over_the_left_eye_and_takes_them_off(window, desk, pres
     ("command", "said"),
     [("tracklets", "track with flow"), ("evaluation", "No region of evaluation here")],
 )
-def test_what_is_not_there_is_told_with_what_to_do(window, desk, command, said):
+def test_what_is_not_there_is_told_with_what_to_do(window, controller, command, said):
     window.run_command(f"view.{command}")
     assert said in window.statusBar().currentMessage()
     window.run_command(f"view.{command}")
 
 
-def test_tracklets_follow_the_frame(window, desk, press, qtbot):
-    run = desk.document.session.corrected_run
-    frames = desk.document.recording.frame_count
+def test_tracklets_follow_the_frame(window, controller, press, qtbot):
+    run = controller.document.session.corrected_run
+    frames = controller.document.recording.frame_count
     point = {name: np.full(frames, 40, dtype) for name, dtype in TRACKLET_COLUMNS.items()}
     point["track"][:] = 1
     point["u0"][:] = np.arange(frames) + 50
     object.__setattr__(run, "tracklets", Particles(np.arange(frames + 1), point))
     press(Key.Key_T, SHIFT)
     before = np.argwhere(overlay(window)[..., 3] > 200)[:, 1].max()
-    desk.playback.step(10)
-    qtbot.waitUntil(lambda: desk.playback.number == desk.playback.clock.frame)
+    controller.playback.step(10)
+    qtbot.waitUntil(lambda: controller.playback.number == controller.playback.clock.frame)
     after = np.argwhere(overlay(window)[..., 3] > 200)[:, 1].max()
     assert after == before + 10
 
 
-def test_the_ramp_image_covers_the_picture_with_its_legend(window, desk, press, qtbot):
+def test_the_ramp_image_covers_the_picture_with_its_legend(window, controller, press, qtbot):
     press(Key.Key_B, SHIFT)
     qtbot.waitUntil(lambda: overlay(window) is not None)
     assert (overlay(window)[..., 3] > 0).all()
@@ -77,24 +79,24 @@ def test_the_ramp_image_covers_the_picture_with_its_legend(window, desk, press, 
 
 
 def test_the_ramp_image_is_made_anew_with_the_settings_of_a_tracker_at_work(
-    window, desk, press, qtbot
+    window, controller, press, qtbot
 ):
     press(Key.Key_B, SHIFT)
     qtbot.waitUntil(lambda: overlay(window) is not None)
     dark = int(overlay(window)[..., :3].astype(int).sum())
     settings = settings_from(SpheroidSettings, {"ramp.low": 0.1, "ramp.high": 0.5})
-    desk.document.begin_live(0, AtWork.of("spheroid", settings))
-    desk.draw_instant()
+    controller.document.begin_live(0, AtWork.of("spheroid", settings))
+    controller.draw_instant()
     qtbot.waitUntil(lambda: overlay(window) is not None)
     assert int(overlay(window)[..., :3].astype(int).sum()) > 1.2 * dark
-    desk.document.end_live()
+    controller.document.end_live()
 
 
-def test_before_the_frame_a_tracker_goes_on_from_the_run_made_what_is_shown(desk):
-    desk.document.begin_live(40, AtWork.of("flow"))
-    assert desk.document.made_by(39) is desk.document.session.corrected_run
-    assert desk.document.made_by(40).tracker == "flow"
-    desk.document.end_live()
+def test_before_the_frame_a_tracker_goes_on_from_the_run_made_what_is_shown(controller):
+    controller.document.begin_live(40, AtWork.of("flow"))
+    assert controller.document.made_by(39) is controller.document.session.corrected_run
+    assert controller.document.made_by(40).tracker == "flow"
+    controller.document.end_live()
 
 
 def test_people_are_brighter_in_the_ramp_image_than_what_lies_around(

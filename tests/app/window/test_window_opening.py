@@ -17,7 +17,7 @@ from tracking.recording import open_recording
 
 
 def _is_open(window) -> bool:
-    return window.desk is not None and window.desk.playback.frame is not None
+    return window.controller is not None and window.controller.playback.frame is not None
 
 
 def test_the_first_page_is_shown_where_nothing_is_open(window):
@@ -30,7 +30,7 @@ def test_a_recording_opens_on_its_first_frame(window, qtbot, tiny_recording):
     window.files.open_path(tiny_recording)
     qtbot.waitUntil(lambda: _is_open(window))
     assert window.workspace.isVisible()
-    assert window.desk.playback.number == 0
+    assert window.controller.playback.number == 0
     assert "plaza" in window.windowTitle()
     assert tiny_recording.resolve() in window.remembered.recent
 
@@ -38,7 +38,7 @@ def test_a_recording_opens_on_its_first_frame(window, qtbot, tiny_recording):
 def test_a_session_opens_with_its_tracks(window, qtbot, tiny_session):
     window.files.open_path(tiny_session)
     qtbot.waitUntil(lambda: _is_open(window))
-    assert len(window.desk.document.tracks.ids) >= 4
+    assert len(window.controller.document.tracks.ids) >= 4
     assert not window.files.saving.unsaved
 
 
@@ -50,11 +50,11 @@ def test_what_was_told_as_a_session_was_tracked_is_said_once_and_goes_by_itself(
     with open_recording(tiny_recording) as recording:
         document_loader.keep_run(recording, run, path).close()
     window.files.open_path(path)
-    qtbot.waitUntil(lambda: window.desk is not None)
+    qtbot.waitUntil(lambda: window.controller is not None)
     assert "As it was tracked: tiny: the right eye was dark" in window.notice.text
     assert window.notice._passing.isActive()
     window.notice.hide()
-    window.desk.draw()
+    window.controller.draw()
     assert window.notice.text == ""
 
 
@@ -64,7 +64,7 @@ def test_what_cannot_be_opened_is_told_in_one_line_and_the_window_stays(window, 
     qtbot.waitUntil(lambda: bool(window.notice.text))
     assert "empty" in window.notice.text
     assert window.notice.text.count("\n") == 0
-    assert window.desk is None
+    assert window.controller is None
 
 
 def test_a_session_whose_recording_moved_offers_to_find_it(
@@ -78,7 +78,7 @@ def test_a_session_whose_recording_moved_offers_to_find_it(
     assert "--" not in window.notice.text
     window.files.open_path(tiny_session, tiny_recording)
     qtbot.waitUntil(lambda: _is_open(window))
-    assert window.desk.document.session is not None
+    assert window.controller.document.session is not None
 
 
 def test_a_recording_closes_back_to_the_first_page_which_lists_it(window, qtbot, tiny_recording):
@@ -86,7 +86,7 @@ def test_a_recording_closes_back_to_the_first_page_which_lists_it(window, qtbot,
     qtbot.waitUntil(lambda: _is_open(window))
     window.run_command("file.close")
     assert window.welcome.isVisible()
-    assert window.desk is None
+    assert window.controller is None
     assert [item.path for item in window.files.welcome_scene().recent] == [str(tiny_recording)]
 
 
@@ -145,9 +145,9 @@ def test_after_a_crash_the_window_opens_where_it_was_and_says_so(
 ):
     window.files.open_path(tiny_session)
     qtbot.waitUntil(lambda: _is_open(window))
-    person = window.desk.document.tracks.ids[1]
-    window.desk.editing.pick(person)
-    window.desk.playback.go(42)
+    person = window.controller.document.tracks.ids[1]
+    window.controller.editing.pick(person)
+    window.controller.playback.go(42)
     qtbot.waitUntil(lambda: remembered.place(tiny_session.resolve()).frame == 42)
     assert remembered.left_open == (tiny_session.resolve(),)
     window.files.close()
@@ -155,19 +155,19 @@ def test_after_a_crash_the_window_opens_where_it_was_and_says_so(
     window.files.greet_after_crash()
     window.files.open_path(tiny_session)
     qtbot.waitUntil(lambda: _is_open(window))
-    assert window.desk.playback.clock.frame == 42
-    assert window.desk.document.selection.track == person
+    assert window.controller.playback.clock.frame == 42
+    assert window.controller.document.selection.track == person
     assert "Here is where you were" in window.notice.text
 
 
 def test_a_recording_opens_again_where_it_was_left(window, qtbot, tiny_recording):
     window.files.open_path(tiny_recording)
     qtbot.waitUntil(lambda: _is_open(window))
-    window.desk.playback.go(30)
+    window.controller.playback.go(30)
     window.files.close_recording()
     window.files.open_path(tiny_recording)
     qtbot.waitUntil(lambda: _is_open(window))
-    assert window.desk.playback.clock.frame == 30
+    assert window.controller.playback.clock.frame == 30
     assert not window.notice.text
 
 
@@ -193,9 +193,9 @@ def test_the_demo_is_made_played_and_tracked_and_saved_beside(
     monkeypatch.setattr(demonstration, "render_recording", copy)
     window.run_command("file.demo")
     qtbot.waitUntil(lambda: _is_open(window))
-    assert window.desk.document.recording.path == demo.recording
-    assert window.desk.playback.clock.playing
-    assert window.desk.live.running
+    assert window.controller.document.recording.path == demo.recording
+    assert window.controller.playback.clock.playing
+    assert window.controller.live.running
     qtbot.waitUntil(lambda: window.files.session is not None)
     window.run_command("file.save")
     dialog = window.findChild(QFileDialog)
@@ -214,7 +214,7 @@ def test_a_demo_that_is_cancelled_leaves_nothing_behind(window, qtbot):
     qtbot.waitUntil(lambda: not window.work.busy)
     assert said == ["Stopped: Making the demo recording"]
     assert not demo.folder.exists() or list(demo.folder.iterdir()) == []
-    assert window.desk is None
+    assert window.controller is None
     assert window.menus.actions["file.open"].isEnabled()
 
 
@@ -283,7 +283,7 @@ def test_a_damaged_session_offers_the_copy_that_was_saved_before(window, qtbot, 
     window.notice._action.click()
     qtbot.waitUntil(lambda: _is_open(window))
     assert window.files.session.path == tiny_session.with_name("tiny-as-saved-before.h5")
-    assert len(window.desk.document.tracks.ids) >= 4
+    assert len(window.controller.document.tracks.ids) >= 4
 
 
 def test_a_file_that_is_dropped_is_opened(window, qtbot, tiny_recording):
@@ -296,36 +296,36 @@ def test_a_file_that_is_dropped_is_opened(window, qtbot, tiny_recording):
         assert page.isVisible()
         assert entering.isAccepted()
         dropped = QDropEvent(QPointF(5, 5), Qt.DropAction.CopyAction, mime, left, none)
-        before = window.desk
+        before = window.controller
         QApplication.sendEvent(part, dropped)
-        qtbot.waitUntil(lambda: window.desk is not before and _is_open(window))  # noqa: B023
+        qtbot.waitUntil(lambda: window.controller is not before and _is_open(window))  # noqa: B023
 
 
 def test_one_uncalibrated_camera_plays_and_is_tracked_in_parts(window, qtbot, tiny_recording):
     window.files.open_path(tiny_recording / "left.mp4")
     qtbot.waitUntil(lambda: _is_open(window))
-    desk = window.desk
+    controller = window.controller
     said = window.workspace.timeline.findChild(TracksArea)._scene.message
     assert "Press Space" in said
     assert "The position of the floor is unknown" in window.workspace.overhead._scene.message
     assert not window.workspace.eye_switch.isVisible()
     window.run_command("play.toggle")
-    assert desk.live.tracker == "three-part"
-    qtbot.waitUntil(lambda: desk.live.done > 3)
-    qtbot.waitUntil(lambda: desk.playback.number > 3)
+    assert controller.live.tracker == "three-part"
+    qtbot.waitUntil(lambda: controller.live.done > 3)
+    qtbot.waitUntil(lambda: controller.playback.number > 3)
     window.run_command("tracks.stop")
-    qtbot.waitUntil(lambda: desk.document.session is not None)
-    assert desk.document.session.runs[0].tracker == "three-part"
+    qtbot.waitUntil(lambda: controller.document.session is not None)
+    assert controller.document.session.runs[0].tracker == "three-part"
 
 
 def test_one_camera_is_not_taken_for_the_users_choice_of_an_eye(window, qtbot, tiny_recording):
     window.files.open_path(tiny_recording / "left.mp4")
     qtbot.waitUntil(lambda: _is_open(window))
-    assert window.desk.eyes == "left"
+    assert window.controller.eyes == "left"
     window.files.close()
     window.files.open_path(tiny_recording)
     qtbot.waitUntil(lambda: _is_open(window))
-    assert window.desk.eyes == "both"
+    assert window.controller.eyes == "both"
 
 
 def test_the_key_of_a_command_that_cannot_be_done_says_why(window, qtbot, tiny_recording):

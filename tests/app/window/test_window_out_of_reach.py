@@ -2,20 +2,20 @@
 
 
 def test_pictures_and_floor_show_the_same_frame_when_the_session_file_is_out_of_reach(
-    window, desk, qtbot, tiny_session
+    window, controller, qtbot, tiny_session
 ):
     away = tiny_session.rename(tiny_session.with_suffix(".away"))
     floor = window.workspace.overhead
-    last = desk.playback.clock.last_frame
+    last = controller.playback.clock.last_frame
     for frame in (last - 1, last):
-        desk.playback.go(frame)
-        qtbot.waitUntil(lambda frame=frame: desk.playback.number == frame)
+        controller.playback.go(frame)
+        qtbot.waitUntil(lambda frame=frame: controller.playback.number == frame)
         assert floor._scene.frame == frame
         people = {person.track for person in floor._scene.people}
-        assert people == set(desk.document.tracks.of_frame(frame)["track"].tolist())
+        assert people == set(controller.document.tracks.of_frame(frame)["track"].tolist())
     assert not len(floor._scene.particles)
     assert "out of reach" in window.notice.text
     away.rename(tiny_session)
-    desk.playback.go(last - 2)
-    qtbot.waitUntil(lambda: desk.playback.number == last - 2)
+    controller.playback.go(last - 2)
+    qtbot.waitUntil(lambda: controller.playback.number == last - 2)
     assert len(floor._scene.particles)

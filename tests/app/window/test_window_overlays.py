@@ -1,5 +1,5 @@
 import pytest
-from correcting_desk import CROWDED, opened_desk
+from correcting_window import CROWDED, open_for_correcting
 from PySide6.QtCore import QObject
 
 from app.background import OverlayMaker
@@ -8,11 +8,11 @@ from tracking.errors import RecordingError
 
 
 @pytest.fixture
-def desk(window, qtbot, tiny_session):
-    return opened_desk(window, qtbot, tiny_session)
+def controller(window, qtbot, tiny_session):
+    return open_for_correcting(window, qtbot, tiny_session)
 
 
-def test_foreground_comes_over_the_left_picture_and_goes_again(window, desk, qtbot):
+def test_foreground_comes_over_the_left_picture_and_goes_again(window, controller, qtbot):
     left = window.workspace.left
     window.run_command("view.foreground")
     assert window.menus.actions["view.foreground"].isCheckable()
@@ -23,12 +23,12 @@ def test_foreground_comes_over_the_left_picture_and_goes_again(window, desk, qtb
     assert left._scene.legend == ()
 
 
-def test_each_frame_has_its_own_overlay(window, desk, qtbot):
+def test_each_frame_has_its_own_overlay(window, controller, qtbot):
     left = window.workspace.left
     window.run_command("view.disparity")
     qtbot.waitUntil(lambda: left._scene.overlay is not None)
     first = left._scene.overlay
-    desk.playback.step(1)
+    controller.playback.step(1)
     qtbot.waitUntil(lambda: left._scene.frame == CROWDED + 1 and left._scene.overlay is not None)
     assert left._scene.overlay is not first
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from PySide6.QtWidgets import QTabBar
 
-from app.views.desk.below_floor import BelowFloor
+from app.views.recording.below_floor import BelowFloor
 
 
 def _tabs(window):
@@ -15,7 +15,7 @@ def _tabs(window):
     return [bar.tabText(at) for at in range(bar.count())] if bar.isVisible() else []
 
 
-def test_the_panel_opened_last_is_shown_and_the_other_is_a_tab_away(window, desk):
+def test_the_panel_opened_last_is_shown_and_the_other_is_a_tab_away(window, controller):
     view = window.workspace
     window.run_command("view.counting")
     assert _tabs(window) == []
@@ -28,7 +28,7 @@ def test_the_panel_opened_last_is_shown_and_the_other_is_a_tab_away(window, desk
     assert (view.counting.isVisible(), view.curves.isVisible()) == (True, False)
 
 
-def test_closing_a_panel_shows_the_one_that_is_left_and_then_none(window, desk):
+def test_closing_a_panel_shows_the_one_that_is_left_and_then_none(window, controller):
     view = window.workspace
     for name in ("counting", "curves", "curves"):
         window.run_command(f"view.{name}")
@@ -39,7 +39,7 @@ def test_closing_a_panel_shows_the_one_that_is_left_and_then_none(window, desk):
 
 
 def test_labelling_and_a_comparison_share_one_place_and_neither_squeezes_the_other(
-    window, desk, qtbot, tiny_session, tmp_path
+    window, controller, qtbot, tiny_session, tmp_path
 ):
     view = window.workspace
     bar = view.findChild(BelowFloor, "labelling and comparison").findChild(QTabBar)

@@ -1,7 +1,7 @@
 """Parts labelled by keys where the detector is least sure, and over a range."""
 
 import pytest
-from correcting_desk import CROWDED, CTRL, LEFT, NO_KEY, Hands, opened_desk
+from correcting_window import CROWDED, CTRL, LEFT, NO_KEY, Hands, open_for_correcting
 from PySide6.QtCore import QPoint, QPointF, QRectF, Qt
 from PySide6.QtTest import QTest
 
@@ -14,38 +14,38 @@ ALT = Qt.KeyboardModifier.AltModifier
 
 @pytest.fixture
 def hands(window, qtbot, parted_session):
-    return Hands(window, opened_desk(window, qtbot, parted_session), qtbot)
+    return Hands(window, open_for_correcting(window, qtbot, parted_session), qtbot)
 
 
 @pytest.fixture
 def labels(hands):
-    return lambda: hands.desk.document.session.labels.parts
+    return lambda: hands.controller.document.session.labels.parts
 
 
 @pytest.fixture
 def suggested(hands, qtbot):
     """Alt+6 was pressed and the first suggestion is looked at."""
     hands.press(Key.Key_6, ALT)
-    queue = lambda: hands.desk.labelling._keys.suggesting.queue  # noqa: E731
+    queue = lambda: hands.controller.labelling._keys.suggesting.queue  # noqa: E731
     qtbot.waitUntil(lambda: queue().current is not None)
     wait_there(hands, qtbot)
     return queue
 
 
 def wait_there(hands, qtbot):
-    playback = hands.desk.playback
+    playback = hands.controller.playback
     qtbot.waitUntil(lambda: playback.number == playback.clock.frame)
 
 
 def test_suggestions_are_those_of_the_detector_in_use_the_least_sure_first(hands, suggested):
-    document = hands.desk.document
+    document = hands.controller.document
     parts = document.session.runs[0].parts
     wanted = suggest(parts, document.recording.fps, built_in_detector(), {})
     assert [one.key for one in suggested().open] == [one.key for one in wanted]
     frame, track, part = suggested().open[0].key
-    assert hands.desk.playback.number == frame
+    assert hands.controller.playback.number == frame
     assert document.selection.track == track
-    assert hands.desk.labelling.part == part
+    assert hands.controller.labelling.part == part
 
 
 def test_the_list_says_whose_scores_it_goes_by(suggested):
@@ -57,7 +57,7 @@ def test_while_labelling_the_verdict_and_whose_score_it_is_stand_on_the_picture(
 ):
     (card,) = window.workspace.left._parts.cards
     frame, track, part = suggested().current.key
-    rows = hands.desk.document.session.runs[0].parts
+    rows = hands.controller.document.session.runs[0].parts
     here = (rows["frame"] == frame) & (rows["track"] == track) & (rows["part"] == part)
     said = next(line.text for line in card.lines if line.part == part)
     assert f"{rows['score'][here][0]:+.2f}" in said
@@ -76,11 +76,11 @@ def test_an_answer_goes_on_to_the_next_suggestion_and_keeps_who_said_it_and_why(
     label = labels()[first.key]
     assert label.on_part is False
     assert label.source == "tracker"
-    assert label.author == hands.desk.document.session.author != ""
+    assert label.author == hands.controller.document.session.author != ""
     assert label.reason == first.reason
     assert "unsure" in label.reason
     assert suggested().current == second
-    assert hands.desk.playback.number == second.key[0]
+    assert hands.controller.playback.number == second.key[0]
     hands.press(Key.Key_4)
     assert labels()[second.key].on_part is True
     assert suggested().current.key not in labels()
@@ -102,7 +102,7 @@ def test_n_and_p_walk_the_suggestions_without_labelling(hands, suggested, labels
 def test_what_is_suggested_is_seen_from_near_and_all_again_afterwards(hands, window, suggested):
     picture = window.workspace.left
     part = suggested().current.key[2]
-    mark = next(one for one in hands.desk.labelling._parts._marks if one.part == part)
+    mark = next(one for one in hands.controller.labelling._parts._marks if one.part == part)
     near = picture.viewport.scale
     rect = picture.viewport.rect(QRectF(*mark.box))
     assert QRectF(picture.rect()).contains(rect)
@@ -117,7 +117,7 @@ def test_undo_brings_a_suggestion_back(hands, suggested, labels, window):
     assert len(suggested().open) == count - 1
     hands.press(Key.Key_Z, CTRL)
     assert len(labels()) == 0
-    hands.desk.draw()
+    hands.controller.draw()
     assert suggested().open[0] == first
     shown = window.workspace.labelling.parts._suggestions
     assert shown._model.rowCount() == len(suggested().open)
@@ -139,13 +139,13 @@ def test_undo_looks_at_the_person_part_and_row_of_the_label_that_was_taken_back(
     wait_there(hands, qtbot)
     hands.press(Key.Key_5)
     wait_there(hands, qtbot)
-    assert hands.desk.document.selection.track != one.key[1]
+    assert hands.controller.document.selection.track != one.key[1]
     hands.press(Key.Key_Z, CTRL)
     wait_there(hands, qtbot)
     frame, track, part = one.key
-    assert hands.desk.playback.number == frame
-    assert hands.desk.document.selection.track == track
-    assert hands.desk.labelling.part == part
+    assert hands.controller.playback.number == frame
+    assert hands.controller.document.selection.track == track
+    assert hands.controller.labelling.part == part
     assert suggested().current == one
     hands.press(Key.Key_4)
     assert labels()[one.key].on_part is True
@@ -154,20 +154,20 @@ def test_undo_looks_at_the_person_part_and_row_of_the_label_that_was_taken_back(
 
 def test_a_key_labels_nobody_where_the_person_is_not_in_the_frame(hands, labels, window):
     track = hands.people()[0]
-    hands.desk.editing.pick(track)
+    hands.controller.editing.pick(track)
     hands.press(Key.Key_1, ALT)
     there = set(hands.frames(track))
-    count = hands.desk.document.recording.frame_count
+    count = hands.controller.document.recording.frame_count
     away = [frame for frame in range(count) if frame not in there]
-    hands.desk.playback.go(away[-1])
-    hands.qtbot.waitUntil(lambda: hands.desk.playback.number == away[-1])
+    hands.controller.playback.go(away[-1])
+    hands.qtbot.waitUntil(lambda: hands.controller.playback.number == away[-1])
     hands.press(Key.Key_4)
     assert len(labels()) == 0
     panel = window.workspace.labelling
     assert "has no box in frame" in panel._refused.text()
     assert not window.notice.isVisible()
     hands.go(sorted(there)[0])
-    hands.desk.draw()
+    hands.controller.draw()
     assert panel._refused.text() == ""  # it is not true any more
 
 
@@ -179,13 +179,13 @@ def test_an_answer_elsewhere_goes_on_from_there(hands, suggested, labels, qtbot)
     hands.press(Key.Key_7)
     hands.press(Key.Key_4)
     assert labels()[frame, track, 0].reason == ""
-    assert hands.desk.labelling.part == 1
-    assert hands.desk.playback.clock.frame == frame
+    assert hands.controller.labelling.part == 1
+    assert hands.controller.playback.clock.frame == frame
 
 
 def test_moving_a_suggested_rectangle_labels_it_where_it_was_put(hands, suggested, labels, qtbot):
     frame, track, part = suggested().open[0].key
-    layer = hands.desk.labelling._parts
+    layer = hands.controller.labelling._parts
     mark = next(one for one in layer._marks if one.part == part)
     rect = layer.canvas.viewport.rect(QRectF(*mark.box))
     scale = layer.canvas.viewport.scale  # the next suggestion is shown at its own
@@ -199,7 +199,7 @@ def test_moving_a_suggested_rectangle_labels_it_where_it_was_put(hands, suggeste
 
 def test_a_range_is_labelled_with_one_key_and_taken_back_with_one(hands, labels, window):
     track = hands.people()[0]
-    hands.desk.editing.pick(track)
+    hands.controller.editing.pick(track)
     hands.press(Key.Key_1, ALT)
     hands.press(Key.Key_BracketLeft)
     hands.go(CROWDED + 6)
@@ -219,7 +219,7 @@ def test_a_range_is_labelled_with_one_key_and_taken_back_with_one(hands, labels,
 
 
 def test_a_range_that_is_not_set_is_asked_for(hands, labels, window):
-    hands.desk.editing.pick(hands.people()[0])
+    hands.controller.editing.pick(hands.people()[0])
     hands.press(Key.Key_1, ALT)
     hands.press(Key.Key_R)
     hands.press(Key.Key_4)
@@ -227,24 +227,26 @@ def test_a_range_that_is_not_set_is_asked_for(hands, labels, window):
     panel = window.workspace.labelling
     assert "No range is set" in panel._refused.text()
     assert panel._refused.isVisible()
-    hands.desk.document.correcting.marked = (CROWDED, CROWDED + 2)
-    hands.desk.draw()
+    hands.controller.document.correcting.marked = (CROWDED, CROWDED + 2)
+    hands.controller.draw()
     assert not panel._refused.isVisible()
 
 
 def test_the_balance_of_a_part_is_told(hands, window):
-    hands.desk.editing.pick(hands.people()[0])
+    hands.controller.editing.pick(hands.people()[0])
     hands.press(Key.Key_1, ALT)
     for key in (Key.Key_4, Key.Key_5, Key.Key_5, Key.Key_4, Key.Key_4, Key.Key_4):
         hands.press(key)
-        hands.qtbot.waitUntil(lambda: hands.desk.playback.number == hands.desk.playback.clock.frame)
+        hands.qtbot.waitUntil(
+            lambda: hands.controller.playback.number == hands.controller.playback.clock.frame
+        )
     told = [bar.accessibleName() for bar in window.workspace.labelling.parts._balances]
     assert told[0] == "head: 100 % of 2 labels say on its part, 0 % off"
     assert told[1] == "torso: 50 % of 2 labels say on its part, 50 % off"
 
 
 def test_a_detector_that_is_gone_is_told_in_the_list(hands, window, qtbot, tmp_path):
-    hands.desk.document.detector = DetectorChoice(str(tmp_path / "gone.h5"))
+    hands.controller.document.detector = DetectorChoice(str(tmp_path / "gone.h5"))
     hands.press(Key.Key_6, ALT)
     shown = window.workspace.labelling.parts._suggestions
     qtbot.waitUntil(lambda: "gone.h5" in shown._told.text())
@@ -257,12 +259,12 @@ def test_a_suggestion_is_clicked(hands, suggested, window, qtbot):
     rect = shown._list.visualRect(shown._model.index(2))
     hands.click(shown._list.viewport(), QPointF(rect.center() + QPoint(1, 1)))
     assert suggested().current == third
-    assert hands.desk.playback.clock.frame == third.key[0]
+    assert hands.controller.playback.clock.frame == third.key[0]
 
 
 def _grip(hands, suggested):
     """The suggested rectangle, held in its middle and dragged along by (10, 4)."""
-    layer = hands.desk.labelling._parts
+    layer = hands.controller.labelling._parts
     mark = next(one for one in layer._marks if one.part == suggested().current.key[2])
     middle = layer.canvas.viewport.rect(QRectF(*mark.box)).center()
     QTest.mousePress(layer, LEFT, NO_KEY, middle.toPoint())
@@ -283,8 +285,8 @@ def test_a_rectangle_that_is_held_does_not_jump_when_the_view_shifts(hands, sugg
 
 def test_a_rectangle_that_is_held_is_not_put_into_another_frame(hands, suggested, labels):
     layer, mark, at = _grip(hands, suggested)
-    frame = hands.desk.playback.number
-    there = hands.desk.labelling._presenter.parts.parts
+    frame = hands.controller.playback.number
+    there = hands.controller.labelling._presenter.parts.parts
     other = next(n for n in (frame + 3, frame - 3) if mark.part in there(n))
     hands.go(other)
     QTest.mouseRelease(layer, LEFT, NO_KEY, at)

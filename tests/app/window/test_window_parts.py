@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 import run_with_parts
-from correcting_desk import CROWDED, Hands, opened_desk
+from correcting_window import CROWDED, Hands, open_for_correcting
 from PySide6.QtCore import QPointF, QRectF, Qt
 
 from tracking.editing import plan_reassign
@@ -14,7 +14,7 @@ SHIFT = Qt.KeyboardModifier.ShiftModifier
 
 @pytest.fixture
 def hands(window, qtbot, parted_session):
-    return Hands(window, opened_desk(window, qtbot, parted_session), qtbot)
+    return Hands(window, open_for_correcting(window, qtbot, parted_session), qtbot)
 
 
 @pytest.fixture
@@ -24,13 +24,13 @@ def picture(window):
 
 def _pick(hands, frame=CROWDED):
     track = hands.people(frame)[0]
-    hands.desk.editing.pick(track)
+    hands.controller.editing.pick(track)
     return track
 
 
 def test_every_part_of_everybody_stands_where_the_tracker_saw_it(hands, picture):
     boxes = picture._parts.boxes
-    rows = run_with_parts.parts_of(hands.desk.document.session.tracks.of_frame(CROWDED))
+    rows = run_with_parts.parts_of(hands.controller.document.session.tracks.of_frame(CROWDED))
     assert len(boxes) == len(rows["frame"])
     wanted = {
         (t, p): f for t, p, f in zip(rows["track"], rows["part"], rows["failed"], strict=True)
@@ -76,12 +76,12 @@ def test_f3_goes_from_failure_to_failure_of_the_selected_person_and_back(hands, 
     seen = []
     for _ in range(3):
         hands.press(Key.Key_F3)
-        seen.append((hands.desk.playback.clock.frame, hands.desk.labelling.part))
+        seen.append((hands.controller.playback.clock.frame, hands.controller.labelling.part))
     later = [one for one in starts if one[0] > CROWDED]
     assert seen == later[:3]
     hands.press(Key.Key_F3, SHIFT)
-    assert (hands.desk.playback.clock.frame, hands.desk.labelling.part) == later[1]
-    assert hands.desk.document.selection.track == track
+    assert (hands.controller.playback.clock.frame, hands.controller.labelling.part) == later[1]
+    assert hands.controller.document.selection.track == track
     assert "begins to fail" in window.statusBar().currentMessage()
 
 
@@ -90,8 +90,8 @@ def test_after_the_last_failure_of_anybody_f3_says_so_and_stays(hands, window):
     last = max(_failures(hands, one)[-1][0] for one in _failing(hands))
     hands.go(last)
     hands.press(Key.Key_F3)
-    assert hands.desk.playback.clock.frame == last
-    assert hands.desk.document.selection.track == track
+    assert hands.controller.playback.clock.frame == last
+    assert hands.controller.document.selection.track == track
     assert "No part of anybody fails after" in window.statusBar().currentMessage()
 
 
@@ -99,11 +99,11 @@ def test_f3_goes_on_to_others_once_the_selected_person_has_no_further_failure(ha
     early = min(_failing(hands), key=lambda one: _failures(hands, one)[-1])
     last = _failures(hands, early)[-1][0]
     hands.go(last)
-    hands.desk.editing.pick(early)
+    hands.controller.editing.pick(early)
     hands.press(Key.Key_F3)
-    now = hands.desk.document.selection.track
+    now = hands.controller.document.selection.track
     assert now not in (0, early)
-    at = (hands.desk.playback.clock.frame, hands.desk.labelling.part)
+    at = (hands.controller.playback.clock.frame, hands.controller.labelling.part)
     assert at in _failures(hands, now)
     assert at[0] > last
     said = window.statusBar().currentMessage()
@@ -115,17 +115,21 @@ def test_f3_brings_parts_back_that_were_switched_off(hands, picture):
     hands.press(Key.Key_Q)
     assert picture._parts.boxes == ()
     hands.press(Key.Key_F3)
-    hands.qtbot.waitUntil(lambda: hands.desk.playback.number == hands.desk.playback.clock.frame)
-    track = hands.desk.document.selection.track
+    hands.qtbot.waitUntil(
+        lambda: hands.controller.playback.number == hands.controller.playback.clock.frame
+    )
+    track = hands.controller.document.selection.track
     assert any(box.track == track and box.failed for box in picture._parts.boxes)
-    assert hands.desk.pictured.parts
+    assert hands.controller.pictured.parts
 
 
 def test_f3_comes_near_to_somebody_who_is_small_or_out_of_view(hands, picture):
     picture.show_close(QRectF(0.0, 0.0, 8.0, 8.0))
     hands.press(Key.Key_F3)
-    frame, track = hands.desk.playback.clock.frame, hands.desk.document.selection.track
-    place = picture.viewport.rect(QRectF(*hands.desk.parts.presenter.person_box(frame, track)))
+    frame, track = hands.controller.playback.clock.frame, hands.controller.document.selection.track
+    place = picture.viewport.rect(
+        QRectF(*hands.controller.parts.presenter.person_box(frame, track))
+    )
     assert QRectF(picture.rect()).contains(place)
     assert place.height() > picture.height() / 4
 
@@ -134,7 +138,7 @@ def test_the_lane_of_the_selected_person_shows_the_score_of_the_part(hands, wind
     track = _pick(hands)
     hands.press(Key.Key_9)
     score = _lane(window, track).score
-    rows = run_with_parts.parts_of(hands.desk.document.session.tracks.of_track(track))
+    rows = run_with_parts.parts_of(hands.controller.document.session.tracks.of_track(track))
     assert score.part == 2
     assert np.array_equal(score.curve.score, rows["score"][rows["part"] == 2])
     others = [lane for lane in window.workspace.timeline.area._scene.lanes if lane.track != track]
@@ -143,7 +147,7 @@ def test_the_lane_of_the_selected_person_shows_the_score_of_the_part(hands, wind
 
 def test_parts_follow_their_person_to_another_id(hands):
     track = _pick(hands)
-    document = hands.desk.document
+    document = hands.controller.document
     before = document.tracks.parts_of_track(track)
     new = max(document.tracks.ids) + 1
     document.apply(plan_reassign(document.session.tracks, track, new))
@@ -159,7 +163,7 @@ def test_the_plots_say_the_figures_at_the_playhead_and_a_click_goes_to_its_frame
     hands.press(Key.Key_Q, SHIFT)
     panel = window.workspace.curves
     assert panel.isVisible()
-    rows = run_with_parts.parts_of(hands.desk.document.session.tracks.of_track(track))
+    rows = run_with_parts.parts_of(hands.controller.document.session.tracks.of_track(track))
     head = (rows["part"] == 0) & (rows["frame"] == CROWDED)
     said = panel._said[0].text()
     assert f"{rows['score'][head][0]:+.2f}" in said
@@ -167,7 +171,7 @@ def test_the_plots_say_the_figures_at_the_playhead_and_a_click_goes_to_its_frame
     axis = panel.plot.axis
     place = QPointF(axis.x_of(CROWDED + 4.5), panel.plot.height() / 3)
     hands.click(panel.plot, place)
-    assert hands.desk.playback.clock.frame == CROWDED + 4
+    assert hands.controller.playback.clock.frame == CROWDED + 4
     hands.press(Key.Key_Q, SHIFT)
     assert not panel.isVisible()
 
@@ -178,8 +182,8 @@ def test_a_click_on_a_part_of_the_selected_person_looks_at_that_part(hands, pict
         box = next(one for one in picture._parts.boxes if (one.track, one.part) == (track, part))
         rect = picture.viewport.rect(QRectF(*box.box))
         hands.click(picture, rect.center())
-        assert hands.desk.document.selection.track == track
-        assert hands.desk.labelling.part == part
+        assert hands.controller.document.selection.track == track
+        assert hands.controller.labelling.part == part
 
 
 def test_resting_on_a_part_tells_what_the_detector_says_of_it(hands, picture):
@@ -191,7 +195,7 @@ def test_resting_on_a_part_tells_what_the_detector_says_of_it(hands, picture):
 def test_where_no_parts_were_tracked_the_plots_and_f3_say_how_to_get_them(
     window, qtbot, tiny_session
 ):
-    hands = Hands(window, opened_desk(window, qtbot, tiny_session), qtbot)
+    hands = Hands(window, open_for_correcting(window, qtbot, tiny_session), qtbot)
     _pick(hands)
     hands.press(Key.Key_Q, SHIFT)
     assert "three-part" in window.workspace.curves.plot._scene.message
@@ -210,12 +214,12 @@ def _lane(window, track):
 
 def _failing(hands):
     """Everybody of whom a part fails somewhere."""
-    return [one for one in hands.desk.document.tracks.ids if _failures(hands, one)]
+    return [one for one in hands.controller.document.tracks.ids if _failures(hands, one)]
 
 
 def _failures(hands, track):
     """(frame, part) at which a part of the track begins to fail, in the order of time."""
-    rows = run_with_parts.parts_of(hands.desk.document.session.tracks.of_track(track))
+    rows = run_with_parts.parts_of(hands.controller.document.session.tracks.of_track(track))
     failed = {
         (frame, part)
         for frame, part, bad in zip(
@@ -227,18 +231,18 @@ def _failures(hands, track):
 
 
 def test_part_failures_stand_in_the_review_queue_and_n_goes_to_them(hands, window, qtbot):
-    reviewing = hands.desk.reviewing
+    reviewing = hands.controller.reviewing
     qtbot.waitUntil(lambda: any(item.title == "Part failed" for item in reviewing.queue.items))
     reviewing.narrow("part")
     hands.press(Key.Key_N)
     current = reviewing.queue.current
     assert current.kind == "part"
-    assert hands.desk.document.selection.track == current.tracks[0]
-    there = hands.desk.document.session.tracks.frames_of_track(current.tracks[0])
+    assert hands.controller.document.selection.track == current.tracks[0]
+    there = hands.controller.document.session.tracks.frames_of_track(current.tracks[0])
     first = int(there[there >= current.start][0])
     assert first <= current.frame
-    hands.qtbot.waitUntil(lambda: hands.desk.playback.number == first)
-    rows = run_with_parts.parts_of(hands.desk.document.session.tracks.of_frame(current.frame))
+    hands.qtbot.waitUntil(lambda: hands.controller.playback.number == first)
+    rows = run_with_parts.parts_of(hands.controller.document.session.tracks.of_frame(current.frame))
     failed = {int(p) for t, p, bad in _rows(rows) if bad and t == current.tracks[0]}
     names = [name for part, name in enumerate(("head", "torso", "hip-leg")) if part in failed]
     assert names

@@ -81,10 +81,12 @@ def _describe(session: Session) -> None:
 @pytest.fixture
 def opened(window: MainWindow, qtbot: QtBot, hostile_session: Path) -> MainWindow:
     window.files.open_path(hostile_session)
-    qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
-    desk = window.desk
-    assert desk is not None
-    desk.editing.pick(desk.document.tracks.ids[0])
+    qtbot.waitUntil(
+        lambda: window.controller is not None and window.controller.playback.frame is not None
+    )
+    controller = window.controller
+    assert controller is not None
+    controller.editing.pick(controller.document.tracks.ids[0])
     qtbot.wait(1)
     return window
 
@@ -175,9 +177,9 @@ def test_no_notice_or_tooltip_renders_markup(opened: MainWindow) -> None:
 
 
 def test_the_question_about_unsaved_changes_is_plain_text(opened: MainWindow, qtbot: QtBot) -> None:
-    desk = opened.desk
-    assert desk is not None
-    desk.editing.rename(desk.document.selection.track, "<u>other")
+    controller = opened.controller
+    assert controller is not None
+    controller.editing.rename(controller.document.selection.track, "<u>other")
     opened.close()
     boxes = opened.findChildren(QMessageBox)
     assert [box.textFormat() for box in boxes] == [Qt.TextFormat.PlainText]

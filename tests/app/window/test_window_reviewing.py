@@ -53,18 +53,20 @@ def _swapped(columns, one, other):
 
 
 @pytest.fixture
-def desk(window, qtbot, swapped_session):
+def controller(window, qtbot, swapped_session):
     window.files.open_path(swapped_session[0])
-    qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
+    qtbot.waitUntil(
+        lambda: window.controller is not None and window.controller.playback.frame is not None
+    )
     with qtbot.waitActive(window):
         window.activateWindow()
-    qtbot.waitUntil(lambda: bool(window.desk.reviewing.queue.items))
+    qtbot.waitUntil(lambda: bool(window.controller.reviewing.queue.items))
     qtbot.waitUntil(lambda: window.menus.actions["review.next"].isEnabled())
-    return window.desk
+    return window.controller
 
 
 @pytest.fixture
-def press(window, desk, qtbot):
+def press(window, controller, qtbot):
     def press(key, modifiers=Qt.KeyboardModifier.NoModifier) -> None:
         qtbot.wait(1)  # commands are enabled before the next event
         QTest.keyClick(window.focusWidget() or window, key, modifiers)
@@ -74,13 +76,13 @@ def press(window, desk, qtbot):
 
 
 @pytest.fixture
-def to_the_swap(desk, press, swapped_session):
+def to_the_swap(controller, press, swapped_session):
     """Walk until the swap is looked at."""
 
     def walk():
-        for _ in desk.reviewing.queue.items:
+        for _ in controller.reviewing.queue.items:
             press(Key.Key_N)
-            current = desk.reviewing.queue.current
+            current = controller.reviewing.queue.current
             there = current.start <= SWAPPED_AT < current.end
             if there and current.fix == "swap" and set(current.tracks) == swapped_session[1]:
                 return current
@@ -89,224 +91,237 @@ def to_the_swap(desk, press, swapped_session):
     return walk
 
 
-def _verdicts(desk):
-    return {one.key: one.decision for one in desk.document.session.labels.verdicts.values()}
+def _verdicts(controller):
+    return {one.key: one.decision for one in controller.document.session.labels.verdicts.values()}
 
 
-def test_opening_a_session_fills_the_queue_and_marks_the_timeline(desk, window):
+def test_opening_a_session_fills_the_queue_and_marks_the_timeline(controller, window):
     panel = window.workspace.review
-    assert panel._left.text() == f"{len(desk.reviewing.queue.open)} left"
-    scene = desk.document.timeline(0, desk.playback.number)
+    assert panel._left.text() == f"{len(controller.reviewing.queue.open)} left"
+    scene = controller.document.timeline(0, controller.playback.number)
     marked = {(mark.frame, mark.track) for lane in scene.lanes for mark in lane.marks}
     assert marked == {
-        (one.frame, track) for one in desk.reviewing.queue.open for track in one.tracks
+        (one.frame, track) for one in controller.reviewing.queue.open for track in one.tracks
     }
 
 
-def test_n_goes_just_before_the_review_item_and_selects_its_people(desk, to_the_swap):
+def test_n_goes_just_before_the_review_item_and_selects_its_people(controller, to_the_swap):
     current = to_the_swap()
-    assert desk.playback.clock.frame == current.start
-    assert set(desk.document.selection.all) == set(current.tracks)
+    assert controller.playback.clock.frame == current.start
+    assert set(controller.document.selection.all) == set(current.tracks)
     assert abs(current.frame - SWAPPED_AT) <= 4
 
 
-def test_p_goes_back_to_the_one_before(desk, press):
+def test_p_goes_back_to_the_one_before(controller, press):
     press(Key.Key_N)
-    first = desk.reviewing.queue.current
+    first = controller.reviewing.queue.current
     press(Key.Key_N)
     press(Key.Key_P)
-    assert desk.reviewing.queue.current == first
+    assert controller.reviewing.queue.current == first
 
 
-def test_z_says_that_it_is_right_and_goes_on_to_the_next(desk, press):
+def test_z_says_that_it_is_right_and_goes_on_to_the_next(controller, press):
     press(Key.Key_N)
-    first, left = desk.reviewing.queue.current, len(desk.reviewing.queue.open)
+    first, left = controller.reviewing.queue.current, len(controller.reviewing.queue.open)
     press(Key.Key_Z)
-    assert _verdicts(desk)[first.key] == "right"
-    assert len(desk.reviewing.queue.open) < left
-    assert desk.reviewing.queue.current != first
-    assert desk.document.session.history.next_undo.kind == "verdict"
+    assert _verdicts(controller)[first.key] == "right"
+    assert len(controller.reviewing.queue.open) < left
+    assert controller.reviewing.queue.current != first
+    assert controller.document.session.history.next_undo.kind == "verdict"
 
 
-def test_a_decision_can_be_undone_and_is_asked_for_again(desk, press):
+def test_a_decision_can_be_undone_and_is_asked_for_again(controller, press):
     press(Key.Key_N)
-    first, left = desk.reviewing.queue.current, len(desk.reviewing.queue.open)
+    first, left = controller.reviewing.queue.current, len(controller.reviewing.queue.open)
     press(Key.Key_Backspace)
-    assert _verdicts(desk)[first.key] == "dismissed"
+    assert _verdicts(controller)[first.key] == "dismissed"
     press(Key.Key_Z, _CTRL)
-    assert _verdicts(desk) == {}
-    assert len(desk.reviewing.queue.open) == left
+    assert _verdicts(controller) == {}
+    assert len(controller.reviewing.queue.open) == left
 
 
-def test_undoing_a_decision_looks_at_its_review_item_and_its_people_again(desk, press):
+def test_undoing_a_decision_looks_at_its_review_item_and_its_people_again(controller, press):
     press(Key.Key_N)
-    first = desk.reviewing.queue.current
+    first = controller.reviewing.queue.current
     press(Key.Key_Backspace)
-    assert desk.reviewing.queue.current != first
+    assert controller.reviewing.queue.current != first
     press(Key.Key_Z, _CTRL)
-    assert desk.reviewing.queue.current == first
-    assert set(desk.document.selection.all) == set(first.tracks)
-    assert first.start <= desk.playback.clock.frame <= first.end
+    assert controller.reviewing.queue.current == first
+    assert set(controller.document.selection.all) == set(first.tracks)
+    assert first.start <= controller.playback.clock.frame <= first.end
 
 
-def test_undoing_what_put_a_review_item_right_looks_at_it_again(desk, press, to_the_swap, qtbot):
+def test_undoing_what_put_a_review_item_right_looks_at_it_again(
+    controller, press, to_the_swap, qtbot
+):
     current = to_the_swap()
     press(Key.Key_E)
     press(Key.Key_Return)
-    qtbot.waitUntil(lambda: not desk.reviewing._search.busy)
+    qtbot.waitUntil(lambda: not controller.reviewing._search.busy)
     press(Key.Key_N)
     press(Key.Key_Z, _CTRL)
-    qtbot.waitUntil(lambda: not desk.reviewing._search.busy)
-    qtbot.waitUntil(lambda: desk.reviewing.queue.current is not None)
-    assert desk.reviewing.queue.current.key == current.key
+    qtbot.waitUntil(lambda: not controller.reviewing._search.busy)
+    qtbot.waitUntil(lambda: controller.reviewing.queue.current is not None)
+    assert controller.reviewing.queue.current.key == current.key
 
 
-def test_e_and_enter_put_a_swap_right_and_remember_it_in_one_edit(desk, press, to_the_swap, qtbot):
+def test_e_and_enter_put_a_swap_right_and_remember_it_in_one_edit(
+    controller, press, to_the_swap, qtbot
+):
     current = to_the_swap()
     press(Key.Key_E)
-    flow = desk.document.flow
+    flow = controller.document.flow
     assert flow.kind is EditKind.SWAP
     assert {flow.track, flow.other} == set(current.tracks)
     assert abs(flow.cut - SWAPPED_AT) <= 2
     press(Key.Key_Return)
-    assert _verdicts(desk)[current.key] == "fixed"
-    assert len(desk.document.session.history) == 1
-    qtbot.waitUntil(lambda: not desk.reviewing._search.busy)
-    assert current.key not in {one.key for one in desk.reviewing.queue.open}
+    assert _verdicts(controller)[current.key] == "fixed"
+    assert len(controller.document.session.history) == 1
+    qtbot.waitUntil(lambda: not controller.reviewing._search.busy)
+    assert current.key not in {one.key for one in controller.reviewing.queue.open}
     press(Key.Key_Z, _CTRL)
-    assert _verdicts(desk) == {}
+    assert _verdicts(controller) == {}
 
 
-def test_an_edit_that_is_left_settles_nothing(desk, press, to_the_swap):
+def test_an_edit_that_is_left_settles_nothing(controller, press, to_the_swap):
     current = to_the_swap()
     press(Key.Key_E)
     press(Key.Key_Escape)
     press(Key.Key_S)  # another edit, of one of them alone
     press(Key.Key_Return)
-    assert len(desk.document.session.history) <= 1
-    assert current.key not in _verdicts(desk)
+    assert len(controller.document.session.history) <= 1
+    assert current.key not in _verdicts(controller)
 
 
-def test_each_stretch_is_played_to_its_end_where_that_is_wanted(desk, window, press, qtbot):
+def test_each_stretch_is_played_to_its_end_where_that_is_wanted(controller, window, press, qtbot):
     window.run_command("review.plays")
     qtbot.waitUntil(lambda: window.menus.actions["review.plays"].isChecked())
-    desk.playback.set_speed(4.0)
-    clock, played = desk.playback.clock, []
-    desk.playback.moved.connect(lambda: played.append(clock.playing))
+    controller.playback.set_speed(4.0)
+    clock, played = controller.playback.clock, []
+    controller.playback.moved.connect(lambda: played.append(clock.playing))
     press(Key.Key_N)  # on a busy machine a short stretch is over by the time this is back
-    current = desk.reviewing.queue.current
+    current = controller.reviewing.queue.current
     qtbot.waitUntil(lambda: any(played) and not clock.playing)
     end, stalled = min(current.end, clock.frame_count), LONGEST_STALL_S * clock.fps * clock.speed
     assert end - 1 <= clock.frame < end + 4 + stalled
 
 
 def test_what_was_watched_is_marked_as_reviewed_for_everybody_and_unmarked(
-    desk, window, press, qtbot
+    controller, window, press, qtbot
 ):
     for frame in range(30, 36):
-        desk.playback.go(frame)
-        qtbot.waitUntil(lambda frame=frame: desk.playback.number == frame)
+        controller.playback.go(frame)
+        qtbot.waitUntil(lambda frame=frame: controller.playback.number == frame)
     press(Key.Key_Z, _ALT)
-    (seen,) = desk.document.session.labels.reviewed
+    (seen,) = controller.document.session.labels.reviewed
     assert (seen.track, seen.start, seen.end) == (0, 30, 36)
     window.run_command("review.unmark")
-    assert desk.document.session.labels.reviewed == ()
+    assert controller.document.session.labels.reviewed == ()
 
 
-def test_what_was_watched_is_marked_for_who_is_selected(desk, press, qtbot):
-    track = desk.document.tracks.of_frame(30)["track"].tolist()[0]
-    desk.document.selection.choose(track)
+def test_what_was_watched_is_marked_for_who_is_selected(controller, press, qtbot):
+    track = controller.document.tracks.of_frame(30)["track"].tolist()[0]
+    controller.document.selection.choose(track)
     for frame in range(30, 36):
-        desk.playback.go(frame)
-        qtbot.waitUntil(lambda frame=frame: desk.playback.number == frame)
-    desk.changed.emit()
+        controller.playback.go(frame)
+        qtbot.waitUntil(lambda frame=frame: controller.playback.number == frame)
+    controller.changed.emit()
     press(Key.Key_Z, _SHIFT)
-    assert [seen.track for seen in desk.document.session.labels.reviewed] == [track]
+    assert [seen.track for seen in controller.document.session.labels.reviewed] == [track]
 
 
-def test_marking_a_whole_track_leaves_the_playhead_and_marks_only_its_frames(desk, window, qtbot):
-    tracks = desk.document.session.tracks
+def test_marking_a_whole_track_leaves_the_playhead_and_marks_only_its_frames(
+    controller, window, qtbot
+):
+    tracks = controller.document.session.tracks
     late = max(tracks.track_ids, key=lambda one: tracks.frame_range(one)[0])
     first, stop = tracks.frame_range(late)
     assert first > 0
-    desk.playback.go(stop - 1)
-    desk.document.selection.choose(late)
+    controller.playback.go(stop - 1)
+    controller.document.selection.choose(late)
     for choose in (True, False):
-        desk.editing.begin(EditKind.REVIEW, EditScope.WHOLE)
+        controller.editing.begin(EditKind.REVIEW, EditScope.WHOLE)
         if choose:
-            assert desk.playback.clock.frame == stop - 1
-        desk.editing.confirm()
-        assert desk.playback.clock.frame == stop - 1
-        reviewed = desk.document.session.labels.reviewed
+            assert controller.playback.clock.frame == stop - 1
+        controller.editing.confirm()
+        assert controller.playback.clock.frame == stop - 1
+        reviewed = controller.document.session.labels.reviewed
         assert (reviewed[0].start, reviewed[-1].end) == (first, stop)
-        desk.editing.undo()
-        assert desk.playback.clock.frame == stop - 1
-        assert desk.document.session.labels.reviewed == ()
+        controller.editing.undo()
+        assert controller.playback.clock.frame == stop - 1
+        assert controller.document.session.labels.reviewed == ()
 
 
-def test_undoing_an_edit_goes_back_to_the_item_it_was_made_at(desk, press, to_the_swap, qtbot):
+def test_undoing_an_edit_goes_back_to_the_item_it_was_made_at(
+    controller, press, to_the_swap, qtbot
+):
     current = to_the_swap()
-    desk.editing.begin(EditKind.SWAP)  # by hand, not with E
-    desk.playback.go(current.frame)
-    desk.editing.put_cut(current.frame)
-    desk.editing.confirm()
-    qtbot.waitUntil(lambda: not desk.reviewing._search.busy)
-    assert desk.document.session.history.next_undo.kind == "swap"
+    controller.editing.begin(EditKind.SWAP)  # by hand, not with E
+    controller.playback.go(current.frame)
+    controller.editing.put_cut(current.frame)
+    controller.editing.confirm()
+    qtbot.waitUntil(lambda: not controller.reviewing._search.busy)
+    assert controller.document.session.history.next_undo.kind == "swap"
     press(Key.Key_N)
-    assert desk.reviewing.queue.current is None or desk.reviewing.queue.current != current
+    assert (
+        controller.reviewing.queue.current is None or controller.reviewing.queue.current != current
+    )
     press(Key.Key_Z, _CTRL)
-    qtbot.waitUntil(lambda: not desk.reviewing._search.busy)
-    assert desk.reviewing.queue.current.tracks == current.tracks
-    assert abs(desk.reviewing.queue.current.frame - current.frame) <= desk.playback.clock.fps
+    qtbot.waitUntil(lambda: not controller.reviewing._search.busy)
+    assert controller.reviewing.queue.current.tracks == current.tracks
+    assert (
+        abs(controller.reviewing.queue.current.frame - current.frame)
+        <= controller.playback.clock.fps
+    )
 
 
-def test_undoing_an_edit_of_somebody_else_leaves_the_queue_where_it_is(desk, press, qtbot):
+def test_undoing_an_edit_of_somebody_else_leaves_the_queue_where_it_is(controller, press, qtbot):
     press(Key.Key_N)
-    first = desk.reviewing.queue.current
-    other = next(t for t in desk.document.tracks.ids if t not in first.tracks)
-    desk.editing.rename(other, "red coat")
+    first = controller.reviewing.queue.current
+    other = next(t for t in controller.document.tracks.ids if t not in first.tracks)
+    controller.editing.rename(other, "red coat")
     press(Key.Key_N)
-    second = desk.reviewing.queue.current
+    second = controller.reviewing.queue.current
     press(Key.Key_Z, _CTRL)
-    assert desk.reviewing.queue.current == second
+    assert controller.reviewing.queue.current == second
 
 
-def test_labels_alone_make_no_new_search(desk, qtbot):
-    qtbot.waitUntil(lambda: not desk.reviewing._search.busy)
-    session = desk.document.session
+def test_labels_alone_make_no_new_search(controller, qtbot):
+    qtbot.waitUntil(lambda: not controller.reviewing._search.busy)
+    session = controller.document.session
     track = session.tracks.track_ids[0]
-    desk.document.apply(plan_rename(session.tracks, session.labels, track, "red coat"))
-    desk.draw()
-    assert not desk.reviewing._search.busy
-    titles = {who.label for item in desk.reviewing.queue.items for who in item.people}
+    controller.document.apply(plan_rename(session.tracks, session.labels, track, "red coat"))
+    controller.draw()
+    assert not controller.reviewing._search.busy
+    titles = {who.label for item in controller.reviewing.queue.items for who in item.people}
     assert f"{track} red coat" in titles
 
 
-def test_after_an_edit_review_items_are_looked_for_again(desk, window, qtbot):
-    qtbot.waitUntil(lambda: not desk.reviewing._search.busy)
+def test_after_an_edit_review_items_are_looked_for_again(controller, window, qtbot):
+    qtbot.waitUntil(lambda: not controller.reviewing._search.busy)
     found = []
-    desk.reviewing._search.found.connect(found.append)
-    session = desk.document.session
-    desk.document.selection.choose(session.tracks.of_frame(50)["track"].tolist()[0])
-    desk.playback.go(50)
-    desk.editing.begin(EditKind.SPLIT)
-    desk.editing.confirm()
-    assert desk.reviewing._search.busy
+    controller.reviewing._search.found.connect(found.append)
+    session = controller.document.session
+    controller.document.selection.choose(session.tracks.of_frame(50)["track"].tolist()[0])
+    controller.playback.go(50)
+    controller.editing.begin(EditKind.SPLIT)
+    controller.editing.confirm()
+    assert controller.reviewing._search.busy
     qtbot.waitUntil(lambda: bool(found))
 
 
-def test_the_meter_tells_what_was_done_and_nothing_of_the_truth(desk, press, window, qtbot):
+def test_the_meter_tells_what_was_done_and_nothing_of_the_truth(controller, press, window, qtbot):
     press(Key.Key_N)
     press(Key.Key_Z)
-    qtbot.waitUntil(lambda: not desk.reviewing._search.busy)
+    qtbot.waitUntil(lambda: not controller.reviewing._search.busy)
     said = window.workspace.review._meter.text()
     assert "1 decided" in said
     assert "truth" not in said
 
 
-def test_how_good_the_queue_is_is_told_where_that_is_asked_and_as_long(desk, window, qtbot):
+def test_how_good_the_queue_is_is_told_where_that_is_asked_and_as_long(controller, window, qtbot):
     meter, action = window.workspace.review._meter, window.menus.actions["review.measure"]
-    qtbot.waitUntil(lambda: not desk.reviewing._search.busy)
+    qtbot.waitUntil(lambda: not controller.reviewing._search.busy)
     window.run_command("review.measure")
     qtbot.waitUntil(lambda: "identity errors" in meter.text())
     qtbot.waitUntil(action.isChecked)
@@ -316,9 +331,11 @@ def test_how_good_the_queue_is_is_told_where_that_is_asked_and_as_long(desk, win
 
 
 @pytest.mark.parametrize("command", ["help.keys", "edit.commands"])
-def test_after_a_list_of_commands_was_left_n_goes_on_at_once(desk, press, window, qtbot, command):
+def test_after_a_list_of_commands_was_left_n_goes_on_at_once(
+    controller, press, window, qtbot, command
+):
     press(Key.Key_N)
-    before = desk.reviewing.queue.place
+    before = controller.reviewing.queue.place
     window.run_command(command)
     top = QApplication.activePopupWidget() or QApplication.activeModalWidget()
     assert top is not None
@@ -327,24 +344,24 @@ def test_after_a_list_of_commands_was_left_n_goes_on_at_once(desk, press, window
         QTest.keyClick(QApplication.focusWidget(), Key.Key_Escape)
     assert not top.isVisible()
     press(Key.Key_N)
-    assert desk.reviewing.queue.place == before + 1
+    assert controller.reviewing.queue.place == before + 1
 
 
-def test_the_list_can_be_narrowed_sorted_and_clicked(desk, window, qtbot):
+def test_the_list_can_be_narrowed_sorted_and_clicked(controller, window, qtbot):
     panel: ReviewPanel = window.workspace.review
     panel.order_chosen.emit(Order.TIME.value)
-    frames = [item.frame for item in desk.reviewing.queue.items]
+    frames = [item.frame for item in controller.reviewing.queue.items]
     assert frames == sorted(frames)
-    kind = desk.reviewing.queue.kinds()[0]
+    kind = controller.reviewing.queue.kinds()[0]
     panel.kind_chosen.emit(kind.kind)
-    assert len(desk.reviewing.queue.items) == kind.count
-    item = desk.reviewing.queue.items[0]
+    assert len(controller.reviewing.queue.items) == kind.count
+    item = controller.reviewing.queue.items[0]
     at = panel._list.visualRect(panel._model.index(0)).center()
     qtbot.mouseClick(panel._list.viewport(), Qt.MouseButton.LeftButton, pos=at)
-    assert desk.reviewing.queue.current.key == item.key
+    assert controller.reviewing.queue.current.key == item.key
 
 
-def test_the_queue_is_empty_again_once_the_recording_is_closed(desk, window):
+def test_the_queue_is_empty_again_once_the_recording_is_closed(controller, window):
     window.files.close_without_asking()
     assert window.workspace.review._model.rowCount() == 0
 
@@ -362,8 +379,10 @@ def imported(window, qtbot, swapped_session, tiny_recording, request, tmp_path):
         document_loader.remember_place(session, recording)
         session.close()
     window.files.open_path(session.path)
-    qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
-    return window.desk
+    qtbot.waitUntil(
+        lambda: window.controller is not None and window.controller.playback.frame is not None
+    )
+    return window.controller
 
 
 @pytest.mark.parametrize("imported", [np.ones_like], indirect=True, ids=["ground truth"])
@@ -387,11 +406,13 @@ def test_where_nobody_is_tracked_there_is_nothing_to_review(
     window, qtbot, tiny_recording, tiny_run
 ):
     window.files.open_path(tiny_recording)
-    qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
-    desk = window.desk
+    qtbot.waitUntil(
+        lambda: window.controller is not None and window.controller.playback.frame is not None
+    )
+    controller = window.controller
     nobody = replace(tiny_run, tracks=empty(TRACK_COLUMNS), signals=empty(SIGNAL_COLUMNS))
-    desk.document.take_session(Session.create(desk.document.recording, [nobody]))
-    desk.reviewing.refresh()
+    controller.document.take_session(Session.create(controller.document.recording, [nobody]))
+    controller.reviewing.refresh()
     panel = window.workspace.review
     qtbot.waitUntil(lambda: panel._title.text() == "Nobody is tracked")
     assert "nothing to review" in panel._text.text()

@@ -6,18 +6,18 @@ import pytest
 from shifted_runs import boxes, items, place
 
 from app.presenters.runs.runs import CORRECTED
-from app.views.desk.again import show_runs
+from app.views.recording.again import show_runs
 from app.views.runs.runs_dialog import RunsDialog
 from tracking.editing import plan_delete
 
 
 @pytest.fixture
-def desk(shifted_desk):
-    return shifted_desk
+def controller(shifted_controller):
+    return shifted_controller
 
 
-def test_runs_are_listed_with_their_scores_and_compared(window, desk, qtbot, tiny_run):
-    desk.document.session.add_run(replace(tiny_run, seed=7), adopt=False)
+def test_runs_are_listed_with_their_scores_and_compared(window, controller, qtbot, tiny_run):
+    controller.document.session.add_run(replace(tiny_run, seed=7), adopt=False)
     window.run_command("tracks.runs")
     dialog = window.findChild(RunsDialog)
     table = dialog._table
@@ -31,13 +31,15 @@ def test_runs_are_listed_with_their_scores_and_compared(window, desk, qtbot, tin
     assert float(table.item(2, 6).text()) >= float(table.item(1, 6).text())
     dialog.choose(0, 1)
     dialog._compare.click()
-    qtbot.waitUntil(lambda: bool(items(desk)))
-    assert (desk.document.comparison.base, desk.document.comparison.run) == (0, 1)
+    qtbot.waitUntil(lambda: bool(items(controller)))
+    assert (controller.document.comparison.base, controller.document.comparison.run) == (0, 1)
 
 
-def test_no_run_is_cut_off_and_the_truth_of_the_scores_is_named(window, desk, qtbot, tiny_run):
+def test_no_run_is_cut_off_and_the_truth_of_the_scores_is_named(
+    window, controller, qtbot, tiny_run
+):
     for seed in range(7, 11):
-        desk.document.session.add_run(replace(tiny_run, seed=seed), adopt=False)
+        controller.document.session.add_run(replace(tiny_run, seed=seed), adopt=False)
     window.run_command("tracks.runs")
     dialog = window.findChild(RunsDialog)
     qtbot.waitUntil(dialog.windowHandle().isExposed)
@@ -60,8 +62,8 @@ def _cells(dialog, title):
     return [table.item(row, titles.index(title)).text() for row in range(table.rowCount())]
 
 
-def test_people_are_those_of_the_frames_that_are_scored(window, desk, qtbot):
-    session = desk.document.session
+def test_people_are_those_of_the_frames_that_are_scored(window, controller, qtbot):
+    session = controller.document.session
     early = replace(_late_part(session.runs[0]), frames=(0, 3))
     whole = session.runs[0].tracks
     inside = whole["frame"] < 3
@@ -80,7 +82,7 @@ def test_people_are_those_of_the_frames_that_are_scored(window, desk, qtbot):
     dialog.reject()
 
 
-def test_runs_have_the_figures_that_one_is_chosen_by(window, desk, qtbot):
+def test_runs_have_the_figures_that_one_is_chosen_by(window, controller, qtbot):
     window.run_command("tracks.runs")
     dialog = window.findChild(RunsDialog)
     qtbot.waitUntil(lambda: all(_cells(dialog, "IDF1")))
@@ -89,8 +91,8 @@ def test_runs_have_the_figures_that_one_is_chosen_by(window, desk, qtbot):
     dialog.reject()
 
 
-def test_runs_of_other_frames_are_scored_over_those_they_share(window, desk, qtbot):
-    session = desk.document.session
+def test_runs_of_other_frames_are_scored_over_those_they_share(window, controller, qtbot):
+    session = controller.document.session
     session.add_run(_late_part(session.runs[0]), adopt=False)
     window.run_command("tracks.runs")
     dialog = window.findChild(RunsDialog)
@@ -105,94 +107,96 @@ def test_runs_of_other_frames_are_scored_over_those_they_share(window, desk, qtb
     dialog.reject()
 
 
-def test_another_run_is_corrected_where_nobody_has_edited(window, desk, tiny_run, shifted_run):
-    wrong = place(desk, shifted_run[1], 65)
-    desk.document.session.add_run(tiny_run, adopt=False)
+def test_another_run_is_corrected_where_nobody_has_edited(
+    window, controller, tiny_run, shifted_run
+):
+    wrong = place(controller, shifted_run[1], 65)
+    controller.document.session.add_run(tiny_run, adopt=False)
     window.run_command("tracks.runs")
     dialog = window.findChild(RunsDialog)
     dialog.choose(0)
     assert not dialog._correct.isEnabled()
     dialog.choose(1)
     dialog._correct.click()
-    assert desk.document.session.adopted_run == 1
-    assert place(desk, shifted_run[1], 65) == pytest.approx(wrong - 1.0, abs=1e-5)
-    assert not desk.comparing.shown
+    assert controller.document.session.adopted_run == 1
+    assert place(controller, shifted_run[1], 65) == pytest.approx(wrong - 1.0, abs=1e-5)
+    assert not controller.comparing.shown
 
 
-def test_no_run_is_corrected_while_a_tracker_is_at_work(window, desk, tiny_run):
-    desk.document.session.add_run(tiny_run, adopt=False)
-    desk.document.begin_live()
-    show_runs(desk)
+def test_no_run_is_corrected_while_a_tracker_is_at_work(window, controller, tiny_run):
+    controller.document.session.add_run(tiny_run, adopt=False)
+    controller.document.begin_live()
+    show_runs(controller)
     dialog = window.findChild(RunsDialog)
     dialog.choose(1)
     assert not dialog._correct.isEnabled()
     assert "stop it first" in dialog._correct.toolTip()
     dialog.reject()
     errors = []
-    desk.comparing.failed.connect(errors.append)
-    desk.comparing.correct(1)
+    controller.comparing.failed.connect(errors.append)
+    controller.comparing.correct(1)
     assert "stop tracking first" in str(errors[0])
-    assert desk.document.is_live
-    assert desk.document.session.adopted_run == 0
+    assert controller.document.is_live
+    assert controller.document.session.adopted_run == 0
 
 
 def test_people_outside_of_the_frames_of_a_shorter_run_stay(
-    window, desk, qtbot, tiny_run, shifted_run
+    window, controller, qtbot, tiny_run, shifted_run
 ):
-    session, track = desk.document.session, shifted_run[1]
-    wrong, rows = place(desk, track, 65), len(session.tracks.columns()["x"])
+    session, track = controller.document.session, shifted_run[1]
+    wrong, rows = place(controller, track, 65), len(session.tracks.columns()["x"])
     session.add_run(_late_part(tiny_run), adopt=False)
-    desk.comparing.correct(1)
-    qtbot.waitUntil(lambda: bool(items(desk)))
+    controller.comparing.correct(1)
+    qtbot.waitUntil(lambda: bool(items(controller)))
     window.workspace.differences.taken.emit(1)
-    assert place(desk, track, 65) == pytest.approx(wrong - 1.0, abs=1e-5)
+    assert place(controller, track, 65) == pytest.approx(wrong - 1.0, abs=1e-5)
     assert len(session.tracks.columns()["x"]) == rows
     assert len(session.history) == 1
 
 
 def test_over_edits_another_run_is_taken_as_one_edit_that_can_be_undone(
-    window, desk, qtbot, tiny_run, shifted_run
+    window, controller, qtbot, tiny_run, shifted_run
 ):
-    session = desk.document.session
+    session = controller.document.session
     session.apply(plan_delete(session.tracks, shifted_run[1], 60, 70))
     edits = len(session.history)
     session.add_run(tiny_run, adopt=False)
-    desk.comparing.correct(1)
-    qtbot.waitUntil(lambda: bool(items(desk)))
-    assert all(item.ticked or item.locked for item in items(desk))
+    controller.comparing.correct(1)
+    qtbot.waitUntil(lambda: bool(items(controller)))
+    assert all(item.ticked or item.locked for item in items(controller))
     window.workspace.differences.taken.emit(1)
     assert len(session.history) == edits + 1
-    desk.editing.undo()
+    controller.editing.undo()
     assert session.history.next_redo is not None
 
 
 def test_the_better_stretch_is_taken_from_either_of_two_runs(
-    window, desk, qtbot, tiny_run, shifted_run
+    window, controller, qtbot, tiny_run, shifted_run
 ):
     track = shifted_run[1]
-    wrong = place(desk, track, 65)
-    desk.document.session.add_run(tiny_run, adopt=False)
-    desk.comparing.open(1, 0)
-    qtbot.waitUntil(lambda: bool(items(desk)))
+    wrong = place(controller, track, 65)
+    controller.document.session.add_run(tiny_run, adopt=False)
+    controller.comparing.open(1, 0)
+    qtbot.waitUntil(lambda: bool(items(controller)))
     panel = window.workspace.differences
     assert not panel._take_solid.isHidden()
     panel.all_ticked.emit(True)
     panel.taken.emit(1)
-    assert place(desk, track, 65) == pytest.approx(wrong - 1.0, abs=1e-5)
+    assert place(controller, track, 65) == pytest.approx(wrong - 1.0, abs=1e-5)
     panel.taken.emit(0)
-    assert place(desk, track, 65) == pytest.approx(wrong, abs=1e-5)
+    assert place(controller, track, 65) == pytest.approx(wrong, abs=1e-5)
 
 
 def test_the_boxes_of_both_runs_are_shown_and_not_those_of_the_corrected_tracks(
-    window, desk, qtbot, tiny_run, shifted_run
+    window, controller, qtbot, tiny_run, shifted_run
 ):
     label = str(shifted_run[1])
-    session = desk.document.session
+    session = controller.document.session
     session.apply(plan_delete(session.tracks, shifted_run[1], 60, 70))
     session.add_run(tiny_run, adopt=False)
-    desk.comparing.open(1, 0)
-    qtbot.waitUntil(lambda: bool(items(desk)))
-    desk.playback.go(65)
+    controller.comparing.open(1, 0)
+    qtbot.waitUntil(lambda: bool(items(controller)))
+    controller.playback.go(65)
     picture = window.workspace.left
     qtbot.waitUntil(lambda: picture._scene.frame == 65)
     solid, dashed = boxes(picture._scene.people), boxes(picture._others)
@@ -201,22 +205,22 @@ def test_the_boxes_of_both_runs_are_shown_and_not_those_of_the_corrected_tracks(
 
 
 def test_the_last_run_is_dropped_from_the_list_but_not_the_one_that_was_corrected(
-    window, desk, tiny_run
+    window, controller, tiny_run
 ):
-    desk.document.session.add_run(tiny_run, adopt=False)
+    controller.document.session.add_run(tiny_run, adopt=False)
     window.run_command("tracks.runs")
     dialog = window.findChild(RunsDialog)
     dialog._drop.click()
-    assert len(desk.document.session.runs) == 1
+    assert len(controller.document.session.runs) == 1
     assert dialog._drop.isHidden()
     dialog.reject()
 
 
 def test_runs_open_with_the_table_in_use_and_a_run_chosen_that_is_not_corrected(
-    window, desk, qtbot, tiny_run
+    window, controller, qtbot, tiny_run
 ):
-    desk.document.session.add_run(replace(tiny_run, seed=7), adopt=True)
-    assert desk.document.session.adopted_run == 1
+    controller.document.session.add_run(replace(tiny_run, seed=7), adopt=True)
+    assert controller.document.session.adopted_run == 1
     window.run_command("tracks.runs")
     dialog = window.findChild(RunsDialog)
     assert dialog.chosen == [0]

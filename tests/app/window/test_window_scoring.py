@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from correcting_desk import opened_desk
+from correcting_window import open_for_correcting
 from PySide6.QtCore import Qt
 
 from tracking.editing import plan_delete, plan_swap
@@ -17,20 +17,20 @@ Key, SHIFT = Qt.Key, Qt.KeyboardModifier.ShiftModifier
 
 
 @pytest.fixture
-def desk(window, qtbot, tiny_session):
-    return opened_desk(window, qtbot, tiny_session)
+def controller(window, qtbot, tiny_session):
+    return open_for_correcting(window, qtbot, tiny_session)
 
 
 @pytest.fixture
-def scored(window, desk, press, qtbot):
-    """The desk once its score is shown."""
+def scored(window, controller, press, qtbot):
+    """The recording's controller once its score is shown."""
     press(Key.Key_S, SHIFT)
-    at_rest(desk, qtbot)
-    return desk
+    at_rest(controller, qtbot)
+    return controller
 
 
-def at_rest(desk, qtbot) -> None:
-    scoring = desk.scoring
+def at_rest(controller, qtbot) -> None:
+    scoring = controller.scoring
     qtbot.waitUntil(lambda: not scoring._search.busy and scoring.known)
     qtbot.wait(5)
 
@@ -92,8 +92,8 @@ def test_a_report_is_written_into_a_folder_of_its_own(window, scored, qtbot, tmp
     assert str(folder / "report.html") in window.statusBar().currentMessage()
 
 
-def test_a_report_can_be_had_before_anything_was_scored(window, desk, qtbot, tmp_path):
-    assert desk.scoring.presenter.scored is None
+def test_a_report_can_be_had_before_anything_was_scored(window, controller, qtbot, tmp_path):
+    assert controller.scoring.presenter.scored is None
     assert window.menus.actions["file.export_report"].isEnabled()
     window.files.exporting.report_in(tmp_path)
     qtbot.waitUntil(lambda: bool([*tmp_path.glob("*/report.html")]))

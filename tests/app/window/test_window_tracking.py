@@ -10,7 +10,9 @@ from tracking.session import Session
 @pytest.fixture
 def opened(window, qtbot, tiny_recording):
     window.files.open_path(tiny_recording)
-    qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
+    qtbot.waitUntil(
+        lambda: window.controller is not None and window.controller.playback.frame is not None
+    )
     return window
 
 
@@ -19,10 +21,10 @@ def _tracked(window) -> bool:
 
 
 def test_the_first_play_tracks_live_and_ends_in_a_session_kept_on_disk(opened, qtbot):
-    desk = opened.desk
+    controller = opened.controller
     opened.run_command("play.faster")
     opened.run_command("play.toggle")
-    assert desk.live.running
+    assert controller.live.running
     qtbot.waitUntil(lambda: _tracked(opened))
     session = opened.files.session
     assert session.path.parent == document_loader.unsaved_folder()
@@ -31,39 +33,40 @@ def test_the_first_play_tracks_live_and_ends_in_a_session_kept_on_disk(opened, q
 
 
 def test_playing_never_outruns_the_tracker(opened, qtbot):
-    desk = opened.desk
+    controller = opened.controller
     ahead = []
-    desk.playback.shown.connect(
+    controller.playback.shown.connect(
         lambda: ahead.append(
-            desk.live.running and desk.playback.number - max(desk.document.tracked_until - 1, 0)
+            controller.live.running
+            and controller.playback.number - max(controller.document.tracked_until - 1, 0)
         )
     )
-    desk.playback.set_speed(8.0)
+    controller.playback.set_speed(8.0)
     opened.run_command("play.toggle")
     qtbot.waitUntil(lambda: _tracked(opened))
     assert max(ahead) <= 0
 
 
 def test_the_floor_shows_particles_of_the_same_frame_as_the_pictures(opened, qtbot):
-    desk = opened.desk
+    controller = opened.controller
     opened.run_command("play.toggle")
     qtbot.waitUntil(lambda: _tracked(opened))
-    desk.playback.pause()
-    desk.playback.go(60)
-    qtbot.waitUntil(lambda: desk.playback.number == 60)
-    instant = desk.document.instant(desk.playback.number)
-    floor = desk.document.overhead.scene(instant)
-    assert floor.frame == desk.playback.frame.number == 60
-    assert set(np.unique(desk.document.tracks.particles(60)["track"])) == {
+    controller.playback.pause()
+    controller.playback.go(60)
+    qtbot.waitUntil(lambda: controller.playback.number == 60)
+    instant = controller.document.instant(controller.playback.number)
+    floor = controller.document.overhead.scene(instant)
+    assert floor.frame == controller.playback.frame.number == 60
+    assert set(np.unique(controller.document.tracks.particles(60)["track"])) == {
         person.track for person in floor.people
     }
     assert len(floor.particles) >= 500
 
 
 def test_stopping_keeps_what_was_tracked(opened, qtbot):
-    desk = opened.desk
-    desk.toggle()
-    qtbot.waitUntil(lambda: desk.live.done > 3)
+    controller = opened.controller
+    controller.toggle()
+    qtbot.waitUntil(lambda: controller.live.done > 3)
     opened.run_command("tracks.stop")
     qtbot.waitUntil(lambda: _tracked(opened))
     run = opened.files.session.runs[0]
@@ -72,17 +75,17 @@ def test_stopping_keeps_what_was_tracked(opened, qtbot):
 
 
 def test_cancel_keeps_nothing_of_a_tracking_and_the_button_beside_it_keeps_it(opened, qtbot):
-    strip, desk = opened.progress, opened.desk
-    desk.tracking.track("stereo-colour")
-    qtbot.waitUntil(lambda: desk.live.done > 3 and not strip._stop.isHidden())
+    strip, controller = opened.progress, opened.controller
+    controller.tracking.track("stereo-colour")
+    qtbot.waitUntil(lambda: controller.live.done > 3 and not strip._stop.isHidden())
     strip._cancel.click()
-    assert not desk.live.running
-    assert not desk.document.tracks.ids
+    assert not controller.live.running
+    assert not controller.document.tracks.ids
     qtbot.waitUntil(strip.isHidden)
     assert "nothing of it is kept" in opened.statusBar().currentMessage()
     assert opened.files.session is None
-    desk.tracking.track("stereo-colour")
-    qtbot.waitUntil(lambda: desk.live.done > 3 and not strip._stop.isHidden())
+    controller.tracking.track("stereo-colour")
+    qtbot.waitUntil(lambda: controller.live.done > 3 and not strip._stop.isHidden())
     assert strip._stop.text() == "Stop, keep the result"
     strip._stop.click()
     qtbot.waitUntil(lambda: _tracked(opened))
@@ -90,26 +93,26 @@ def test_cancel_keeps_nothing_of_a_tracking_and_the_button_beside_it_keeps_it(op
 
 
 def test_closing_while_a_tracker_works_waits_for_its_thread(opened, qtbot):
-    opened.desk.toggle()
+    opened.controller.toggle()
     qtbot.wait(50)
-    assert opened.desk.live.running
+    assert opened.controller.live.running
     opened.files.close()
-    assert opened.desk is None
+    assert opened.controller is None
 
 
 def test_tracking_again_never_touches_corrected_tracks(opened, qtbot):
-    desk = opened.desk
-    desk.toggle()
+    controller = opened.controller
+    controller.toggle()
     qtbot.waitUntil(lambda: _tracked(opened))
     session = opened.files.session
     track = session.tracks.track_ids[0]
-    desk.editing.rename(track, "first")
+    controller.editing.rename(track, "first")
     corrected = session.tracks.columns()["x"].copy()
-    desk.tracking.track("stereo-colour", None, 1)
-    qtbot.waitUntil(lambda: not desk.live.running and _tracked(opened))
+    controller.tracking.track("stereo-colour", None, 1)
+    qtbot.waitUntil(lambda: not controller.live.running and _tracked(opened))
     assert len(session.runs) == 2
     assert np.array_equal(session.tracks.columns()["x"], corrected, equal_nan=True)
-    assert desk.document.label(track).name == "first"
+    assert controller.document.label(track).name == "first"
     assert opened.notice.isVisible()
     assert "run 1" in opened.notice._text.text()
     assert "Ctrl+R" in opened.notice._text.text()
@@ -120,7 +123,7 @@ def test_a_part_of_the_recording_can_be_tracked(opened, qtbot):
     dialog = opened.findChild(TrackDialog)
     dialog.put_frames(20, 39)
     dialog.accept()
-    assert opened.desk.playback.clock.frame == 20
+    assert opened.controller.playback.clock.frame == 20
     qtbot.waitUntil(lambda: _tracked(opened))
     assert opened.files.session.runs[0].frames == (20, 40)
     assert opened.files.session.runs[0].seed == 0
@@ -139,7 +142,7 @@ def test_the_first_and_the_last_frame_never_cross(opened):
 
 
 def test_a_word_is_seen_beside_the_progress_of_the_tracker(opened, qtbot):
-    opened.desk.toggle()
+    opened.controller.toggle()
     qtbot.waitUntil(lambda: opened.progress.isVisible())
     wide = opened.progress.width()
     opened.run_command("tracks.swap")
@@ -152,77 +155,77 @@ def test_a_word_is_seen_beside_the_progress_of_the_tracker(opened, qtbot):
 
 
 def test_what_there_is_to_tell_of_a_tracking_is_shown_when_it_ends(opened, tiny_run):
-    opened.desk.live.notes = ("Lobby: are the eyes swapped?",)
-    opened.desk.live.finished.emit(tiny_run)
+    opened.controller.live.notes = ("Lobby: are the eyes swapped?",)
+    opened.controller.live.finished.emit(tiny_run)
     assert "are the eyes swapped?" in opened.notice.text
     assert not opened.notice._passing.isActive()
 
 
 def test_a_result_for_a_session_without_any_says_that_it_is_to_be_saved(opened, tiny_run):
-    desk = opened.desk
-    desk.document.take_session(Session.create(desk.document.recording))
-    desk.live.ended = RunSummary.of(tiny_run, [tiny_run.tracks], tiny_run.frames)
-    desk.tracking.add_run(tiny_run)
+    controller = opened.controller
+    controller.document.take_session(Session.create(controller.document.recording))
+    controller.live.ended = RunSummary.of(tiny_run, [tiny_run.tracks], tiny_run.frames)
+    controller.tracking.add_run(tiny_run)
     assert "Kept as run 0, and its tracks are the ones to correct now" in opened.notice.text
     assert "on disk" not in opened.notice.text
     assert opened.notice._passing.isActive()
 
 
 def test_which_run_is_corrected_is_told_until_another_one_is(opened, tiny_run, qtbot):
-    desk = opened.desk
-    desk.document.take_session(Session.create(desk.document.recording, [tiny_run]))
-    desk.document.begin_live()
-    desk.live.ended = RunSummary.of(tiny_run, [tiny_run.tracks], tiny_run.frames)
-    desk.live.notes = ("Lobby: are the eyes swapped?",)
-    desk.tracking.add_run(tiny_run)
+    controller = opened.controller
+    controller.document.take_session(Session.create(controller.document.recording, [tiny_run]))
+    controller.document.begin_live()
+    controller.live.ended = RunSummary.of(tiny_run, [tiny_run.tracks], tiny_run.frames)
+    controller.live.notes = ("Lobby: are the eyes swapped?",)
+    controller.tracking.add_run(tiny_run)
     opened.bring_up_to_date()
     assert "Kept as run 1, and its tracks are the ones to correct now" in opened.notice.text
-    desk.comparing.correct(0)
+    controller.comparing.correct(0)
     qtbot.waitUntil(lambda: opened.notice.text == "")
 
 
 def test_the_views_follow_the_tracker_until_the_playhead_is_moved(opened, qtbot):
-    desk = opened.desk
-    desk.tracking.track("stereo-direction", frames=(20, 60))
-    assert desk.tracking.following.on
-    qtbot.waitUntil(lambda: desk.playback.number > 24)
-    desk.playback.go(21)
-    assert not desk.tracking.following.on
-    done, desk.tracking.following._shown_s = desk.live.done, 0.0  # a picture is due
-    qtbot.waitUntil(lambda: desk.live.done > done)
-    assert desk.playback.clock.frame == 21
+    controller = opened.controller
+    controller.tracking.track("stereo-direction", frames=(20, 60))
+    assert controller.tracking.following.on
+    qtbot.waitUntil(lambda: controller.playback.number > 24)
+    controller.playback.go(21)
+    assert not controller.tracking.following.on
+    done, controller.tracking.following._shown_s = controller.live.done, 0.0  # a picture is due
+    qtbot.waitUntil(lambda: controller.live.done > done)
+    assert controller.playback.clock.frame == 21
     opened.run_command("play.follow")
-    assert desk.tracking.following.on
+    assert controller.tracking.following.on
     qtbot.waitUntil(lambda: _tracked(opened))
-    assert desk.playback.clock.frame == 59
-    assert not desk.playback.following
+    assert controller.playback.clock.frame == 59
+    assert not controller.playback.following
     assert opened.notice.text.startswith("Tracked 40 frames with stereo-direction. ")
 
 
 def test_whoever_plays_is_not_taken_along_by_the_tracker(opened):
     opened.run_command("play.toggle")
-    assert opened.desk.live.running
-    assert not opened.desk.tracking.following.on
-    assert opened.desk.playback.clock.playing
+    assert opened.controller.live.running
+    assert not opened.controller.tracking.following.on
+    assert opened.controller.playback.clock.playing
 
 
 def test_the_first_run_is_seen_and_corrected_while_a_second_one_is_made(opened, qtbot):
-    desk = opened.desk
-    desk.toggle()
+    controller = opened.controller
+    controller.toggle()
     qtbot.waitUntil(lambda: _tracked(opened))
-    document = desk.document
+    document = controller.document
     people = document.tracks.of_frame(40)["track"].tolist()
-    desk.tracking.track("stereo-colour", None, 1)
+    controller.tracking.track("stereo-colour", None, 1)
     assert document.is_live
     assert document.in_the_way
-    desk.playback.go(40)  # no longer at the tracker's side
-    assert desk.live.running
+    controller.playback.go(40)  # no longer at the tracker's side
+    assert controller.live.running
     assert not document.is_live
     assert (document.in_the_way, document.tracks.of_frame(40)["track"].tolist()) == ("", people)
-    desk.editing.rename(people[0], "first")
+    controller.editing.rename(people[0], "first")
     assert document.label(people[0]).name == "first"
-    desk.tracking.following.toggle()
+    controller.tracking.following.toggle()
     assert document.is_live
-    qtbot.waitUntil(lambda: not desk.live.running and _tracked(opened))
+    qtbot.waitUntil(lambda: not controller.live.running and _tracked(opened))
     assert not document.is_live
     assert document.session.adopted_run == 0  # what somebody worked on is not replaced

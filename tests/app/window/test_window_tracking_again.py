@@ -16,56 +16,58 @@ from tracking.editing import plan_mark_reviewed
 
 
 @pytest.fixture
-def desk(shifted_desk):
-    return shifted_desk
+def controller(shifted_controller):
+    return shifted_controller
 
 
 @pytest.fixture
-def compared(desk, tiny_run, qtbot):
+def compared(controller, tiny_run, qtbot):
     """The right run beside the tracks that are shifted."""
-    desk.document.session.add_run(tiny_run, adopt=False)
-    desk.comparing.open(1)
-    _wait_compared(desk, qtbot)
-    return desk
+    controller.document.session.add_run(tiny_run, adopt=False)
+    controller.comparing.open(1)
+    _wait_compared(controller, qtbot)
+    return controller
 
 
-def _wait_compared(desk, qtbot):
-    qtbot.waitUntil(lambda: desk.comparing.shown)
-    qtbot.waitUntil(lambda: desk.document.comparison.current is not None)
+def _wait_compared(controller, qtbot):
+    qtbot.waitUntil(lambda: controller.comparing.shown)
+    qtbot.waitUntil(lambda: controller.document.comparison.current is not None)
 
 
 def test_tracking_again_goes_on_from_the_playhead_with_the_run_that_was_corrected(
-    window, desk, qtbot, shifted_run
+    window, controller, qtbot, shifted_run
 ):
-    session, track = desk.document.session, shifted_run[1]
+    session, track = controller.document.session, shifted_run[1]
     before = session.tracks.columns()["x"].copy()
-    desk.document.apply(plan_mark_reviewed(session.labels, track, SHIFTED[0], SHIFTED[0] + 3))
+    controller.document.apply(plan_mark_reviewed(session.labels, track, SHIFTED[0], SHIFTED[0] + 3))
     window.run_command("review.again")
     dialog = window.findChild(TrackDialog)
     tracker, _, seed, frames = dialog.answer()
     assert (tracker, seed, frames) == (session.runs[0].tracker, session.runs[0].seed, (50, 80))
     dialog.accept()
-    assert desk.document.is_live
-    assert len(desk.document.tracks.of_frame(AGAIN_AT - 1)["track"]) >= 1  # still shown before it
-    _wait_compared(desk, qtbot)
+    assert controller.document.is_live
+    assert (
+        len(controller.document.tracks.of_frame(AGAIN_AT - 1)["track"]) >= 1
+    )  # still shown before it
+    _wait_compared(controller, qtbot)
     run = session.runs[1]
     assert run.frames == (50, 80)
     assert run.known_tracks == session.tracks.highest_track
     assert np.array_equal(session.tracks.columns()["x"], before, equal_nan=True)
-    locked = [item for item in items(desk) if item.locked]
+    locked = [item for item in items(controller) if item.locked]
     assert any(person.track == track for item in locked for person in item.people)
-    assert all(item.ticked for item in items(desk) if not item.locked)
+    assert all(item.ticked for item in items(controller) if not item.locked)
 
 
 def test_taking_what_is_ticked_is_one_edit_that_undo_takes_back(compared, window, shifted_run):
-    desk, track = compared, shifted_run[1]
-    wrong = place(desk, track, 65)
-    desk.document.comparison.tick_listed(True)
+    controller, track = compared, shifted_run[1]
+    wrong = place(controller, track, 65)
+    controller.document.comparison.tick_listed(True)
     window.workspace.differences.taken.emit(1)
-    assert place(desk, track, 65) == pytest.approx(wrong - 1.0, abs=1e-5)
-    assert len(desk.document.session.history) == 1
-    desk.editing.undo()
-    assert place(desk, track, 65) == wrong
+    assert place(controller, track, 65) == pytest.approx(wrong - 1.0, abs=1e-5)
+    assert len(controller.document.session.history) == 1
+    controller.editing.undo()
+    assert place(controller, track, 65) == wrong
 
 
 def test_once_all_is_taken_the_comparison_closes_and_says_so(compared, window, qtbot):
@@ -89,18 +91,18 @@ def test_a_stretch_is_told_by_its_first_and_last_frame(compared):
 
 
 def test_a_click_on_a_box_ticks_and_a_click_beside_it_goes_there(compared, window, qtbot):
-    desk, panel = compared, window.workspace.differences
+    controller, panel = compared, window.workspace.differences
     row = panel._list.visualRect(panel._model.index(0))
     left = Qt.MouseButton.LeftButton
-    assert not items(desk)[0].ticked
+    assert not items(controller)[0].ticked
     qtbot.mouseClick(panel._list.viewport(), left, pos=QPoint(row.left() + 12, row.center().y()))
-    assert items(desk)[0].ticked
+    assert items(controller)[0].ticked
     assert panel._take_dashed.isEnabled()
-    desk.playback.go(0)
+    controller.playback.go(0)
     qtbot.mouseClick(panel._list.viewport(), left, pos=row.center())
-    assert items(desk)[0].ticked
-    current = desk.document.comparison.current
-    assert 0 < desk.playback.clock.frame <= current.start
+    assert items(controller)[0].ticked
+    current = controller.document.comparison.current
+    assert 0 < controller.playback.clock.frame <= current.start
 
 
 def test_the_keyboard_ticks_too(compared, window, qtbot):
@@ -114,19 +116,19 @@ def test_the_keyboard_ticks_too(compared, window, qtbot):
 def test_both_versions_are_shown_in_the_pictures_and_on_the_floor(
     compared, shifted_run, window, qtbot
 ):
-    desk = compared
-    instant = desk.document.instant(65)
+    controller = compared
+    instant = controller.document.instant(65)
     assert {trail.after for trail in instant.preview} == {True, False}
     assert {trail.after for trail in instant.picture_preview} == {True, False}
-    desk.playback.go(65)
+    controller.playback.go(65)
     picture = window.workspace.left
     qtbot.waitUntil(lambda: picture._scene.frame == 65)
     run, corrected = boxes(picture._others), boxes(picture._scene.people)
     label = str(shifted_run[1])
     assert run[label][0] == pytest.approx(corrected[label][0] - 40.0, abs=0.01)
     assert {place.label for place in window.workspace.overhead._others} == set(run)
-    desk.comparing.close()
-    assert desk.document.instant(65).preview == ()
+    controller.comparing.close()
+    assert controller.document.instant(65).preview == ()
     assert picture._others == ()
 
 
@@ -160,16 +162,16 @@ def test_a_run_can_be_dropped(compared, window):
 
 
 def test_an_edit_meanwhile_is_compared_anew(compared, qtbot, shifted_run):
-    desk = compared
-    session = desk.document.session
+    controller = compared
+    session = controller.document.session
     change = plan_mark_reviewed(session.labels, 0, *SHIFTED)
-    desk.document.apply(change)
-    desk.draw()
-    qtbot.waitUntil(lambda: any(item.locked for item in items(desk)))
+    controller.document.apply(change)
+    controller.draw()
+    qtbot.waitUntil(lambda: any(item.locked for item in items(controller)))
 
 
 def test_comparing_tells_how_far_it_is_and_can_be_cancelled(
-    window, desk, qtbot, tiny_run, monkeypatch
+    window, controller, qtbot, tiny_run, monkeypatch
 ):
     reached, go_on = threading.Event(), threading.Event()
 
@@ -180,27 +182,29 @@ def test_comparing_tells_how_far_it_is_and_can_be_cancelled(
         report(2, 4)
 
     monkeypatch.setattr(Comparison, "search", lambda _: lambda report: slow(report=report))
-    desk.document.session.add_run(tiny_run, adopt=False)
-    desk.comparing.open(1)
+    controller.document.session.add_run(tiny_run, adopt=False)
+    controller.comparing.open(1)
     panel = window.workspace.differences
     qtbot.waitUntil(lambda: panel._working._bar.value() == 250)
     assert reached.is_set()
     said = []
-    desk.said.connect(said.append)
+    controller.said.connect(said.append)
     panel._working._cancel.click()
     go_on.set()
-    qtbot.waitUntil(lambda: not desk.comparing.shown)
+    qtbot.waitUntil(lambda: not controller.comparing.shown)
     assert said == ["Stopped: comparing"]
     assert window.workspace.review.isVisible()
 
 
-def test_closing_a_comparison_does_not_wait_for_it(window, desk, qtbot, tiny_run, monkeypatch):
+def test_closing_a_comparison_does_not_wait_for_it(
+    window, controller, qtbot, tiny_run, monkeypatch
+):
     go_on, waited = threading.Event(), []
     slow = lambda _: waited.append(go_on.wait(PATIENCE_S))  # noqa: E731
     monkeypatch.setattr(Comparison, "search", lambda _: slow)
-    desk.document.session.add_run(tiny_run, adopt=False)
-    desk.comparing.open(1)
+    controller.document.session.add_run(tiny_run, adopt=False)
+    controller.comparing.open(1)
     window.workspace.differences.closed.emit()
-    assert not desk.comparing.shown
+    assert not controller.comparing.shown
     assert not waited
     go_on.set()

@@ -1,25 +1,25 @@
-"""What the commands of the Detector menu do on the open desk."""
+"""What the commands of the Detector menu do to the open recording."""
 
 from __future__ import annotations
 
 from dataclasses import replace
 
-from app.views.desk.recording_controller import RecordingController
-from app.views.window.command_handlers.on_desk import OnDesk
+from app.views.recording.recording_controller import RecordingController
+from app.views.window.command_handlers.recording_handler import RecordingHandler
 
 
-def _jump(step: int) -> OnDesk:
+def _jump(step: int) -> RecordingHandler:
     """From failure to failure; parts that were switched off come back, to be seen."""
 
-    def jump(desk: RecordingController) -> None:
-        if desk.parts.jump(step) and not desk.pictured.parts:
-            desk.set_pictured(replace(desk.pictured, parts=True))
+    def jump(controller: RecordingController) -> None:
+        if controller.parts.jump(step) and not controller.pictured.parts:
+            controller.set_pictured(replace(controller.pictured, parts=True))
 
     return jump
 
 
-DETECTING: dict[str, OnDesk] = {
+DETECTING: dict[str, RecordingHandler] = {
     "detector.next": _jump(1),
     "detector.previous": _jump(-1),
-    "detector.suggest": lambda desk: desk.labelling.suggest(),
+    "detector.suggest": lambda controller: controller.labelling.suggest(),
 }

@@ -3,22 +3,22 @@
 from __future__ import annotations
 
 from app.presenters.labelling.labelling_scene import Tool
-from app.views.window.command_handlers.on_desk import OnDesk
+from app.views.window.command_handlers.recording_handler import RecordingHandler
 
 
-def _toggle(tool: Tool) -> OnDesk:
-    return lambda desk: desk.labelling.toggle(tool)
+def _toggle(tool: Tool) -> RecordingHandler:
+    return lambda controller: controller.labelling.toggle(tool)
 
 
-def _say(on_part: bool | None) -> OnDesk:
-    return lambda desk: desk.labelling.say(on_part)
+def _say(on_part: bool | None) -> RecordingHandler:
+    return lambda controller: controller.labelling.say(on_part)
 
 
-def _choose(part: int) -> OnDesk:
-    return lambda desk: desk.labelling.choose_part(part)
+def _choose(part: int) -> RecordingHandler:
+    return lambda controller: controller.labelling.choose_part(part)
 
 
-LABELLING: dict[str, OnDesk] = {
+LABELLING: dict[str, RecordingHandler] = {
     **{tool.value: _toggle(tool) for tool in Tool},
     "labels.on": _say(True),
     "labels.off": _say(False),
@@ -26,5 +26,5 @@ LABELLING: dict[str, OnDesk] = {
     "labels.head": _choose(0),
     "labels.torso": _choose(1),
     "labels.hip_leg": _choose(2),
-    "labels.forget": lambda desk: desk.labelling.forget(),
+    "labels.forget": lambda controller: controller.labelling.forget(),
 }

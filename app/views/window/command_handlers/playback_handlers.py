@@ -2,41 +2,41 @@
 
 from __future__ import annotations
 
-from app.views.desk.recording_controller import RecordingController
-from app.views.window.command_handlers.on_desk import OnDesk
+from app.views.recording.recording_controller import RecordingController
+from app.views.window.command_handlers.recording_handler import RecordingHandler
 
 
-def _step(frames: int) -> OnDesk:
+def _step(frames: int) -> RecordingHandler:
     """A frame or ten: moves a box or the cut of an edit that waits, else the playhead."""
 
-    def step(desk: RecordingController) -> None:
-        flow = desk.document.flow
+    def step(controller: RecordingController) -> None:
+        flow = controller.document.flow
         if flow is not None and flow.places:
-            desk.editing.nudge(1 if frames > 0 else -1, 0, far=abs(frames) > 1)
+            controller.editing.nudge(1 if frames > 0 else -1, 0, far=abs(frames) > 1)
         elif flow is not None and flow.has_cut and not flow.needs_other:
-            desk.editing.move_cut(frames)
+            controller.editing.move_cut(frames)
         else:
-            desk.playback.step(frames)
+            controller.playback.step(frames)
 
     return step
 
 
-def _second(direction: int) -> OnDesk:
+def _second(direction: int) -> RecordingHandler:
     """A second; of a box that waits the width, of an edit over a range its end by a frame."""
 
-    def step(desk: RecordingController) -> None:
-        flow = desk.document.flow
+    def step(controller: RecordingController) -> None:
+        flow = controller.document.flow
         if flow is not None and flow.places:
-            desk.editing.nudge(direction, 0, resize=True)
+            controller.editing.nudge(direction, 0, resize=True)
         elif flow is not None and flow.has_end:
-            desk.editing.move_end(direction)
+            controller.editing.move_end(direction)
         else:
-            desk.playback.step(direction * max(1, round(desk.playback.clock.fps)))
+            controller.playback.step(direction * max(1, round(controller.playback.clock.fps)))
 
     return step
 
 
-PLAYING: dict[str, OnDesk] = {
+PLAYING: dict[str, RecordingHandler] = {
     "play.toggle": RecordingController.toggle,
     "play.next": _step(1),
     "play.previous": _step(-1),
@@ -44,12 +44,12 @@ PLAYING: dict[str, OnDesk] = {
     "play.previous10": _step(-10),
     "play.next_second": _second(1),
     "play.previous_second": _second(-1),
-    "play.start": lambda desk: desk.playback.go(0),
-    "play.end": lambda desk: desk.playback.go(desk.playback.clock.last_frame),
-    "play.back": lambda desk: desk.shuttle(-1),
-    "play.stop": lambda desk: desk.shuttle(0),
-    "play.forward": lambda desk: desk.shuttle(1),
-    "play.follow": lambda desk: desk.tracking.following.toggle(),
-    "play.slower": lambda desk: desk.playback.change_speed(-1),
-    "play.faster": lambda desk: desk.playback.change_speed(1),
+    "play.start": lambda controller: controller.playback.go(0),
+    "play.end": lambda controller: controller.playback.go(controller.playback.clock.last_frame),
+    "play.back": lambda controller: controller.shuttle(-1),
+    "play.stop": lambda controller: controller.shuttle(0),
+    "play.forward": lambda controller: controller.shuttle(1),
+    "play.follow": lambda controller: controller.tracking.following.toggle(),
+    "play.slower": lambda controller: controller.playback.change_speed(-1),
+    "play.faster": lambda controller: controller.playback.change_speed(1),
 }

@@ -6,65 +6,65 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from app.presenters.pictures.bodies import why_nothing
-from app.views.desk.recording_controller import RecordingController
+from app.views.recording.recording_controller import RecordingController
 from app.views.timeline.tracks_area import TracksArea
-from app.views.window.command_handlers.on_desk import OnDesk
+from app.views.window.command_handlers.recording_handler import RecordingHandler
 
 
-def _toggle(name: str) -> OnDesk:
-    def toggle(desk: RecordingController) -> None:
-        now: bool = getattr(desk.pictured, name)
-        desk.set_pictured(replace(desk.pictured, **{name: not now}))
+def _toggle(name: str) -> RecordingHandler:
+    def toggle(controller: RecordingController) -> None:
+        now: bool = getattr(controller.pictured, name)
+        controller.set_pictured(replace(controller.pictured, **{name: not now}))
 
     return toggle
 
 
-def _toggle_parts(name: str) -> OnDesk:
+def _toggle_parts(name: str) -> RecordingHandler:
     """The same, and where there is nothing to see, what to do about it."""
 
-    def toggle(desk: RecordingController) -> None:
-        _toggle(name)(desk)
-        if getattr(desk.pictured, name):
-            desk.parts.tell_what_is_missing(whose=name == "part_particles")
+    def toggle(controller: RecordingController) -> None:
+        _toggle(name)(controller)
+        if getattr(controller.pictured, name):
+            controller.parts.tell_what_is_missing(whose=name == "part_particles")
 
     return toggle
 
 
-def _toggle_bodies(name: str) -> OnDesk:
+def _toggle_bodies(name: str) -> RecordingHandler:
     """Likewise of what trackers of one camera think of."""
 
-    def toggle(desk: RecordingController) -> None:
-        _toggle(name)(desk)
-        why = why_nothing(desk.document.instant(desk.playback.number), name)
-        if why and getattr(desk.pictured, name):
-            desk.said.emit(why)
+    def toggle(controller: RecordingController) -> None:
+        _toggle(name)(controller)
+        why = why_nothing(controller.document.instant(controller.playback.number), name)
+        if why and getattr(controller.pictured, name):
+            controller.said.emit(why)
 
     return toggle
 
 
-def _on_lanes(act: Callable[[TracksArea], None]) -> OnDesk:
-    return lambda desk: act(desk.window_page.timeline.area)
+def _on_lanes(act: Callable[[TracksArea], None]) -> RecordingHandler:
+    return lambda controller: act(controller.window_page.timeline.area)
 
 
-def _toggle_score(desk: RecordingController) -> None:
+def _toggle_score(controller: RecordingController) -> None:
     """The panel comes and goes with the truth it is about."""
-    on = not desk.pictured.score
-    desk.set_pictured(replace(desk.pictured, score=on, truth=on))
+    on = not controller.pictured.score
+    controller.set_pictured(replace(controller.pictured, score=on, truth=on))
 
 
-def _toggle_truth(desk: RecordingController) -> None:
+def _toggle_truth(controller: RecordingController) -> None:
     """Truth and errors, and where there are none why."""
-    _toggle("truth")(desk)
-    why = desk.scoring.presenter.why_nothing
-    if why and desk.pictured.truth:
-        desk.said.emit(why)
+    _toggle("truth")(controller)
+    why = controller.scoring.presenter.why_nothing
+    if why and controller.pictured.truth:
+        controller.said.emit(why)
 
 
-VIEWING: dict[str, OnDesk] = {
-    "view.left": lambda desk: desk.set_eyes("left"),
-    "view.both": lambda desk: desk.set_eyes("both"),
-    "view.anaglyph": lambda desk: desk.set_eyes("anaglyph"),
-    "view.whole": lambda desk: desk.window_page.show_whole(),
+VIEWING: dict[str, RecordingHandler] = {
+    "view.left": lambda controller: controller.set_eyes("left"),
+    "view.both": lambda controller: controller.set_eyes("both"),
+    "view.anaglyph": lambda controller: controller.set_eyes("anaglyph"),
+    "view.whole": lambda controller: controller.window_page.show_whole(),
     "view.grid": _toggle("grid"),
     "view.particles": _toggle("particles"),
     "view.trails": _toggle("trails"),

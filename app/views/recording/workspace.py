@@ -23,9 +23,6 @@ from app.views.comparing.differences_panel import DifferencesPanel
 from app.views.correcting.edit_panel import EditPanel
 from app.views.correcting.track_panel import TrackPanel
 from app.views.counting.counting_panel import CountingPanel
-from app.views.desk.below_floor import BelowFloor
-from app.views.desk.eyes_room import EyesRoom
-from app.views.desk.pane_ring import PaneRing
 from app.views.history.history_panel import HistoryPanel
 from app.views.labelling.labelling_panel import LabellingPanel
 from app.views.parts.curves_panel import CurvesPanel
@@ -33,6 +30,9 @@ from app.views.pictures.eye_switch import EyeSwitch
 from app.views.pictures.overhead import OverheadView
 from app.views.pictures.picture import PictureView
 from app.views.playing.transport import TransportBar
+from app.views.recording.below_floor import BelowFloor
+from app.views.recording.eyes_room import EyesRoom
+from app.views.recording.pane_ring import PaneRing
 from app.views.reviewing.review_panel import ReviewPanel
 from app.views.scoring.score_panel import ScorePanel
 from app.views.timeline import TimelineView

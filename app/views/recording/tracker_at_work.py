@@ -18,8 +18,8 @@ from app.presenters.runs.run_summary import (
 )
 from app.presenters.runs.tracker_state import TrackerState, TrackerWords
 from app.views.comparing.comparison_controller import Comparing
-from app.views.desk.follow_mode import Following
 from app.views.playing.playback import Playback
+from app.views.recording.follow_mode import Following
 from app.views.runs.live import LiveTracking
 from tracking.session import Session
 from tracking.trackers import Resume, StepResult, tracker_named

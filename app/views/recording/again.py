@@ -4,20 +4,20 @@ from __future__ import annotations
 
 from app.presenters.i18n import tr
 from app.presenters.runs.runs import CORRECTED, RunList
-from app.views.desk.recording_controller import RecordingController
+from app.views.recording.recording_controller import RecordingController
 from app.views.runs.runs_dialog import RunsDialog
 from app.views.runs.track_dialog import TrackDialog
 from tracking.errors import TrackwrightError
 
 
-def ask_again(desk: RecordingController) -> None:
+def ask_again(controller: RecordingController) -> None:
     """Ask from where on, and with what, the recording is tracked again.
 
     Proposed are the range that is set, else all from the playhead on, with the tracker and the
     settings of the run that was corrected; with a tracker of parts and the failure detector that
     was chosen since, where one was.
     """
-    session, recording = desk.document.session, desk.document.recording
+    session, recording = controller.document.session, controller.document.recording
     if session is None:
         return
     told = tr(
@@ -25,38 +25,38 @@ def ask_again(desk: RecordingController) -> None:
         "reviewed is overwritten, and you see all changes before they are made."
     )
     run = session.corrected_run
-    tracker = desk.tracking.proposed
-    asked = desk.document.parts_asked
-    dialog = TrackDialog(recording, tracker, told, desk.window_page, asked)
+    tracker = controller.tracking.proposed
+    asked = controller.document.parts_asked
+    dialog = TrackDialog(recording, tracker, told, controller.window_page, asked)
     dialog.setWindowTitle(tr("Track again"))
     if run is not None and run.tracker == tracker:
         dialog.put_settings(run.tracker, run.settings, run.seed)
-    start, end = desk.document.correcting.marked or (
-        desk.playback.clock.frame,
+    start, end = controller.document.correcting.marked or (
+        controller.playback.clock.frame,
         recording.frame_count,
     )
     dialog.put_frames(start, end - 1)
-    dialog.accepted.connect(lambda: _begin(desk, dialog))
+    dialog.accepted.connect(lambda: _begin(controller, dialog))
     dialog.open()
 
 
-def _begin(desk: RecordingController, dialog: TrackDialog) -> None:
+def _begin(controller: RecordingController, dialog: TrackDialog) -> None:
     try:
-        desk.tracking.track_again(*dialog.answer())
+        controller.tracking.track_again(*dialog.answer())
     except TrackwrightError as error:
-        desk.failed.emit(error)
+        controller.failed.emit(error)
 
 
-def show_runs(desk: RecordingController) -> None:
+def show_runs(controller: RecordingController) -> None:
     """List the session's runs, to be compared."""
-    session = desk.document.session
+    session = controller.document.session
     if session is None:
         return
-    runs = RunList(session, desk.document.recording, live=desk.document.at_work)
-    dialog = RunsDialog(runs, desk.window_page)
+    runs = RunList(session, controller.document.recording, live=controller.document.at_work)
+    dialog = RunsDialog(runs, controller.window_page)
     dialog.compare_asked.connect(
-        lambda run, base: desk.comparing.open(run, None if base == CORRECTED else base)
+        lambda run, base: controller.comparing.open(run, None if base == CORRECTED else base)
     )
-    dialog.correct_asked.connect(desk.comparing.correct)
-    dialog.drop_asked.connect(desk.comparing.drop_run)
+    dialog.correct_asked.connect(controller.comparing.correct)
+    dialog.drop_asked.connect(controller.comparing.drop_run)
     dialog.open()

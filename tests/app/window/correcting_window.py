@@ -13,7 +13,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu, QWidget
 from pytestqt.qtbot import QtBot
 
-from app.views.desk.recording_controller import RecordingController
+from app.views.recording.recording_controller import RecordingController
 from app.views.window.main_window import MainWindow
 
 CROWDED = 60
@@ -22,19 +22,21 @@ CTRL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModi
 LEFT = Qt.MouseButton.LeftButton
 
 
-def opened_desk(
+def open_for_correcting(
     window: MainWindow, qtbot: QtBot, path: Path, frame: int = CROWDED
 ) -> RecordingController:
-    """The desk once the frame is shown in both eyes and the window has the keyboard."""
+    """The controller once the frame is shown in both eyes and the window has the keyboard."""
     window.files.open_path(path)
-    qtbot.waitUntil(lambda: window.desk is not None and window.desk.playback.frame is not None)
+    qtbot.waitUntil(
+        lambda: window.controller is not None and window.controller.playback.frame is not None
+    )
     with qtbot.waitActive(window):
         window.activateWindow()
-    desk = window.desk
-    assert desk is not None
-    desk.playback.go(frame)
-    qtbot.waitUntil(lambda: desk.playback.number == frame)
-    return desk
+    controller = window.controller
+    assert controller is not None
+    controller.playback.go(frame)
+    qtbot.waitUntil(lambda: controller.playback.number == frame)
+    return controller
 
 
 def offered(menu: QMenu) -> list[QAction]:
@@ -51,7 +53,7 @@ class Hands:
     """Whoever sits before the window: presses keys, clicks, drags; looks at the session's rows."""
 
     window: MainWindow
-    desk: RecordingController
+    controller: RecordingController
     qtbot: QtBot
 
     def press(self, key: Qt.Key, modifiers: Qt.KeyboardModifier = NO_KEY) -> None:
@@ -66,8 +68,8 @@ class Hands:
 
     def go(self, frame: int) -> None:
         """Go to a frame and wait until it is seen."""
-        self.desk.playback.go(frame)
-        self.qtbot.waitUntil(lambda: self.desk.playback.number == frame)
+        self.controller.playback.go(frame)
+        self.qtbot.waitUntil(lambda: self.controller.playback.number == frame)
 
     def click(self, widget: QWidget, at: QPointF, modifiers: Qt.KeyboardModifier = NO_KEY) -> None:
         """Click at a place of a widget."""
@@ -104,23 +106,23 @@ class Hands:
 
     def row(self, track: int, frame: int) -> dict[str, Any]:
         """A row of the session's corrected table; empty where there is none."""
-        table = self.desk.document.session.tracks
+        table = self.controller.document.session.tracks
         rows = table.of_track(track, frame, frame + 1)
         return {name: column[0].item() for name, column in rows.items() if len(column)}
 
     def people(self, frame: int = CROWDED) -> list[int]:
         """Who stands in a frame."""
-        ids: list[int] = self.desk.document.session.tracks.of_frame(frame)["track"].tolist()
+        ids: list[int] = self.controller.document.session.tracks.of_frame(frame)["track"].tolist()
         return ids
 
     def frames(self, track: int) -> list[int]:
         """Where a track stands."""
-        found: list[int] = self.desk.document.session.tracks.frames_of_track(track).tolist()
+        found: list[int] = self.controller.document.session.tracks.frames_of_track(track).tolist()
         return found
 
     def apart(self) -> int:
         """Somebody in the crowded frame whom nobody stands close to."""
-        rows = self.desk.document.tracks.of_frame(CROWDED)
+        rows = self.controller.document.tracks.of_frame(CROWDED)
         places = np.column_stack((rows["x"], rows["y"]))
         apart = np.linalg.norm(places[:, None] - places, axis=2) + 99 * np.eye(len(places))
         return int(rows["track"][int(apart.min(axis=1).argmax())])
