@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from tracking.geometry import Camera, Ground, View
 from tracking.recording import StereoFrame
 from tracking.trackers.flow import FlowSettings, kernel_table
-from tracking.trackers.flow.mean_shift import cold, warm
+from tracking.trackers.flow.mean_shift import cluster_cold, cluster_warm
 from tracking.trackers.flow.people import HeldPeople
 from tracking.trackers.flow.perception import FlowPerception
 from tracking.trackers.flow.point_tracker import PointFollower
@@ -137,13 +137,13 @@ def _clustering_ms() -> tuple[float, float]:
     """With and without the modes of the frame before, over the same tracklets."""
     table = kernel_table(_view()).scaled(2.0)
     bundles = list(_bundles())
-    before = cold(bundles[0], table, _FEWEST, _JOIN).mode
+    before = cluster_cold(bundles[0], table, _FEWEST, _JOIN).mode
     begun = time.process_time()
     for tracklets in bundles[1:]:
-        before = warm(before, tracklets, table, _FEWEST, _JOIN, occlusion=True).mode
+        before = cluster_warm(before, tracklets, table, _FEWEST, _JOIN, occlusion=True).mode
     between = time.process_time()
     for tracklets in bundles[1:]:
-        cold(tracklets, table, _FEWEST, _JOIN, occlusion=True)
+        cluster_cold(tracklets, table, _FEWEST, _JOIN, occlusion=True)
     ended = time.process_time()
     frames = len(bundles) - 1
     return 1000 * (between - begun) / frames, 1000 * (ended - between) / frames

@@ -16,7 +16,7 @@ from app.presenters.pictures.of_run import AtWork
 from app.presenters.track_colours import TrackColours
 from tracking.geometry import Camera, Ground, View
 from tracking.trackers.flow import FlowSettings, kernel_table
-from tracking.trackers.flow.mean_shift import inside
+from tracking.trackers.flow.mean_shift import is_inside
 from tracking.trackers.spheroid import SpheroidSettings, outlines
 from tracking.tracks import (
     DETECTION_COLUMNS,
@@ -103,8 +103,8 @@ def painted(
 def on_outline(picture: np.ndarray, outline: np.ndarray) -> np.ndarray:
     """The pixels nearest to an outline's corners, of those inside the picture."""
     at = np.rint(outline).astype(int)
-    inside = ((at >= 0) & (at < SIZE)).all(axis=1)
-    return picture[at[inside, 1], at[inside, 0]]
+    is_inside = ((at >= 0) & (at < SIZE)).all(axis=1)
+    return picture[at[is_inside, 1], at[is_inside, 0]]
 
 
 def test_each_hypothesis_is_an_outline_in_its_persons_colour(view: View) -> None:
@@ -214,7 +214,7 @@ def test_the_kernel_drawn_is_what_mean_shift_holds_round_who_is_selected(
     for axis, drawn in ((0, u), (1, v)):
         tried = np.repeat(middle, 3201, axis=0)
         tried[:, axis] += np.arange(-160, 160.01, 0.1)
-        held = tried[inside(middle[:, None], table.at(middle)[:, None], tried[:, None])[0], axis]
+        held = tried[is_inside(middle[:, None], table.at(middle)[:, None], tried[:, None])[0], axis]
         stroke = 1.5  # px beyond its middle
         assert drawn.min() + stroke == pytest.approx(held.min(), abs=1.5)
         assert drawn.max() - stroke == pytest.approx(held.max(), abs=1.5)

@@ -8,9 +8,9 @@ import pytest
 from tests.trackers.flow.flow_scenes import FPS
 from tests.trackers.flow.tracklet_runs import VIEW, Walker, run_with
 from tracking.trackers.flow.floor import Floor
-from tracking.trackers.flow.foot_evidence import foot_lines
-from tracking.trackers.flow.foot_fit import feet_cost, feet_misfit, feet_say, ratios
-from tracking.trackers.flow.relabel_run import retold
+from tracking.trackers.flow.foot_fit import estimate_scale, feet_cost, feet_misfit, ratios
+from tracking.trackers.flow.foot_lines import foot_lines
+from tracking.trackers.flow.relabel_run import relabel_run
 
 FLOOR = Floor(VIEW)
 ROWS, COLUMNS = 240, 320
@@ -54,14 +54,14 @@ def test_feet_below_the_picture_and_points_in_the_sky_have_no_line() -> None:
 def test_feet_tell_the_distance_though_half_of_them_are_hidden_by_somebody_nearer() -> None:
     own = np.random.default_rng(5101).normal(0.15, 0.01, 40)
     hidden = np.linspace(-0.5, -0.1, 40)
-    ((told, weight),) = feet_say(np.concatenate((own, hidden)))
+    ((told, weight),) = estimate_scale(np.concatenate((own, hidden)))
     assert told == pytest.approx(0.15, abs=0.02)
     assert weight > 0
 
 
 def test_feet_that_nobody_saw_say_nothing() -> None:
     unseen = np.full(50, np.nan)
-    assert feet_say(unseen) == []
+    assert estimate_scale(unseen) == []
     assert (feet_misfit(unseen) == 0).all()
     assert (feet_cost(np.full((50, 3), np.nan)) == 0).all()
 
@@ -83,7 +83,7 @@ def test_a_slow_walker_nobody_held_is_where_the_feet_are(
 ) -> None:
     slow, held = Walker((-0.7, 9.0), (0.0, -0.75)), Walker((0.9, 3.5), (0.0, 1.2))
     run = run_with((slow, held), ((1, 1, range(5, 75)),), feet=feet)
-    found = retold(run, VIEW, FPS).tracks
+    found = relabel_run(run, VIEW, FPS).tracks
     own = found["x"] < 0
     true = np.hypot(*slow.at(found["frame"][own]).T)
     off = np.abs(np.log(np.hypot(found["x"][own], found["y"][own]) / true))

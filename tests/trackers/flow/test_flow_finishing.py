@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from tests.trackers.flow.flow_scenes import FPS, view_of
 from tracking.trackers import smooth_run
 from tracking.trackers.flow import finish_run
-from tracking.trackers.flow.pieces import joined
+from tracking.trackers.flow.pieces import join_pieces
 from tracking.tracks.columns import (
     ASSOCIATION_COLUMNS,
     DETECTION_COLUMNS,
@@ -113,7 +113,7 @@ def test_between_two_pieces_people_walk_straight_and_count_as_predicted() -> Non
 
 def test_who_walks_the_other_way_is_somebody_else() -> None:
     back = (0.2, 0.0), (0.0, 1.2)
-    found = joined(run_of((1, range(20, 50), *ONE), (2, range(52, 80), *back)), FPS)
+    found = join_pieces(run_of((1, range(20, 50), *ONE), (2, range(52, 80), *back)), FPS)
     assert set(found.tracks["track"]) == {1, 2}
 
 
@@ -125,7 +125,7 @@ def test_of_two_who_walk_abreast_each_goes_on_as_who_they_are() -> None:
         (3, range(46, 70), *beside),
         (4, range(47, 70), *ONE),
     )
-    found = joined(run, FPS).tracks
+    found = join_pieces(run, FPS).tracks
     assert set(found["track"][found["x"] > 0]) == {1}
     assert set(found["track"][found["x"] < 0]) == {2}
 

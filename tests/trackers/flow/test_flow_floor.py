@@ -9,9 +9,21 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tracking.trackers.flow.floor import Floor, sight_axes
-from tracking.trackers.flow.silhouettes import BODY, SHADE, cover_of, drawn, fits
-from tracking.trackers.flow.tracklet_owners import Holds, adapted, moved, released, said
-from tracking.trackers.flow.walkers import Walkers, begun, measured, predicted
+from tracking.trackers.flow.silhouettes import (
+    BODY,
+    SHADE,
+    draw_cover,
+    fit_silhouettes,
+    score_silhouettes,
+)
+from tracking.trackers.flow.tracklet_owners import (
+    TrackletOwners,
+    adapt_offsets,
+    estimate_places,
+    move_offsets,
+    release_misfits,
+)
+from tracking.trackers.flow.walkers import Walkers, begin_walkers, predict, update_measured
 
 FLOOR = Floor(view_of(3.0, 35.0))
 _SPOTS = np.array(
@@ -21,17 +33,19 @@ _SPOTS = np.array(
 
 def walkers_at(*places: tuple[float, float]) -> Walkers:
     count = len(places)
-    return begun(np.arange(1, count + 1, dtype=np.int32), np.array(places), np.zeros((count, 2)))
+    return begin_walkers(
+        np.arange(1, count + 1, dtype=np.int32), np.array(places), np.zeros((count, 2))
+    )
 
 
-def held(walkers: Walkers) -> tuple[Holds, np.ndarray]:
+def held(walkers: Walkers) -> tuple[TrackletOwners, np.ndarray]:
     """Tracklets spread over the bodies of everybody, and their slopes."""
     place = np.repeat(walkers.place, len(_SPOTS), axis=0)
     spots = np.tile(_SPOTS, (len(walkers), 1))
     owner = np.repeat(walkers.track, len(_SPOTS))
     slope = slopes_of(place, spots)
     rows = np.arange(len(owner))
-    return Holds.none().of(rows + 1).given(rows, owner, place, slope, FLOOR), slope
+    return TrackletOwners.none().for_ids(rows + 1).assign(rows, owner, place, slope, FLOOR), slope
 
 
 def slopes_of(place: np.ndarray, spots: np.ndarray) -> np.ndarray:
@@ -41,7 +55,7 @@ def slopes_of(place: np.ndarray, spots: np.ndarray) -> np.ndarray:
 
 def body_mask(*people: tuple[float, float], value: int = BODY) -> np.ndarray:
     """The foreground of people at half resolution, by the silhouettes that hide others."""
-    cover = cover_of(np.array(people), FLOOR)
+    cover = draw_cover(np.array(people), FLOOR)
     return np.where(np.isfinite(cover), np.uint8(value), np.uint8(0))
 
 
@@ -58,40 +72,40 @@ def test_a_points_ray_passes_its_person_at_the_points_height(x: float, y: float,
 @given(st.floats(-0.3, 0.3), st.floats(-0.3, 0.3))
 def test_tracklets_say_how_far_people_walked(dx: float, dy: float) -> None:
     walkers = walkers_at((0.3, 4.0), (-0.8, 5.0))
-    holds, _ = held(walkers)
+    owners, _ = held(walkers)
     step = np.array([dx, dy])
     place = np.repeat(walkers.place + step, len(_SPOTS), axis=0)
-    told = said(walkers, holds, slopes_of(place, np.tile(_SPOTS, (2, 1))), FLOOR)
+    told = estimate_places(walkers, owners, slopes_of(place, np.tile(_SPOTS, (2, 1))), FLOOR)
     np.testing.assert_allclose(told.place, walkers.place + step, atol=0.05)
     assert (told.count >= len(_SPOTS) - 2).all()
 
 
 def test_a_few_tracklets_that_move_otherwise_move_nobody_and_are_released() -> None:
     walkers = walkers_at((0.3, 4.0))
-    holds, slope = held(walkers)
+    owners, slope = held(walkers)
     slope[:4] += (0.3, 0.0)
-    told = said(walkers, holds, slope, FLOOR)
+    told = estimate_places(walkers, owners, slope, FLOOR)
     np.testing.assert_allclose(told.place, walkers.place, atol=0.05)
-    after = released(holds, told.misfit, 0.3)
+    after = release_misfits(owners, told.misfit, 0.3)
     assert (after.owner[:4] == 0).all()
     assert (after.owner[4:] == 1).all()
 
 
 def test_people_without_tracklets_are_told_nothing_of() -> None:
     walkers = walkers_at((0.3, 4.0), (1.0, 6.0))
-    holds, slope = held(walkers.select(np.array([True, False])))
-    told = said(walkers, holds, slope, FLOOR)
+    owners, slope = held(walkers.select(np.array([True, False])))
+    told = estimate_places(walkers, owners, slope, FLOOR)
     assert np.isfinite(told.place[0]).all()
     assert np.isnan(told.place[1]).all()
 
 
 def test_tracklets_go_along_when_a_person_is_found_farther_away() -> None:
     walkers = walkers_at((0.0, 4.0))
-    holds, slope = held(walkers)
+    owners, slope = held(walkers)
     by = np.array([[0.0, 0.5]])
     there = walkers_at((0.0, 4.5))
     np.testing.assert_allclose(
-        said(there, moved(there, holds, slope, by, FLOOR), slope, FLOOR).place,
+        estimate_places(there, move_offsets(there, owners, slope, by, FLOOR), slope, FLOOR).place,
         there.place,
         atol=0.06,
     )
@@ -99,16 +113,16 @@ def test_tracklets_go_along_when_a_person_is_found_farther_away() -> None:
 
 def test_tracklets_that_lie_beside_the_body_are_set_free() -> None:
     walkers = walkers_at((0.0, 4.0))
-    holds, slope = held(walkers)
-    assert (adapted(walkers, holds, slope, FLOOR, 0.1).owner == 1).all()
+    owners, slope = held(walkers)
+    assert (adapt_offsets(walkers, owners, slope, FLOOR, 0.1).owner == 1).all()
     aside = walkers_at((0.8, 4.0))
-    assert (adapted(aside, holds, slope, FLOOR, 0.1).owner == 0).all()
+    assert (adapt_offsets(aside, owners, slope, FLOOR, 0.1).owner == 0).all()
 
 
 def test_a_body_fills_its_own_silhouette_best() -> None:
-    mask, nobody = body_mask((0.3, 4.0)), cover_of(np.zeros((0, 2)), FLOOR)
+    mask, nobody = body_mask((0.3, 4.0)), draw_cover(np.zeros((0, 2)), FLOOR)
     places = np.array([[0.3, 4.0], [0.3, 3.2], [0.3, 5.2], [0.8, 4.0]])
-    score = fits(places, mask, nobody, FLOOR).score
+    score = score_silhouettes(places, mask, nobody, FLOOR).score
     assert score.argmax() == 0
     assert score[0] > 0.8
     assert score[1:].max() < 0.7
@@ -117,23 +131,23 @@ def test_a_body_fills_its_own_silhouette_best() -> None:
 def test_people_are_drawn_to_where_the_foreground_has_them() -> None:
     believed = np.array([[0.2, 4.3]])
     mask = body_mask((0.3, 4.0))
-    to = drawn(believed, mask, cover_of(believed, FLOOR), FLOOR)
+    to = fit_silhouettes(believed, mask, draw_cover(believed, FLOOR), FLOOR)
     before, after = (np.hypot(*(at[0] - (0.3, 4.0))) for at in (believed, to.place))
     assert after < 0.5 * before
 
 
 def test_a_shadow_on_the_floor_fills_nobody() -> None:
     mask = body_mask((0.3, 4.0), value=SHADE)
-    nobody = cover_of(np.zeros((0, 2)), FLOOR)
-    seen = fits(np.array([[0.3, 4.0]]), mask, nobody, FLOOR)
+    nobody = draw_cover(np.zeros((0, 2)), FLOOR)
+    seen = score_silhouettes(np.array([[0.3, 4.0]]), mask, nobody, FLOOR)
     assert seen.own[0] == 0.0
 
 
 def test_somebody_behind_another_is_in_sight_only_in_part() -> None:
     nearer = np.array([[0.0, 4.0]])
-    cover = cover_of(nearer, FLOOR)
+    cover = draw_cover(nearer, FLOOR)
     mask = body_mask((0.0, 4.0), (0.0, 4.7))
-    both = fits(np.array([[0.0, 4.7], [1.2, 4.7]]), mask, cover, FLOOR)
+    both = score_silhouettes(np.array([[0.0, 4.7], [1.2, 4.7]]), mask, cover, FLOOR)
     assert both.seen[0] < 0.5
     assert both.seen[1] > 0.9
 
@@ -141,9 +155,9 @@ def test_somebody_behind_another_is_in_sight_only_in_part() -> None:
 def test_nothing_is_told_of_somebody_wholly_hidden() -> None:
     believed = np.array([[0.0, 4.0], [0.0, 4.35]])
     low = Floor(view_of(1.8, 8.0))
-    cover = cover_of(believed, low)
+    cover = draw_cover(believed, low)
     mask = np.where(np.isfinite(cover), np.uint8(BODY), np.uint8(0))
-    to = drawn(believed, mask, cover, low)
+    to = fit_silhouettes(believed, mask, cover, low)
     assert np.isfinite(to.place[0]).all()
     assert np.isnan(to.place[1]).all()
 
@@ -151,8 +165,8 @@ def test_nothing_is_told_of_somebody_wholly_hidden() -> None:
 def test_the_filter_follows_somebody_who_walks_evenly() -> None:
     walkers, pace = walkers_at((0.0, 4.0)), np.array([0.4, -1.1])
     for step in range(1, 31):
-        walkers = predicted(walkers, 0.1)
-        walkers = measured(
+        walkers = predict(walkers, 0.1)
+        walkers = update_measured(
             walkers, np.array([[0.0, 4.0]]) + 0.1 * step * pace, np.array([[0.1, 0.1]])
         )
     np.testing.assert_allclose(walkers.pace[0], pace, atol=0.02)
@@ -162,7 +176,7 @@ def test_the_filter_follows_somebody_who_walks_evenly() -> None:
 def test_what_is_not_measured_is_left_as_predicted() -> None:
     walkers = walkers_at((0.0, 4.0), (1.0, 5.0))
     place = np.array([[np.nan, np.nan], [1.2, 5.0]])
-    after = measured(walkers, place, np.full((2, 2), 0.1))
+    after = update_measured(walkers, place, np.full((2, 2), 0.1))
     np.testing.assert_array_equal(after.state[0], walkers.state[0])
     assert after.state[1, 0] == pytest.approx(1.19, abs=0.02)
 

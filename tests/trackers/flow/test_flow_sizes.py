@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 from tracking.geometry import Camera, View
 from tracking.trackers import StepResult
 from tracking.trackers.flow.floor import Floor
-from tracking.trackers.flow.half_resolution import doubled, half_size, halved
+from tracking.trackers.flow.half_resolution import double, half_size, halve
 from tracking.trackers.flow.perception import FlowPerception
-from tracking.trackers.flow.silhouettes import BODY, cover_of, fits
+from tracking.trackers.flow.silhouettes import BODY, draw_cover, score_silhouettes
 
 ODD = [(641, 481), (639, 479), (641, 480), (640, 479)]
 WHOLE = view_of()
@@ -69,8 +69,8 @@ def test_a_body_fills_the_foreground_as_well_whatever_the_size(size: tuple[int, 
     scores = []
     for of in (SIZE, size):
         floor = Floor(view_with(of))
-        nobody = cover_of(np.zeros((0, 2)), floor)
-        scores.append(fits(place, mask_of(cut(picture, of)), nobody, floor).score[0])
+        nobody = draw_cover(np.zeros((0, 2)), floor)
+        scores.append(score_silhouettes(place, mask_of(cut(picture, of)), nobody, floor).score[0])
     assert scores[0] > 0.8
     assert scores[1] == pytest.approx(scores[0], abs=0.02)
 
@@ -94,9 +94,9 @@ def test_foreground_over_the_picture_is_as_large_and_lies_where_somebody_is(
 @given(st.integers(1, 40), st.integers(1, 40))
 def test_every_size_is_halved_and_doubled_to_itself(width: int, height: int) -> None:
     picture = np.arange(height * width, dtype=np.uint8).reshape(height, width)
-    half = halved(picture)
+    half = halve(picture)
     assert half.shape[::-1] == half_size((width, height))
-    assert doubled(half, (width, height)).shape == (height, width)
+    assert double(half, (width, height)).shape == (height, width)
 
 
 @given(st.integers(2, 40), st.integers(2, 40))
@@ -105,4 +105,4 @@ def test_a_pixel_at_half_resolution_is_the_mean_of_the_same_four(width: int, hei
     picture = random.integers(0, 256, (height, width)).astype(np.uint8)
     columns, rows = half_size((width, height))
     fours = picture[: 2 * rows, : 2 * columns].reshape(rows, 2, columns, 2)
-    assert np.abs(halved(picture) - fours.mean(axis=(1, 3))).max() <= 0.5
+    assert np.abs(halve(picture) - fours.mean(axis=(1, 3))).max() <= 0.5

@@ -1,4 +1,4 @@
-"""Clusters of tracklets that nobody has, as new people."""
+"""Track initiation at clusters of tracklets without an owner."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from tracking.trackers.flow.floor import Floor
 from tracking.trackers.flow.flow_frame import paces
-from tracking.trackers.flow.silhouettes import Cover, fits
+from tracking.trackers.flow.silhouettes import Cover, score_silhouettes
 
 Floats = NDArray[np.float64]
 Mask = NDArray[np.uint8]
@@ -24,8 +24,8 @@ _PRIOR = 0.03
 
 
 @dataclass(frozen=True, slots=True)
-class Newcomer:
-    """Somebody new.
+class BirthHypothesis:
+    """Where somebody new may stand.
 
     Attributes:
         place: (2,) m. pace: (2,) m/s. score, seen, own: see `Fit`.
@@ -38,9 +38,9 @@ class Newcomer:
     own: float
 
 
-def newcomer(
+def locate_birth(
     slope: Floats, before: Floats, over_s: float, mask: Mask, cover: Cover, floor: Floor
-) -> Newcomer:
+) -> BirthHypothesis:
     """Where the person of a cluster stands, of all places along the sight the likeliest.
 
     A body there must fill the foreground from head to feet and end where that ends, hold the
@@ -56,11 +56,11 @@ def newcomer(
     highest = height.max(axis=1)
     every = paces(slope[None], before[None], height, over_s, floor.camera_m)
     pace = np.median(every, axis=1)
-    fit = fits(place, mask, cover, floor)
+    fit = score_silhouettes(place, mask, cover, floor)
     speed = np.hypot(pace[:, 0], pace[:, 1])
     odd = ((_CENTRES_M - _USUAL_CENTRE_M) / _CENTRE_ERROR_M) ** 2
     odd += ((speed - _USUAL_PACE_M_S) / _PACE_ERROR_M_S) ** 2
     odd += (np.maximum(highest - _HIGHEST_M, 0) / 0.1) ** 2
     best = int((fit.score - _PRIOR * odd).argmax())
-    told = (float(values[best]) for values in (fit.score, fit.seen, fit.own))
-    return Newcomer(place[best], pace[best], *told)
+    scores = (float(values[best]) for values in (fit.score, fit.seen, fit.own))
+    return BirthHypothesis(place[best], pace[best], *scores)

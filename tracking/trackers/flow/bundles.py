@@ -1,4 +1,4 @@
-"""Bundles: the tracklets that move as the body of somebody walking some way would."""
+"""Bundles: the tracklets that move as the body of somebody walking along a trajectory would."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.trackers.flow.chains import Chains, Rows
+from tracking.trackers.flow.chains import Rows, TrackletChains
 from tracking.trackers.flow.floor import Floor, sight_axes
 from tracking.trackers.flow.foot_fit import feet_misfit, ratios
 
@@ -19,7 +19,8 @@ _ALIKE = 4.0
 _HEIGHT_M, _ASIDE_M = 0.045, 0.07
 """How far a point of a body moves up and down, and sideways, beside its usual place."""
 _WAY_M, _UNSEEN_WAY_M_S = 0.06, 0.15
-"""How far the way itself may be off along the sight, and the more the longer it is only led."""
+"""How far the trajectory itself may be off along the sight, and the more the longer it is only
+led."""
 _OFF_AXIS_M = 0.1
 """How far from the middle points of bodies are found."""
 _HIGHEST_M, _HEADROOM_M, _FLOOR_M = 1.72, 0.06, 0.05
@@ -29,12 +30,12 @@ _LEAST_TREND_S = 0.4
 _WIDEST_M, _LOW_M, _HIGH_M = 0.5, -0.3, 2.1
 """What lies farther off is not looked at."""
 _LEAST_SHARE = 0.5
-"""Of a tracklet's frames that must lie on the way."""
+"""Of a tracklet's frames that must lie on the trajectory."""
 _LED_BY_S = 1.5
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Way:
+class Trajectory:
     """Where somebody walked.
 
     Attributes:
@@ -49,17 +50,17 @@ class Way:
         """The frame after the last."""
         return self.first + len(self.place)
 
-    def cut(self, start: int, stop: int) -> Way:
+    def cut(self, start: int, stop: int) -> Trajectory:
         """The rows `start` to `stop`."""
-        return Way(self.first + start, self.place[start:stop])
+        return Trajectory(self.first + start, self.place[start:stop])
 
-    def led(self, frames: int, stop: int, fps: float) -> Way:
+    def extended(self, frames: int, stop: int, fps: float) -> Trajectory:
         """Led back and on straight for so many frames, between frame 0 and `stop`."""
         near = min(len(self.place), max(2, round(_LED_BY_S * fps)))
         before, after = min(frames, self.first), max(min(frames, stop - self.stop), 0)
         back = self.place[0] - np.arange(before, 0, -1)[:, None] * _pace(self.place[:near])
         on = self.place[-1] + np.arange(1, after + 1)[:, None] * _pace(self.place[-near:])
-        return Way(self.first - before, np.concatenate((back, self.place, on)))
+        return Trajectory(self.first - before, np.concatenate((back, self.place, on)))
 
 
 def _pace(place: Floats) -> Floats:
@@ -72,12 +73,12 @@ def _pace(place: Floats) -> Floats:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Bundle:
-    """Tracklets near a way.
+    """Tracklets near a trajectory.
 
     Attributes:
         rows: (k,) of the chains. number: (k,) of their tracklets among these m.
         place: (k, 2) m where the walker is. across: (k, 2) unit vectors, across the sight.
-        chain: (m,) the tracklets. frames: (m,) in how many frames they lie near the way.
+        chain: (m,) the tracklets. frames: (m,) in how many frames they lie near the trajectory.
         z_m, aside_m: (m,) their places in the body.
         misfit: (m,) squared, in standard deviations. alike: (m,) whether they may be the walker's.
     """
@@ -93,7 +94,7 @@ class Bundle:
     misfit: Floats
     alike: Flags
 
-    def only(self, kept: Flags) -> Bundle:
+    def select(self, kept: Flags) -> Bundle:
         """With the rows of some of the tracklets; all the tracklets stay in the list."""
         rows = kept[self.number]
         return Bundle(
@@ -105,27 +106,34 @@ class Bundle:
         )
 
 
-def bundle_of(
-    way: Way, chains: Chains, floor: Floor, fps: float, led_s: float, free: Flags | None = None
+def gather_bundle(
+    trajectory: Trajectory,
+    chains: TrackletChains,
+    floor: Floor,
+    fps: float,
+    led_s: float,
+    free: Flags | None = None,
 ) -> Bundle:
-    """The tracklets near a way, and how well each suits a body that walks it.
+    """The tracklets near a trajectory, and how well each suits a body that walks it.
 
     A point of a body keeps its height and its distance from the body's axis. Of one who walks
-    another way, or the same behind or before, it seems to rise, to sink or to drift aside,
+    elsewhere, or the same behind or before, it seems to rise, to sink or to drift aside,
     and the feet below it are not where the walker is.
 
     Args:
-        led_s: how long before and after it the way is led on.
+        led_s: how long before and after it the trajectory is led on.
         free: (chains,) those that are looked at.
     """
-    whole = way.led(round(led_s * fps), len(chains.start) - 1, fps)
+    whole = trajectory.extended(round(led_s * fps), len(chains.start) - 1, fps)
     rows, place, z_m = _near(whole, chains, floor, free)
     across = sight_axes(place)[:, 1]
     spot = floor.places(chains.slope[rows], z_m)
     aside_m = ((spot - place) * across).sum(axis=1)
     chain, number, frames = np.unique(chains.chain[rows], return_inverse=True, return_counts=True)
     frame = chains.frame[rows]
-    unseen_s = np.maximum(np.maximum(way.first - frame, frame - way.stop + 1), 0) / fps
+    unseen_s = (
+        np.maximum(np.maximum(trajectory.first - frame, frame - trajectory.stop + 1), 0) / fps
+    )
     middle_z, middle_aside = (_means(number, value, frames) for value in (z_m, aside_m))
     misfit = _unsteadiness(
         z_m - middle_z[number], aside_m - middle_aside[number], unseen_s, chains.slope[rows]
@@ -143,13 +151,13 @@ def bundle_of(
 
 
 def _near(
-    way: Way, chains: Chains, floor: Floor, free: Flags | None
+    trajectory: Trajectory, chains: TrackletChains, floor: Floor, free: Flags | None
 ) -> tuple[Rows, Floats, Floats]:
-    """Rows of tracklets whose rays pass near a body on the way, where it is, and at what height."""
-    rows = chains.of_frames(way.first, way.stop)
+    """Rows of tracklets that pass near a body on the trajectory, its place, and their height."""
+    rows = chains.of_frames(trajectory.first, trajectory.stop)
     if free is not None:
         rows = rows[free[chains.chain[rows]]]
-    place, slope = way.place[chains.frame[rows] - way.first], chains.slope[rows]
+    place, slope = trajectory.place[chains.frame[rows] - trajectory.first], chains.slope[rows]
     cross = slope[:, 1] * place[:, 0] - slope[:, 0] * place[:, 1]
     near = np.abs(cross) < _WIDEST_M * np.maximum(np.hypot(*slope.T), 1e-6)
     rows, place = rows[near], place[near]

@@ -22,7 +22,7 @@ _STRIDE_M = 0.35
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Chains:
+class TrackletChains:
     """Tracklets over time: a row for each of their frames, sorted by frame.
 
     Attributes:
@@ -58,11 +58,11 @@ class Chains:
         return np.arange(self.start[first], self.start[stop])
 
 
-def chains_of(run: Run, floor: Floor, fps: float) -> Chains:
+def link_chains(run: Run, floor: Floor, fps: float) -> TrackletChains:
     """The tracklets of a run of the flow tracker that were followed for a while."""
     columns = {name: np.asarray(run.tracklets.columns[name]) for name in _COLUMNS}
     frame = np.repeat(np.arange(len(run.tracklets.start) - 1), np.diff(run.tracklets.start))
-    chain = _linked(run.tracklets, columns)
+    chain = _link(run.tracklets, columns)
     slope = floor.slopes(np.stack((columns["u0"], columns["v0"]), axis=1).astype(np.float64))
     known = np.isfinite(slope).all(axis=1)
     length = np.bincount(chain[known], minlength=len(chain) + 1)
@@ -72,7 +72,7 @@ def chains_of(run: Run, floor: Floor, fps: float) -> Chains:
     first, last = np.full(count, len(frame)), np.full(count, -1)
     np.minimum.at(first, number, frame[row])
     np.maximum.at(last, number, frame[row])
-    return Chains(
+    return TrackletChains(
         row=row,
         frame=frame[row],
         chain=number,
@@ -95,7 +95,7 @@ def _feet_m(columns: Columns, row: Rows, floor: Floor) -> Floats:
     return np.asarray(np.hypot(*floor.slopes(foot).T) * floor.camera_m + _STRIDE_M)
 
 
-def _linked(tracklets: Particles, columns: Columns) -> Integers:
+def _link(tracklets: Particles, columns: Columns) -> Integers:
     """(n,) the same number for rows of one tracklet: where one is was where the other is now."""
     start = tracklets.start
     now, before = (_as_key(columns[u], columns[v]) for u, v in (("u0", "v0"), ("u1", "v1")))

@@ -9,13 +9,20 @@ from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
 from tracking.trackers.flow.floor import Floor
-from tracking.trackers.flow.flow_frame import POSITIONS, Seen, speeds
+from tracking.trackers.flow.flow_frame import POSITIONS, FlowFrame, speeds
 from tracking.trackers.flow.kernels import KernelTable
 from tracking.trackers.flow.mean_shift import Clusters
-from tracking.trackers.flow.mode_updates import Gathering
+from tracking.trackers.flow.mode_updates import ModeUpdater
 from tracking.trackers.flow.settings import FlowSettings
-from tracking.trackers.flow.track_retention import lasting
-from tracking.trackers.flow.walkers import Walkers, begun, measured, nobody, predicted, proven
+from tracking.trackers.flow.track_retention import should_keep
+from tracking.trackers.flow.walkers import (
+    Walkers,
+    begin_walkers,
+    mark_proven,
+    no_walkers,
+    predict,
+    update_measured,
+)
 
 Floats = NDArray[np.float64]
 Indices = NDArray[np.intp]
@@ -37,35 +44,35 @@ class ClusteredPeople:
         self._settings = settings
         self._table = table
         self._floor = floor
-        self._gathering = Gathering(settings.clusters, table)
+        self._modes = ModeUpdater(settings.clusters, table)
         self._ids = np.zeros(0, np.int64)
         self.owner = np.zeros(0, np.int32)
-        self.walkers = nobody()
+        self.walkers = no_walkers()
         self.last_id = 0
 
-    def step(self, seen: Seen) -> None:
+    def step(self, seen: FlowFrame) -> None:
         """Take one frame further."""
-        rows = self._moving(seen)
-        clusters = self._gathering.of(seen.vectors(rows))
+        rows = self._moving_rows(seen)
+        clusters = self._modes.cluster(seen.vectors(rows))
         label = np.full(len(seen.tracklets), -1)
         label[rows] = clusters.label
-        walkers = predicted(self.walkers, seen.elapsed_s)
-        walkers = walkers.select(lasting(walkers, self._settings, self._floor))
+        walkers = predict(self.walkers, seen.elapsed_s)
+        walkers = walkers.select(should_keep(walkers, self._settings, self._floor))
         before = self._owner_before(seen)
-        who = _matched(label, before, walkers, len(clusters))
+        who = _match_clusters(label, before, walkers, len(clusters))
         place = self._places(clusters)
-        walkers = proven(self._measured(walkers, who, place, label), self._settings.walked_m)
+        walkers = mark_proven(self._measure(walkers, who, place, label), self._settings.walked_m)
         track = np.where(who >= 0, np.append(walkers.track, 0)[who], 0).astype(np.int32)
-        walkers, track = self._with_newcomers(walkers, track, place, label, seen)
+        walkers, track = self._add_births(walkers, track, place, label, seen)
         self.owner = np.append(track, np.int32(0))[label]
         self._ids, self.walkers = seen.tracklets.id, walkers
 
-    def take_over(self, walkers: Walkers, seen: Seen, last_id: int) -> None:
+    def take_over(self, walkers: Walkers, seen: FlowFrame, last_id: int) -> None:
         """Go on with these people; clusters nearest to them are theirs."""
         self.walkers, self.last_id = walkers, last_id
         self._ids = seen.tracklets.id
-        rows = self._moving(seen)
-        clusters = self._gathering.of(seen.vectors(rows))
+        rows = self._moving_rows(seen)
+        clusters = self._modes.cluster(seen.vectors(rows))
         self.owner = np.zeros(len(seen.tracklets), np.int32)
         if len(clusters) and len(walkers):
             away = self._places(clusters)[:, None] - walkers.place
@@ -73,12 +80,12 @@ class ClusteredPeople:
             track = np.append(walkers.track[nearest], np.int32(0))
             self.owner[rows] = track[clusters.label]
 
-    def _moving(self, seen: Seen) -> Indices:
+    def _moving_rows(self, seen: FlowFrame) -> Indices:
         """The rows of tracklets that do not stand still."""
         speed = speeds(seen.tracklets, POSITIONS, seen.fps, self._floor)
         return np.flatnonzero(seen.known & (speed > self._settings.points.still_m_s))
 
-    def _owner_before(self, seen: Seen) -> NDArray[np.int32]:
+    def _owner_before(self, seen: FlowFrame) -> NDArray[np.int32]:
         """(n,) whose each tracklet was in the frame before; 0: nobody's."""
         place = np.searchsorted(self._ids, seen.tracklets.id)
         known = place < len(self._ids)
@@ -96,7 +103,7 @@ class ClusteredPeople:
         height_m = settings.centre_m
         return self._floor.places(self._floor.slopes(middle), np.full(len(middle), height_m))
 
-    def _measured(self, walkers: Walkers, who: Indices, place: Floats, label: Indices) -> Walkers:
+    def _measure(self, walkers: Walkers, who: Indices, place: Floats, label: Indices) -> Walkers:
         there = np.full((len(walkers), 2), np.nan)
         own = who >= 0
         there[who[own]] = place[own]
@@ -104,13 +111,18 @@ class ClusteredPeople:
         error = np.column_stack(
             (_ERROR_M + _ERROR_SHARE * distance, np.full(len(walkers), _ERROR_M))
         )
-        walkers = measured(walkers, there, error)
+        walkers = update_measured(walkers, there, error)
         count = np.zeros(len(walkers), np.int64)
         count[who[own]] = np.bincount(label[label >= 0], minlength=len(who))[own]
         return replace(walkers, count=count, missed_s=np.where(count > 0, 0.0, walkers.missed_s))
 
-    def _with_newcomers(
-        self, walkers: Walkers, track: NDArray[np.int32], place: Floats, label: Indices, seen: Seen
+    def _add_births(
+        self,
+        walkers: Walkers,
+        track: NDArray[np.int32],
+        place: Floats,
+        label: Indices,
+        seen: FlowFrame,
     ) -> tuple[Walkers, NDArray[np.int32]]:
         """Clusters that are nobody's, and have moved for a while, as new people."""
         track = track.copy()
@@ -120,12 +132,16 @@ class ClusteredPeople:
                 continue
             self.last_id += 1
             track[number] = self.last_id
-            one = begun(track[number : number + 1], place[number : number + 1], np.zeros((1, 2)))
-            walkers = walkers.and_also(replace(one, count=np.array([len(rows)])))
+            one = begin_walkers(
+                track[number : number + 1], place[number : number + 1], np.zeros((1, 2))
+            )
+            walkers = walkers.append(replace(one, count=np.array([len(rows)])))
         return walkers, track
 
 
-def _matched(label: Indices, before: NDArray[np.int32], walkers: Walkers, clusters: int) -> Indices:
+def _match_clusters(
+    label: Indices, before: NDArray[np.int32], walkers: Walkers, clusters: int
+) -> Indices:
     """(clusters,) the row of the person each shares most tracklets with; -1: none."""
     row = np.searchsorted(walkers.track, before)
     row = np.minimum(row, max(len(walkers) - 1, 0))

@@ -1,4 +1,4 @@
-"""A finished run of the flow tracker looked over: pieces joined, ways led back and on."""
+"""Finishes a run of the flow tracker: joins pieces, extends trajectories back and on."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from tracking.geometry import View
 from tracking.trackers.flow.floor import Floor
-from tracking.trackers.flow.pieces import Ends, ends, joined
-from tracking.trackers.flow.relabel_run import retold
+from tracking.trackers.flow.pieces import Ends, find_ends, join_pieces
+from tracking.trackers.flow.relabel_run import relabel_run
 from tracking.trackers.flow.result import BODY_WIDTH_M
 from tracking.trackers.flow.silhouettes import USUAL_HEIGHT_M
 from tracking.trackers.flow.witnesses import Witnesses
@@ -36,12 +36,13 @@ def finish_run(run: Run, view: View, fps: float, given: Columns | None = None) -
 
     Beyond [Yoneji2013], which counts frame by frame. In a crowd people are found late and lost
     early, behind others; whoever walked on was there before and after:
-        - people are those whose ways explain the tracklets over all their time, see `retold`;
+        - people are those whose trajectories explain the tracklets over all their time, see
+          `relabel_run`;
         - pieces that lead from one to the other are one track;
         - where a track has no rows in between, the person walked straight;
         - paths are smoothed, see `trackers.smooth_run`;
-        - ways are led back and on for a while, at the pace they had, within the picture, as long
-          as the tracklets leave room for somebody there, see `Witnesses`.
+        - trajectories are led back and on for a while, at the pace they had, within the picture,
+          as long as the tracklets leave room for somebody there, see `Witnesses`.
     What was added counts as predicted. With `hold` off runs are only smoothed.
 
     Args:
@@ -49,14 +50,14 @@ def finish_run(run: Run, view: View, fps: float, given: Columns | None = None) -
     """
     if not run.settings.get("hold"):
         return smooth_run(run, view, fps, given)
-    run = joined(retold(run, view, fps), fps)
-    run = replace(run, tracks=_without_gaps(run.tracks, view, fps))
+    run = join_pieces(relabel_run(run, view, fps), fps)
+    run = replace(run, tracks=_fill_gaps(run.tracks, view, fps))
     run = smooth_run(run, view, fps, given, memory_s=_MEMORY_S)
     led_s = float(run.settings.get("led_s", _USUAL_LED_S))
-    return replace(run, tracks=_led(run, view, fps, led_s))
+    return replace(run, tracks=_extend(run, view, fps, led_s))
 
 
-def _without_gaps(tracks: Columns, view: View, fps: float) -> Columns:
+def _fill_gaps(tracks: Columns, view: View, fps: float) -> Columns:
     """With rows in between for those who are out of sight within their track."""
     order = np.lexsort((tracks["frame"], tracks["track"]))
     frame, track = tracks["frame"][order], tracks["track"][order]
@@ -68,32 +69,32 @@ def _without_gaps(tracks: Columns, view: View, fps: float) -> Columns:
     way = place[before + 1] - place[before]
     pace = way * fps / (missing[before] + 1)[:, None]
     added = _rows(frame[before] + nth, track[before], place[before] + share * way, pace, view)
-    return _with(tracks, added)
+    return _add_rows(tracks, added)
 
 
-def _led(run: Run, view: View, fps: float, led_s: float) -> Columns:
-    """The tracks with ways led back to before their beginning and on after their end."""
+def _extend(run: Run, view: View, fps: float, led_s: float) -> Columns:
+    """The tracks with trajectories led back to before their beginning and on after their end."""
     tracks, witnesses = run.tracks, Witnesses(run, Floor(view))
     order = np.lexsort((tracks["frame"], tracks["track"]))
     pieces = np.split(order, np.flatnonzero(np.diff(tracks["track"][order])) + 1)
-    pieces = [rows for rows in pieces if len(rows) and _leads(tracks, rows, fps)]
+    pieces = [rows for rows in pieces if len(rows) and _is_leading(tracks, rows, fps)]
     name = np.array([tracks["track"][rows[0]] for rows in pieces], np.int64)
     for last in (False, True):
-        end = ends(tracks, pieces, fps, last=last)
+        end = find_ends(tracks, pieces, fps, last=last)
         steps = np.arange(1, round(led_s * fps) + 1) * (1 if last else -1)
         added = _line(end, name, run.frames, fps, steps, witnesses)
-        tracks = _with(tracks, added)
-        pieces = _found_again(tracks, name)
+        tracks = _add_rows(tracks, added)
+        pieces = _rows_by_track(tracks, name)
     return tracks
 
 
-def _leads(tracks: Columns, rows: Rows, fps: float) -> bool:
+def _is_leading(tracks: Columns, rows: Rows, fps: float) -> bool:
     """Whether a track shows where somebody walks."""
     way = np.hypot(np.ptp(tracks["x"][rows]), np.ptp(tracks["y"][rows]))
     return bool(len(rows) >= _LEAST_LED_S * fps and way >= _LEAST_WAY_M)
 
 
-def _found_again(tracks: Columns, name: NDArray[np.int64]) -> list[Rows]:
+def _rows_by_track(tracks: Columns, name: NDArray[np.int64]) -> list[Rows]:
     """The rows of each track, by time."""
     order = np.lexsort((tracks["frame"], tracks["track"]))
     first = np.searchsorted(tracks["track"][order], name)
@@ -146,7 +147,7 @@ def _rows(
     return {name: np.asarray(values[name], dtype) for name, dtype in TRACK_COLUMNS.items()}
 
 
-def _with(tracks: Columns, added: Columns) -> Columns:
+def _add_rows(tracks: Columns, added: Columns) -> Columns:
     """With more rows, by frame, then track."""
     both = {name: np.concatenate((column, added[name])) for name, column in tracks.items()}
     order = np.lexsort((both["track"], both["frame"]))

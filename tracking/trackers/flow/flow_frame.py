@@ -19,7 +19,7 @@ _BODY_MIDDLE_M = 0.8
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Seen:
+class FlowFrame:
     """One frame.
 
     Attributes:
@@ -48,7 +48,7 @@ class Seen:
         elapsed_s: float,
         fps: float,
         floor: Floor,
-    ) -> Seen:
+    ) -> FlowFrame:
         """The tracklets of a frame with their rays."""
         slope = floor.slopes(tracklets.path[:, 0].astype(np.float64))
         before = floor.slopes(tracklets.path[:, POSITIONS - 1].astype(np.float64))

@@ -45,7 +45,7 @@ def feet_misfit(ratio: Floats) -> Floats:
     return np.asarray(_NOWHERE * nowhere + _HIDDEN * hidden)
 
 
-def feet_say(ratio: Floats) -> list[tuple[float, float]]:
+def estimate_scale(ratio: Floats) -> list[tuple[float, float]]:
     """By how much farther away a body is, as a logarithm, and its weight; nothing if unknown.
 
     That at which most feet are the body's own and few are nowhere: those that are hidden say

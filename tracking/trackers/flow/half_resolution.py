@@ -15,7 +15,7 @@ def half_size(size: Size) -> Size:
     return max(1, size[0] // 2), max(1, size[1] // 2)
 
 
-def halved(picture: Image) -> Image:
+def halve(picture: Image) -> Image:
     """A picture, grey or BGR, of which pixel (u, v) is the mean of four round 2u + 0.5, 2v + 0.5.
 
     Of odd sizes the last column or row is cut off, so that this holds all over the picture.
@@ -25,7 +25,7 @@ def halved(picture: Image) -> Image:
     return np.asarray(cv2.resize(even, (columns, rows), interpolation=cv2.INTER_AREA), np.uint8)
 
 
-def doubled(half: Image, size: Size) -> Image:
+def double(half: Image, size: Size) -> Image:
     """What is known at half resolution, of a picture of that width and height: each pixel four.
 
     What `half_size` left out is as what lies beside it.

@@ -42,7 +42,7 @@ class Clusters:
         return len(self.mode)
 
 
-def inside(modes: Vectors, size: Vectors, tracklets: Vectors) -> Flags:
+def is_inside(modes: Vectors, size: Vectors, tracklets: Vectors) -> Flags:
     """(m, n) whether a tracklet lies in a mode's kernel at every instant [Yoneji2013] eq. 7.
 
     A kernel is a rectangle round the mode. In the source it reaches a body's width and height from
@@ -59,7 +59,7 @@ def inside(modes: Vectors, size: Vectors, tracklets: Vectors) -> Flags:
     return within
 
 
-def shifted(modes: Vectors, within: Flags, tracklets: Vectors) -> Vectors:
+def shift_modes(modes: Vectors, within: Flags, tracklets: Vectors) -> Vectors:
     """(m, t, 2) the mean of what is in each kernel [Yoneji2013] eq. 2; empty ones stay.
 
     With the tracklets of the frame before in the kernels and this frame's to take the mean of, it
@@ -72,20 +72,20 @@ def shifted(modes: Vectors, within: Flags, tracklets: Vectors) -> Vectors:
     return np.where((count > 0)[:, None, None], mean, modes)
 
 
-def settled(modes: Vectors, tracklets: Vectors, table: KernelTable) -> Vectors:
+def settle_modes(modes: Vectors, tracklets: Vectors, table: KernelTable) -> Vectors:
     """Modes (m, t, 2) shifted until none moves any more."""
     modes, moving = modes.copy(), np.arange(len(modes))
     for _ in range(MOST_STEPS):
         if not len(moving):
             break
         before = modes[moving]
-        after = shifted(before, inside(before, table.at(before), tracklets), tracklets)
+        after = shift_modes(before, is_inside(before, table.at(before), tracklets), tracklets)
         modes[moving] = after
         moving = moving[np.abs(after - before).max(axis=(1, 2)) > _SETTLED_PX]
     return modes
 
 
-def joined(modes: Vectors, size: Vectors, weight: NDArray[np.int64], bound: float) -> Indices:
+def join_modes(modes: Vectors, size: Vectors, weight: NDArray[np.int64], bound: float) -> Indices:
     """(m,) for each mode the one it joins, which may be itself: the heaviest near enough.
 
     Args:
@@ -97,23 +97,23 @@ def joined(modes: Vectors, size: Vectors, weight: NDArray[np.int64], bound: floa
     for row in order:
         if target[row] >= 0:
             continue
-        near = inside(modes[row : row + 1], bound * size[row : row + 1], modes)[0]
+        near = is_inside(modes[row : row + 1], bound * size[row : row + 1], modes)[0]
         near[row] = True
         target[near & (target < 0)] = row
     return target
 
 
-def gathered(
+def gather_clusters(
     modes: Vectors, tracklets: Vectors, size: Vectors, fewest: int, bound: float
 ) -> Clusters:
     """Modes joined and emptied ones dropped, each tracklet given to the nearest that holds it.
 
     Args:
         size: (m, t, 2) of the modes' kernels.
-        fewest: tracklets of a cluster. bound: of `joined`.
+        fewest: tracklets of a cluster. bound: of `join_modes`.
     """
-    held = inside(modes, size, tracklets)
-    kept = np.unique(joined(modes, size, held.sum(axis=1), bound))
+    held = is_inside(modes, size, tracklets)
+    kept = np.unique(join_modes(modes, size, held.sum(axis=1), bound))
     modes, size, held = modes[kept], size[kept], held[kept]
     label = _nearest(modes, size, held, tracklets)
     count = np.bincount(label[label >= 0], minlength=len(modes))
@@ -123,15 +123,15 @@ def gathered(
     return Clusters(modes[large], size[large, 0], label)
 
 
-def cold(
+def cluster_cold(
     tracklets: Vectors, table: KernelTable, fewest: int, bound: float, *, occlusion: bool = False
 ) -> Clusters:
     """Every tracklet shifted until it settles: without anything known of the frame before."""
-    modes = settled(tracklets, tracklets, table)
-    return finished(modes, tracklets, table, fewest, bound, occlusion=occlusion)
+    modes = settle_modes(tracklets, tracklets, table)
+    return finish_clusters(modes, tracklets, table, fewest, bound, occlusion=occlusion)
 
 
-def warm(
+def cluster_warm(
     before: Vectors,
     tracklets: Vectors,
     table: KernelTable,
@@ -149,16 +149,16 @@ def warm(
         before: (m, t, 2) modes of the frame before.
         tracklets: (n, t, 2); their second position is where they were then.
     """
-    modes = _carried(before, tracklets, table)
-    modes = shifted(modes, inside(modes, table.at(modes), tracklets), tracklets)
-    free = ~inside(modes, table.at(modes), tracklets).any(axis=0)
+    modes = _carry_modes(before, tracklets, table)
+    modes = shift_modes(modes, is_inside(modes, table.at(modes), tracklets), tracklets)
+    free = ~is_inside(modes, table.at(modes), tracklets).any(axis=0)
     new = tracklets[free]
-    new = shifted(new, inside(new, table.at(new), tracklets[free]), tracklets[free])
+    new = shift_modes(new, is_inside(new, table.at(new), tracklets[free]), tracklets[free])
     modes = np.concatenate((modes, new))
-    return finished(modes, tracklets, table, fewest, bound, occlusion=occlusion)
+    return finish_clusters(modes, tracklets, table, fewest, bound, occlusion=occlusion)
 
 
-def finished(
+def finish_clusters(
     modes: Vectors,
     tracklets: Vectors,
     table: KernelTable,
@@ -170,11 +170,11 @@ def finished(
     """Clusters of modes that were shifted, with kernels shrunk where bodies are hidden."""
     size = table.at(modes)
     if occlusion:
-        size = shrunk(modes, size, tracklets)
-    return gathered(modes, tracklets, size, fewest, bound)
+        size = shrink_kernels(modes, size, tracklets)
+    return gather_clusters(modes, tracklets, size, fewest, bound)
 
 
-def shrunk(modes: Vectors, size: Vectors, tracklets: Vectors) -> Vectors:
+def shrink_kernels(modes: Vectors, size: Vectors, tracklets: Vectors) -> Vectors:
     """The kernels (m, t, 2) less the lower part where that has no tracklets: it is hidden.
 
     [Yoneji2013] section 3.2.3.
@@ -189,13 +189,13 @@ def shrunk(modes: Vectors, size: Vectors, tracklets: Vectors) -> Vectors:
     return less
 
 
-def _carried(before: Vectors, tracklets: Vectors, table: KernelTable) -> Vectors:
+def _carry_modes(before: Vectors, tracklets: Vectors, table: KernelTable) -> Vectors:
     """The modes before, (m, t, 2), with the mean of their members' new positions put first."""
     then = np.concatenate((tracklets[:, 1:], tracklets[:, -1:]), axis=1)[:, : before.shape[1] - 1]
     known = before[:, : then.shape[1]]
-    held = inside(known, table.at(known), then)
+    held = is_inside(known, table.at(known), then)
     pace = before[:, :1] + (before[:, :1] - before[:, 1:2])
-    newest = shifted(pace, held, tracklets[:, :1])
+    newest = shift_modes(pace, held, tracklets[:, :1])
     return np.concatenate((newest, before[:, :-1]), axis=1)
 
 

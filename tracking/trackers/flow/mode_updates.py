@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from tracking.trackers.flow.kernels import KernelTable
-from tracking.trackers.flow.mean_shift import Clusters, Vectors, cold, warm
+from tracking.trackers.flow.mean_shift import Clusters, Vectors, cluster_cold, cluster_warm
 from tracking.trackers.flow.settings import ClusterSettings
 
 
-class Gathering:
+class ModeUpdater:
     """Gathers the tracklets of frames that follow each other [Yoneji2013] section 4.
 
     Args:
@@ -19,13 +19,15 @@ class Gathering:
         self._table = table
         self._modes: Vectors | None = None
 
-    def of(self, tracklets: Vectors) -> Clusters:
+    def cluster(self, tracklets: Vectors) -> Clusters:
         """The clusters of a frame's tracklets (n, t, 2)."""
         settings, table = self._settings, self._table
         bounds = settings.fewest, settings.join
         if self._modes is None or not settings.warm:
-            found = cold(tracklets, table, *bounds, occlusion=settings.occlusion)
+            found = cluster_cold(tracklets, table, *bounds, occlusion=settings.occlusion)
         else:
-            found = warm(self._modes, tracklets, table, *bounds, occlusion=settings.occlusion)
+            found = cluster_warm(
+                self._modes, tracklets, table, *bounds, occlusion=settings.occlusion
+            )
         self._modes = found.mode
         return found

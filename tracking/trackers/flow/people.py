@@ -7,25 +7,31 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.trackers.flow.births import Newcomer, newcomer
+from tracking.trackers.flow.births import BirthHypothesis, locate_birth
 from tracking.trackers.flow.floor import Floor, sight_axes
-from tracking.trackers.flow.flow_frame import POSITIONS, Seen, speeds
+from tracking.trackers.flow.flow_frame import POSITIONS, FlowFrame, speeds
 from tracking.trackers.flow.kernels import KernelTable
-from tracking.trackers.flow.mode_updates import Gathering
+from tracking.trackers.flow.mode_updates import ModeUpdater
 from tracking.trackers.flow.settings import FlowSettings
 from tracking.trackers.flow.sightings import FloorGrid, Sightings
-from tracking.trackers.flow.silhouettes import cover_of, drawn
-from tracking.trackers.flow.track_retention import lasting
-from tracking.trackers.flow.tracklet_owners import Holds, adapted, moved, released, said
-from tracking.trackers.flow.unclaimed_tracklets import claims
+from tracking.trackers.flow.silhouettes import draw_cover, fit_silhouettes
+from tracking.trackers.flow.track_retention import should_keep
+from tracking.trackers.flow.tracklet_owners import (
+    TrackletOwners,
+    adapt_offsets,
+    estimate_places,
+    move_offsets,
+    release_misfits,
+)
+from tracking.trackers.flow.unclaimed_tracklets import claim_tracklets
 from tracking.trackers.flow.walkers import (
     Walkers,
-    begun,
-    measured,
-    nobody,
-    predicted,
-    proven,
+    begin_walkers,
+    mark_proven,
+    no_walkers,
+    predict,
     put_at,
+    update_measured,
 )
 
 Floats = NDArray[np.float64]
@@ -75,98 +81,106 @@ class HeldPeople:
         """Nobody is followed yet."""
         self._settings = settings
         self._floor = floor
-        self._holds = Holds.none()
-        self._gathering = Gathering(settings.clusters, table)
+        self._owners = TrackletOwners.none()
+        self._modes = ModeUpdater(settings.clusters, table)
         self._grid = FloorGrid(floor)
         self._sightings = Sightings.none()
         self._unlooked_s = 0.0
-        self.walkers = nobody()
+        self.walkers = no_walkers()
         self.last_id = 0
 
     @property
     def owner(self) -> NDArray[np.int32]:
         """(n,) the track of each tracklet of the last frame; 0: nobody's."""
-        return self._holds.owner
+        return self._owners.owner
 
-    def step(self, seen: Seen) -> None:
+    def step(self, seen: FlowFrame) -> None:
         """Take one frame further."""
-        walkers = predicted(self.walkers, seen.elapsed_s)
-        holds = self._holds.of(seen.tracklets.id)
-        walkers, holds = self._measured(walkers, holds, seen)
-        walkers = proven(walkers, self._settings.walked_m)
-        walkers, holds = self._ended(walkers, holds)
-        rows, who = claims(walkers, holds, seen, self._floor)
-        holds = holds.given(
+        walkers = predict(self.walkers, seen.elapsed_s)
+        owners = self._owners.for_ids(seen.tracklets.id)
+        walkers, owners = self._measure(walkers, owners, seen)
+        walkers = mark_proven(walkers, self._settings.walked_m)
+        walkers, owners = self._delete_lost(walkers, owners)
+        rows, who = claim_tracklets(walkers, owners, seen, self._floor)
+        owners = owners.assign(
             rows, walkers.track[who], walkers.place[who], seen.slope[rows], self._floor
         )
-        self.walkers, self._holds = self._with_newcomers(walkers, holds, seen)
+        self.walkers, self._owners = self._add_births(walkers, owners, seen)
 
-    def take_over(self, walkers: Walkers, seen: Seen, last_id: int) -> None:
+    def take_over(self, walkers: Walkers, seen: FlowFrame, last_id: int) -> None:
         """Go on with these people, who get the tracklets that move with them."""
-        holds = Holds.none().of(seen.tracklets.id)
-        rows, who = claims(walkers, holds, seen, self._floor)
-        self._holds = holds.given(
+        owners = TrackletOwners.none().for_ids(seen.tracklets.id)
+        rows, who = claim_tracklets(walkers, owners, seen, self._floor)
+        self._owners = owners.assign(
             rows, walkers.track[who], walkers.place[who], seen.slope[rows], self._floor
         )
         self.walkers, self.last_id = walkers, last_id
 
-    def _measured(self, walkers: Walkers, holds: Holds, seen: Seen) -> tuple[Walkers, Holds]:
+    def _measure(
+        self, walkers: Walkers, owners: TrackletOwners, seen: FlowFrame
+    ) -> tuple[Walkers, TrackletOwners]:
         """Everybody where their tracklets and feet say; tracklets that move otherwise set free."""
         if not len(walkers):
-            return walkers, holds
-        told = said(walkers, holds, seen.slope, self._floor)
-        walkers = measured(walkers, told.place, told.error_m)
-        found = told.count >= _FEWEST
-        holds = released(holds, told.misfit, seen.elapsed_s)
+            return walkers, owners
+        estimate = estimate_places(walkers, owners, seen.slope, self._floor)
+        walkers = update_measured(walkers, estimate.place, estimate.error_m)
+        found = estimate.count >= _FEWEST
+        owners = release_misfits(owners, estimate.misfit, seen.elapsed_s)
         if self._settings.silhouettes:
-            walkers, holds, score = self._drawn(walkers, holds, seen)
+            walkers, owners, score = self._fit_silhouettes(walkers, owners, seen)
             found &= np.isfinite(score)  # foreground alone may be somebody else's
         missed_s = np.where(found, 0.0, walkers.missed_s)
-        walkers = replace(walkers, count=told.count, missed_s=missed_s)
-        return walkers, adapted(walkers, holds, seen.slope, self._floor, seen.elapsed_s)
+        walkers = replace(walkers, count=estimate.count, missed_s=missed_s)
+        return walkers, adapt_offsets(walkers, owners, seen.slope, self._floor, seen.elapsed_s)
 
-    def _drawn(self, walkers: Walkers, holds: Holds, seen: Seen) -> tuple[Walkers, Holds, Floats]:
+    def _fit_silhouettes(
+        self, walkers: Walkers, owners: TrackletOwners, seen: FlowFrame
+    ) -> tuple[Walkers, TrackletOwners, Floats]:
         """Everybody drawn to the foreground, their tracklets with them; (m,) how it suits them."""
-        cover = cover_of(walkers.place, self._floor)
-        to = drawn(walkers.place, seen.mask, cover, self._floor)
+        cover = draw_cover(walkers.place, self._floor)
+        to = fit_silhouettes(walkers.place, seen.mask, cover, self._floor)
         before = walkers.place
-        walkers = measured(walkers, to.place, to.error_m)
-        holds = moved(walkers, holds, seen.slope, walkers.place - before, self._floor)
+        walkers = update_measured(walkers, to.place, to.error_m)
+        owners = move_offsets(walkers, owners, seen.slope, walkers.place - before, self._floor)
         empty_s = np.where(to.score < _EMPTY, walkers.empty_s + seen.elapsed_s, 0.0)
-        return replace(walkers, empty_s=empty_s), holds, to.score
+        return replace(walkers, empty_s=empty_s), owners, to.score
 
-    def _with_newcomers(self, walkers: Walkers, holds: Holds, seen: Seen) -> tuple[Walkers, Holds]:
+    def _add_births(
+        self, walkers: Walkers, owners: TrackletOwners, seen: FlowFrame
+    ) -> tuple[Walkers, TrackletOwners]:
         settings = self._settings
-        free = np.flatnonzero((holds.owner == 0) & seen.known)
+        free = np.flatnonzero((owners.owner == 0) & seen.known)
         moving = speeds(seen.tracklets.select(free), POSITIONS, seen.fps, self._floor) > _NEW_M_S
         free = free[moving]
-        clusters = self._gathering.of(seen.vectors(free))
-        cover = cover_of(walkers.place, self._floor)
+        clusters = self._modes.cluster(seen.vectors(free))
+        cover = draw_cover(walkers.place, self._floor)
         for number in range(len(clusters)):
             rows = free[clusters.label == number]
             if np.median(seen.age_s[rows]) < settings.birth_s:
                 continue
-            new = newcomer(
+            new = locate_birth(
                 *(seen.slope[rows], seen.before[rows], seen.over_s),
                 *(seen.mask, cover, self._floor),
             )
-            if not _convincing(new) or _crowded(walkers, new.place):
+            if not _is_convincing(new) or _is_crowded(walkers, new.place):
                 continue
-            walkers, row = self._begun(walkers, new.place, new.pace)
+            walkers, row = self._begin(walkers, new.place, new.pace)
             axis = np.broadcast_to(new.place, (len(rows), 2))
             owner = np.full(len(rows), walkers.track[row], np.int32)
-            holds = holds.given(rows, owner, axis, seen.slope[rows], self._floor)
-        return self._with_sighted(walkers, holds, seen)
+            owners = owners.assign(rows, owner, axis, seen.slope[rows], self._floor)
+        return self._add_sighted(walkers, owners, seen)
 
-    def _with_sighted(self, walkers: Walkers, holds: Holds, seen: Seen) -> tuple[Walkers, Holds]:
+    def _add_sighted(
+        self, walkers: Walkers, owners: TrackletOwners, seen: FlowFrame
+    ) -> tuple[Walkers, TrackletOwners]:
         """Whoever is seen for a while, and moves, where nobody is followed yet."""
         if not self._settings.silhouettes:
-            return walkers, holds
+            return walkers, owners
         self._unlooked_s += seen.elapsed_s
         if self._unlooked_s < _LOOK_S:
-            return walkers, holds
-        place = self._grid.sighted(walkers.place, seen.mask, _SIGHTED, _APART_M)
-        self._sightings = self._sightings.then(place, self._unlooked_s)
+            return walkers, owners
+        place = self._grid.find_people(walkers.place, seen.mask, _SIGHTED, _APART_M)
+        self._sightings = self._sightings.update(place, self._unlooked_s)
         self._unlooked_s = 0.0
         ready = self._sightings.age_s >= self._settings.birth_s
         way = self._sightings.place - self._sightings.first
@@ -174,51 +188,53 @@ class HeldPeople:
         for row in np.flatnonzero(ready):
             place = self._sightings.place[row]
             pace = way[row] / self._sightings.age_s[row]
-            walkers, _ = self._begun(walkers, place, pace)
-        rows, who = claims(walkers, holds, seen, self._floor)
-        holds = holds.given(
+            walkers, _ = self._begin(walkers, place, pace)
+        rows, who = claim_tracklets(walkers, owners, seen, self._floor)
+        owners = owners.assign(
             rows, walkers.track[who], walkers.place[who], seen.slope[rows], self._floor
         )
-        return walkers, holds
+        return walkers, owners
 
-    def _begun(self, walkers: Walkers, place: Floats, pace: Floats) -> tuple[Walkers, int]:
+    def _begin(self, walkers: Walkers, place: Floats, pace: Floats) -> tuple[Walkers, int]:
         """With somebody at a place, and the row: who was lost near there, else somebody new."""
-        lost = _lost_near(walkers, place, pace)
+        lost = _find_lost_near(walkers, place, pace)
         if lost is not None:
             return put_at(walkers, lost, place, pace), lost
         self.last_id += 1
-        one = begun(np.array([self.last_id], np.int32), place[None], pace[None])
-        return walkers.and_also(one), len(walkers)
+        one = begin_walkers(np.array([self.last_id], np.int32), place[None], pace[None])
+        return walkers.append(one), len(walkers)
 
-    def _ended(self, walkers: Walkers, holds: Holds) -> tuple[Walkers, Holds]:
-        """Without those who are gone; of two at one place the surer one has the tracklets."""
-        kept = lasting(walkers, self._settings, self._floor)
+    def _delete_lost(
+        self, walkers: Walkers, owners: TrackletOwners
+    ) -> tuple[Walkers, TrackletOwners]:
+        """Without deleted tracks; of two at one place the surer one has the tracklets."""
+        kept = should_keep(walkers, self._settings, self._floor)
         kept &= walkers.empty_s < self._settings.empty_s
         heir = _heirs(walkers, kept, self._settings.closest_m)
-        row = holds.rows_of(walkers)
+        row = owners.rows_of(walkers)
         owner = np.where(row >= 0, np.append(walkers.track, 0)[np.append(heir, -1)[row]], 0)
         kept &= heir == np.arange(len(walkers))
-        holds = replace(holds, owner=owner.astype(np.int32))
-        gone = ~np.isin(holds.owner, walkers.track[kept])
-        return walkers.select(kept), holds.freed(gone)
+        owners = replace(owners, owner=owner.astype(np.int32))
+        deleted = ~np.isin(owners.owner, walkers.track[kept])
+        return walkers.select(kept), owners.release(deleted)
 
 
-def _convincing(new: Newcomer) -> bool:
+def _is_convincing(new: BirthHypothesis) -> bool:
     """Whether enough of the body is seen, in the foreground, where nobody else explains it."""
     return new.score >= _FILL and new.seen >= _SEEN and new.own >= _OWN
 
 
-def _crowded(walkers: Walkers, place: Floats) -> bool:
+def _is_crowded(walkers: Walkers, place: Floats) -> bool:
     """Whether somebody stands there already."""
     return bool((np.hypot(*(walkers.place - place).T) < _APART_M).any())
 
 
-def _lost_near(walkers: Walkers, place: Floats, pace: Floats) -> int | None:
+def _find_lost_near(walkers: Walkers, place: Floats, pace: Floats) -> int | None:
     """The row of whoever is out of sight and may have come to the place; None: nobody."""
     away = np.hypot(*(walkers.place - place).T)
-    reach = np.minimum(_STRAY_M + _STRAY_M_S * walkers.missed_s, _FARTHEST_STRAY_M)
+    gate_m = np.minimum(_STRAY_M + _STRAY_M_S * walkers.missed_s, _FARTHEST_STRAY_M)
     alike = np.hypot(*(walkers.pace - pace).T) < _OTHER_PACE_M_S
-    near = (walkers.missed_s > _LOST_S) & (away < reach) & alike & walkers.walked
+    near = (walkers.missed_s > _LOST_S) & (away < gate_m) & alike & walkers.walked
     return int(np.where(near, away, np.inf).argmin()) if near.any() else None
 
 

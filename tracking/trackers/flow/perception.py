@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from tracking.foreground import BackgroundModel, ForegroundSettings, ShadowRemover, Subtraction
 from tracking.people import Detections, Observation, Overlays
 from tracking.recording.frame import Image, StereoFrame
-from tracking.trackers.flow.half_resolution import doubled, halved
+from tracking.trackers.flow.half_resolution import double, halve
 from tracking.trackers.flow.silhouettes import BODY, SHADE
 
 Mask = NDArray[np.uint8]
@@ -60,11 +60,11 @@ class FlowPerception:
 
     def learn(self, frames: Iterable[StereoFrame]) -> None:
         """Learn the background from frames spread over some time, before the first `observe`."""
-        self._background.learn([halved(frame.left) for frame in frames])
+        self._background.learn([halve(frame.left) for frame in frames])
 
     def observe(self, frame: StereoFrame) -> FlowObservation:
         """The frame's picture and foreground. Frames come in order."""
-        seen = self._background.subtract(halved(frame.left))
+        seen = self._background.subtract(halve(frame.left))
         mask = self._mask(seen)
         self._background.update(seen)
         people = Detections.none(frame.left.shape[:2])
@@ -73,7 +73,7 @@ class FlowPerception:
 
     def overlays(self, frame: StereoFrame) -> Overlays:
         """What a view may lay over a frame; nothing is remembered, frames come in any order."""
-        return _overlays(self._mask(self._background.subtract(halved(frame.left))), frame.left)
+        return _overlays(self._mask(self._background.subtract(halve(frame.left))), frame.left)
 
     def _mask(self, seen: Subtraction) -> Mask:
         shadow = self._shadows.shadows(seen)
@@ -84,4 +84,4 @@ class FlowPerception:
 
 
 def _overlays(mask: Mask, eye: Image) -> Overlays:
-    return Overlays(doubled(_LAID[mask], (eye.shape[1], eye.shape[0])), None)
+    return Overlays(double(_LAID[mask], (eye.shape[1], eye.shape[0])), None)

@@ -48,7 +48,7 @@ class Ends:
     pace: Floats
 
 
-def joined(run: Run, fps: float) -> Run:
+def join_pieces(run: Run, fps: float) -> Run:
     """The run with pieces of one person's way under the earliest one's track.
 
     Each piece is led on, and led back, at the pace it had; which continues which is settled for
@@ -63,13 +63,15 @@ def joined(run: Run, fps: float) -> Run:
         return run
     pieces = [rows[at : at + n] for at, n in zip(first[whole], count[whole], strict=True)]
     heir = dict(zip(names[whole].tolist(), names[whole].tolist(), strict=True))
-    follows = _follows(ends(tracks, pieces, fps, last=True), ends(tracks, pieces, fps, last=False))
+    follows = _match_ends(
+        find_ends(tracks, pieces, fps, last=True), find_ends(tracks, pieces, fps, last=False)
+    )
     for one, other in follows:  # the later pieces' names lead to the earlier ones'
         heir[int(names[whole][other])] = int(names[whole][one])
-    return _renamed(run, {name: _first_of(heir, name) for name in heir})
+    return _rename_tracks(run, {name: _first_of(heir, name) for name in heir})
 
 
-def ends(tracks: Columns, pieces: list[Rows], fps: float, *, last: bool) -> Ends:
+def find_ends(tracks: Columns, pieces: list[Rows], fps: float, *, last: bool) -> Ends:
     """Where pieces, rows by time, end or begin: straight lines through what is seen next to it.
 
     People walk at a usual pace: the shorter the piece, the more that counts.
@@ -85,13 +87,13 @@ def ends(tracks: Columns, pieces: list[Rows], fps: float, *, last: bool) -> Ends
         usual = way / length * USUAL_M_S if length > _SET_OFF_M else np.zeros(2)
         off = seconds[near] - seconds[near].mean()
         middle = where[near].mean(axis=0)
-        told = off @ (where[near] - middle) + _USUAL_WEIGHT * usual
-        pace[number] = told / (off @ off + _USUAL_WEIGHT)
+        slope = off @ (where[near] - middle) + _USUAL_WEIGHT * usual
+        pace[number] = slope / (off @ off + _USUAL_WEIGHT)
         place[number] = middle + pace[number] * (time_s[number] - seconds[near].mean())
     return Ends(time_s, place, pace)
 
 
-def _follows(end: Ends, begin: Ends) -> list[tuple[int, int]]:
+def _match_ends(end: Ends, begin: Ends) -> list[tuple[int, int]]:
     """Which piece is followed by which, cheapest in all."""
     pieces = len(end.time_s)
     cost = _costs(end, begin)
@@ -131,32 +133,32 @@ def _first_of(heir: dict[int, int], name: int) -> int:
     return name
 
 
-def _renamed(run: Run, names: dict[int, int]) -> Run:
+def _rename_tracks(run: Run, names: dict[int, int]) -> Run:
     """With tracks under other names; of two rows of one track and frame the later piece's stays."""
     old = run.tracks["track"]
-    tracks = dict(run.tracks, track=_named(old, names))
+    tracks = dict(run.tracks, track=_rename(old, names))
     order = np.lexsort((old, ~tracks["predicted"], tracks["track"], tracks["frame"]))
     name, frame = tracks["track"][order], tracks["frame"][order]
     kept = np.append((name[1:] != name[:-1]) | (frame[1:] != frame[:-1]), True)
-    detections = dict(run.detections, track=_named(run.detections["track"], names))
+    detections = dict(run.detections, track=_rename(run.detections["track"], names))
     return replace(
         run,
         tracks={column: values[order[kept]] for column, values in tracks.items()},
         detections=detections,
-        tracklets=_bundles_named(run.tracklets, names),
+        tracklets=_rename_tracklets(run.tracklets, names),
     )
 
 
-def _bundles_named(tracklets: Particles, names: dict[int, int]) -> Particles:
+def _rename_tracklets(tracklets: Particles, names: dict[int, int]) -> Particles:
     """The tracklets under their tracks' names, grouped by them frame by frame."""
     columns = {name: np.asarray(column) for name, column in tracklets.columns.items()}
-    columns["track"] = _named(columns["track"], names)
+    columns["track"] = _rename(columns["track"], names)
     frame = np.repeat(np.arange(len(tracklets.start) - 1), np.diff(tracklets.start))
     order = np.lexsort((columns["track"], frame))
     return Particles(tracklets.start, {name: column[order] for name, column in columns.items()})
 
 
-def _named(track: NDArray[np.int32], names: dict[int, int]) -> NDArray[np.int32]:
+def _rename(track: NDArray[np.int32], names: dict[int, int]) -> NDArray[np.int32]:
     known, place = np.unique(track, return_inverse=True)
     new = np.array([names.get(int(name), int(name)) for name in known], np.int32)
     return np.asarray(new[place] if len(known) else track, np.int32)

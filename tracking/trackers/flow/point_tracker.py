@@ -8,7 +8,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.trackers.flow.half_resolution import halved
+from tracking.trackers.flow.half_resolution import halve
 from tracking.trackers.flow.settings import PointSettings
 
 Grey = NDArray[np.uint8]
@@ -45,7 +45,7 @@ class Tracklets:
         return Tracklets(self.id[rows], self.path[rows], self.age[rows])
 
 
-def no_tracklets(positions: int) -> Tracklets:
+def empty_tracklets(positions: int) -> Tracklets:
     """None, which would have so many positions."""
     none = np.zeros(0, np.int64)
     return Tracklets(none, np.zeros((0, positions, 2), np.float32), none)
@@ -68,7 +68,7 @@ class PointFollower:
     ) -> None:
         self._settings = settings
         self._cells = _Cells(spacing_px)
-        self._points = no_tracklets(positions)
+        self._points = empty_tracklets(positions)
         self._before: Grey | None = None
         self._next_id = 1
 
@@ -81,8 +81,8 @@ class PointFollower:
                 (see `halving`); None: everywhere.
         """
         if self._before is not None and len(self._points):
-            self._points = self._followed(self._before, grey)
-        self._points = self._with_new(grey, seek)
+            self._points = self._follow(self._before, grey)
+        self._points = self._add_corners(grey, seek)
         self._before = grey
         return self._points
 
@@ -90,7 +90,7 @@ class PointFollower:
         """Follow some of the points no further."""
         self._points = self._points.select(~gone)
 
-    def _followed(self, before: Grey, grey: Grey) -> Tracklets:
+    def _follow(self, before: Grey, grey: Grey) -> Tracklets:
         points, settings = self._points, self._settings
         start = np.ascontiguousarray(points.path[:, 0])
         pace = np.nan_to_num(start - points.path[:, 1])
@@ -122,7 +122,7 @@ class PointFollower:
         alike = change[:, 0] <= self._settings.change
         return np.asarray(there, np.float32), np.asarray((found[:, 0] > 0) & alike)
 
-    def _with_new(self, grey: Grey, seek: Mask | None) -> Tracklets:
+    def _add_corners(self, grey: Grey, seek: Mask | None) -> Tracklets:
         points = self._points
         room = self._settings.most - len(points)
         if room <= 0:
@@ -140,7 +140,7 @@ class PointFollower:
 
     def _corners(self, grey: Grey, seek: Mask | None, taken: Paths) -> Paths:
         """(k, 2) px new corners, the strongest first, one a cell that has no point yet."""
-        strength = cv2.cornerMinEigenVal(halved(grey), _EIGEN_BLOCK)
+        strength = cv2.cornerMinEigenVal(halve(grey), _EIGEN_BLOCK)
         peak = strength >= cv2.dilate(strength, np.ones((3, 3), np.uint8))
         peak &= strength > self._settings.corner
         if seek is not None:

@@ -1,4 +1,4 @@
-"""A finished run told anew: by the ways that explain its tracklets over all their time."""
+"""Relabels a finished run by the trajectories that explain its tracklets over all their time."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.geometry import View
-from tracking.trackers.flow.bundles import Way
-from tracking.trackers.flow.chains import Chains, chains_of
+from tracking.trackers.flow.bundles import Trajectory
+from tracking.trackers.flow.chains import TrackletChains, link_chains
 from tracking.trackers.flow.floor import Floor, sight_axes
 from tracking.trackers.flow.result import BODY_WIDTH_M, CHEST_M, PLENTY, shown_share
 from tracking.trackers.flow.silhouettes import USUAL_HEIGHT_M
-from tracking.trackers.flow.way_selection import Chooser, Walk
+from tracking.trackers.flow.trajectory_selection import TrajectorySelector, WalkerTrajectory
 from tracking.tracks.columns import DETECTION_COLUMNS, TRACK_COLUMNS, Columns, box_columns, typed
 from tracking.tracks.row_keys import row_keys
 from tracking.tracks.run import Particles, Run
@@ -26,70 +26,71 @@ Rows = NDArray[np.intp]
 _BREAK_S = 0.3
 """Who is out of sight for longer may be somebody else after it."""
 _LEAST_S = 1.0
-"""Pieces of tracks that no way explains stay if they are as long: who stands, or has few
+"""Pieces of tracks that no trajectory explains stay if they are as long: who stands, or has few
 tracklets."""
 _NEAR_ACROSS_M, _NEAR_ALONG = 0.5, 0.2
-"""So near to a way, across the sight and along it, as a share of the distance, is who walks it."""
+"""So near to a trajectory, across the sight and along it, as a share of the distance, is who walks
+it."""
 
 
-def retold(run: Run, view: View, fps: float) -> Run:
-    """The run with the people whose ways explain its tracklets instead of those followed.
+def relabel_run(run: Run, view: View, fps: float) -> Run:
+    """The run with the people whose trajectories explain its tracklets instead of those followed.
 
     Whoever is followed frame by frame is taken for somebody else now and then, who comes by; the
-    tracklets, looked at over all their time, tell them apart (see `Chooser`). A way has the track
-    of whom most of its tracklets belonged to, or a new one. Pieces of tracks that lie off all
-    ways stay as they were.
+    tracklets, looked at over all their time, tell them apart (see `TrajectorySelector`). A
+    trajectory has the track of whom most of its tracklets belonged to, or a new one. Pieces of
+    tracks that lie off all trajectories stay as they were.
     """
     floor = Floor(view)
-    chains = chains_of(run, floor, fps)
+    chains = link_chains(run, floor, fps)
     if not len(chains):
         return run
-    pieces = pieces_of(run.tracks, fps)
-    walks = Chooser(chains, floor, fps).walks(
-        [_straightened(run.tracks, rows) for rows in pieces if len(rows) > _LEAST_S * fps]
+    pieces = find_pieces(run.tracks, fps)
+    trajectories = TrajectorySelector(chains, floor, fps).select(
+        [_interpolate(run.tracks, rows) for rows in pieces if len(rows) > _LEAST_S * fps]
     )
-    if not walks:
+    if not trajectories:
         return run
-    names = _names(run, chains, walks)
-    told = _rows_of(walks, names, chains, view, fps)
-    off = _off_all_ways(told, run.tracks, pieces, fps)
-    tracks = _together(told, run.tracks, off)
+    names = _names(run, chains, trajectories)
+    relabelled = _rows_of_trajectories(trajectories, names, chains, view, fps)
+    off = _find_pieces_off_trajectories(relabelled, run.tracks, pieces, fps)
+    tracks = _concatenate(relabelled, run.tracks, off)
     return replace(
         run,
         tracks=tracks,
         detections=_detections(tracks),
-        tracklets=_held_by(run, chains, walks, names, off),
+        tracklets=_relabel_tracklets(run, chains, trajectories, names, off),
     )
 
 
-def pieces_of(tracks: Columns, fps: float) -> list[Rows]:
+def find_pieces(tracks: Columns, fps: float) -> list[Rows]:
     """The rows of each stretch of a track in which the person is seen, by time."""
     order = np.lexsort((tracks["frame"], tracks["track"]))
-    return _unbroken(tracks, order[~tracks["predicted"][order]], fps)
+    return _split_at_gaps(tracks, order[~tracks["predicted"][order]], fps)
 
 
-def _unbroken(tracks: Columns, rows: Rows, fps: float) -> list[Rows]:
+def _split_at_gaps(tracks: Columns, rows: Rows, fps: float) -> list[Rows]:
     """Rows, by track and time, cut where the track changes and where it has none for a while."""
     other = np.diff(tracks["track"][rows]) != 0
     gap = np.diff(tracks["frame"][rows]) > max(1, round(_BREAK_S * fps))
     return [piece for piece in np.split(rows, np.flatnonzero(other | gap) + 1) if len(piece)]
 
 
-def _straightened(tracks: Columns, rows: Rows) -> Way:
-    """The way of a piece, a place a frame."""
+def _interpolate(tracks: Columns, rows: Rows) -> Trajectory:
+    """The trajectory of a piece, a place a frame."""
     frame = tracks["frame"][rows]
     every = np.arange(frame[0], frame[-1] + 1)
     place = [np.interp(every, frame, tracks[name][rows]) for name in ("x", "y")]
-    return Way(int(frame[0]), np.stack(place, axis=1))
+    return Trajectory(int(frame[0]), np.stack(place, axis=1))
 
 
-def _names(run: Run, chains: Chains, walks: Sequence[Walk]) -> Integers:
+def _names(run: Run, chains: TrackletChains, trajectories: Sequence[WalkerTrajectory]) -> Integers:
     """(walks,) tracks: each that of its tracklets, most of them first; else new ones."""
     holder = np.asarray(run.tracklets.columns["track"])[chains.row]
-    walk = _walk_of_chain(chains, walks)[chains.chain]
-    known = (walk >= 0) & (holder > 0)
-    pair, count = np.unique(np.stack((walk[known], holder[known])), axis=1, return_counts=True)
-    names, taken = np.zeros(len(walks), np.int64), set[int]()
+    walker = _walk_of_chain(chains, trajectories)[chains.chain]
+    known = (walker >= 0) & (holder > 0)
+    pair, count = np.unique(np.stack((walker[known], holder[known])), axis=1, return_counts=True)
+    names, taken = np.zeros(len(trajectories), np.int64), set[int]()
     for number in np.argsort(-count, kind="stable"):
         one, track = int(pair[0, number]), int(pair[1, number])
         if not names[one] and track not in taken:
@@ -101,27 +102,37 @@ def _names(run: Run, chains: Chains, walks: Sequence[Walk]) -> Integers:
     return names
 
 
-def _walk_of_chain(chains: Chains, walks: Sequence[Walk]) -> Integers:
+def _walk_of_chain(chains: TrackletChains, trajectories: Sequence[WalkerTrajectory]) -> Integers:
     """(chains,) who walks with each tracklet; -1: nobody."""
-    walk = np.full(len(chains), -1)
-    for number, one in enumerate(walks):
-        walk[one.chain] = number
-    return walk
+    walker = np.full(len(chains), -1)
+    for number, one in enumerate(trajectories):
+        walker[one.chain] = number
+    return walker
 
 
-def _rows_of(
-    walks: Sequence[Walk], names: Integers, chains: Chains, view: View, fps: float
+def _rows_of_trajectories(
+    trajectories: Sequence[WalkerTrajectory],
+    names: Integers,
+    chains: TrackletChains,
+    view: View,
+    fps: float,
 ) -> Columns:
-    """A row for each frame of each way."""
-    lengths = [len(walk.way.place) for walk in walks]
-    frame = np.concatenate([np.arange(walk.way.first, walk.way.stop) for walk in walks])
-    place = np.concatenate([walk.way.place for walk in walks])
-    pace = np.concatenate([np.gradient(walk.way.place, axis=0) * fps for walk in walks])
+    """A row for each frame of each trajectory."""
+    lengths = [len(walker.trajectory.place) for walker in trajectories]
+    frame = np.concatenate(
+        [np.arange(walker.trajectory.first, walker.trajectory.stop) for walker in trajectories]
+    )
+    place = np.concatenate([walker.trajectory.place for walker in trajectories])
+    pace = np.concatenate(
+        [np.gradient(walker.trajectory.place, axis=0) * fps for walker in trajectories]
+    )
     box = view.box_of_person(place, USUAL_HEIGHT_M, BODY_WIDTH_M)
-    number = np.repeat(np.arange(len(walks)), lengths)
-    held = _walk_of_chain(chains, walks)[chains.chain]
+    number = np.repeat(np.arange(len(trajectories)), lengths)
+    held = _walk_of_chain(chains, trajectories)[chains.chain]
     frames = len(chains.start)
-    count = np.bincount((held * frames + chains.frame)[held >= 0], minlength=frames * len(walks))
+    count = np.bincount(
+        (held * frames + chains.frame)[held >= 0], minlength=frames * len(trajectories)
+    )
     values = {
         "frame": frame,
         "track": names[number],
@@ -135,14 +146,14 @@ def _rows_of(
     return typed(values, TRACK_COLUMNS)
 
 
-def _off_all_ways(
-    told: Columns, tracks: Columns, pieces: Sequence[Rows], fps: float
+def _find_pieces_off_trajectories(
+    relabelled: Columns, tracks: Columns, pieces: Sequence[Rows], fps: float
 ) -> list[tuple[int, Rows]]:
-    """The pieces of tracks that lie off all ways, each with the track it is of from now on."""
-    highest = int(max(told["track"].max(), tracks["track"].max(initial=0)))
-    taken, found = set(told["track"].tolist()), list[tuple[int, Rows]]()
-    off = [np.zeros(0, np.intp), *(piece[_off(tracks, piece, told)] for piece in pieces)]
-    for rows in _unbroken(tracks, np.concatenate(off), fps):
+    """The pieces of tracks that lie off all trajectories, each with its track from now on."""
+    highest = int(max(relabelled["track"].max(), tracks["track"].max(initial=0)))
+    taken, found = set(relabelled["track"].tolist()), list[tuple[int, Rows]]()
+    off = [np.zeros(0, np.intp), *(piece[_is_off(tracks, piece, relabelled)] for piece in pieces)]
+    for rows in _split_at_gaps(tracks, np.concatenate(off), fps):
         if len(rows) < _LEAST_S * fps:
             continue
         name = int(tracks["track"][rows[0]])
@@ -154,24 +165,24 @@ def _off_all_ways(
     return found
 
 
-def _together(told: Columns, tracks: Columns, off: Sequence[tuple[int, Rows]]) -> Columns:
-    """Ways and the pieces off all of them, sorted by frame, then track."""
-    parts = [told]
+def _concatenate(relabelled: Columns, tracks: Columns, off: Sequence[tuple[int, Rows]]) -> Columns:
+    """Trajectories and the pieces off all of them, sorted by frame, then track."""
+    parts = [relabelled]
     for name, rows in off:
         part = {column: values[rows] for column, values in tracks.items()}
         parts.append({**part, "track": np.full_like(part["track"], name)})
-    both = {column: np.concatenate([part[column] for part in parts]) for column in told}
+    both = {column: np.concatenate([part[column] for part in parts]) for column in relabelled}
     order = np.lexsort((both["track"], both["frame"]))
     return {column: values[order] for column, values in both.items()}
 
 
-def _off(tracks: Columns, rows: Rows, told: Columns) -> NDArray[np.bool_]:
-    """(k,) whether rows of tracks, of different frames, are near nobody who is told of."""
-    at = np.searchsorted(tracks["frame"][rows], told["frame"])
+def _is_off(tracks: Columns, rows: Rows, relabelled: Columns) -> NDArray[np.bool_]:
+    """(k,) whether rows of tracks, of different frames, are near no trajectory."""
+    at = np.searchsorted(tracks["frame"][rows], relabelled["frame"])
     at = np.minimum(at, len(rows) - 1)
-    both = np.flatnonzero(tracks["frame"][rows][at] == told["frame"])
+    both = np.flatnonzero(tracks["frame"][rows][at] == relabelled["frame"])
     own = np.stack((tracks["x"][rows], tracks["y"][rows]), axis=1)[at[both]]
-    away = np.stack((told["x"][both], told["y"][both]), axis=1) - own
+    away = np.stack((relabelled["x"][both], relabelled["y"][both]), axis=1) - own
     along, across = np.einsum("kij,kj->ik", sight_axes(own), away)
     near = np.abs(across) < _NEAR_ACROSS_M
     near &= np.abs(along) < np.maximum(_NEAR_ALONG * np.hypot(*own.T), _NEAR_ACROSS_M)
@@ -188,31 +199,31 @@ def _detections(tracks: Columns) -> Columns:
     return {name: column[seen] for name, column in typed(values, DETECTION_COLUMNS).items()}
 
 
-def _held_by(
+def _relabel_tracklets(
     run: Run,
-    chains: Chains,
-    walks: Sequence[Walk],
+    chains: TrackletChains,
+    trajectories: Sequence[WalkerTrajectory],
     names: Integers,
     off: Sequence[tuple[int, Rows]],
 ) -> Particles:
     """The tracklets with the tracks of those who walk with them, grouped by them.
 
-    Those of pieces off all ways stay with these.
+    Those of pieces off all trajectories stay with these.
     """
     columns = {name: np.asarray(column) for name, column in run.tracklets.columns.items()}
     frame = np.repeat(np.arange(len(run.tracklets.start) - 1), np.diff(run.tracklets.start))
-    walk = np.full(len(frame), -1)
-    walk[chains.row] = _walk_of_chain(chains, walks)[chains.chain]
-    track = np.where(walk >= 0, names[walk], _stayed(run, columns["track"], frame, off))
+    walker = np.full(len(frame), -1)
+    walker[chains.row] = _walk_of_chain(chains, trajectories)[chains.chain]
+    track = np.where(walker >= 0, names[walker], _kept_tracks(run, columns["track"], frame, off))
     order = np.lexsort((track, frame))
     columns["track"] = track.astype(np.int32)
     return Particles(run.tracklets.start, {name: column[order] for name, column in columns.items()})
 
 
-def _stayed(
+def _kept_tracks(
     run: Run, holder: Integers, frame: Integers, off: Sequence[tuple[int, Rows]]
 ) -> Integers:
-    """(tracklets,) the track of the piece off all ways that holds each; 0: none does."""
+    """(tracklets,) the track of the piece off all trajectories that holds each; 0: none does."""
     key, name = np.zeros(0, np.int64), np.zeros(0, np.int64)
     if off:
         rows = np.concatenate([rows for _, rows in off])

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.trackers.flow.walkers import Walkers, begun
+from tracking.trackers.flow.walkers import Walkers, begin_walkers
 from tracking.trackers.resumption import Resume
 from tracking.tracks.columns import Columns
 
@@ -18,7 +18,7 @@ _LED_ON_S = 1.0
 """Who has no row in the last frames is thought to have walked on for so long."""
 
 
-def resumed(resume: Resume) -> Walkers:
+def resume_walkers(resume: Resume) -> Walkers:
     """Everybody to be followed on who has a place on the floor, as they stand before the frame."""
     known = np.isfinite(resume.rows["x"]) & np.isfinite(resume.rows["y"])
     rows = {name: column[known] for name, column in resume.rows.items()}
@@ -26,7 +26,7 @@ def resumed(resume: Resume) -> Walkers:
     states = [_state(rows, track, resume) for track in people]
     place = np.array([state[0] for state in states]).reshape(-1, 2)
     pace = np.array([state[1] for state in states]).reshape(-1, 2)
-    walkers = begun(people.astype(np.int32), place, pace)
+    walkers = begin_walkers(people.astype(np.int32), place, pace)
     return replace(walkers, walked=np.ones(len(walkers), bool))
 
 

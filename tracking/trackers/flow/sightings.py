@@ -11,10 +11,10 @@ from tracking.trackers.flow.floor import Floor
 from tracking.trackers.flow.silhouettes import (
     Mask,
     Spots,
-    cover_of,
-    cover_with,
-    fits_at,
+    add_to_cover,
+    draw_cover,
     may_stand,
+    score_spots,
     spots_at,
 )
 
@@ -50,7 +50,7 @@ class Sightings:
         """No sightings."""
         return cls(np.zeros((0, 2)), np.zeros((0, 2)), np.zeros(0))
 
-    def then(self, place: Floats, elapsed_s: float) -> Sightings:
+    def update(self, place: Floats, elapsed_s: float) -> Sightings:
         """Those of the next frame, each as old as the one it continues."""
         first, age_s = place.copy(), np.zeros(len(place))
         left = np.ones(len(self), bool)
@@ -71,7 +71,7 @@ class FloorGrid:
         self.place = _in_sight(floor)
         self._spots: Spots = spots_at(self.place, floor)
 
-    def sighted(
+    def find_people(
         self, followed: Floats, mask: Mask, least: tuple[float, float, float], apart_m: float
     ) -> Floats:
         """(k, 2) m places of people who are not followed, the best first.
@@ -83,12 +83,12 @@ class FloorGrid:
             least: score, seen and own of a `Fit` that convince.
             apart_m: from the people followed and from each other.
         """
-        cover = cover_of(followed, self._floor)
+        cover = draw_cover(followed, self._floor)
         rows = np.flatnonzero(may_stand(self._spots, mask, cover))
         rows = rows[self._free(rows, followed, apart_m)]
         found: list[Floats] = []
         while len(rows) and len(found) < _MOST_A_FRAME:
-            fit = fits_at(self._spots.select(rows), mask, cover)
+            fit = score_spots(self._spots.select(rows), mask, cover)
             good = (fit.score >= least[0]) & (fit.seen >= least[1]) & (fit.own >= least[2])
             if not good.any():
                 break
@@ -96,7 +96,7 @@ class FloorGrid:
             found.append(self.place[rows[best]])
             rows = rows[good]  # others explain more, never less
             rows = rows[self._free(rows, found[-1][None], apart_m)]
-            cover = cover_with(cover, found[-1], self._floor)
+            cover = add_to_cover(cover, found[-1], self._floor)
         return np.array(found).reshape(-1, 2)
 
     def _free(self, rows: NDArray[np.intp], people: Floats, apart_m: float) -> NDArray[np.bool_]:

@@ -106,7 +106,7 @@ class Spots:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Fit:
+class SilhouetteScore:
     """How well bodies suit the foreground.
 
     Attributes:
@@ -121,7 +121,7 @@ class Fit:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Drawn:
+class SilhouetteFit:
     """Where the foreground draws people.
 
     Attributes:
@@ -134,7 +134,7 @@ class Drawn:
     score: Floats
 
 
-def cover_of(place: Floats, floor: Floor) -> Cover:
+def draw_cover(place: Floats, floor: Floor) -> Cover:
     """(rows, columns) how far away, in m, the nearest of the people stands that hides a pixel.
 
     Infinite where there is nobody. At half resolution.
@@ -158,12 +158,14 @@ def cover_of(place: Floats, floor: Floor) -> Cover:
     return cover
 
 
-def cover_with(cover: Cover, place: Floats, floor: Floor) -> Cover:
-    """The `cover_of` people and one more, at place (2,) m."""
-    return np.minimum(cover, cover_of(place[None], floor))
+def add_to_cover(cover: Cover, place: Floats, floor: Floor) -> Cover:
+    """The cover with one person more, at place (2,) m."""
+    return np.minimum(cover, draw_cover(place[None], floor))
 
 
-def fits(place: Floats, mask: Mask, cover: Cover, floor: Floor, own: Floats | None = None) -> Fit:
+def score_silhouettes(
+    place: Floats, mask: Mask, cover: Cover, floor: Floor, own: Floats | None = None
+) -> SilhouetteScore:
     """How well bodies at places (k, 2) suit the foreground.
 
     What is hidden by somebody nearer does not count, nor what lies beside the body and is
@@ -174,61 +176,65 @@ def fits(place: Floats, mask: Mask, cover: Cover, floor: Floor, own: Floats | No
             resolution.
         own: (k,) how far away they stand themselves in the cover; None: they are not in it.
     """
-    return fits_at(spots_at(place, floor), mask, cover, own)
+    return score_spots(spots_at(place, floor), mask, cover, own)
 
 
 def spots_at(place: Floats, floor: Floor) -> Spots:
     """Where bodies at places (k, 2) would be seen."""
     distance = np.hypot(place[:, 0], place[:, 1])[:, None].astype(np.float32)
-    pixels = _halved(_pixels(place, _SPOTS, floor), floor.view.camera.size)
+    pixels = _half_pixels(_pixels(place, _SPOTS, floor), floor.view.camera.size)
     body, beside = pixels.of(slice(len(_BODY))), pixels.of(slice(len(_BODY), None))
     return Spots(distance, body, beside)
 
 
-def fits_at(spots: Spots, mask: Mask, cover: Cover, own: Floats | None = None) -> Fit:
-    """`fits` of bodies whose pixels are known."""
-    seen, nearest = _sampled(mask, cover, spots.body)
+def score_spots(
+    spots: Spots, mask: Mask, cover: Cover, own: Floats | None = None
+) -> SilhouetteScore:
+    """`score_silhouettes` of bodies whose pixels are known."""
+    seen, nearest = _sample(mask, cover, spots.body)
     inside = spots.body.inside
-    free = np.isinf(nearest) | _same(nearest, own)
+    free = np.isinf(nearest) | _is_same(nearest, own)
     hidden = (nearest < spots.distance - _AHEAD_M) & ~free
     open_ = (inside & ~hidden) * _BODY_TELLS
     body = _share(_FILLED[seen], open_ * np.where(free, _ONE, _FOREIGN_WEIGHT))
-    around, owner = _sampled(mask, cover, spots.beside)
-    unclaimed = spots.beside.inside & (np.isinf(owner) | _same(owner, own))
+    around, owner = _sample(mask, cover, spots.beside)
+    unclaimed = spots.beside.inside & (np.isinf(owner) | _is_same(owner, own))
     beside = _share(_SOLID[around], unclaimed * _BESIDE_TELLS)
     in_sight = (inside & free).mean(axis=1)
-    return Fit(body - _BESIDE_WEIGHT * beside, in_sight, _share(_SOLID[seen] * free, open_))
+    return SilhouetteScore(
+        body - _BESIDE_WEIGHT * beside, in_sight, _share(_SOLID[seen] * free, open_)
+    )
 
 
 def may_stand(spots: Spots, mask: Mask, cover: Cover) -> NDArray[np.bool_]:
     """(k,) whether anything on the axis of a body is foreground that nobody explains.
 
-    A quick look at where `fits_at` is worth its time.
+    A quick look at where `score_spots` is worth its time.
     """
-    seen, nearest = _sampled(mask, cover, spots.body.of(_SPINE))
+    seen, nearest = _sample(mask, cover, spots.body.of(_SPINE))
     stirs = (seen == BODY) & np.isinf(nearest) & spots.body.of(_SPINE).inside
     return np.asarray(stirs.any(axis=1))
 
 
-def _same(nearest: Cover, own: Floats | None) -> NDArray[np.bool_]:
+def _is_same(nearest: Cover, own: Floats | None) -> NDArray[np.bool_]:
     """Where the person in the cover is the one looked for."""
     if own is None:
         return np.zeros(nearest.shape, bool)
     return np.asarray(np.abs(nearest - own[:, None]) < _SAME_M)
 
 
-def drawn(place: Floats, mask: Mask, cover: Cover, floor: Floor) -> Drawn:
+def fit_silhouettes(place: Floats, mask: Mask, cover: Cover, floor: Floor) -> SilhouetteFit:
     """Where people believed at places (m, 2) are, by the foreground near there.
 
     Bodies are tried on a small grid along and across the line of sight; the mean of the places,
     weighed by how well they suit, is where somebody is drawn to, and how far they spread is how
     little that says: in the middle of a crowd, nothing.
     """
-    near = _tried(place, _ALONG, _ACROSS_M, mask, cover, floor)
+    near = _search_grid(place, _ALONG, _ACROSS_M, mask, cover, floor)
     poor = np.flatnonzero((near.score < _POOR) & np.isfinite(near.place).all(axis=1))
     if not len(poor):
         return near
-    far = _tried(place[poor], _FAR_ALONG, _FAR_ACROSS_M, mask, cover, floor)
+    far = _search_grid(place[poor], _FAR_ALONG, _FAR_ACROSS_M, mask, cover, floor)
     better = far.score > near.score[poor] + _CLEARLY
     rows = poor[better]
     near.place[rows], near.error_m[rows] = far.place[better], far.error_m[better]
@@ -236,10 +242,10 @@ def drawn(place: Floats, mask: Mask, cover: Cover, floor: Floor) -> Drawn:
     return near
 
 
-def _tried(
+def _search_grid(
     place: Floats, along: Floats, across: Floats, mask: Mask, cover: Cover, floor: Floor
-) -> Drawn:
-    """`drawn` over a grid: along as shares of the distance, across in m."""
+) -> SilhouetteFit:
+    """`fit_silhouettes` over a grid: along as shares of the distance, across in m."""
     people = len(place)
     axes = sight_axes(place)
     distance = np.maximum(np.hypot(place[:, 0], place[:, 1]), 1.0)
@@ -249,19 +255,19 @@ def _tried(
     )
     tried = place[:, None] + np.einsum("mki,mij->mkj", off, axes)
     own = np.repeat(np.hypot(place[:, 0], place[:, 1]), off.shape[1])
-    fit = fits(tried.reshape(-1, 2), mask, cover, floor, own)
+    fit = score_silhouettes(tried.reshape(-1, 2), mask, cover, floor, own)
     score = fit.score.reshape(people, -1)
     weight = np.exp(_SHARPNESS * (score - score.max(axis=1, keepdims=True)))
     weight /= weight.sum(axis=1, keepdims=True)
     mean = np.einsum("mk,mki->mi", weight, off)
     spread = np.einsum("mk,mki->mi", weight, (off - mean[:, None]) ** 2)
-    told = (fit.seen.reshape(people, -1).mean(axis=1) > _LEAST_SEEN)[:, None]
+    known = (fit.seen.reshape(people, -1).mean(axis=1) > _LEAST_SEEN)[:, None]
     where = place + np.einsum("mi,mij->mj", mean, axes)
     error = np.sqrt(_LEAST_ERROR_M**2 + 2 * spread)
-    return Drawn(
-        np.where(told, where, np.nan),
-        np.where(told, error, np.nan),
-        np.where(told[:, 0], score.max(axis=1), np.nan),
+    return SilhouetteFit(
+        np.where(known, where, np.nan),
+        np.where(known, error, np.nan),
+        np.where(known[:, 0], score.max(axis=1), np.nan),
     )
 
 
@@ -272,7 +278,7 @@ def _pixels(place: Floats, spots: Floats, floor: Floor) -> Floats:
     return floor.pixels(level, spots[:, 1])
 
 
-def _halved(pixels: Floats, size: tuple[int, int]) -> Pixels:
+def _half_pixels(pixels: Floats, size: tuple[int, int]) -> Pixels:
     """Pixels (k, j, 2) of a picture of that width and height, at half resolution."""
     columns, rows = half_size(size)
     whole = np.fmin(np.fmax(pixels * 0.5, -9.0), 30000.0).astype(np.int32)  # NaN becomes -9
@@ -281,7 +287,7 @@ def _halved(pixels: Floats, size: tuple[int, int]) -> Pixels:
     return Pixels(np.where(inside, v * columns + u, 0).astype(np.intp), inside)
 
 
-def _sampled(mask: Mask, cover: Cover, pixels: Pixels) -> tuple[Mask, Cover]:
+def _sample(mask: Mask, cover: Cover, pixels: Pixels) -> tuple[Mask, Cover]:
     """The mask and the cover at pixels; what lies outside the picture means nothing."""
     return mask.ravel()[pixels.at], cover.ravel()[pixels.at]
 

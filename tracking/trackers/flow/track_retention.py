@@ -12,7 +12,7 @@ from tracking.trackers.flow.walkers import Walkers
 _CHEST_M = 1.2
 
 
-def lasting(walkers: Walkers, settings: FlowSettings, floor: Floor) -> NDArray[np.bool_]:
+def should_keep(walkers: Walkers, settings: FlowSettings, floor: Floor) -> NDArray[np.bool_]:
     """(m,) who was seen lately enough, and has gone on from where they began, or is new."""
     limit_s = np.where(in_picture(walkers, floor), settings.lost_after_s, settings.lost_at_edge_s)
     proven = walkers.walked | (walkers.age_s < settings.unproven_s)

@@ -13,14 +13,14 @@ from tracking.geometry import View
 from tracking.people import Observation
 from tracking.trackers.flow.cluster_people import ClusteredPeople
 from tracking.trackers.flow.floor import Floor
-from tracking.trackers.flow.flow_frame import POSITIONS, Seen, speeds
-from tracking.trackers.flow.foot_evidence import foot_lines
+from tracking.trackers.flow.flow_frame import POSITIONS, FlowFrame, speeds
+from tracking.trackers.flow.foot_lines import foot_lines
 from tracking.trackers.flow.kernels import kernel_table
 from tracking.trackers.flow.people import HeldPeople
 from tracking.trackers.flow.perception import FlowObservation
 from tracking.trackers.flow.point_tracker import PointFollower
 from tracking.trackers.flow.result import step_result
-from tracking.trackers.flow.resumption import resumed
+from tracking.trackers.flow.resumption import resume_walkers
 from tracking.trackers.flow.settings import FlowSettings
 from tracking.trackers.protocol import StepResult
 from tracking.trackers.resumption import Resume
@@ -82,22 +82,22 @@ class FlowTracker:
             if observation.frame >= resume.frame - self._history:
                 seen = self._looked(observation)
         if seen is not None:
-            self._people.take_over(resumed(resume), seen, resume.highest_track)
+            self._people.take_over(resume_walkers(resume), seen, resume.highest_track)
 
     def step(self, observation: Observation) -> StepResult:
         """Take one frame further."""
         seen = self._looked(observation)
         self._people.step(seen)
         owner = self._people.owner
-        told = self._people.walkers.select(self._people.walkers.walked)
-        shown = np.where(np.isin(owner, told.track), owner, 0)
+        reported = self._people.walkers.select(self._people.walkers.walked)
+        shown = np.where(np.isin(owner, reported.track), owner, 0)
         points = seen.tracklets.path[:, 0].astype(np.float64)
         foot_v = foot_lines(points, seen.slope, seen.mask, self._floor)
-        result = step_result(observation.frame, told, seen.tracklets, shown, foot_v, self._view)
+        result = step_result(observation.frame, reported, seen.tracklets, shown, foot_v, self._view)
         self._drop_still(seen, owner)
         return result
 
-    def _looked(self, observation: Observation) -> Seen:
+    def _looked(self, observation: Observation) -> FlowFrame:
         """The frame's tracklets."""
         assert isinstance(observation, FlowObservation), "flow steps on what its perception made"
         assert observation.picture is not None, "perception hands the picture on"
@@ -108,9 +108,9 @@ class FlowTracker:
         mask = observation.mask
         seek = mask if self._settings.points.foreground_only else None
         tracklets = self._follower.step(grey, seek)
-        return Seen.of(tracklets, mask, elapsed_s, self._fps, self._floor)
+        return FlowFrame.of(tracklets, mask, elapsed_s, self._fps, self._floor)
 
-    def _drop_still(self, seen: Seen, owner: NDArray[np.int32]) -> None:
+    def _drop_still(self, seen: FlowFrame, owner: NDArray[np.int32]) -> None:
         """Follow no further what is nobody's and hardly moves."""
         speed = speeds(seen.tracklets, self._history, self._fps, self._floor)
         self._follower.drop((owner == 0) & (speed < self._settings.points.still_m_s))

@@ -1,4 +1,4 @@
-"""Which tracklets belong to whom, and what they say of where people are."""
+"""Which tracklets belong to whom, and where they put their owners."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _BEYOND_M, _TOO_HIGH_M = 0.36, 1.95
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Holds:
+class TrackletOwners:
     """Which tracklets belong to whom: a row a tracklet, by id.
 
     Attributes:
@@ -43,17 +43,17 @@ class Holds:
     odd_s: Floats
 
     @classmethod
-    def none(cls) -> Holds:
+    def none(cls) -> TrackletOwners:
         """Of no tracklets."""
         zero = np.zeros(0)
         return cls(np.zeros(0, np.int64), np.zeros(0, np.int32), np.zeros((0, 2)), zero, zero)
 
-    def of(self, ids: NDArray[np.int64]) -> Holds:
+    def for_ids(self, ids: NDArray[np.int64]) -> TrackletOwners:
         """Those of tracklets with these ids (ascending); new ones are nobody's."""
         place = np.searchsorted(self.id, ids)
         known = place < len(self.id)
         known[known] = self.id[place[known]] == ids[known]
-        held = Holds(
+        held = TrackletOwners(
             ids,
             np.zeros(len(ids), np.int32),
             np.zeros((len(ids), 2)),
@@ -73,15 +73,15 @@ class Holds:
             return np.full(len(self.id), -1)
         return np.where(walkers.track[row] == self.owner, row, -1)
 
-    def freed(self, gone: NDArray[np.bool_]) -> Holds:
+    def release(self, gone: NDArray[np.bool_]) -> TrackletOwners:
         """With some tracklets nobody's."""
         return replace(
             self, owner=np.where(gone, 0, self.owner), odd_s=np.where(gone, 0.0, self.odd_s)
         )
 
-    def given(
+    def assign(
         self, rows: Indices, owner: NDArray[np.int32], axis: Floats, slope: Floats, floor: Floor
-    ) -> Holds:
+    ) -> TrackletOwners:
         """With the tracklets of some rows given to people whose axes (k, 2) stand there.
 
         Args:
@@ -101,8 +101,8 @@ class Holds:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Said:
-    """What tracklets say of where people are.
+class PlaceEstimate:
+    """Where tracklets put their owners.
 
     Attributes:
         place: (m, 2) m; NaN where nobody tells.
@@ -117,23 +117,25 @@ class Said:
     count: NDArray[np.int64]
 
 
-def said(walkers: Walkers, holds: Holds, slope: Floats, floor: Floor) -> Said:
+def estimate_places(
+    walkers: Walkers, owners: TrackletOwners, slope: Floats, floor: Floor
+) -> PlaceEstimate:
     """Where the tracklets put their people: the weighted median along and across the sight.
 
     Of low cameras, heads tell little of how far away somebody is, and feet tell most.
     """
-    row = holds.rows_of(walkers)
+    row = owners.rows_of(walkers)
     known = (row >= 0) & np.isfinite(slope).all(axis=1)
     mine = np.flatnonzero(known)
     own = row[mine]
     axes = sight_axes(walkers.place)
-    axis = floor.places(slope[mine], holds.z_m[mine]) - holds.offset[mine]
+    axis = floor.places(slope[mine], owners.z_m[mine]) - owners.offset[mine]
     miss = (axes[own] @ (axis - walkers.place[own])[..., None])[..., 0]
     error = _errors(slope[mine])
     middle = np.stack(
         [_medians(miss[:, k], 1.0 / error[:, k], own, len(walkers)) for k in (0, 1)], axis=1
     )
-    misfit = np.full(len(holds.id), np.nan)
+    misfit = np.full(len(owners.id), np.nan)
     misfit[mine] = np.hypot(*((miss - middle[own]) / error).T)
     fits = misfit[mine] < _ODD
     count = np.bincount(own[fits], minlength=len(walkers))
@@ -143,52 +145,58 @@ def said(walkers: Walkers, holds: Holds, slope: Floats, floor: Floor) -> Said:
     few = 1.0 + 2.0 / np.maximum(count, 1)
     spread = np.column_stack((mean * few, _SWAY_M * few))
     none = (count == 0)[:, None]
-    return Said(np.where(none, np.nan, place), np.where(none, np.nan, spread), misfit, count)
+    return PlaceEstimate(
+        np.where(none, np.nan, place), np.where(none, np.nan, spread), misfit, count
+    )
 
 
-def released(holds: Holds, misfit: Floats, elapsed_s: float) -> Holds:
+def release_misfits(owners: TrackletOwners, misfit: Floats, elapsed_s: float) -> TrackletOwners:
     """Tracklets that have not moved with their person for a while are nobody's."""
     odd = misfit > _ODD
-    odd_s = np.where(odd, holds.odd_s + elapsed_s, 0.0)
+    odd_s = np.where(odd, owners.odd_s + elapsed_s, 0.0)
     gone = (odd_s > _PATIENCE_S) | (misfit > 3 * _ODD)
-    return replace(holds, odd_s=odd_s).freed(gone)
+    return replace(owners, odd_s=odd_s).release(gone)
 
 
-def adapted(walkers: Walkers, holds: Holds, slope: Floats, floor: Floor, elapsed_s: float) -> Holds:
+def adapt_offsets(
+    walkers: Walkers, owners: TrackletOwners, slope: Floats, floor: Floor, elapsed_s: float
+) -> TrackletOwners:
     """The tracklets' places in their bodies drawn to where the people are found to stand.
 
     Those that would lie beside the body are set free.
     """
-    row = holds.rows_of(walkers)
+    row = owners.rows_of(walkers)
     mine = np.flatnonzero((row >= 0) & np.isfinite(slope).all(axis=1))
     axis = walkers.place[row[mine]]
     share = 1.0 - np.exp(-elapsed_s / _ADAPT_S)
-    z_m, offset = holds.z_m.copy(), holds.offset.copy()
+    z_m, offset = owners.z_m.copy(), owners.offset.copy()
     now = floor.heights(slope[mine], axis)
     z_m[mine] += share * (now - z_m[mine])
     off = floor.places(slope[mine], z_m[mine]) - axis
     offset[mine] += share * (off - offset[mine])
     beyond = np.zeros(len(row), bool)
     beyond[mine] = (np.hypot(*off.T) > _BEYOND_M) | (now > _TOO_HIGH_M)
-    return replace(holds, z_m=z_m, offset=offset).freed(beyond)
+    return replace(owners, z_m=z_m, offset=offset).release(beyond)
 
 
-def moved(walkers: Walkers, holds: Holds, slope: Floats, by: Floats, floor: Floor) -> Holds:
+def move_offsets(
+    walkers: Walkers, owners: TrackletOwners, slope: Floats, by: Floats, floor: Floor
+) -> TrackletOwners:
     """The tracklets' places in their bodies after people were put elsewhere, `by` (m, 2) m.
 
     Tracklets tell how people move, and where across the line of sight they are, but not how far
     away: that is believed at once.
     """
-    row = holds.rows_of(walkers)
+    row = owners.rows_of(walkers)
     mine = np.flatnonzero((row >= 0) & np.isfinite(slope).all(axis=1))
-    z_m, offset = holds.z_m.copy(), holds.offset.copy()
+    z_m, offset = owners.z_m.copy(), owners.offset.copy()
     along = sight_axes(walkers.place)[:, 0]
     own = (along * (along * by).sum(axis=1)[:, None])[row[mine]]
     spot = floor.places(slope[mine], z_m[mine])
     axis = spot - offset[mine] + own
     z_m[mine] = floor.heights(slope[mine], spot + own)
     offset[mine] = floor.places(slope[mine], z_m[mine]) - axis
-    return replace(holds, z_m=z_m, offset=offset)
+    return replace(owners, z_m=z_m, offset=offset)
 
 
 def _errors(slope: Floats) -> Floats:

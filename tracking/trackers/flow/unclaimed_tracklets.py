@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.trackers.flow.floor import LOWEST_M, Floor, sight_axes
-from tracking.trackers.flow.flow_frame import Seen, paces
-from tracking.trackers.flow.tracklet_owners import BOB_M, Holds
+from tracking.trackers.flow.flow_frame import FlowFrame, paces
+from tracking.trackers.flow.tracklet_owners import BOB_M, TrackletOwners
 from tracking.trackers.flow.walkers import Walkers
 
 Floats = NDArray[np.float64]
@@ -27,14 +27,16 @@ _HIDDEN = 4.0
 """Of the squared distance: what belonging to somebody behind another body costs."""
 
 
-def claims(walkers: Walkers, holds: Holds, seen: Seen, floor: Floor) -> tuple[Indices, Indices]:
+def claim_tracklets(
+    walkers: Walkers, owners: TrackletOwners, seen: FlowFrame, floor: Floor
+) -> tuple[Indices, Indices]:
     """Rows of tracklets and of the people they belong to.
 
     Of tracklets of nobody those count that lie in somebody's body and move as it does; of several
     people the likeliest. Where a nearer body is in the way, it takes more to belong to the one
     behind it.
     """
-    free = np.flatnonzero((holds.owner == 0) & seen.known)
+    free = np.flatnonzero((owners.owner == 0) & seen.known)
     if not len(free) or not len(walkers):
         return free[:0], free[:0]
     cost = _costs(walkers, seen.slope[free], seen.before[free], seen.over_s, floor)

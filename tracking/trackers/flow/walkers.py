@@ -69,7 +69,7 @@ class Walkers:
             self.walked[rows],
         )
 
-    def and_also(self, more: Walkers) -> Walkers:
+    def append(self, more: Walkers) -> Walkers:
         """These and more, whose tracks are higher."""
         return Walkers(
             np.append(self.track, more.track),
@@ -84,7 +84,7 @@ class Walkers:
         )
 
 
-def begun(track: NDArray[np.int32], place: Floats, pace: Floats) -> Walkers:
+def begin_walkers(track: NDArray[np.int32], place: Floats, pace: Floats) -> Walkers:
     """People at these places, who walk so."""
     spread = np.zeros((len(track), 4, 4))
     spread[:, :2, :2] = np.eye(2) * _FIRST_M**2
@@ -95,9 +95,9 @@ def begun(track: NDArray[np.int32], place: Floats, pace: Floats) -> Walkers:
     return Walkers(track, state, spread, none, none, none, count, place, walked)
 
 
-def nobody() -> Walkers:
+def no_walkers() -> Walkers:
     """No people."""
-    return begun(np.zeros(0, np.int32), np.zeros((0, 2)), np.zeros((0, 2)))
+    return begin_walkers(np.zeros(0, np.int32), np.zeros((0, 2)), np.zeros((0, 2)))
 
 
 def put_at(walkers: Walkers, row: int, place: Floats, pace: Floats) -> Walkers:
@@ -110,14 +110,14 @@ def put_at(walkers: Walkers, row: int, place: Floats, pace: Floats) -> Walkers:
     return replace(walkers, state=state, spread=spread, missed_s=missed_s, empty_s=empty_s)
 
 
-def proven(walkers: Walkers, walked_m: float) -> Walkers:
+def mark_proven(walkers: Walkers, walked_m: float) -> Walkers:
     """With those marked who have gone so far from where they were found: only people do."""
     way = walkers.place - walkers.began
     far = np.hypot(way[:, 0], way[:, 1]) >= walked_m
     return replace(walkers, walked=walkers.walked | far)
 
 
-def predicted(walkers: Walkers, elapsed_s: float) -> Walkers:
+def predict(walkers: Walkers, elapsed_s: float) -> Walkers:
     """Everybody so much later, at constant velocity with random pushes."""
     step = np.eye(4)
     step[:2, 2:] = np.eye(2) * elapsed_s
@@ -134,7 +134,7 @@ def predicted(walkers: Walkers, elapsed_s: float) -> Walkers:
     )
 
 
-def measured(walkers: Walkers, place: Floats, error_m: Floats) -> Walkers:
+def update_measured(walkers: Walkers, place: Floats, error_m: Floats) -> Walkers:
     """Everybody corrected by where they were seen: a Kalman filter's update.
 
     Args:

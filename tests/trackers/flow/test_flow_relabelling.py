@@ -8,11 +8,11 @@ import pytest
 from tests.trackers.flow.flow_scenes import FPS
 from tests.trackers.flow.tracklet_runs import FRAMES, VIEW, Walker, run_with
 from tracking.trackers.flow import finish_run
-from tracking.trackers.flow.bundles import Way, bundle_of
-from tracking.trackers.flow.chains import chains_of
+from tracking.trackers.flow.bundles import Trajectory, gather_bundle
+from tracking.trackers.flow.chains import link_chains
 from tracking.trackers.flow.floor import Floor
-from tracking.trackers.flow.relabel_run import pieces_of, retold
-from tracking.trackers.flow.way_selection import Walk, without_twins
+from tracking.trackers.flow.relabel_run import find_pieces, relabel_run
+from tracking.trackers.flow.trajectory_selection import WalkerTrajectory, remove_twins
 from tracking.tracks.columns import Columns
 
 COMING = Walker((-0.7, 12.0), (0.0, -1.1))
@@ -33,7 +33,7 @@ def off(tracks: Columns, walker: Walker) -> float:
 
 def test_a_track_that_went_over_to_somebody_else_is_two_people() -> None:
     run = run_with((COMING, GOING), ((1, 0, range(5, 35)), (1, 1, range(35, 75))))
-    found = retold(run, VIEW, FPS).tracks
+    found = relabel_run(run, VIEW, FPS).tracks
     assert len(np.unique(found["track"])) == 2
     for side, walker in ((-1, COMING), (1, GOING)):
         own = at_side(found, side)
@@ -43,7 +43,7 @@ def test_a_track_that_went_over_to_somebody_else_is_two_people() -> None:
 
 def test_ways_reach_as_far_as_their_tracklets() -> None:
     run = run_with((COMING,), ((1, 0, range(30, 50)),))
-    found = retold(run, VIEW, FPS).tracks
+    found = relabel_run(run, VIEW, FPS).tracks
     assert found["frame"].min() <= 4
     assert found["frame"].max() >= FRAMES - 3
     assert set(found["track"]) == {1}
@@ -51,12 +51,12 @@ def test_ways_reach_as_far_as_their_tracklets() -> None:
 
 def test_who_was_followed_twice_at_once_is_one() -> None:
     run = run_with((COMING,), ((1, 0, range(5, 40)), (2, 0, range(20, 75))))
-    assert len(np.unique(retold(run, VIEW, FPS).tracks["track"])) == 1
+    assert len(np.unique(relabel_run(run, VIEW, FPS).tracks["track"])) == 1
 
 
 def test_tracklets_and_detections_go_with_the_people_told_of() -> None:
     run = run_with((COMING, GOING), ((1, 0, range(5, 35)), (1, 1, range(35, 75))))
-    found = retold(run, VIEW, FPS)
+    found = relabel_run(run, VIEW, FPS)
     rows = {(f, t) for f, t in zip(found.tracks["frame"], found.tracks["track"], strict=True)}
     seen = set(zip(found.detections["frame"], found.detections["track"], strict=True))
     assert seen == rows
@@ -70,7 +70,7 @@ def test_tracklets_and_detections_go_with_the_people_told_of() -> None:
 
 def test_new_people_get_tracks_above_all_that_were_known() -> None:
     run = run_with((COMING, GOING), ((1, 0, range(5, 75)),), known_tracks=40)
-    found = retold(run, VIEW, FPS).tracks
+    found = relabel_run(run, VIEW, FPS).tracks
     assert set(at_side(found, -1)["track"]) == {1}
     assert (at_side(found, 1)["track"] > 40).all()
 
@@ -78,7 +78,7 @@ def test_new_people_get_tracks_above_all_that_were_known() -> None:
 def test_who_stands_stays_as_followed() -> None:
     standing = Walker((0.9, 6.0), (0.0, 0.0))
     run = run_with((COMING, standing), ((1, 0, range(5, 75)), (2, 1, range(5, 75))))
-    found = retold(run, VIEW, FPS).tracks
+    found = relabel_run(run, VIEW, FPS).tracks
     own = found["frame"][found["track"] == 2]
     assert own.tolist() == list(range(5, 75))
 
@@ -87,7 +87,7 @@ def test_tracklets_of_who_stays_as_followed_stay_theirs_under_the_new_name_too()
     standing = Walker((0.9, 6.0), (0.0, 0.0))
     followed = ((2, 1, range(5, 20)), (2, 0, range(20, 60)), (2, 1, range(60, 75)))
     run = run_with((COMING, standing), ((1, 0, range(5, 75)), *followed))
-    found = retold(run, VIEW, FPS)
+    found = relabel_run(run, VIEW, FPS)
     stood = np.hypot(found.tracks["x"] - 0.9, found.tracks["y"] - 6.0) < 0.1
     for frame, track in zip(
         found.tracks["frame"][stood], found.tracks["track"][stood], strict=True
@@ -100,7 +100,7 @@ def test_a_track_off_all_ways_before_and_after_a_while_is_told_without_a_hole() 
     standing = Walker((0.9, 6.0), (0.0, 0.0))
     followed = ((2, 1, range(5, 20)), (2, 0, range(20, 60)), (2, 1, range(60, 75)))
     run = run_with((COMING, standing), ((1, 0, range(5, 75)), *followed))
-    found = retold(run, VIEW, FPS).tracks
+    found = relabel_run(run, VIEW, FPS).tracks
     for track in np.unique(found["track"]):
         frame = found["frame"][found["track"] == track]
         assert (np.diff(frame) == 1).all()
@@ -118,7 +118,7 @@ def test_a_finished_run_has_every_row_once_and_is_the_same_each_time() -> None:
 
 def test_tracklets_are_linked_over_all_their_frames() -> None:
     run = run_with((COMING,), ((1, 0, range(10, 20)),))
-    chains = chains_of(run, FLOOR, FPS)
+    chains = link_chains(run, FLOOR, FPS)
     assert len(chains) == 10
     assert chains.length.tolist() == [FRAMES - 2] * 10
     assert (chains.first == 2).all()
@@ -130,9 +130,9 @@ def test_a_bundle_is_of_those_who_walk_the_way_and_of_nobody_beside_or_against()
     beside = Walker((-0.1, 12.0), (0.0, -1.1))
     against = Walker((-0.7, 3.5), (0.0, 1.2))
     run = run_with((COMING, beside, against), ((1, 0, range(10, 70)),))
-    chains = chains_of(run, FLOOR, FPS)
-    way = Way(10, COMING.at(np.arange(10, 70)))
-    bundle = bundle_of(way, chains, FLOOR, FPS, 0.3)
+    chains = link_chains(run, FLOOR, FPS)
+    way = Trajectory(10, COMING.at(np.arange(10, 70)))
+    bundle = gather_bundle(way, chains, FLOOR, FPS, 0.3)
     own = np.isfinite(chains.held_at[:, 0])
     assert set(bundle.chain[bundle.alike]) == set(chains.chain[own])
 
@@ -141,15 +141,15 @@ def test_a_bundle_is_of_those_who_walk_the_way_and_of_nobody_beside_or_against()
 def test_two_ways_too_near_to_each_other_are_one_persons(apart_m: float, people: int) -> None:
     place = COMING.at(np.arange(40))
     walks = [
-        Walk(Way(10, place), np.arange(5)),
-        Walk(Way(12, place[2:30] + np.array((apart_m, 0.0))), np.arange(5, 8)),
+        WalkerTrajectory(Trajectory(10, place), np.arange(5)),
+        WalkerTrajectory(Trajectory(12, place[2:30] + np.array((apart_m, 0.0))), np.arange(5, 8)),
     ]
-    kept = without_twins(walks)
+    kept = remove_twins(walks)
     assert len(kept) == people
     assert sum(len(walk.chain) for walk in kept) == 8
 
 
 def test_pieces_end_where_nobody_is_seen_for_a_while() -> None:
     run = run_with((COMING,), ((1, 0, range(5, 30)), (1, 0, range(40, 60)), (2, 0, range(60, 70))))
-    pieces = pieces_of(run.tracks, FPS)
+    pieces = find_pieces(run.tracks, FPS)
     assert [len(rows) for rows in pieces] == [25, 20, 10]

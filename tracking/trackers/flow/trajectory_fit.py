@@ -1,4 +1,4 @@
-"""Ways led through bundles of tracklets: smooth, as far away as they seem, as far as they reach."""
+"""Smooth trajectories fitted to bundles of tracklets."""
 
 from __future__ import annotations
 
@@ -8,10 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import solveh_banded
 
-from tracking.trackers.flow.bundles import Bundle, Way
-from tracking.trackers.flow.chains import Chains, Rows
+from tracking.trackers.flow.bundles import Bundle, Trajectory
+from tracking.trackers.flow.chains import Rows, TrackletChains
 from tracking.trackers.flow.floor import Floor, sight_axes
-from tracking.trackers.flow.foot_fit import feet_say, ratios
+from tracking.trackers.flow.foot_fit import estimate_scale, ratios
 
 Floats = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -38,8 +38,10 @@ _STRADDLING, _STRADDLED_S = 3, 0.3
 """So many tracklets lead from so long before a moment to as long after it, or it is a gap."""
 
 
-def refitted(bundle: Bundle, chains: Chains, floor: Floor, fps: float) -> tuple[Way, Counts]:
-    """The way that a bundle says, and how many of its tracklets there are in each frame of it.
+def refit(
+    bundle: Bundle, chains: TrackletChains, floor: Floor, fps: float
+) -> tuple[Trajectory, Counts]:
+    """The trajectory of a bundle, and how many of its tracklets there are in each frame of it.
 
     Frames over which too few tracklets lead count as without any. Each tracklet says where the
     body's axis is, by its place in the body; how far away all that is, tracklets hardly say.
@@ -54,13 +56,15 @@ def refitted(bundle: Bundle, chains: Chains, floor: Floor, fps: float) -> tuple[
     steep = np.hypot(*chains.slope[bundle.rows].T)
     error = np.column_stack((_ALONG_M + _BOB_M * (1 + steep), np.full(len(steep), _ACROSS_M)))
     much = np.minimum(count, _MOST_A_FRAME) / np.maximum(count, 1)
-    way = Way(first, _smooth(frame, axis, much[frame, None] / error**2, fps))
-    return way, np.where(_led_over(chains.chain[bundle.rows], frame, len(count), fps), count, 0)
+    trajectory = Trajectory(first, _smooth(frame, axis, much[frame, None] / error**2, fps))
+    return trajectory, np.where(
+        _extend_over(chains.chain[bundle.rows], frame, len(count), fps), count, 0
+    )
 
 
-def reaching(way: Way, count: Counts, floor: Floor, fps: float) -> Flags:
-    """(t,) where a way has tracklets, is in the picture, and goes as fast as people walk."""
-    place, step = way.place, round(_OVER_S * fps)
+def is_supported(trajectory: Trajectory, count: Counts, floor: Floor, fps: float) -> Flags:
+    """(t,) where a trajectory has tracklets, is in the picture, and goes as fast as people walk."""
+    place, step = trajectory.place, round(_OVER_S * fps)
     row = np.arange(len(place))
     low, high = np.maximum(row - step, 0), np.minimum(row + step, len(place) - 1)
     speed = np.hypot(*(place[high] - place[low]).T) / np.maximum(high - low, 1) * fps
@@ -73,24 +77,24 @@ def reaching(way: Way, count: Counts, floor: Floor, fps: float) -> Flags:
     return np.asarray(walks & shown & (count > 0) & (np.hypot(*place.T) > _NEAREST_M))
 
 
-def _scale(bundle: Bundle, chains: Chains, floor: Floor, fps: float) -> float:
-    """By how much farther away all should be than the way is on which the bundle was found."""
+def _scale(bundle: Bundle, chains: TrackletChains, floor: Floor, fps: float) -> float:
+    """By how much farther away all should be than the bundle's trajectory."""
     hints = (
         *_pace_says(bundle, chains, fps),
         *_holders_say(bundle, chains),
         *_top_says(bundle, floor),
-        *feet_say(ratios(chains.feet_m[bundle.rows], np.hypot(*bundle.place.T))),
+        *estimate_scale(ratios(chains.feet_m[bundle.rows], np.hypot(*bundle.place.T))),
     )
     weight = sum(weight for _, weight in hints)
-    told = sum(log * weight for log, weight in hints) / weight if weight else 0.0
-    scale = float(np.exp(np.clip(told, -_FARTHEST_STEP, _FARTHEST_STEP)))
+    estimate = sum(log * weight for log, weight in hints) / weight if weight else 0.0
+    scale = float(np.exp(np.clip(estimate, -_FARTHEST_STEP, _FARTHEST_STEP)))
     lowest = np.percentile(bundle.z_m[bundle.number], 3)
     limit = max(1.0, 1.03 * floor.camera_m / max(floor.camera_m - lowest, 0.05))
     return min(scale, limit)  # nothing lies below the floor
 
 
-def _pace_says(bundle: Bundle, chains: Chains, fps: float) -> list[tuple[float, float]]:
-    """Logarithm of the scale and its weight; nothing where it cannot be told."""
+def _pace_says(bundle: Bundle, chains: TrackletChains, fps: float) -> list[tuple[float, float]]:
+    """Logarithm of the scale and its weight; nothing where it cannot be estimated."""
     frame, first = np.unique(chains.frame[bundle.rows], return_index=True)
     ahead = np.minimum(np.searchsorted(frame, frame + _STRIDE_S * fps), len(frame) - 1)
     time_s = (frame[ahead] - frame) / fps
@@ -98,22 +102,22 @@ def _pace_says(bundle: Bundle, chains: Chains, fps: float) -> list[tuple[float, 
     if not long.any():
         return []
     place = bundle.place[first]
-    way = np.hypot(*(place[ahead] - place)[long].T)
-    pace = max(float(np.median(way / time_s[long])), 0.1)
+    trajectory = np.hypot(*(place[ahead] - place)[long].T)
+    pace = max(float(np.median(trajectory / time_s[long])), 0.1)
     return [(float(np.log(_PACE_M_S / pace)), 1 / _PACE_ERROR**2)]
 
 
-def _holders_say(bundle: Bundle, chains: Chains) -> list[tuple[float, float]]:
+def _holders_say(bundle: Bundle, chains: TrackletChains) -> list[tuple[float, float]]:
     held = chains.held_at[bundle.rows]
     known = np.isfinite(held[:, 0])
     if known.sum() <= _MOST_A_FRAME:
         return []
     own = np.maximum(np.hypot(*bundle.place[known].T), 0.1)
     farther = np.log(np.maximum(np.hypot(*held[known].T), 0.1) / own)
-    told = float(np.median(farther))
-    spread = float(np.median(np.abs(farther - told)))
+    estimate = float(np.median(farther))
+    spread = float(np.median(np.abs(farther - estimate)))
     much = min(known.sum() / _HELD_FRAMES, 1.0)
-    return [(told, much / (_HELD_ERROR**2 + (_HELD_SPREADS * spread) ** 2))]
+    return [(estimate, much / (_HELD_ERROR**2 + (_HELD_SPREADS * spread) ** 2))]
 
 
 def _top_says(bundle: Bundle, floor: Floor) -> list[tuple[float, float]]:
@@ -121,21 +125,21 @@ def _top_says(bundle: Bundle, floor: Floor) -> list[tuple[float, float]]:
         return []
     top = np.percentile(bundle.z_m[bundle.number], 96)
     error = _TOP_ERROR_M / (floor.camera_m - _TOP_M) + _TOP_ERROR
-    told = np.log((floor.camera_m - _TOP_M) / max(floor.camera_m - top, 0.05))
-    return [(float(told), min(len(bundle.rows) / _TOP_ROWS, 1.0) / error**2)]
+    estimate = np.log((floor.camera_m - _TOP_M) / max(floor.camera_m - top, 0.05))
+    return [(float(estimate), min(len(bundle.rows) / _TOP_ROWS, 1.0) / error**2)]
 
 
 def _smooth(frame: Rows, axis: Floats, weight: Floats, fps: float) -> Floats:
-    """(t, 2) the smoothest way near the places (k, 2), weighed along and across the sight."""
+    """(t, 2) the smoothest path near the places (k, 2), weighed along and across the sight."""
     frames = int(frame.max()) + 1
     axes = sight_axes(axis)
     each = np.swapaxes(axes, 1, 2) @ (weight[..., None] * axes)
-    told, toward = np.zeros((frames, 2, 2)), np.zeros((frames, 2))
-    np.add.at(told, frame, each)
+    precision, toward = np.zeros((frames, 2, 2)), np.zeros((frames, 2))
+    np.add.at(precision, frame, each)
     np.add.at(toward, frame, (each @ axis[..., None])[..., 0])
     bands = np.zeros((5, 2 * frames))
-    bands[0, 0::2], bands[0, 1::2] = told[:, 0, 0], told[:, 1, 1]
-    bands[1, 0::2] = told[:, 0, 1]
+    bands[0, 0::2], bands[0, 1::2] = precision[:, 0, 0], precision[:, 1, 1]
+    bands[1, 0::2] = precision[:, 0, 1]
     bands[0] += 1e-9
     bend = (1.0, -2.0, 1.0)
     for (one, a), (other, b), axis_ in product(enumerate(bend), enumerate(bend), (0, 1)):
@@ -145,7 +149,7 @@ def _smooth(frame: Rows, axis: Floats, weight: Floats, fps: float) -> Floats:
     return np.asarray(solveh_banded(bands, toward.ravel(), lower=True).reshape(frames, 2))
 
 
-def _led_over(chain: Rows, frame: Rows, frames: int, fps: float) -> Flags:
+def _extend_over(chain: Rows, frame: Rows, frames: int, fps: float) -> Flags:
     """(t,) whether enough tracklets lead over each frame, or it is near to one that has them."""
     number = np.unique(chain, return_inverse=True)[1]
     half = max(1, round(_STRADDLED_S * fps))
