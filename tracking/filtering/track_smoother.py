@@ -1,6 +1,6 @@
 """Curves through what was measured of many tracks at once, from the past and the future.
 
-Standard term: fixed-interval smoothing (H. E. Rauch, F. Tung, C. T. Striebel: Maximum Likelihood
+This is fixed-interval smoothing (H. E. Rauch, F. Tung, C. T. Striebel: Maximum Likelihood
 Estimates of Linear Dynamic Systems, 1965), robust by weights that are found again in rounds
 (S. Geman, D. E. McClure: Statistical Methods for Tomographic Image Reconstruction, 1987).
 """

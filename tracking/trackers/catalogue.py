@@ -15,7 +15,7 @@ from tracking.trackers import stereo_colour, stereo_direction
 from tracking.trackers.flow import FlowSettings, build_flow
 from tracking.trackers.flow import finish_run as flow_finished
 from tracking.trackers.joint import JointSettings, build_joint
-from tracking.trackers.linking import linked
+from tracking.trackers.linking import link_run
 from tracking.trackers.protocol import Perception, Tracker
 from tracking.trackers.run_smoother import smooth_run
 from tracking.trackers.spheroid import SpheroidSettings, build_spheroid
@@ -74,7 +74,7 @@ _BUILT = (
         needs_calibration=True,
         settings_type=JointSettings,
         build=build_joint,
-        finish=linked,
+        finish=link_run,
     ),
     TrackerSpec(
         name="stereo-direction",

@@ -6,10 +6,10 @@ import numpy as np
 from linked_runs import FPS, VIEW, Stretch, id_near, ids_at, run_of, straight
 from numpy.typing import NDArray
 
-from tracking.trackers.linking import linked
+from tracking.trackers.linking import link_run
 from tracking.trackers.linking.borders import birth_costs, death_costs
-from tracking.trackers.linking.seen_rows import begins, seen_of
-from tracking.trackers.linking.tracklets import tracklets
+from tracking.trackers.linking.seen_rows import find_seen_rows, is_track_start
+from tracking.trackers.linking.tracklets import cut_tracklets
 from tracking.tracks import Run
 
 FRAMES = 400
@@ -22,8 +22,8 @@ HIDER = straight((2.4, 5.5), (2.4, 5.5), 140)
 
 def costs(run: Run) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """What it costs that the people of a run, in order of their ids, come and go."""
-    seen, _ = seen_of(run, VIEW)
-    pieces = tracklets(seen, begins(seen).astype(np.uint8), FPS)
+    seen, _ = find_seen_rows(run, VIEW)
+    pieces = cut_tracklets(seen, is_track_start(seen).astype(np.uint8), FPS)
     start, stop = run.frames
     return (
         birth_costs(seen, pieces, run.tracks, VIEW, FPS, start),
@@ -55,12 +55,12 @@ def test_behind_somebody_people_come_and_go_rather_than_in_the_open() -> None:
 
 
 def test_who_is_lost_where_heads_are_cut_off_and_found_there_a_second_later_is_one_person() -> None:
-    run = linked(run_of(Stretch(1, 50, AWAY), Stretch(2, 170, BACK), frames=FRAMES), VIEW, FPS)
+    run = link_run(run_of(Stretch(1, 50, AWAY), Stretch(2, 170, BACK), frames=FRAMES), VIEW, FPS)
     assert id_near(run, 60, AWAY[10]) == id_near(run, 260, BACK[90]) == 1
 
 
 def test_an_id_given_again_long_after_somebody_left_is_of_somebody_new() -> None:
     gone = straight((0, 6), (4.5, 6), 100)
     run = run_of(Stretch(1, 0, gone), Stretch(1, 260, gone[::-1]), frames=FRAMES)
-    assert set(ids_at(linked(run, VIEW, FPS), 10)) == {1}
-    assert set(ids_at(linked(run, VIEW, FPS), 330)) == {2}
+    assert set(ids_at(link_run(run, VIEW, FPS), 10)) == {1}
+    assert set(ids_at(link_run(run, VIEW, FPS), 330)) == {2}

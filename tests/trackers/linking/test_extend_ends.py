@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from tests.trackers.linking.linked_runs import FPS, VIEW, Stretch, ids_at, run_of, straight
-from tracking.trackers.linking import linked
+from tracking.trackers.linking import link_run
 from tracking.tracks import Columns, Run
 
 WAY = straight((-1.5, 6), (1.5, 6), 80)
@@ -37,14 +37,14 @@ def _of(columns: Columns, frames: Sequence[int]) -> Columns:
 
 
 def test_who_was_detected_before_the_tracker_was_sure_and_after_is_told_of_all_the_way() -> None:
-    run = linked(known_late_and_lost_early(range(8, 70)), VIEW, FPS)
+    run = link_run(known_late_and_lost_early(range(8, 70)), VIEW, FPS)
     assert run.tracks["frame"].tolist() == list(range(80))
     assert not run.tracks["predicted"].any()
     assert np.allclose([ids_at(run, 2)[1][0], ids_at(run, 77)[1][0]], WAY[[2, 77], 0], atol=0.1)
 
 
 def test_every_table_tells_of_the_rows_that_people_reach() -> None:
-    run = linked(known_late_and_lost_early(range(8, 70)), VIEW, FPS)
+    run = link_run(known_late_and_lost_early(range(8, 70)), VIEW, FPS)
     assert run.detections["track"].tolist() == [1] * 80
     for table in (run.associations, run.signals):
         assert table["frame"].tolist() == list(range(80))
@@ -54,7 +54,7 @@ def test_every_table_tells_of_the_rows_that_people_reach() -> None:
 def test_detections_after_a_break_are_not_somebodys_from_before() -> None:
     tracked = known_late_and_lost_early(range(20, 80))
     kept = [*range(12), *range(20, 80)]
-    run = linked(replace(tracked, detections=_of(tracked.detections, kept)), VIEW, FPS)
+    run = link_run(replace(tracked, detections=_of(tracked.detections, kept)), VIEW, FPS)
     assert run.tracks["frame"].min() == 20
 
 
@@ -67,5 +67,5 @@ def test_detections_elsewhere_are_nobodys(shift: tuple[float, float]) -> None:
     names = ("x", "y", "left", "top", "width", "height")
     for name, column in zip(names, (*place.T, *box.T), strict=True):
         seen[name][:8] = column
-    run = linked(replace(tracked, detections=seen), VIEW, FPS)
+    run = link_run(replace(tracked, detections=seen), VIEW, FPS)
     assert run.tracks["frame"].min() == 8

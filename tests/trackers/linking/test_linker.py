@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from linked_runs import BLUE, FPS, RED, VIEW, Stretch, corrected, id_near, ids_at, run_of, straight
 
-from tracking.trackers.linking import linked
+from tracking.trackers.linking import link_run
 from tracking.tracks import Run
 
 A, B = straight((-2, 6), (2, 6.5), 120), straight((2, 6), (-2, 6.5), 120)
@@ -29,13 +29,13 @@ def exchanged(one: tuple[float, ...] = RED, other: tuple[float, ...] = BLUE) -> 
 
 
 def test_two_who_were_exchanged_where_they_met_get_their_own_ids_back() -> None:
-    run = linked(exchanged(), VIEW, FPS)
+    run = link_run(exchanged(), VIEW, FPS)
     assert (id_near(run, 5, A[5]), id_near(run, 5, B[5])) == (1, 2)
     assert (id_near(run, 115, A[115]), id_near(run, 115, B[115])) == (1, 2)
 
 
 def test_in_clothes_of_one_colour_walking_alone_tells_them_apart() -> None:
-    run = linked(exchanged(RED, RED), VIEW, FPS)
+    run = link_run(exchanged(RED, RED), VIEW, FPS)
     assert (id_near(run, 115, A[115]), id_near(run, 115, B[115])) == (1, 2)
 
 
@@ -48,7 +48,7 @@ def test_two_dressed_alike_who_were_exchanged_while_neither_was_seen_get_their_i
         Stretch(1, 66, other[66:]),
         frames=120,
     )
-    run = linked(tracked, VIEW, FPS)
+    run = link_run(tracked, VIEW, FPS)
     assert (id_near(run, 115, one[115]), id_near(run, 115, other[115])) == (1, 2)
 
 
@@ -58,32 +58,32 @@ def test_one_person_whom_the_tracker_followed_under_two_ids_in_turns_is_one() ->
         Stretch(2, 60, A[60:], lost=range(4, 7)),
         frames=120,
     )
-    linked_run = linked(run, VIEW, FPS)
+    linked_run = link_run(run, VIEW, FPS)
     assert list(ids_at(linked_run, 50)) == list(ids_at(linked_run, 110)) == [1]
 
 
 def test_who_was_seen_beside_somebody_before_they_left_is_somebody_else() -> None:
     beside = A[58:] + np.array((0.0, 0.8))
     run = run_of(Stretch(1, 0, A[:60]), Stretch(2, 58, beside, lost=range(1, 10)), frames=120)
-    linked_run = linked(run, VIEW, FPS)
+    linked_run = link_run(run, VIEW, FPS)
     assert list(ids_at(linked_run, 40)) == [1]
     assert list(ids_at(linked_run, 110)) == [2]
 
 
 def test_two_who_passed_and_were_not_exchanged_stay() -> None:
     run = run_of(Stretch(1, 0, A, RED), Stretch(2, 0, B, BLUE), frames=120)
-    assert linked(run, VIEW, FPS).tracks["track"].tolist() == run.tracks["track"].tolist()
+    assert link_run(run, VIEW, FPS).tracks["track"].tolist() == run.tracks["track"].tolist()
 
 
 def test_two_who_meet_and_turn_back_stay_themselves() -> None:
     way, other = np.concatenate((A[:55], A[54::-1])), np.concatenate((B[:55], B[54::-1]))
     run = run_of(Stretch(1, 0, way, RED), Stretch(2, 0, other, BLUE), frames=110)
-    assert linked(run, VIEW, FPS).tracks["track"].tolist() == run.tracks["track"].tolist()
+    assert link_run(run, VIEW, FPS).tracks["track"].tolist() == run.tracks["track"].tolist()
 
 
 @pytest.mark.parametrize("clothes", [BLUE, RED])
 def test_who_enters_where_somebody_leaves_is_somebody_new(clothes: tuple[float, ...]) -> None:
-    run = linked(
+    run = link_run(
         run_of(Stretch(1, 0, OUT, RED), Stretch(1, 60, IN, clothes), frames=120), VIEW, FPS
     )
     assert list(ids_at(run, 10)) == [1]
@@ -94,21 +94,21 @@ def test_who_slows_down_and_turns_round_half_out_of_the_picture_stays() -> None:
     time_s = (np.arange(120) - 60) / FPS
     away = 0.8 * np.sqrt(time_s**2 + 0.3**2)
     way = np.stack((-3.9 + away, 6.0 + 0.3 * time_s), axis=1)
-    run = linked(run_of(Stretch(1, 0, way), frames=120), VIEW, FPS)
+    run = link_run(run_of(Stretch(1, 0, way), frames=120), VIEW, FPS)
     assert set(run.tracks["track"].tolist()) == {1}
 
 
 def test_without_clothes_whom_the_tracker_followed_over_the_edge_stays() -> None:
     unknown = (np.nan,) * 6
     tracked = run_of(Stretch(1, 0, OUT, unknown), Stretch(1, 60, IN, unknown), frames=120)
-    run = linked(tracked, VIEW, FPS)
+    run = link_run(tracked, VIEW, FPS)
     assert set(run.tracks["track"].tolist()) == {1}
 
 
 def test_who_walks_along_the_edge_stays() -> None:
     way = straight((-2.62, 5), (-3.4, 7), 80)
     way = np.concatenate((straight((-1, 4), (-2.62, 5), 40), way, straight((-3.4, 7), (-1, 8), 60)))
-    run = linked(run_of(Stretch(1, 0, way)), VIEW, FPS)
+    run = link_run(run_of(Stretch(1, 0, way)), VIEW, FPS)
     assert set(run.tracks["track"].tolist()) == {1}
 
 
@@ -124,7 +124,7 @@ def hidden(clothes: tuple[float, ...] = RED) -> Run:
 
 
 def test_who_was_hidden_keeps_the_id_and_stands_in_every_frame() -> None:
-    run = linked(hidden(), VIEW, FPS)
+    run = link_run(hidden(), VIEW, FPS)
     assert id_near(run, 130, (1.3, 6)) == 1
     own = run.tracks["track"] == 1
     assert run.tracks["frame"][own].tolist() == list(range(140))
@@ -135,23 +135,23 @@ def test_who_was_hidden_keeps_the_id_and_stands_in_every_frame() -> None:
 
 def test_in_a_long_gap_nobody_is_said_to_stand_anywhere() -> None:
     way = straight((-1.5, 6), (1.5, 6), 140)
-    run = linked(run_of(Stretch(1, 0, way[:45]), Stretch(1, 90, way[90:]), frames=140), VIEW, FPS)
+    run = link_run(run_of(Stretch(1, 0, way[:45]), Stretch(1, 90, way[90:]), frames=140), VIEW, FPS)
     assert run.tracks["frame"].tolist() == [*range(45), *range(90, 140)]
     assert set(run.tracks["track"].tolist()) == {1}
 
 
 def test_who_looks_quite_different_after_being_hidden_is_somebody_else() -> None:
-    run = linked(hidden(BLUE), VIEW, FPS)
+    run = link_run(hidden(BLUE), VIEW, FPS)
     assert id_near(run, 130, (1.3, 6)) == 4
 
 
 def test_who_comes_elsewhere_after_somebody_left_is_somebody_else() -> None:
     run = run_of(Stretch(1, 0, OUT), Stretch(2, 80, straight((3.9, 6), (1, 6), 60)), frames=140)
-    assert linked(run, VIEW, FPS).tracks["track"].tolist() == run.tracks["track"].tolist()
+    assert link_run(run, VIEW, FPS).tracks["track"].tolist() == run.tracks["track"].tolist()
 
 
 def test_every_table_tells_the_same_ids() -> None:
-    run = linked(exchanged(), VIEW, FPS)
+    run = link_run(exchanged(), VIEW, FPS)
     rows = {
         (frame, track): x
         for frame, track, x in zip(
@@ -189,7 +189,7 @@ def test_particles_in_a_file_are_renamed_as_they_are_read() -> None:
         "track": InAFile(np.asarray(run.particles.columns["track"])),
     }
     there = replace(run, particles=replace(run.particles, columns=columns))
-    expected, found = (linked(one, VIEW, FPS).particles for one in (run, there))
+    expected, found = (link_run(one, VIEW, FPS).particles for one in (run, there))
     assert not isinstance(found.columns["track"], np.ndarray)
     np.testing.assert_array_equal(np.asarray(found.columns["track"]), expected.columns["track"])
     for frame in (10, 100):
@@ -210,7 +210,7 @@ def test_tracking_again_goes_on_with_the_ids_of_the_rows_that_stand_fast() -> No
         frames=(50, 140),
         known_tracks=3,
     )
-    found = linked(run, VIEW, FPS, given)
+    found = link_run(run, VIEW, FPS, given)
     assert id_near(found, 130, (1.3, 6)) == 1
     assert found.tracks["frame"].min() == 50
 
@@ -218,18 +218,18 @@ def test_tracking_again_goes_on_with_the_ids_of_the_rows_that_stand_fast() -> No
 def test_known_people_are_never_made_one() -> None:
     whole = hidden()
     run = replace(whole, known_tracks=4)
-    assert id_near(linked(run, VIEW, FPS), 130, (1.3, 6)) == 4
+    assert id_near(link_run(run, VIEW, FPS), 130, (1.3, 6)) == 4
 
 
 def test_new_ids_are_above_all_known_ones() -> None:
     run = run_of(Stretch(1, 0, OUT), Stretch(1, 60, IN, BLUE), frames=120, known_tracks=30)
-    assert list(ids_at(linked(run, VIEW, FPS), 110)) == [31]
+    assert list(ids_at(link_run(run, VIEW, FPS), 110)) == [31]
 
 
 def test_the_same_run_gives_the_same_bytes_and_stays_as_it_was() -> None:
     run = exchanged()
     before = {name: column.copy() for name, column in run.tracks.items()}
-    one, other = linked(run, VIEW, FPS), linked(run, VIEW, FPS)
+    one, other = link_run(run, VIEW, FPS), link_run(run, VIEW, FPS)
     for name in before:
         assert one.tracks[name].tobytes() == other.tracks[name].tobytes()
         assert run.tracks[name].tobytes() == before[name].tobytes()
@@ -238,14 +238,14 @@ def test_the_same_run_gives_the_same_bytes_and_stays_as_it_was() -> None:
 def test_runs_without_signals_and_of_nobody_are_linked_too() -> None:
     run = exchanged()
     blind = replace(run, signals={name: column[:0] for name, column in run.signals.items()})
-    assert id_near(linked(blind, VIEW, FPS), 115, A[115]) == 1
+    assert id_near(link_run(blind, VIEW, FPS), 115, A[115]) == 1
     nobody = replace(blind, tracks={name: column[:0] for name, column in run.tracks.items()})
-    assert len(linked(nobody, VIEW, FPS).tracks["frame"]) == 0
+    assert len(link_run(nobody, VIEW, FPS).tracks["frame"]) == 0
 
 
 def test_rows_of_which_it_is_not_sure_who_it_is_are_nobodys() -> None:
     before = run_of(Stretch(1, 0, OUT, RED), Stretch(1, 60, IN, BLUE), frames=120)
-    run = linked(before, VIEW, FPS)
+    run = link_run(before, VIEW, FPS)
     left_out = set(range(120)) - set(run.tracks["frame"].tolist())
     assert 60 in left_out or 59 in left_out
     assert max(left_out) - min(left_out) < 0.6 * FPS
@@ -255,18 +255,18 @@ def test_rows_of_which_it_is_not_sure_who_it_is_are_nobodys() -> None:
 
 
 def test_where_somebody_went_who_left_is_not_guessed() -> None:
-    run = linked(run_of(Stretch(1, 0, OUT, lost=range(50, 60)), frames=120), VIEW, FPS)
+    run = link_run(run_of(Stretch(1, 0, OUT, lost=range(50, 60)), frames=120), VIEW, FPS)
     assert run.tracks["frame"].max() == 49
 
 
 def test_who_is_lost_when_the_footage_ends_is_followed_on() -> None:
-    run = linked(run_of(Stretch(1, 0, A, lost=range(112, 120)), frames=120), VIEW, FPS)
+    run = link_run(run_of(Stretch(1, 0, A, lost=range(112, 120)), frames=120), VIEW, FPS)
     assert run.tracks["frame"].max() == 119
 
 
 def test_a_few_rows_in_the_middle_of_nowhere_are_nobody() -> None:
     false = Stretch(2, 50, straight((0, 8), (0.05, 8), 2), BLUE)
-    run = linked(run_of(Stretch(1, 0, OUT), false, frames=120), VIEW, FPS)
+    run = link_run(run_of(Stretch(1, 0, OUT), false, frames=120), VIEW, FPS)
     assert set(run.tracks["track"].tolist()) == {1}
     assert run.detections["track"].min() == 0
 
@@ -286,5 +286,5 @@ def changed_clothes(other: tuple[float, ...]) -> Run:
 
 @pytest.mark.parametrize("clothes", [RED, BLUE, (80.0, -40.0, -40.0, 80.0, 30.0, 40.0)])
 def test_one_persons_changed_clothes_part_nobody_else(clothes: tuple[float, ...]) -> None:
-    run = linked(changed_clothes(clothes), VIEW, FPS)
+    run = link_run(changed_clothes(clothes), VIEW, FPS)
     assert id_near(run, 40, (-0.66, 5)) == id_near(run, 150, (1.2, 5)) == 1

@@ -9,7 +9,7 @@ import pytest
 from linked_runs import BLUE, FPS, RED, VIEW, Stretch, run_of, straight
 from scipy.optimize import linear_sum_assignment
 
-from tracking.trackers.linking import candidates, linked
+from tracking.trackers.linking import candidates, link_run
 from tracking.trackers.linking.link_selection import _cheapest
 from tracking.trackers.linking.links import Links
 
@@ -22,9 +22,9 @@ def test_links_weighed_in_portions_give_the_same_people(monkeypatch: pytest.Monk
         *(Stretch(n + 1, 20 * n, RIGHT if n % 2 else LEFT, (RED, BLUE)[n % 2], lost=lost)
           for n in range(6))
     )  # fmt: skip
-    whole = linked(run, VIEW, FPS)
+    whole = link_run(run, VIEW, FPS)
     monkeypatch.setattr(candidates, "_AT_ONCE", 3)
-    portions = linked(run, VIEW, FPS)
+    portions = link_run(run, VIEW, FPS)
     assert portions.tracks["track"].tolist() == whole.tracks["track"].tolist()
 
 

@@ -1,6 +1,6 @@
-"""Our own stereo tracker: everybody's best explanation of a frame at once.
+"""Our own stereo tracker: one association of a frame for everybody at once.
 
-Standard terms: a particle filter a person, global nearest neighbour association with
+It is a particle filter a person and global nearest neighbour association with
 log-likelihood ratios as costs; `docs/stereo-joint.md` has the whole, with its literature. It is no
 joint probabilistic data association (JPDA): one assignment is taken, nothing is averaged.
 

@@ -1,6 +1,6 @@
-"""How far off detections are in this footage, learnt while it is tracked.
+"""The measurement noise in this footage, learnt while it is tracked.
 
-Standard term: the measurement noise, estimated from the innovations of sure matches.
+It is estimated from the innovations of sure matches.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
-"""What a match changes of the people, in the joint tracker.
+"""The measurement update of matched people, in the joint tracker.
 
-Standard term: the measurement update of a particle filter, with a Kalman filter's for velocity.
+It is that of a particle filter, with a Kalman filter's for velocity.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
-"""Runs looked over as a whole: one id for each person, however often they were lost.
+"""Offline tracklet linking: one id for each person, however often they were lost.
 
-Standard term: offline tracklet linking, in stages as in C. Huang, B. Wu, R. Nevatia: Robust Object
+It works in stages as in C. Huang, B. Wu, R. Nevatia: Robust Object
 Tracking by Hierarchical Association of Detection Responses, 2008. Where we differ: tracklets are
-pieces of a tracker's tracks, cut where it is doubtful who goes on; how they look is learnt from
+pieces of a tracker's tracks, cut where it is doubtful who goes on; their appearance is learnt from
 the run itself; where people enter and leave follows from the camera. See `docs/stereo-joint.md`.
 
 Where no source stands beside a constant, it was chosen on rendered clips: tuning clips with seeds
@@ -10,6 +10,6 @@ Where no source stands beside a constant, it was chosen on rendered clips: tunin
 which number is not recorded.
 """
 
-from tracking.trackers.linking.linker import linked
+from tracking.trackers.linking.linker import link_run
 
-__all__ = ["linked"]
+__all__ = ["link_run"]

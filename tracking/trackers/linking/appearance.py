@@ -1,7 +1,8 @@
-"""How alike people look, weighed by how much looks tell in this recording.
+"""The appearance of tracklets, weighed by how well it tells people apart in this recording.
 
-Standard term: the log-likelihood ratio of probabilistic linear discriminant analysis (S. Ioffe:
-Probabilistic Linear Discriminant Analysis, 2006). Where we differ: it is weakened and bounded.
+Tracklets are compared by the log-likelihood ratio of probabilistic linear discriminant analysis (S.
+Ioffe: Probabilistic Linear Discriminant Analysis, 2006). Where we differ: it is weakened and
+bounded.
 """
 
 from __future__ import annotations
@@ -11,11 +12,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.trackers.linking.seen_rows import Floats, Seen
+from tracking.trackers.linking.seen_rows import Floats, SeenRows
 from tracking.trackers.linking.tracklets import Tracklets
 
 _WINDOW_S = 0.5
-"""Looks averaged over so long differ by pose and place, no longer by noise."""
+"""Appearance averaged over so long differs by pose and place, no longer by noise."""
 _SAME, _DIFFERENT = 3.0, 6.0
 """Expected spread of CIELAB colours of one person's windows, and between people."""
 _SAME_M, _DIFFERENT_M = 0.06, 0.06
@@ -25,80 +26,84 @@ _PRIOR_WINDOWS, _PRIOR_PEOPLE = 20.0, 1.0
 _FEW = 3.0
 """A tracklet of so many rows is twice as unsure as a long one."""
 _TRUSTED = 0.6
-"""Looks change with light and place in ways that windows of one tracklet do not tell."""
+"""Appearance changes with light and place in ways that windows of one tracklet do not tell."""
 _BIAS = 0.7
 """Part of the expected spread that windows of one track do not show: light, range, what hides."""
-_HALF_HIDDEN = 0.2
+_HALF_OCCLUDED = 0.2
 """How much clothes of people half hidden tell, of what those of people in full sight do."""
 _MISTAKEN = 3e-4
-"""How often looks are somebody else's, seen through or beside the person."""
+"""How often the appearance is somebody else's, seen through or beside the person."""
 
 
 @dataclass(frozen=True, slots=True)
-class Looks:
+class TrackletAppearance:
     """What tells people apart in a recording, as independent normal cues of unit spread.
 
     Attributes:
-        told: (t, cues) how much each tracklet tells, 1 / variance; 0: nothing.
-        value: (t, cues) measured, times `told`.
+        weight: (t, cues) of each tracklet, 1 / variance; 0: nothing is known.
+        value: (t, cues) measured, times `weight`.
         between: (cues,) variance between people, where that of one person is 1.
     """
 
-    told: Floats
+    weight: Floats
     value: Floats
     between: Floats
 
-    def evidence(self, told: Floats, value: Floats) -> Floats:
+    def log_likelihood(self, weight: Floats, value: Floats) -> Floats:
         """(k,) log-likelihood of sums of tracklets as one person's each, up to a constant."""
-        scale = 1.0 + self.between * told
+        scale = 1.0 + self.between * weight
         each = -0.5 * np.log(scale) + 0.5 * self.between * np.square(value) / scale
         return np.asarray(each.sum(axis=-1))
 
-    def alike(self, one: tuple[Floats, Floats], other: tuple[Floats, Floats]) -> Floats:
-        """(k,) log-likelihood ratio: one person's looks rather than those of two people.
+    def log_likelihood_ratio(
+        self, one: tuple[Floats, Floats], other: tuple[Floats, Floats]
+    ) -> Floats:
+        """(k,) log-likelihood ratio: one person's appearance rather than that of two people.
 
         Args:
-            one, other: (k, cues) sums of `told` and of `value` over tracklets.
+            one, other: (k, cues) sums of `weight` and of `value` over tracklets.
         """
-        ratio = self.evidence(one[0] + other[0], one[1] + other[1])
-        ratio = ratio - self.evidence(*one) - self.evidence(*other)
-        told = np.log1p(-_MISTAKEN) + _TRUSTED * ratio
-        return np.asarray(np.logaddexp(told, np.log(_MISTAKEN)))
+        ratio = self.log_likelihood(one[0] + other[0], one[1] + other[1])
+        ratio = ratio - self.log_likelihood(*one) - self.log_likelihood(*other)
+        trusted = np.log1p(-_MISTAKEN) + _TRUSTED * ratio
+        return np.asarray(np.logaddexp(trusted, np.log(_MISTAKEN)))
 
 
-def looks_of(seen: Seen, pieces: Tracklets, fps: float) -> Looks:
-    """What tells the people of this recording apart, and what each tracklet tells of it.
+def learn_appearance(seen: SeenRows, pieces: Tracklets, fps: float) -> TrackletAppearance:
+    """Learn what tells the people of this recording apart, and the appearance of each tracklet.
 
-    How far one person's looks spread is learnt from windows along the same tracks, of which few
-    change hands; how far people differ, from whole tracks: where all wear the same, colours tell
-    next to nothing. Colours are cues together, as light changes all of them alike; height is one
-    of its own. What shows of the clothes of people half hidden tells less, but in a crowd it may be
-    all there is.
+    How far one person's appearance spreads is learnt from windows along the same tracks, of which
+    few change hands; how far people differ, from whole tracks: where all wear the same, colours
+    tell next to nothing. Colours are cues together, as light changes all of them alike; height is
+    one of its own. What shows of the clothes of people half hidden tells less, but in a crowd it
+    may be all there is.
     """
     window = np.round(seen.frame / fps / _WINDOW_S).astype(np.int64)
-    clothes, tall = seen.looks[:, :6], seen.looks[:, 6:]
+    clothes, tall = seen.appearance[:, :6], seen.appearance[:, 6:]
     colours = _cues(seen, pieces, window, (clothes, seen.glimpsed), (_SAME, _DIFFERENT))
     unseen = np.full_like(tall, np.nan)
     height = _cues(seen, pieces, window, (tall, unseen), (_SAME_M, _DIFFERENT_M))
-    return Looks(*(np.concatenate(both, axis=-1) for both in zip(colours, height, strict=True)))
+    return TrackletAppearance(
+        *(np.concatenate(both, axis=-1) for both in zip(colours, height, strict=True))
+    )
 
 
 def _cues(
-    seen: Seen,
+    seen: SeenRows,
     pieces: Tracklets,
     window: NDArray[np.int64],
-    looks: tuple[Floats, Floats],
+    appearance: tuple[Floats, Floats],
     usual: tuple[float, float],
 ) -> tuple[Floats, Floats, Floats]:
-    """`Looks` of some columns.
+    """`TrackletAppearance` of some columns.
 
     Args:
-        looks: (n, k) in full sight, and half hidden. usual: expected spread of one person's
+        appearance: (n, k) in full sight, and half hidden. usual: expected spread of one person's
             windows, and between people.
     """
     same, different = usual
-    known = np.isfinite(looks[0]).all(axis=1)
-    clear, piece = looks[0][known], pieces.of_rows[known]
+    known = np.isfinite(appearance[0]).all(axis=1)
+    clear, piece = appearance[0][known], pieces.of_rows[known]
     track = np.unique(seen.track[known], return_inverse=True)[1]
     names, number = np.unique(np.stack((track, window[known])), axis=1, return_inverse=True)
     each = _means(clear, number.ravel(), names.shape[1])
@@ -108,19 +113,21 @@ def _cues(
     centre = np.median(level, axis=0) if len(level) else np.zeros(clear.shape[1])
     between = _spread(level - centre, _PRIOR_PEOPLE, different)
     variance, axes = _common_axes(within, between)
-    told, value = _told((clear - centre) @ axes, piece, len(pieces))
-    half = np.isfinite(looks[1]).all(axis=1)
-    more = _told((looks[1][half] - centre) @ axes, pieces.of_rows[half], len(pieces))
-    return told + _HALF_HIDDEN * more[0], value + _HALF_HIDDEN * more[1], variance
+    weight, value = _weighed_medians((clear - centre) @ axes, piece, len(pieces))
+    half = np.isfinite(appearance[1]).all(axis=1)
+    more = _weighed_medians(
+        (appearance[1][half] - centre) @ axes, pieces.of_rows[half], len(pieces)
+    )
+    return weight + _HALF_OCCLUDED * more[0], value + _HALF_OCCLUDED * more[1], variance
 
 
-def _told(values: Floats, piece: NDArray[np.intp], pieces: int) -> tuple[Floats, Floats]:
-    """How much each tracklet tells, and what times that, (pieces, k), of values (n, k)."""
+def _weighed_medians(values: Floats, piece: NDArray[np.intp], pieces: int) -> tuple[Floats, Floats]:
+    """The weight of each tracklet, and its median times that, (pieces, k), of values (n, k)."""
     count = np.bincount(piece, minlength=pieces).astype(float)
     middle = np.zeros((pieces, values.shape[1]))
     middle[count > 0] = _medians(values, piece)
-    told = np.repeat((count / (count + _FEW))[:, None], values.shape[1], axis=1)
-    return told, told * middle
+    weight = np.repeat((count / (count + _FEW))[:, None], values.shape[1], axis=1)
+    return weight, weight * middle
 
 
 def _means(values: Floats, group: NDArray[np.intp], groups: int) -> Floats:

@@ -1,6 +1,6 @@
-"""Where people come and go: cheap at the picture's edges, dear within, less so behind others.
+"""The birth intensity of tracks, and the probability that they end.
 
-Standard term: the birth density of tracks, and the probability that they end.
+Both are high at the picture's edges, low within it, less so behind others.
 """
 
 from __future__ import annotations
@@ -9,7 +9,7 @@ import numpy as np
 
 from tracking.geometry import View
 from tracking.trackers.linking.occlusion import hidden_shares
-from tracking.trackers.linking.seen_rows import BODY_M, Flags, Floats, Seen
+from tracking.trackers.linking.seen_rows import BODY_M, Flags, Floats, SeenRows
 from tracking.trackers.linking.tracklets import State, Tracklets
 from tracking.tracks.columns import Columns
 
@@ -40,7 +40,7 @@ _HIDDEN_S, _FASTEST_M_S = 1.0, 1.5
 
 
 def birth_costs(
-    seen: Seen, pieces: Tracklets, tracks: Columns, view: View, fps: float, start: int
+    seen: SeenRows, pieces: Tracklets, tracks: Columns, view: View, fps: float, start: int
 ) -> Floats:
     """(t,) minus the log-density, in 1/(m² s), of people who come where tracklets begin.
 
@@ -55,7 +55,7 @@ def birth_costs(
 
 
 def death_costs(
-    seen: Seen, pieces: Tracklets, tracks: Columns, view: View, fps: float, stop: int
+    seen: SeenRows, pieces: Tracklets, tracks: Columns, view: View, fps: float, stop: int
 ) -> Floats:
     """(t,) minus the log of how likely people go where tracklets end.
 

@@ -1,6 +1,6 @@
-"""What links between tracklets cost, looks aside.
+"""Costs of links between tracklets, appearance aside.
 
-Standard term: the negative log-likelihood ratio of one person against an exit and an entry.
+A cost is the negative log-likelihood ratio of one person against an exit and an entry.
 """
 
 from __future__ import annotations
@@ -19,14 +19,14 @@ from tracking.trackers.linking.link_selection import least_rows
 from tracking.trackers.linking.links import Links
 from tracking.trackers.linking.motion import fresh_likelihood, walk_likelihood
 from tracking.trackers.linking.occlusion import hidden_shares
-from tracking.trackers.linking.seen_rows import Floats, Integers, Seen
+from tracking.trackers.linking.seen_rows import Floats, Integers, SeenRows
 from tracking.trackers.linking.tracklets import Tracklets
 from tracking.tracks.columns import Columns
 
 Rows = NDArray[np.intp]
 
 _LONGEST_S = 6.0
-"""Who is not found again by then is somebody new."""
+"""Who is not re-identified by then is somebody new."""
 _MISSED, _MISSED_S = 0.1, 0.1
 """Share of gaps that are no short failure to detect, and how long those are."""
 _LOST_S = 1.5
@@ -34,7 +34,7 @@ _LOST_S = 1.5
 _HIDING, _HIDDEN_S = 0.8, 5.0
 """How much likelier a long gap is behind others, and how long those are."""
 _TRACKER = 2.0
-"""Log-odds of what the tracker said, which knew more of looks and of every frame."""
+"""Log-odds of the tracker's own link, which rests on more of every frame."""
 _KEPT_APART = 1.5
 """Log-odds that a new id it gave is a new person; an exchange of ids makes nobody new."""
 _SEEN_BOTH = 5.0
@@ -42,15 +42,15 @@ _SEEN_BOTH = 5.0
 _GAP_S = 0.25
 """From which on somebody counts as lost, and not as missed for a moment."""
 _HOPELESS = 12.0
-"""What costs more, looks do not make up for."""
+"""What costs more, appearance does not make up for."""
 _AT_ONCE = 100_000
 """Pairs that are weighed in one go: memory is the same for minutes and for hours of footage."""
 _BACK_AT_ONCE = 1.0
 """Log-odds that who leaves and who enters at the same place and moment are two people."""
 
 
-def links_between(
-    seen: Seen,
+def find_links(
+    seen: SeenRows,
     pieces: Tracklets,
     tracks: Columns,
     view: View,
@@ -71,8 +71,8 @@ def links_between(
         pieces,
         born=fresh_likelihood(pieces.first)
         - birth_costs(seen, pieces, tracks, view, fps, frames[0]),
-        gone=-death_costs(seen, pieces, tracks, view, fps, frames[1]),
-        begun=_begun(pieces, fps),
+        died=-death_costs(seen, pieces, tracks, view, fps, frames[1]),
+        first_frame=_first_frames(pieces, fps),
         back=return_costs(pieces, view),
         edges=np.cumsum(pieces.doubt == Doubt.EDGE),
     )
@@ -80,7 +80,7 @@ def links_between(
     for end, start in _pairs(pieces, round(_LONGEST_S * fps)):
         free = ~fixed[start]
         portions.append(costs.of(end[free], start[free], tracks, view, fps))
-    return Links.joined(portions)
+    return Links.concatenate(portions)
 
 
 def _pairs(pieces: Tracklets, longest: int) -> Iterator[tuple[Rows, Rows]]:
@@ -100,18 +100,18 @@ def _pairs(pieces: Tracklets, longest: int) -> Iterator[tuple[Rows, Rows]]:
 
 @dataclass(frozen=True, slots=True)
 class _Costs:
-    """What is known of each tracklet alone, to tell what pairs of them cost.
+    """What is known of each tracklet alone, for the costs of pairs of them.
 
     Attributes:
-        born: (t,) log-density of somebody new who begins there. gone: (t,) of one who ends there.
-        begun: (t,) frame from which somebody is told to be there; see `_begun`.
+        born: (t,) log-density of somebody new who begins there. died: (t,) of one who ends there.
+        first_frame: (t,) from which somebody is known to be there; see `_first_frames`.
         back: (t,) what it costs to come back at all. edges: (t,) number of ways over the edge.
     """
 
     pieces: Tracklets
     born: Floats
-    gone: Floats
-    begun: Integers
+    died: Floats
+    first_frame: Integers
     back: Floats
     edges: NDArray[np.intp]
 
@@ -123,21 +123,21 @@ class _Costs:
         same = (pieces.track[end] == pieces.track[start]) & (start > end)
         over_edge = self.edges[start] > self.edges[end]
         other = (pieces.track[end] != pieces.track[start]) & (pieces.doubt[start] != Doubt.MET)
-        led = self.begun < pieces.first.frame
+        led = self.first_frame < pieces.first.frame
         named_anew = other & ((pieces.doubt[start] != Doubt.LOST) | led[start])
         together += _TRACKER * (same & ~over_edge) - _KEPT_APART * named_anew
-        together -= _SEEN_BOTH * (other & (self.begun[start] <= pieces.last.frame[end]))
-        cost = self.born[start] + self.gone[end] - together
+        together -= _SEEN_BOTH * (other & (self.first_frame[start] <= pieces.last.frame[end]))
+        cost = self.born[start] + self.died[end] - together
         hidden = np.zeros(len(end))
         lost = np.flatnonzero((gap_s > _GAP_S) & (cost < _HOPELESS))
-        hidden[lost] = hidden_shares(tracks, *_ways(pieces, end[lost], start[lost]), view)
+        hidden[lost] = hidden_shares(tracks, *_gaps(pieces, end[lost], start[lost]), view)
         cost += np.where(gap_s > _GAP_S / 2, self.back[end], 0.0)
-        cost -= _found_again(gap_s, hidden, fps)
+        cost -= _log_gap_density(gap_s, hidden, fps)
         cost[same & over_edge & (start == end + 1)] = _BACK_AT_ONCE
-        return Links(end, start, cost).only(cost < _HOPELESS)
+        return Links(end, start, cost).select(cost < _HOPELESS)
 
 
-def _begun(pieces: Tracklets, fps: float) -> Integers:
+def _first_frames(pieces: Tracklets, fps: float) -> Integers:
     """(t,) the frame in which each begins, or in which its track did, by a few rows before a gap.
 
     Those rows are put in after all others are linked; that somebody was there they tell already.
@@ -147,7 +147,7 @@ def _begun(pieces: Tracklets, fps: float) -> Integers:
     return np.where(led, np.roll(pieces.first.frame, 1), pieces.first.frame)
 
 
-def _ways(
+def _gaps(
     pieces: Tracklets, end: Rows, start: Rows
 ) -> tuple[tuple[Floats, Floats], tuple[Integers, Integers], tuple[Integers, Integers]]:
     """From where to where people would have gone unseen; see `hidden_shares`."""
@@ -159,7 +159,7 @@ def _ways(
     )
 
 
-def _found_again(gap_s: Floats, hidden: Floats, fps: float) -> Floats:
+def _log_gap_density(gap_s: Floats, hidden: Floats, fps: float) -> Floats:
     """(k,) log-density, in 1/s, of being seen again after these gaps.
 
     Args:

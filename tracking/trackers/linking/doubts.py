@@ -1,16 +1,13 @@
-"""Where a track may go on as somebody else: there it is cut, to be linked anew.
-
-Standard term: track splitting, where identity switches are likely.
-"""
+"""Track splitting: a track is cut where an identity switch is likely, to be linked anew."""
 
 from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.trackers.linking.edges import Return
+from tracking.trackers.linking.edges import EdgeReturn
 from tracking.trackers.linking.encounters import NEAR_M, Encounters
-from tracking.trackers.linking.seen_rows import Flags, Seen, begins, found_again
+from tracking.trackers.linking.seen_rows import Flags, SeenRows, is_after_gap, is_track_start
 
 _GAP_S = 0.25
 """Somebody unseen for so long may be somebody else when seen again."""
@@ -30,28 +27,28 @@ class Doubt:
     MET = 4  # close to somebody else, or who was is lost or found
 
 
-def doubts(
-    seen: Seen, meetings: Encounters, returns: list[Return], fps: float
+def find_doubts(
+    seen: SeenRows, meetings: Encounters, returns: list[EdgeReturn], fps: float
 ) -> NDArray[np.uint8]:
     """(n,) whether another person may begin at a row that was seen, and why: see `Doubt`.
 
     Args:
         returns: over the picture's edge.
     """
-    first = begins(seen)
-    found = found_again(seen, _GAP_S, fps) & ~first
+    first = is_track_start(seen)
+    found = is_after_gap(seen, _GAP_S, fps) & ~first
     doubt = np.where(first, Doubt.TRACK, np.where(found, Doubt.LOST, Doubt.NONE)).astype(np.uint8)
     doubt[[one.row for one in returns]] = Doubt.EDGE
     least = round(_LEAST_PIECE_S * fps)
-    for row in _met(seen, meetings, first | found, fps):
+    for row in _encounter_rows(seen, meetings, first | found, fps):
         if not doubt[max(row - least, 0) : row + least].any():
             doubt[row] = Doubt.MET
-    turns = _in_turns(seen, meetings, fps)
+    turns = _alternation_rows(seen, meetings, fps)
     doubt[turns[doubt[turns] == Doubt.NONE]] = Doubt.MET
     return doubt
 
 
-def _met(seen: Seen, meetings: Encounters, ends: Flags, fps: float) -> list[int]:
+def _encounter_rows(seen: SeenRows, meetings: Encounters, ends: Flags, fps: float) -> list[int]:
     """Rows of both people of each meeting: where they were closest, and where one was found."""
     rows = []
     start = {int(t): i for i, t in reversed(list(enumerate(seen.track.tolist())))}
@@ -75,14 +72,14 @@ def _met(seen: Seen, meetings: Encounters, ends: Flags, fps: float) -> list[int]
     return rows
 
 
-def _in_turns(seen: Seen, meetings: Encounters, fps: float) -> NDArray[np.intp]:
+def _alternation_rows(seen: SeenRows, meetings: Encounters, fps: float) -> NDArray[np.intp]:
     """(k,) rows where one of two who met is seen after the other, and never both in one frame.
 
     They may be one person whom the tracker followed twice: cut there, the pieces of both stand one
     behind the other and can be linked.
     """
     rows = [np.zeros(0, np.intp)]
-    order = seen.track * 2**32 + seen.frame  # ascending, as `Seen` is
+    order = seen.track * 2**32 + seen.frame  # ascending, as `SeenRows` is
     for stretch in meetings.stretches(round(_APART_S * fps)):
         around = meetings.frame[stretch][[0, -1]] + (0, 1)
         pair = meetings.pair[stretch.start].tolist()

@@ -13,9 +13,9 @@ from tracking.trackers.linking.seen_rows import (
     EDGE_SHARE,
     Flags,
     Floats,
-    Seen,
-    begins,
-    found_again,
+    SeenRows,
+    is_after_gap,
+    is_track_start,
     place_errors,
 )
 from tracking.trackers.stereo_boxes import MIDDLE_M, Bodies
@@ -38,7 +38,7 @@ _ERRORS = 1.5
 """The same on the floor, in errors of a measured place."""
 
 
-def returned_over_edge(seen: Seen, view: View, fps: float) -> list[Return]:
+def find_edge_returns(seen: SeenRows, view: View, fps: float) -> list[EdgeReturn]:
     """Where tracks that went out over the picture's edge come back over it.
 
     At most once in each stretch along the edge that has others before and after it: where the way
@@ -46,7 +46,7 @@ def returned_over_edge(seen: Seen, view: View, fps: float) -> list[Return]:
     slows down first, while somebody else comes as fast as the other went.
     """
     returns = []
-    first = begins(seen) | found_again(seen, _TURN_S, fps)
+    first = is_track_start(seen) | is_after_gap(seen, _TURN_S, fps)
     part, scale = np.cumsum(first), _Scale.of(seen.place, view)
     track_ends = np.append(first, True)
     changes = np.diff(seen.at_edge.astype(np.int8), prepend=0, append=0) != 0
@@ -56,20 +56,20 @@ def returned_over_edge(seen: Seen, view: View, fps: float) -> list[Return]:
         if seen.at_edge[start] and not track_ends[start] and not track_ends[stop]:
             own = np.arange(max(start - reach, 0), min(stop + reach, len(seen)))
             own = own[part[own] == part[start]]
-            ways = _Ways.of(seen, own, scale, view, fps)
+            ways = _Paths.of(seen, own, scale, view, fps)
             row = ways.turn(start, stop, reach)
-            found = [ways.sharpened(row, reach)] if row else []
+            found = [ways.sharpen(row, reach)] if row else []
             returns += [one for one in found if not ways.bends(one.row, reach)]
     return returns
 
 
 @dataclass(frozen=True, slots=True)
-class Return:
+class EdgeReturn:
     """A track that comes back over the picture's edge.
 
     Attributes:
-        row: of `Seen`, the first that may be somebody else. start, stop: the rows, half-open, of
-            which it is not sure on which side they are.
+        row: of `SeenRows`, the first that may be somebody else. start, stop: the rows,
+            half-open, of which it is not sure on which side they are.
     """
 
     row: int
@@ -105,11 +105,11 @@ class _Scale:
 
 
 @dataclass(frozen=True, slots=True)
-class _Ways:
+class _Paths:
     """A track's way along the edge.
 
     Attributes:
-        row: (k,) of `Seen`. time_s: (k,) from their middle.
+        row: (k,) of `SeenRows`. time_s: (k,) from their middle.
         where: (k, 4) m, the box's middle as large as metres look there, and the place.
         outward: (k, 2, 2) unit vectors out of the picture, as it looks and on the floor.
         upto: (k + 1, 3, 4) sums over the rows before each: `where`, times time, squared.
@@ -124,7 +124,7 @@ class _Ways:
     time_upto: Floats
 
     @classmethod
-    def of(cls, seen: Seen, rows: Rows, scale: _Scale, view: View, fps: float) -> _Ways:
+    def of(cls, seen: SeenRows, rows: Rows, scale: _Scale, view: View, fps: float) -> _Paths:
         low, high = seen.box[rows, :2], seen.box[rows, :2] + seen.box[rows, 2:]
         middle_m = (low + high) / (2.0 * np.median(scale.px_per_m[rows]))
         where = np.concatenate((middle_m, seen.place[rows]), axis=1)
@@ -162,7 +162,7 @@ class _Ways:
         straight = self._lines(low, at)[1] + self._lines(at, high)[1]
         return bool(miss <= _BEND * straight[0])
 
-    def sharpened(self, row: int, reach: int) -> Return:
+    def sharpen(self, row: int, reach: int) -> EdgeReturn:
         """The row close by that parts the same stretch best, and those that do nearly as well."""
         low, at, high = (int(n[0]) for n in self._around(np.array([row]), reach))
         first, last = (
@@ -174,7 +174,7 @@ class _Ways:
         misses += self._lines(near, np.full_like(near, high))[1]
         error_m = place_errors(self.where[at : at + 1, 2:])[0]
         rows = self.row[near[misses <= 2.0 * misses.min() + (_SURE * error_m) ** 2]]
-        return Return(int(self.row[near[misses.argmin()]]), int(rows[0]), int(rows[-1]))
+        return EdgeReturn(int(self.row[near[misses.argmin()]]), int(rows[0]), int(rows[-1]))
 
     def _around(self, rows: Rows, reach: int) -> tuple[Rows, Rows, Rows]:
         """(k,) where the stretch around each row begins, where the row is, where it ends."""

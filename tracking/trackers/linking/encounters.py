@@ -46,7 +46,7 @@ class Encounters:
         return [slice(a, b) for a, b in pairwise(ends)]
 
 
-def encounters(
+def find_encounters(
     frame: NDArray[np.integer], track: NDArray[np.integer], place: Floats, box: Floats, known: Flags
 ) -> Encounters:
     """Who was close to whom, in which frames.

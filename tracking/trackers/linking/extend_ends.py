@@ -1,7 +1,4 @@
-"""Rows where somebody was detected already before the tracker was sure of them, or still after.
-
-Standard term: track extension, backwards and forwards.
-"""
+"""Track extension, backwards and forwards, over detections without a track."""
 
 from __future__ import annotations
 
@@ -41,7 +38,7 @@ class _Ends:
     box: Floats
 
 
-def reached(run: Run, free: Flags, view: View, fps: float) -> Run:
+def extend_ends(run: Run, free: Flags, view: View, fps: float) -> Run:
     """The run with its people from when they were first detected until they were last.
 
     A tracker waits until it is sure that somebody is there, and tells nothing before. Afterwards
@@ -53,13 +50,13 @@ def reached(run: Run, free: Flags, view: View, fps: float) -> Run:
             doubt stays nobody's.
         view: the camera the boxes were seen by. fps: frames a second.
     """
-    found = [_chained(run, free, fps, back) for back in (True, False)]
+    found = [_chain(run, free, fps, back) for back in (True, False)]
     row, detection = np.concatenate(found, axis=1)
     taken, first = np.unique(detection, return_index=True)
-    return _with(run, row[first], taken, view) if len(taken) else run
+    return _add_rows(run, row[first], taken, view) if len(taken) else run
 
 
-def _chained(run: Run, unnamed: Flags, fps: float, back: bool) -> Rows:
+def _chain(run: Run, unnamed: Flags, fps: float, back: bool) -> Rows:
     """(2, k) a row at that end of a person's track, and a detection that is this person's too."""
     seen, way = run.detections, -1 if back else 1
     free = np.isfinite(np.stack([seen[name] for name in ("x", "y", *SIDES)])).all(axis=0)
@@ -70,7 +67,7 @@ def _chained(run: Run, unnamed: Flags, fps: float, back: bool) -> Rows:
         near = np.flatnonzero((elapsed > 0) & (elapsed <= gap))
         if len(near) == 0:
             continue
-        one, other = _suiting(ends, near, seen, free[rows], elapsed[near] / fps)
+        one, other = _match(ends, near, seen, free[rows], elapsed[near] / fps)
         found += list(zip(ends.row[one].tolist(), other.tolist(), strict=True))
         ends.frame[one] = seen["frame"][other]
         ends.place[one], ends.box[one] = _places(seen, other), _boxes(seen, other)
@@ -95,7 +92,7 @@ def _ends(tracks: Columns, back: bool) -> _Ends:
     return _Ends(row, frame, _places(tracks, row), _boxes(tracks, row))
 
 
-def _suiting(
+def _match(
     ends: _Ends, near: Rows, seen: Columns, detection: Rows, elapsed_s: Floats
 ) -> tuple[Rows, Rows]:
     """Who goes on as which detection of a frame, by how much boxes have in common."""
@@ -108,7 +105,7 @@ def _suiting(
     return near[one[good]], detection[other[good]]
 
 
-def _with(run: Run, row: Rows, detection: Rows, view: View) -> Run:
+def _add_rows(run: Run, row: Rows, detection: Rows, view: View) -> Run:
     """The run with a row more for each of these detections, like the person's own rows (k,)."""
     seen, tracks = run.detections, run.tracks
     added = {name: tracks[name][row] for name in TRACK_COLUMNS}
@@ -125,17 +122,17 @@ def _with(run: Run, row: Rows, detection: Rows, view: View) -> Run:
         run,
         tracks=whole,
         detections={**seen, "track": track},
-        associations=_longer(run.associations, added),
-        signals=_longer(run.signals, added) if _each(run.signals, tracks) else run.signals,
+        associations=_add_unknown(run.associations, added),
+        signals=_add_unknown(run.signals, added) if _has_all(run.signals, tracks) else run.signals,
     )
 
 
-def _each(signals: Columns, tracks: Columns) -> bool:
+def _has_all(signals: Columns, tracks: Columns) -> bool:
     """Whether something was noticed of every row."""
     return len(signals["frame"]) == len(tracks["frame"])
 
 
-def _longer(columns: Columns, added: Columns) -> Columns:
+def _add_unknown(columns: Columns, added: Columns) -> Columns:
     """The columns with rows of people who were added, of whom nothing else is known."""
     count, whole = len(added["frame"]), {}
     for name, column in columns.items():

@@ -1,7 +1,4 @@
-"""Predicted rows where somebody is out of sight between two places where they were seen.
-
-Standard term: linear interpolation of gaps.
-"""
+"""Linear interpolation of gaps: predicted rows between two places where somebody was seen."""
 
 from __future__ import annotations
 
@@ -21,7 +18,7 @@ _SURE_S = 2.0
 """So long it is known about where somebody walks unseen."""
 
 
-def filled(tracks: Columns, signals: Columns, view: View, fps: float) -> tuple[Columns, Columns]:
+def fill_gaps(tracks: Columns, signals: Columns, view: View, fps: float) -> tuple[Columns, Columns]:
     """The rows of people with an id, sorted, without short gaps; and their signals.
 
     In a gap people walk straight and their boxes change evenly, as a beginning for smoothing.

@@ -1,6 +1,6 @@
 """Which tracklets follow each other: one choice for the whole recording, the least costly.
 
-Standard term: minimum-weight bipartite matching, sparse (R. Jonker, A. Volgenant: A Shortest
+It is a minimum-weight bipartite matching, sparse (R. Jonker, A. Volgenant: A Shortest
 Augmenting Path Algorithm for Dense and Sparse Linear Assignment Problems, 1987; SciPy's).
 """
 
@@ -11,15 +11,15 @@ from numpy.typing import NDArray
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components, min_weight_full_bipartite_matching
 
-from tracking.trackers.linking.appearance import Looks
+from tracking.trackers.linking.appearance import TrackletAppearance
 from tracking.trackers.linking.links import Links
 from tracking.trackers.linking.seen_rows import Floats
-from tracking.trackers.linking.short import with_short
+from tracking.trackers.linking.short import insert_short
 from tracking.trackers.linking.tracklets import Tracklets
 
 Rows = NDArray[np.intp]
 Sums = tuple[Floats, Floats]
-"""Two times (n, cues), of `Looks.told` and of `Looks.value`, summed over tracklets."""
+"""Two times (n, cues), of `TrackletAppearance.weight` and `.value`, summed over tracklets."""
 
 _ROUNDS = 8
 """Most recordings need three; those that go to and fro are stopped."""
@@ -28,22 +28,26 @@ _LEAST_S = 0.2
 
 
 def least_rows(fps: float) -> int:
-    """Of a tracklet that is told somebody by; one of fewer rows may be nobody."""
+    """Of a tracklet that makes a person; one of fewer rows may be nobody."""
     return max(2, round(_LEAST_S * fps))
 
 
-def chosen(links: Links, pieces: Tracklets, looks: Looks, fps: float) -> Rows:
+def select_links(
+    links: Links, pieces: Tracklets, appearance: TrackletAppearance, fps: float
+) -> Rows:
     """(t,) the tracklet that follows each; -1 where nobody does.
 
     Tracklets of few rows tell neither where somebody goes nor how they look: they are put where
     they fit after all others are linked.
     """
     long = np.asarray(pieces.stop - pieces.start >= least_rows(fps))
-    following = _between_long(links, pieces, looks, long)
-    return with_short(following, links, pieces, np.flatnonzero(~long))
+    following = _between_long(links, pieces, appearance, long)
+    return insert_short(following, links, pieces, np.flatnonzero(~long))
 
 
-def _between_long(links: Links, pieces: Tracklets, looks: Looks, long: NDArray[np.bool_]) -> Rows:
+def _between_long(
+    links: Links, pieces: Tracklets, appearance: TrackletAppearance, long: NDArray[np.bool_]
+) -> Rows:
     """The links of long tracklets.
 
     One globally cheapest assignment of beginnings to ends. Looks are compared between all of a
@@ -52,15 +56,15 @@ def _between_long(links: Links, pieces: Tracklets, looks: Looks, long: NDArray[n
     each other the likeliest round is taken: what is odd about one person changes nobody else.
     """
     following = _of_tracker(pieces, long)
-    links = links.only(long[links.end] & long[links.start])
+    links = links.select(long[links.end] & long[links.start])
     group = _groups(links, len(pieces))
     best, least = following, np.full(int(group.max(initial=-1)) + 1, np.inf)
     for _ in range(_ROUNDS):
-        upto, since = _before_and_after(following, pieces, looks)
-        total = _totals(following, links, group, looks, upto)
+        upto, since = _before_and_after(following, pieces, appearance)
+        total = _totals(following, links, group, appearance, upto)
         best = np.where((total < least)[group], following, best)
         least = np.minimum(total, least)
-        alike = looks.alike(_only(upto, links.end), _only(since, links.start))
+        alike = appearance.log_likelihood_ratio(_only(upto, links.end), _only(since, links.start))
         again = _cheapest(links, links.cost - alike, len(pieces))
         if (again == following).all():
             break
@@ -74,7 +78,9 @@ def _groups(links: Links, count: int) -> Rows:
     return np.asarray(connected_components(graph, directed=False)[1], np.intp)
 
 
-def _totals(following: Rows, links: Links, group: Rows, looks: Looks, upto: Sums) -> Floats:
+def _totals(
+    following: Rows, links: Links, group: Rows, appearance: TrackletAppearance, upto: Sums
+) -> Floats:
     """(groups,) what all links of a round cost, each tracklet compared with all of a person before.
 
     Infinite where a link is hopeless: the tracker's own may be.
@@ -82,9 +88,11 @@ def _totals(following: Rows, links: Links, group: Rows, looks: Looks, upto: Sums
     Args:
         upto: of all tracklets, as `_before_and_after`.
     """
-    made = links.only(following[links.end] == links.start)
-    own = looks.told, looks.value
-    cost = made.cost - looks.alike(_only(upto, made.end), _only(own, made.start))
+    made = links.select(following[links.end] == links.start)
+    own = appearance.weight, appearance.value
+    cost = made.cost - appearance.log_likelihood_ratio(
+        _only(upto, made.end), _only(own, made.start)
+    )
     total = np.zeros(int(group.max(initial=-1)) + 1)
     np.add.at(total, group[made.end], cost)
     hopeless = np.setdiff1d(np.flatnonzero(following >= 0), made.end)
@@ -92,7 +100,7 @@ def _totals(following: Rows, links: Links, group: Rows, looks: Looks, upto: Sums
     return total
 
 
-def chains(following: Rows) -> Rows:
+def number_people(following: Rows) -> Rows:
     """(t,) the number of each tracklet's person, in the order of the first tracklets."""
     first = np.ones(len(following), bool)
     first[following[following >= 0]] = False
@@ -113,14 +121,16 @@ def _of_tracker(pieces: Tracklets, long: NDArray[np.bool_]) -> Rows:
     return following
 
 
-def _before_and_after(following: Rows, pieces: Tracklets, looks: Looks) -> tuple[Sums, Sums]:
-    """What looks tell of each tracklet's person up to its end, and from its beginning on."""
-    person = chains(following)
+def _before_and_after(
+    following: Rows, pieces: Tracklets, appearance: TrackletAppearance
+) -> tuple[Sums, Sums]:
+    """The appearance of each tracklet's person up to its end, and from its beginning on."""
+    person = number_people(following)
     order = np.lexsort((pieces.first.frame, person))
     opens = np.flatnonzero(np.diff(person[order], prepend=-1))
     length = np.diff(np.append(opens, len(order)))
     before, after = [], []
-    for values in (looks.told, looks.value):
+    for values in (appearance.weight, appearance.value):
         running = np.concatenate((np.zeros((1, values.shape[1])), np.cumsum(values[order], axis=0)))
         upto, since = np.empty_like(values), np.empty_like(values)
         upto[order] = running[1:] - np.repeat(running[opens], length, axis=0)

@@ -8,27 +8,27 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.geometry import View
-from tracking.trackers.linking.appearance import looks_of
-from tracking.trackers.linking.candidates import links_between
-from tracking.trackers.linking.doubts import Doubt, doubts
-from tracking.trackers.linking.edges import returned_over_edge
-from tracking.trackers.linking.extend_ends import reached
-from tracking.trackers.linking.link_selection import chains, chosen, least_rows
-from tracking.trackers.linking.run_ids import renamed
-from tracking.trackers.linking.seen_rows import Integers, Seen, seen_of
-from tracking.trackers.linking.tracklets import Tracklets, tracklets
+from tracking.trackers.linking.appearance import learn_appearance
+from tracking.trackers.linking.candidates import find_links
+from tracking.trackers.linking.doubts import Doubt, find_doubts
+from tracking.trackers.linking.edges import find_edge_returns
+from tracking.trackers.linking.extend_ends import extend_ends
+from tracking.trackers.linking.link_selection import least_rows, number_people, select_links
+from tracking.trackers.linking.run_ids import rename_tracks
+from tracking.trackers.linking.seen_rows import Integers, SeenRows, find_seen_rows
+from tracking.trackers.linking.tracklets import Tracklets, cut_tracklets
 from tracking.trackers.run_smoother import smooth_run
 from tracking.tracks.columns import CLOTHES, Columns
 from tracking.tracks.run import Run
 
 
-def linked(run: Run, view: View, fps: float, given: Columns | None = None) -> Run:
+def link_run(run: Run, view: View, fps: float, given: Columns | None = None) -> Run:
     """The run with one id for each person, smoothed from both ends; see `smooth_run`.
 
     Trackers decide frame by frame, and where two people meet or somebody is lost they may go on
     with the wrong one. Of a recording it is known what came later: tracks are cut where it is
     doubtful who goes on, and the pieces are linked again over the whole recording at once, by how
-    people walk, how they look and where they come from and go to.
+    people walk, their appearance and where they come from and go to.
 
     A person has the lowest of the ids that were first given to it, or else a new one above all
     there are. Rows that stand fast keep theirs, and who is known by an id keeps it.
@@ -38,14 +38,14 @@ def linked(run: Run, view: View, fps: float, given: Columns | None = None) -> Ru
         given: rows of frames before the run's that stand fast, as corrected by people: its people
             go on from there.
     """
-    row, name = _names_of_rows(run, view, fps, given)
+    row, name = _find_ids(run, view, fps, given)
     if len(row):
         free = run.detections["track"] == 0
-        run = reached(renamed(run, row, name, view, fps), free, view, fps)
+        run = extend_ends(rename_tracks(run, row, name, view, fps), free, view, fps)
     return smooth_run(run, view, fps, given)
 
 
-def _names_of_rows(
+def _find_ids(
     run: Run, view: View, fps: float, given: Columns | None
 ) -> tuple[NDArray[np.intp], Integers]:
     """The rows (k,) of the run's tracks that were seen, by track and frame, and their new ids.
@@ -53,20 +53,20 @@ def _names_of_rows(
     What finding them takes in memory is free again afterwards.
     """
     before = 0 if given is None else len(given["frame"])
-    seen, meetings = seen_of(run if given is None else _behind(given, run), view)
+    seen, meetings = find_seen_rows(run if given is None else _prepend(given, run), view)
     own = seen.row >= before
     if not own.any():
         return np.zeros(0, np.intp), np.zeros(0, np.int64)
-    returns = [one for one in returned_over_edge(seen, view, fps) if _known(seen, one.row)]
-    doubt = doubts(seen, meetings, returns, fps)
+    returns = [one for one in find_edge_returns(seen, view, fps) if _is_known(seen, one.row)]
+    doubt = find_doubts(seen, meetings, returns, fps)
     doubt[~own & (doubt != Doubt.TRACK)] = Doubt.NONE
-    pieces = tracklets(seen, doubt, fps)
+    pieces = cut_tracklets(seen, doubt, fps)
     known = max(run.known_tracks, int(seen.track[~own].max(initial=0)))
     fixed = (pieces.doubt == Doubt.TRACK) & (pieces.track <= known)
-    links = links_between(seen, pieces, run.tracks, view, fps, run.frames, fixed)
-    person = chains(chosen(links, pieces, looks_of(seen, pieces, fps), fps))
+    links = find_links(seen, pieces, run.tracks, view, fps, run.frames, fixed)
+    person = number_people(select_links(links, pieces, learn_appearance(seen, pieces, fps), fps))
     highest = max(known, int(run.tracks["track"].max()))
-    name = _names(pieces, person, highest)[pieces.of_rows]
+    name = _ids(pieces, person, highest)[pieces.of_rows]
     rows = np.bincount(person[pieces.of_rows], minlength=int(person.max()) + 1)
     rows[person[fixed]] = least_rows(fps)
     name[(rows < least_rows(fps))[person[pieces.of_rows]]] = 0
@@ -76,17 +76,17 @@ def _names_of_rows(
     return seen.row[own] - before, name[own]
 
 
-def _known(seen: Seen, row: int) -> bool:
+def _is_known(seen: SeenRows, row: int) -> bool:
     """Whether a track's clothes are known before a row and from it on.
 
     Where they are not, nothing tells more than the tracker did: what it said stands.
     """
     start, stop = np.searchsorted(seen.track, (seen.track[row], seen.track[row] + 1))
-    known = np.asarray(np.isfinite(seen.looks[start:stop, : len(CLOTHES)]).all(axis=1))
+    known = np.asarray(np.isfinite(seen.appearance[start:stop, : len(CLOTHES)]).all(axis=1))
     return bool(known[: row - start].any() and known[row - start :].any())
 
 
-def _behind(given: Columns, run: Run) -> Run:
+def _prepend(given: Columns, run: Run) -> Run:
     """The run with the rows given before its own; nothing was noticed of them."""
     tracks = {name: np.concatenate((given[name], column)) for name, column in run.tracks.items()}
     signals = {
@@ -98,7 +98,7 @@ def _behind(given: Columns, run: Run) -> Run:
     return replace(run, tracks=tracks, signals=signals)
 
 
-def _names(pieces: Tracklets, person: NDArray[np.intp], highest: int) -> Integers:
+def _ids(pieces: Tracklets, person: NDArray[np.intp], highest: int) -> Integers:
     """(pieces,) the id of each one's person; new ones are above the highest."""
     begins = pieces.doubt == Doubt.TRACK
     id_of = np.full(int(person.max()) + 1, np.iinfo(np.int64).max)

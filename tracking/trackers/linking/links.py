@@ -19,7 +19,8 @@ class Links:
 
     Attributes:
         end, start: (k,) the tracklet left and the one gone on with.
-        cost: (k,) by what is known without looks, less the cost of two different people, in nats:
+        cost: (k,) by what is known without appearance, less the cost of two different people, in
+            nats:
             minus the log-likelihood ratio of one person.
     """
 
@@ -28,12 +29,12 @@ class Links:
     cost: Floats
 
     @classmethod
-    def joined(cls, portions: Sequence[Links]) -> Links:
+    def concatenate(cls, portions: Sequence[Links]) -> Links:
         """All of some, one behind the other."""
         none = cls(np.zeros(0, np.intp), np.zeros(0, np.intp), np.zeros(0))
         names = (field.name for field in fields(cls))
         return cls(*(np.concatenate([getattr(p, n) for p in (none, *portions)]) for n in names))
 
-    def only(self, rows: NDArray[np.bool_]) -> Links:
+    def select(self, rows: NDArray[np.bool_]) -> Links:
         """Some of them."""
         return Links(self.end[rows], self.start[rows], self.cost[rows])

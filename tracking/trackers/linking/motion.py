@@ -1,6 +1,6 @@
 """How likely people walk from the end of one tracklet to the beginning of another.
 
-Standard term: a mixture of two motion models, constant velocity disturbed by white noise and a
+This is a mixture of two motion models, constant velocity disturbed by white noise and a
 velocity that is forgotten; `_WALKING` is the process noise intensity.
 """
 

@@ -1,7 +1,4 @@
-"""Who could not be seen on the way because others stood in front.
-
-Standard term: occlusion reasoning.
-"""
+"""Occlusion reasoning: who could not be seen because others stood in front."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A run told anew with other ids: every table alike, gaps filled."""
+"""Renames the tracks of a run: every table alike, gaps filled."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.geometry import View
-from tracking.trackers.linking.gap_rows import filled
+from tracking.trackers.linking.gap_rows import fill_gaps
 from tracking.trackers.linking.seen_rows import Integers, keys
 from tracking.tracks.columns import Columns
 from tracking.tracks.run import ParticleColumn, Particles, Run
@@ -18,7 +18,7 @@ Rows = NDArray[np.intp]
 Ids = NDArray[np.int32]
 
 
-def renamed(run: Run, row: Rows, name: Integers, view: View, fps: float) -> Run:
+def rename_tracks(run: Run, row: Rows, name: Integers, view: View, fps: float) -> Run:
     """The run with one id for each person.
 
     Rows without a detection go with those before them until the person is seen again; where the
@@ -30,15 +30,15 @@ def renamed(run: Run, row: Rows, name: Integers, view: View, fps: float) -> Run:
         name: (k,) their new ids; 0: nobody's.
     """
     new = _of_rows(run.tracks, row, name)
-    names = _Names.of(run.tracks, new)
-    tracks, signals = filled(_with(run.tracks, new), run.signals, view, fps)
+    names = _Ids.of(run.tracks, new)
+    tracks, signals = fill_gaps(_with_ids(run.tracks, new), run.signals, view, fps)
     return replace(
         run,
         tracks=tracks,
         signals=signals,
-        detections=names.renamed(run.detections),
-        associations=_sorted(names.renamed(run.associations)),
-        particles=names.renamed_particles(run.particles),
+        detections=names.rename(run.detections),
+        associations=_sort(names.rename(run.associations)),
+        particles=names.rename_particles(run.particles),
     )
 
 
@@ -56,13 +56,13 @@ def _of_rows(tracks: Columns, row: Rows, name: Integers) -> Ids:
     for neighbour in (after - 1, after):
         at = np.clip(neighbour, 0, len(row) - 1)
         good = (at == neighbour) & (track[row[at]] == track[rows]) & (new[rows] == 0)
-        free = _free(new, frame, rows[good], name[at[good]])
+        free = _is_free(new, frame, rows[good], name[at[good]])
         new[rows[good][free]] = name[at[good]][free]
-    new[_guessed(frame, new, row)] = 0
+    new[_guesses(frame, new, row)] = 0
     return new.astype(np.int32)
 
 
-def _guessed(frame: Integers, new: Integers, row: Rows) -> Rows:
+def _guesses(frame: Integers, new: Integers, row: Rows) -> Rows:
     """Rows before somebody was seen for the first time, and after the last: guesses.
 
     Whoever is followed to the last frame has not left: the footage ends.
@@ -76,7 +76,7 @@ def _guessed(frame: Integers, new: Integers, row: Rows) -> Rows:
     return np.flatnonzero(seen & ((frame > last[new]) | (frame < first[new])))
 
 
-def _free(new: Integers, frame: Integers, rows: Rows, name: Integers) -> NDArray[np.bool_]:
+def _is_free(new: Integers, frame: Integers, rows: Rows, name: Integers) -> NDArray[np.bool_]:
     """(k,) whether nobody of that name has a row in the frame yet."""
     taken = np.isin(keys(frame[rows], name), keys(frame[new > 0], new[new > 0]))
     first = np.zeros(len(rows), bool)
@@ -84,11 +84,11 @@ def _free(new: Integers, frame: Integers, rows: Rows, name: Integers) -> NDArray
     return np.asarray(~taken & first)
 
 
-def _with(tracks: Columns, new: Ids) -> dict[str, NDArray[Any]]:
+def _with_ids(tracks: Columns, new: Ids) -> dict[str, NDArray[Any]]:
     return {**tracks, "track": new}
 
 
-def _sorted(columns: Columns) -> Columns:
+def _sort(columns: Columns) -> Columns:
     """By frame, then track; without those of nobody."""
     order = np.lexsort((columns["track"], columns["frame"]))
     order = order[columns["track"][order] > 0]
@@ -96,7 +96,7 @@ def _sorted(columns: Columns) -> Columns:
 
 
 @dataclass(frozen=True, slots=True)
-class _Names:
+class _Ids:
     """New ids by frame and old id.
 
     Attributes:
@@ -107,21 +107,21 @@ class _Names:
     new: Ids
 
     @classmethod
-    def of(cls, tracks: Columns, new: Ids) -> _Names:
+    def of(cls, tracks: Columns, new: Ids) -> _Ids:
         key = keys(tracks["frame"], tracks["track"])
         order = np.argsort(key)
         return cls(key[order], new[order])
 
-    def looked_up(self, frame: NDArray[np.integer], track: NDArray[np.integer]) -> Ids:
+    def look_up(self, frame: NDArray[np.integer], track: NDArray[np.integer]) -> Ids:
         """(n,) new ids; what has no row keeps its own."""
         wanted = keys(frame, track)
         at = np.minimum(np.searchsorted(self.key, wanted), len(self.key) - 1)
         return np.where(self.key[at] == wanted, self.new[at], track).astype(np.int32)
 
-    def renamed(self, columns: Columns) -> Columns:
-        return {**columns, "track": self.looked_up(columns["frame"], columns["track"])}
+    def rename(self, columns: Columns) -> Columns:
+        return {**columns, "track": self.look_up(columns["frame"], columns["track"])}
 
-    def renamed_particles(self, particles: Particles) -> Particles:
+    def rename_particles(self, particles: Particles) -> Particles:
         """The particles, of each frame, under the new ids; those in a file stay there."""
         track = particles.columns["track"]
         column = RenamedTracks(track, particles.start, self)
@@ -139,7 +139,7 @@ class RenamedTracks:
 
     track: ParticleColumn
     start: NDArray[np.int64]
-    names: _Names
+    names: _Ids
 
     def __len__(self) -> int:
         return len(self.track)
@@ -154,7 +154,7 @@ class RenamedTracks:
         changes = np.flatnonzero(track[1:] != track[:-1]) + 1
         begin = np.unique(np.concatenate(((0,), self.start[low:high] - first, changes)))
         frame = np.searchsorted(self.start, begin + first, side="right") - 1
-        new = self.names.looked_up(frame, track[begin])
+        new = self.names.look_up(frame, track[begin])
         return np.repeat(new, np.diff(begin, append=len(track)))
 
     def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[Any]:

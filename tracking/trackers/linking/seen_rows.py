@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.geometry import View
-from tracking.trackers.linking.encounters import Encounters, encounters
+from tracking.trackers.linking.encounters import Encounters, find_encounters
 from tracking.tracks.columns import CLOTHES, Columns
 from tracking.tracks.run import Run
 
@@ -17,7 +17,7 @@ Flags = NDArray[np.bool_]
 Integers = NDArray[np.int64]
 
 SIDES = ("left", "top", "width", "height")
-LOOKS = (*CLOTHES, "height_m")
+APPEARANCE = (*CLOTHES, "height_m")
 BODY_M = (1.7, 0.5)
 """Height and width of a usual body."""
 EDGE_SHARE = 0.006
@@ -41,13 +41,13 @@ _NEAR_ROWS = 3
 
 
 @dataclass(frozen=True, slots=True)
-class Seen:
+class SeenRows:
     """Rows with a detection and a place, ordered by track and frame.
 
     Attributes:
         frame, track: (n,) with the ids of the tracker. row: (n,) of the run's tracks.
         place: (n, 2) m, where the detection stood. box: (n, 4) px, of the detection.
-        looks: (n, 7) `LOOKS`, NaN where they are not known, or not of this person's whole body.
+        appearance: (n, 7) `APPEARANCE`, NaN where not known, or not of this person's whole body.
         glimpsed: (n, 6) `CLOTHES` of people half hidden by others, NaN elsewhere.
         at_edge: (n,) the box is cut off by the picture's edge.
         alone: (n,) nobody else is near or in front.
@@ -58,7 +58,7 @@ class Seen:
     row: NDArray[np.intp]
     place: Floats
     box: Floats
-    looks: Floats
+    appearance: Floats
     glimpsed: Floats
     at_edge: Flags
     alone: Flags
@@ -68,7 +68,7 @@ class Seen:
         return len(self.frame)
 
 
-def seen_of(run: Run, view: View) -> tuple[Seen, Encounters]:
+def find_seen_rows(run: Run, view: View) -> tuple[SeenRows, Encounters]:
     """The rows of a run that were seen, and who came near whom."""
     tracks = run.tracks
     place = np.stack((tracks["x"], tracks["y"]), axis=1)
@@ -76,26 +76,28 @@ def seen_of(run: Run, view: View) -> tuple[Seen, Encounters]:
     known = np.isfinite(place).all(axis=1) & np.isfinite(box).all(axis=1)
     order = np.lexsort((tracks["frame"], tracks["track"]))
     row = order[(known & ~tracks["predicted"])[order]]
-    meetings = encounters(tracks["frame"], tracks["track"], place, box, known)
+    meetings = find_encounters(tracks["frame"], tracks["track"], place, box, known)
     _measure(place, box, run.detections, tracks, row)
     shown = tracks["visibility"][row]
     alone = ~meetings.met[row] & (shown >= _WELL_SEEN)
     edge = _at_edge(box[row], view)
     whole = ~_near(_cut_off(box[row], view)) & _tall(box[row], place[row], view)
     clear = alone | (shown >= _IN_FRONT)
-    noticed = _looks(run.signals, tracks)[row]
-    looks = _where(whole & clear, noticed)
+    noticed = _appearance(run.signals, tracks)[row]
+    appearance = _where(whole & clear, noticed)
     glimpsed = _where(whole & ~clear & (shown >= _GLIMPSED), noticed[:, : len(CLOTHES)])
     frame, track = tracks["frame"][row].astype(np.int64), tracks["track"][row].astype(np.int64)
-    return Seen(frame, track, row, place[row], box[row], looks, glimpsed, edge, alone), meetings
+    return SeenRows(
+        frame, track, row, place[row], box[row], appearance, glimpsed, edge, alone
+    ), meetings
 
 
-def begins(seen: Seen) -> Flags:
+def is_track_start(seen: SeenRows) -> Flags:
     """(n,) rows where tracks begin."""
     return np.append(True, np.diff(seen.track) != 0)[: len(seen)]
 
 
-def found_again(seen: Seen, gap_s: float, fps: float) -> Flags:
+def is_after_gap(seen: SeenRows, gap_s: float, fps: float) -> Flags:
     """(n,) rows after a gap, or a step too long."""
     elapsed_s = np.diff(seen.frame, prepend=seen.frame[:1]) / fps
     step = np.diff(seen.place, axis=0, prepend=seen.place[:1])
@@ -138,11 +140,11 @@ def _measure(
     box[at] = np.stack([detections[name][matched] for name in SIDES], axis=1)
 
 
-def _looks(signals: Columns, tracks: Columns) -> Floats:
+def _appearance(signals: Columns, tracks: Columns) -> Floats:
     """(rows of the tracks, 7) what the run noticed of each; NaN where it noticed nothing."""
     if len(signals["frame"]) != len(tracks["frame"]):
-        return np.full((len(tracks["frame"]), len(LOOKS)), np.nan)
-    return np.stack([signals[name].astype(np.float64) for name in LOOKS], axis=1)
+        return np.full((len(tracks["frame"]), len(APPEARANCE)), np.nan)
+    return np.stack([signals[name].astype(np.float64) for name in APPEARANCE], axis=1)
 
 
 def _where(rows: Flags, values: Floats) -> Floats:

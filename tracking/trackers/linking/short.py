@@ -1,6 +1,6 @@
 """Tracklets of few rows put in where they fit.
 
-Standard term: greedy association, after the optimal one of the long tracklets.
+It is greedy association, after the optimal one of the long tracklets.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from tracking.trackers.linking.links import Links, Rows
 from tracking.trackers.linking.tracklets import Tracklets
 
 
-def with_short(following: Rows, links: Links, pieces: Tracklets, short: Rows) -> Rows:
+def insert_short(following: Rows, links: Links, pieces: Tracklets, short: Rows) -> Rows:
     """(t,) who follows whom, with the short tracklets in: (k,) those not linked yet.
 
     Each goes, in the order of frames, to the person and the place in it where it costs least, if
@@ -49,7 +49,7 @@ class _People:
         self._after: dict[int, list[int]] = defaultdict(list)
         concerned = np.isin(links.end, loose) | np.isin(links.start, loose)
         concerned |= following[links.end] == links.start
-        some = links.only(concerned)
+        some = links.select(concerned)
         for end, start, cost in zip(
             some.end.tolist(), some.start.tolist(), some.cost.tolist(), strict=True
         ):

@@ -1,6 +1,6 @@
 """Pieces of tracks in which nothing is doubtful, and how they begin and end.
 
-Standard term: tracklets; their ends are states with a covariance, fitted by least squares with a
+Their ends are states with a covariance, fitted by least squares with a
 prior on speed.
 """
 
@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.trackers.linking.seen_rows import Floats, Integers, Seen, place_errors
+from tracking.trackers.linking.seen_rows import Floats, Integers, SeenRows, place_errors
 
 _WINDOW_S = 0.6
 """Of a tracklet's end from which place and velocity there are taken."""
@@ -38,7 +38,7 @@ class State:
 
 @dataclass(frozen=True, slots=True)
 class Tracklets:
-    """Stretches of rows of one track each, in the order of `Seen`.
+    """Stretches of rows of one track each, in the order of `SeenRows`.
 
     Attributes:
         start, stop: (t,) their rows, half-open. track: (t,) the tracker's id.
@@ -63,7 +63,7 @@ class Tracklets:
         return np.repeat(np.arange(len(self)), self.stop - self.start)
 
 
-def tracklets(seen: Seen, doubt: NDArray[np.uint8], fps: float) -> Tracklets:
+def cut_tracklets(seen: SeenRows, doubt: NDArray[np.uint8], fps: float) -> Tracklets:
     """The rows as pieces that begin where it is doubtful who goes on."""
     start = np.flatnonzero(doubt)
     stop = np.append(start[1:], len(seen))
@@ -78,7 +78,7 @@ def tracklets(seen: Seen, doubt: NDArray[np.uint8], fps: float) -> Tracklets:
 
 
 def _states(
-    seen: Seen, start: NDArray[np.intp], stop: NDArray[np.intp], fps: float, *, last: bool
+    seen: SeenRows, start: NDArray[np.intp], stop: NDArray[np.intp], fps: float, *, last: bool
 ) -> State:
     """The straight line through the rows at one end that suits them and usual speeds best."""
     anchor = (stop - 1) if last else start
@@ -95,14 +95,14 @@ def _states(
     information[:, 1, 1] = (weight * elapsed_s**2).sum(axis=1) + _SPEED_M_S**-2
     covariance: Floats = np.linalg.inv(information).astype(np.float64)
     place = seen.place[rows]
-    told = np.stack(
+    moments = np.stack(
         ((weight[..., None] * place).sum(axis=1), ((weight * elapsed_s)[..., None] * place).sum(1)),
         axis=1,
     )
-    line = covariance @ told
-    return State(seen.frame[anchor], line[:, 0], line[:, 1], _floored(covariance))
+    line = covariance @ moments
+    return State(seen.frame[anchor], line[:, 0], line[:, 1], _add_floor(covariance))
 
 
-def _floored(covariance: Floats) -> Floats:
+def _add_floor(covariance: Floats) -> Floats:
     """Errors of places follow each other: many rows do not make a place sure."""
     return covariance + np.diag((0.05**2, 0.15**2))

@@ -8,17 +8,19 @@ import numpy as np
 import pytest
 from linked_runs import BLUE, FPS, RED, VIEW, Stretch, run_of, straight
 
-from tracking.trackers.linking.appearance import Looks, looks_of
+from tracking.trackers.linking.appearance import TrackletAppearance, learn_appearance
 from tracking.trackers.linking.motion import walk_likelihood
 from tracking.trackers.linking.occlusion import hidden_shares
-from tracking.trackers.linking.seen_rows import begins, seen_of
-from tracking.trackers.linking.tracklets import State, Tracklets, tracklets
+from tracking.trackers.linking.seen_rows import find_seen_rows, is_track_start
+from tracking.trackers.linking.tracklets import State, Tracklets, cut_tracklets
 from tracking.tracks import Run
 
 LANES = [straight((-2, 5 + lane), (2, 5 + lane), 100) for lane in range(4)]
 
 
-def pieces_of(clothes: Sequence[Sequence[float]], half_hidden: int = 0) -> tuple[Tracklets, Looks]:
+def pieces_of(
+    clothes: Sequence[Sequence[float]], half_hidden: int = 0
+) -> tuple[Tracklets, TrackletAppearance]:
     """A tracklet of each of those who walk in lanes, one after the other.
 
     Args:
@@ -28,38 +30,38 @@ def pieces_of(clothes: Sequence[Sequence[float]], half_hidden: int = 0) -> tuple
         *(Stretch(n + 1, 100 * n, LANES[n], worn) for n, worn in enumerate(clothes)), frames=400
     )
     run.tracks["visibility"][run.tracks["track"] == half_hidden] = 0.4
-    seen, _ = seen_of(run, VIEW)
-    pieces = tracklets(seen, begins(seen).astype(np.uint8), FPS)
-    return pieces, looks_of(seen, pieces, FPS)
+    seen, _ = find_seen_rows(run, VIEW)
+    pieces = cut_tracklets(seen, is_track_start(seen).astype(np.uint8), FPS)
+    return pieces, learn_appearance(seen, pieces, FPS)
 
 
-def likeness(looks: Looks, one: int, other: int) -> float:
-    rows = [(looks.told[[n]], looks.value[[n]]) for n in (one, other)]
-    return float(looks.alike(*rows)[0])
+def ratio(appearance: TrackletAppearance, one: int, other: int) -> float:
+    rows = [(appearance.weight[[n]], appearance.value[[n]]) for n in (one, other)]
+    return float(appearance.log_likelihood_ratio(*rows)[0])
 
 
 def test_the_same_clothes_speak_for_one_person_and_others_against() -> None:
-    _, looks = pieces_of([RED, BLUE, RED, BLUE])
-    assert likeness(looks, 0, 2) > 1.0
-    assert likeness(looks, 0, 1) < -3.0
+    _, appearance = pieces_of([RED, BLUE, RED, BLUE])
+    assert ratio(appearance, 0, 2) > 1.0
+    assert ratio(appearance, 0, 1) < -3.0
 
 
 def test_clothes_of_somebody_half_hidden_tell_something_but_less() -> None:
-    _, looks = pieces_of([RED, BLUE, RED, BLUE], half_hidden=1)
-    assert likeness(looks, 0, 2) > 1.0
-    assert likeness(looks, 0, 1) < -1.0
-    assert 0.0 < looks.told[0, 0] < 0.5 * looks.told[2, 0]
+    _, appearance = pieces_of([RED, BLUE, RED, BLUE], half_hidden=1)
+    assert ratio(appearance, 0, 2) > 1.0
+    assert ratio(appearance, 0, 1) < -1.0
+    assert 0.0 < appearance.weight[0, 0] < 0.5 * appearance.weight[2, 0]
 
 
 def test_where_all_wear_the_same_clothes_say_little() -> None:
-    _, looks = pieces_of([RED, RED, RED, RED])
-    assert likeness(looks, 0, 1) == pytest.approx(0.0, abs=1.5)
+    _, appearance = pieces_of([RED, RED, RED, RED])
+    assert ratio(appearance, 0, 1) == pytest.approx(0.0, abs=1.5)
 
 
 def test_footage_without_colours_is_weighed_by_lightness() -> None:
     dark, light = (20.0, 0.0, 0.0, 25.0, 0.0, 0.0), (70.0, 0.0, 0.0, 60.0, 0.0, 0.0)
-    _, looks = pieces_of([dark, light, dark, light])
-    assert likeness(looks, 0, 2) > likeness(looks, 0, 1) + 3.0
+    _, appearance = pieces_of([dark, light, dark, light])
+    assert ratio(appearance, 0, 2) > ratio(appearance, 0, 1) + 3.0
 
 
 def test_a_tracklet_ends_where_and_as_fast_as_its_rows_do() -> None:
@@ -69,8 +71,8 @@ def test_a_tracklet_ends_where_and_as_fast_as_its_rows_do() -> None:
 
 
 def looks_known(run: Run, track: int) -> np.ndarray:
-    seen, _ = seen_of(run, VIEW)
-    return np.asarray(np.isfinite(seen.looks[seen.track == track]).all(axis=1))
+    seen, _ = find_seen_rows(run, VIEW)
+    return np.asarray(np.isfinite(seen.appearance[seen.track == track]).all(axis=1))
 
 
 def test_clothes_of_whom_only_the_legs_show_are_not_known() -> None:
