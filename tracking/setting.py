@@ -13,6 +13,7 @@ def setting(
     about: str,
     *,
     odd: bool = False,
+    formerly: tuple[str, ...] = (),
 ) -> Any:
     """A dataclass field with its description, from which form, command line and checks are made.
 
@@ -22,7 +23,8 @@ def setting(
         allowed: lowest and highest value; None where any will do.
         about: one line.
         odd: whether even numbers are refused.
+        formerly: names it had in earlier versions, without the stage. Sessions that were made
+            with them are read under the present name; who types one is told the present one.
     """
-    return dataclasses.field(
-        default=default, metadata={"unit": unit, "range": allowed, "help": about, "odd": odd}
-    )
+    about_it = {"unit": unit, "range": allowed, "help": about, "odd": odd, "formerly": formerly}
+    return dataclasses.field(default=default, metadata=about_it)

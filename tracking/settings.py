@@ -33,6 +33,7 @@ class SettingField:
         range: lowest and highest value allowed; None where any will do.
         help: one line.
         odd: whether even numbers are refused.
+        formerly: names it had in earlier versions, dotted like `name`.
     """
 
     name: str
@@ -42,6 +43,7 @@ class SettingField:
     range: tuple[float, float] | None
     help: str
     odd: bool = False
+    formerly: tuple[str, ...] = ()
 
     @property
     def title(self) -> str:
@@ -63,12 +65,28 @@ def settings_values(settings: Any) -> dict[str, SettingValue]:
     return {field.name: field.default for field in _fields(settings, "")}
 
 
+def former_names(settings_type: type) -> dict[str, str]:
+    """The present name of each setting by the (dotted) names it had in earlier versions."""
+    fields = settings_fields(settings_type)
+    return {former: field.name for field in fields for former in field.formerly}
+
+
+def with_present_names(settings_type: type, values: Mapping[str, Any]) -> dict[str, Any]:
+    """Values that were kept under former names, under the present ones.
+
+    A value that is there under both names is the present name's. Names of no setting stay.
+    """
+    present = former_names(settings_type)
+    renamed = {present[name]: value for name, value in values.items() if name in present}
+    return renamed | {name: value for name, value in values.items() if name not in present}
+
+
 def settings_from(settings_type: type, values: Mapping[str, Any]) -> Any:
     """The settings with some values replaced; raises `SettingsError` as `settings_from_text`."""
     known = {field.name: field for field in settings_fields(settings_type)}
     for name, value in values.items():
         if name not in known:
-            raise SettingsError(_unknown(name, list(known)))
+            raise SettingsError(_unknown(name, settings_type))
         _check(known[name], value)
     return _replaced(settings_type(), dict(values))
 
@@ -83,7 +101,7 @@ def settings_from_text(settings_type: type, texts: Mapping[str, str]) -> Any:
     values: dict[str, SettingValue] = {}
     for name, text in texts.items():
         if name not in known:
-            raise SettingsError(_unknown(name, list(known)))
+            raise SettingsError(_unknown(name, settings_type))
         values[name] = _parsed(known[name], text.strip())
     return settings_from(settings_type, values)
 
@@ -107,6 +125,7 @@ def _fields(settings: Any, prefix: str) -> Iterator[SettingField]:
             allowed,
             about.get("help", ""),
             about.get("odd", False),
+            tuple(prefix + former for former in about.get("formerly", ())),
         )
 
 
@@ -155,7 +174,11 @@ def _allowed(field: SettingField) -> str:
     return f" from {low:g} to {high:g}" + (f" {field.unit}" if field.unit else "")
 
 
-def _unknown(name: str, known: list[str]) -> str:
+def _unknown(name: str, settings_type: type) -> str:
+    present = former_names(settings_type)
+    if name in present:
+        return f"setting {name} is unknown: its name is {present[name]} now"
+    known = [field.name for field in settings_fields(settings_type)]
     near = difflib.get_close_matches(name, known, n=1, cutoff=0.4)
     hint = f"did you mean {near[0]}?" if near else "the trackers command lists all settings"
     return f"setting {name} is unknown: {hint}"

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections import Counter
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -19,6 +18,7 @@ from tracking.session.label_tables import read_labels
 from tracking.session.pending_edits import may_wait, read_with_waiting
 from tracking.session.reference import RecordingReference
 from tracking.session.run_notes import read_notes
+from tracking.session.runs import read_settings
 from tracking.session.session_reader import (
     check_file,
     checked,
@@ -87,7 +87,7 @@ def _told(path: Path) -> Iterator[h5py.File]:
 def _run(group: h5py.Group) -> dict[str, Any]:
     """A run: how it was made, with the settings that are not its tracker's defaults."""
     tracker, detector = text_attribute(group, "tracker"), text_attribute(group, "detector")
-    settings = json.loads(text_attribute(group, "settings"))
+    settings = read_settings(group)
     own = "file" if settings.get("detector") else "built-in"
     return {
         "tracker": tracker,

@@ -20,6 +20,7 @@ from tracking.session.layout import CHUNK_ROWS, LATER_RUN_COLUMNS, PARTICLE_TABL
 from tracking.session.run_notes import read_notes
 from tracking.session.session_copy import copy_group
 from tracking.session.stamps import now
+from tracking.trackers import present_settings
 from tracking.tracks import (
     LARGEST_NUMBER,
     Columns,
@@ -61,7 +62,7 @@ class StoredRun:
             _check_run(tables["tracks"], (first, stop))
             return Run(
                 tracker=text_attribute(group, "tracker"),
-                settings=json.loads(text_attribute(group, "settings")),
+                settings=read_settings(group),
                 seed=int(group.attrs["seed"]),
                 frames=(first, stop),
                 **tables,
@@ -108,6 +109,17 @@ class StoredRun:
                 for column, dtype in RUN_TABLES[table].items()
             },
         )
+
+
+def read_settings(group: h5py.Group) -> dict[str, Any]:
+    """The settings of a run in its group, by the names that its tracker's settings have now.
+
+    Raises ValueError for what is none.
+    """
+    settings = json.loads(text_attribute(group, "settings"))
+    if not isinstance(settings, dict):
+        raise ValueError(f"attribute settings of {group.name} does not name settings")
+    return present_settings(text_attribute(group, "tracker"), settings)
 
 
 def _read_table(group: h5py.Group, name: str) -> Columns:

@@ -9,6 +9,7 @@ from tracking.trackers.catalogue import (
     changed_settings,
     detector_of,
     parse_settings,
+    present_settings,
     require,
     tracker_named,
 )
@@ -33,6 +34,7 @@ __all__ = [
     "detector_of",
     "occluders_as_setting",
     "parse_settings",
+    "present_settings",
     "require",
     "settings_fields",
     "settings_from",

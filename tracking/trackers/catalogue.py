@@ -10,7 +10,13 @@ from typing import Any
 from tracking.errors import CalibrationError, RecordingError, SettingsError
 from tracking.geometry import View
 from tracking.recording import Recording
-from tracking.settings import settings_fields, settings_from_text, settings_values
+from tracking.settings import (
+    former_names,
+    settings_fields,
+    settings_from_text,
+    settings_values,
+    with_present_names,
+)
 from tracking.trackers import stereo_colour, stereo_direction
 from tracking.trackers.flow import FlowSettings, build_flow
 from tracking.trackers.flow import finish_run as flow_finished
@@ -175,6 +181,15 @@ def detector_of(name: str, settings: Mapping[str, Any]) -> str:
     return spec.detector(settings) if spec is not None else ""
 
 
+def present_settings(name: str, settings: Mapping[str, Any]) -> dict[str, Any]:
+    """A kept run's settings by their present names, whatever version of the tracker made it.
+
+    Those of a tracker that is not in the catalogue stay as they are.
+    """
+    spec = TRACKERS.get(name)
+    return dict(settings) if spec is None else with_present_names(spec.settings_type, settings)
+
+
 def changed_settings(name: str, settings: Mapping[str, Any]) -> dict[str, Any]:
     """Of a run's settings, by their dotted names, those that are not that tracker's defaults.
 
@@ -224,15 +239,23 @@ def parse_settings(spec: TrackerSpec, texts: Mapping[str, str]) -> Any:
     Raises `SettingsError`: unknown name, with the trackers that have such a setting if any has;
     no value of its type; or out of range.
     """
-    known = _setting_names(spec)
+    known = _setting_names(spec) | former_names(spec.settings_type).keys()
     for name in sorted(texts.keys() - known):
-        if theirs := [other.name for other in _BUILT if name in _setting_names(other)]:
+        present = _present_name(name)
+        if theirs := [other.name for other in _BUILT if present in _setting_names(other)]:
             have = "has" if len(theirs) == 1 else "have"
+            now = "" if present == name else f", whose name is {present} now"
             raise SettingsError(
-                f"{spec.name} has no setting {name} ({', '.join(theirs)} {have} it): "
+                f"{spec.name} has no setting {name}{now} ({', '.join(theirs)} {have} it): "
                 "choose such a tracker with --tracker, or leave the setting out"
             )
     return settings_from_text(spec.settings_type, texts)
+
+
+def _present_name(name: str) -> str:
+    """The name that a setting of any tracker has now; other names as they are."""
+    former = (former_names(spec.settings_type) for spec in _BUILT)
+    return next((present[name] for present in former if name in present), name)
 
 
 def _setting_names(spec: TrackerSpec) -> frozenset[str]:
