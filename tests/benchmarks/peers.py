@@ -221,5 +221,5 @@ def _search(rectification: Rectification) -> tuple[int, int]:
     lines, settings = SightLines(rectification), StereoSettings()
     near, far = settings.nearest_m, settings.farthest_m
     least = int(lines.disparity_at_height(0.0, near, far).min())
-    most = int(np.ceil(lines.disparity_at_height(settings.tallest_m, near, far).max()))
+    most = int(np.ceil(lines.disparity_at_height(settings.max_height_m, near, far).max()))
     return least, -(-(most - least + 1) // 16) * 16

@@ -59,7 +59,7 @@ class PlainMethod:
         new = self.start(started, places, seen)
         told = self.people + new
         weights += [[1 / self.settings.particles] * self.settings.particles] * len(new)
-        kept = [n for n, p in enumerate(told) if p.missed_s <= self.settings.lost_after_s]
+        kept = [n for n, p in enumerate(told) if p.missed_s <= self.settings.delete_after_s]
         offsets = self.random.random((len(kept), 1))
         for offset, n in zip(offsets[:, 0], kept, strict=True):
             told[n].particles = drawn(told[n].particles, weights[n], offset)
@@ -72,8 +72,8 @@ class PlainMethod:
             (len(self.people), settings.particles, 2), dtype=np.float32
         )
         for person, own in zip(self.people, noise.tolist(), strict=True):
-            spread = settings.spread_m * math.sqrt(elapsed_s)
-            spread *= 1 + settings.spread_growth * person.missed_s
+            spread = settings.process_noise_m * math.sqrt(elapsed_s)
+            spread *= 1 + settings.process_noise_growth * person.missed_s
             moving = person.velocity if person.missed_s > 0 else person.movement
             for particle, jitter in zip(person.particles, own, strict=True):
                 for axis in (0, 1):
@@ -98,7 +98,7 @@ class PlainMethod:
 
     def turn(self, person: Person, place: list[float]) -> float:
         settings = self.settings
-        if len(person.ways) < 2 or person.way_age_s > settings.direction_memory_s:
+        if len(person.ways) < 2 or person.way_age_s > settings.direction_timeout_s:
             return 0.0
         older, newer = person.ways[-2:]
         base = older if math.dist(newer, place) < settings.direction_step_m else newer
@@ -130,7 +130,7 @@ class PlainMethod:
             person.missed_s += elapsed_s
             person.way_age_s += elapsed_s
         for k, n in pairs.items():
-            person, sigma = self.people[n], self.settings.sigma_near_m
+            person, sigma = self.people[n], self.settings.measurement_noise_m
             likely = [
                 math.exp(-(math.dist(each, places[k]) ** 2) / (2 * sigma**2))
                 for each in person.particles
@@ -144,13 +144,13 @@ class PlainMethod:
         together = list(zip(weight, person.particles, strict=True))
         person.place = [sum(w * p[axis] for w, p in together) for axis in (0, 1)]
         person.movement = [(person.place[a] - person.seen[a]) / person.missed_s for a in (0, 1)]
-        share = max(1 / person.matches, 1 - math.exp(-1 / FPS / settings.velocity_memory_s))
+        share = max(1 / person.matches, 1 - math.exp(-1 / FPS / settings.velocity_average_s))
         for axis in (0, 1):
             change = person.movement[axis] - person.velocity[axis]
             person.velocity[axis] += share * change
         fresh = 1 / (person.matches + 1)
         if self.directed:
-            fresh = max(fresh, 1 - settings.colour_memory)
+            fresh = max(fresh, 1 - settings.colour_forgetting_factor)
         elif person.matches >= settings.model_frames:
             fresh = 0.0
         for cue, own in enumerate(self.colours(seen, k)):
@@ -168,7 +168,8 @@ class PlainMethod:
             self.last_id += 1
             x, y = places[k]
             around = [
-                [x + settings.start_spread_m * a, y + settings.start_spread_m * b] for a, b in own
+                [x + settings.initial_spread_m * a, y + settings.initial_spread_m * b]
+                for a, b in own
             ]
             person = Person(self.last_id, around, [x, y], self.colours(seen, k), [[x, y]])
             person.seen = [x, y]
@@ -250,7 +251,7 @@ def test_two_frames_of_one_time_move_nobody():
 
 
 def test_an_id_is_given_at_the_first_sighting_and_ends_after_a_set_time():
-    results = told(replace(DIRECTION, lost_after_s=1.48), 0)
+    results = told(replace(DIRECTION, delete_after_s=1.48), 0)
     assert results[0].tracks["track"].tolist() == [1, 2, 3]
     assert results[0].detections["track"].tolist() == [1, 2, 3]
     last = max(result.frame for result in results if 3 in result.tracks["track"])

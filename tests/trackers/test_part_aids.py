@@ -28,7 +28,7 @@ from tracking.trackers.three_part.settings import Aids
 from tracking.trackers.three_part.tracker import Camera, PartTracker
 
 APART = Layout(parts=3, together=1)
-AIDS = ("follow_silhouettes", "body_rules", "find_again")
+AIDS = ("fit_silhouettes", "pose_constraints", "reidentify")
 
 
 class Alarms:
@@ -40,7 +40,7 @@ class Alarms:
 
 
 def tracker(detector=None, **settings) -> PartTracker:
-    chosen = ThreePartSettings(most_particles=400, **settings)
+    chosen = ThreePartSettings(max_particles=400, **settings)
     return PartTracker(Camera(SIZE, FPS, None), chosen, APART, 0, detector)
 
 

@@ -11,7 +11,7 @@ from tracking.trackers.stereo_cues import costs_of
 from tracking.trackers.stereo_direction import MiddleUpdated, StereoDirectionSettings
 from tracking.trackers.stereo_matching import match_people
 
-PLAIN = StereoDirectionSettings(colour_weight=0.0, least_margin=0.0)
+PLAIN = StereoDirectionSettings(colour_weight=0.0, association_margin=0.0)
 
 
 def two_people(came_from: list[list[float]], at: list[list[float]], missed_s: float) -> Population:
@@ -61,7 +61,7 @@ def test_with_distance_only_they_are_taken_for_each_other():
 
 def test_a_detection_that_suits_two_people_alike_is_nobodys():
     between = np.array([[0.1, 5.5]])
-    careful = dataclasses.replace(PLAIN, least_margin=0.2)
+    careful = dataclasses.replace(PLAIN, association_margin=0.2)
     assert matched(CROSSED, between, careful) == [-1, -1]
 
 

@@ -126,7 +126,7 @@ def test_particles_spread_and_confidence_falls_while_a_person_is_missed():
 def test_a_person_missed_too_long_ends_and_counts_as_a_new_one_on_return():
     path = straight((0, 5), (0.1, 0), 140)
     path[30:100] = np.nan
-    results = follow(direction_tracker(lost_after_s=2.0), [Walker(path)])
+    results = follow(direction_tracker(delete_after_s=2.0), [Walker(path)])
     assert len(results[68].tracks["track"]) == 1
     assert len(results[75].tracks["track"]) == 0
     assert ids(results) == {1, 2}
@@ -136,7 +136,7 @@ def test_a_person_who_walks_out_of_the_picture_ends_at_once():
     path = straight((2.0, 5), (2.0, 0), 60)
     outside = np.flatnonzero(view().pixel_from_world(np.c_[path, np.zeros(60)])[:, 0] > 640)[0]
     path[outside:] = np.nan
-    results = follow(direction_tracker(lost_after_s=10.0), [Walker(path)])
+    results = follow(direction_tracker(delete_after_s=10.0), [Walker(path)])
     assert len(results[outside - 1].tracks["track"]) == 1
     assert len(results[outside + 12].tracks["track"]) == 0
 
@@ -154,7 +154,7 @@ def test_the_first_paper_knows_no_direction():
 
 
 def test_the_total_cost_is_the_sum_of_the_cues():
-    plain = {"distance_weight": 1.0, "hidden_weight": 0.0, "sigma_range": 0.0}
+    plain = {"distance_weight": 1.0, "occlusion_weight": 0.0, "measurement_noise_growth": 0.0}
     walkers = [Walker(straight((-2, 5), (1, 0), 40)), Walker(straight((2, 6), (-1, 0), 40))]
     for result in follow(direction_tracker(**plain), walkers)[10:]:
         cues = result.associations

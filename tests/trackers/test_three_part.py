@@ -49,9 +49,9 @@ def tracker(
 ) -> PartTracker:
     chosen: WholeBodySettings
     if layout is WHOLE:
-        chosen = WholeBodySettings(**{"most_particles": 400, **settings})
+        chosen = WholeBodySettings(**{"max_particles": 400, **settings})
     else:
-        chosen = ThreePartSettings(**{"most_particles": 400, "adjust": adjust, **settings})
+        chosen = ThreePartSettings(**{"max_particles": 400, "adjust": adjust, **settings})
     camera = Camera(SIZE, FPS, None, occluders_from(chosen.occluders))
     return PartTracker(camera, chosen, layout, seed, detector)
 
@@ -91,7 +91,7 @@ def test_a_walker_is_followed_under_one_id_with_every_part_on_its_part(layout):
 
 
 def test_somebody_new_is_waited_for_before_there_is_a_track():
-    results = followed(tracker(birth_s=0.3), observations([walker()], 12))
+    results = followed(tracker(confirm_s=0.3), observations([walker()], 12))
     first = next(result.frame for result in results if len(result.tracks["track"]))
     assert first == 6  # 0.3 s after the first frame, at 20 frames a second
 
@@ -193,7 +193,7 @@ def test_the_same_seed_gives_the_same_arrays(layout):
 
 
 def test_particles_stay_between_their_limits_and_some_of_them_are_kept():
-    by = tracker(least_particles=50, most_particles=120, kept_particles=40)
+    by = tracker(min_particles=50, max_particles=120, stored_particles=40)
     for result in followed(by, observations([walker()], 30))[10:]:
         assert result.parts["particles"].min() >= 50
         assert result.parts["particles"].max() <= 120
@@ -203,7 +203,7 @@ def test_particles_stay_between_their_limits_and_some_of_them_are_kept():
 
 
 def test_particles_can_be_left_out():
-    results = followed(tracker(kept_particles=0), observations([walker()], 12))
+    results = followed(tracker(stored_particles=0), observations([walker()], 12))
     assert len(results[-1].parts["track"]) == 3
     assert len(results[-1].part_particles["track"]) == 0
 
@@ -232,9 +232,9 @@ def test_what_is_no_outline_is_refused(text):
 
 
 def test_no_fewest_particles_above_the_most() -> None:
-    with pytest.raises(SettingsError, match="2000 is more than most_particles, 1000"):
-        ThreePartSettings(least_particles=2000)
-    assert WholeBodySettings(least_particles=1000).most_particles == 1000
+    with pytest.raises(SettingsError, match="2000 is more than max_particles, 1000"):
+        ThreePartSettings(min_particles=2000)
+    assert WholeBodySettings(min_particles=1000).max_particles == 1000
 
 
 def test_whose_regions_are_whose_is_worked_out_once_for_each_place_of_the_parts(monkeypatch):

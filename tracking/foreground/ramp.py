@@ -26,14 +26,14 @@ class RampSettings:
         0.5,
         "",
         (0.0, 7.0),
-        "how different from the background a pixel must be to count at all, 1 being the least "
-        "that is foreground; higher: less noise, pale clothes are missed",
+        "Difference from the background at which a pixel begins to count, in multiples of the "
+        "foreground limit; higher: less noise, but people in pale clothes are missed",
     )
     high: float = setting(
         2.0,
         "",
         (0.1, 7.9),
-        "how different it must be to count fully, in the same measure; higher: only strong "
+        "Difference at which a pixel counts fully, in the same measure; higher: only strong "
         "contrast counts fully",
     )
 

@@ -39,8 +39,8 @@ class ShadowRemover:
     shadow it is the same all over. Lambda: distance in the plane of hue and saturation. A bare
     difference of hue, as in the source, is noise where colours are pale, as floors are; weighed by
     saturation it fades out by itself. Both are bounded by 1. In grey footage Lambda carries
-    nothing and its weight goes to Psi. What is darker than a shadow can be (`shadow_darkest`)
-    scores infinite too. Scores are taken at half resolution, for speed.
+    nothing and its weight goes to Psi. What is darker than a shadow can be scores infinite, too
+    (`shadow_min_brightness`). Scores are taken at half resolution, for speed.
     """
 
     def __init__(self, settings: ForegroundSettings | None = None) -> None:
@@ -93,5 +93,5 @@ class ShadowRemover:
         psi = texture_change(ratio)
         hue = psi if grey else chroma_distance(now, usual)
         theta = np.asarray(cv2.addWeighted(psi, alpha, hue, beta, constant), np.float32)
-        darkest = np.float32(np.log(settings.shadow_darkest))
+        darkest = np.float32(np.log(settings.shadow_min_brightness))
         return theta, (now.light < usual.light) & (ratio >= darkest)

@@ -84,7 +84,7 @@ class PeopleFinder:
         """
         settings = self._settings
         certain = (body == _CERTAIN).view(np.uint8) * np.uint8(255)
-        high = points.world[:, 2] > settings.lowest_m
+        high = points.world[:, 2] > settings.min_point_height_m
         places = find_people(points.chosen(np.flatnonzero(high)), self._eye, settings)
         owner = assign_points(places, points, self._eye, settings)
         told = told_by_heads(places, owner, points, self._eye, settings)
@@ -104,10 +104,10 @@ class PeopleFinder:
         """(k,) which regions are high and large enough; of some the edge leaves the legs only."""
         settings = self._settings
         least_m = np.where(
-            extent.top < _CUT_ROWS, _LEAST_BELOW_EDGE_M, np.float32(settings.least_height_m)
+            extent.top < _CUT_ROWS, _LEAST_BELOW_EDGE_M, np.float32(settings.min_height_m)
         )
         return np.asarray(
-            (extent.high >= least_m) & (extent.area >= settings.least_area_m2), np.bool_
+            (extent.high >= least_m) & (extent.area >= settings.min_area_m2), np.bool_
         )
 
     def _describe(

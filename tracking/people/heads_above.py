@@ -53,7 +53,7 @@ def told_by_heads(
     """
     found = [places[k : k + 1] for k in range(len(places))]
     for k in np.flatnonzero(_spreads(len(places), owner, points) > _SPREAD_M**2).tolist():
-        own = (owner == k) & (points.world[:, 2] > settings.lowest_m)
+        own = (owner == k) & (points.world[:, 2] > settings.min_point_height_m)
         heads = _heads(points.chosen(np.flatnonzero(own)), eye)
         if len(heads) > 1:
             found[k] = np.array(heads, np.float32)

@@ -205,7 +205,7 @@ def _seeds(points: SurfacePoints, share: np.float32, settings: PeopleSettings) -
         surface.astype(np.float32), -1, (3, 3), normalize=False, borderType=cv2.BORDER_CONSTANT
     )
     top = around >= cv2.dilate(around, np.ones((3, 3), np.uint8))
-    y, x = np.nonzero(top & (around > _SEED_SHARE * settings.least_area_m2))
+    y, x = np.nonzero(top & (around > _SEED_SHARE * settings.min_area_m2))
     best = np.argsort(-around[y, x], kind="stable")[:_MOST_SEEDS]
     middle = np.column_stack((x[best], y[best])) + 0.5
     return np.asarray(middle * _SEED_CELL_M + low, np.float32)
@@ -216,7 +216,7 @@ def _distinct(
 ) -> Floats:
     """The places with enough surface, each once."""
     order = np.argsort(-mass, kind="stable")
-    order = order[mass[order] > settings.least_area_m2]
+    order = order[mass[order] > settings.min_area_m2]
     places, noise = places[order], noise[order]
     near = apart(places, places, noise, eye, settings.body_width_m) < _SAME_PERSON
     kept = np.ones(len(places), np.bool_)

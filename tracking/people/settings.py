@@ -11,66 +11,81 @@ from tracking.setting import setting
 class PeopleSettings:
     """What a person looks like in metres."""
 
-    least_area_m2: float = setting(
+    min_area_m2: float = setting(
         0.04,
         "m²",
         (0.01, 1.0),
-        "less visible surface than this is nobody; higher: fewer false people, half hidden ones "
-        "are missed",
+        "Smallest visible surface of a person; higher: fewer false detections, but people who "
+        "are half occluded are missed",
+        formerly=("least_area_m2",),
     )
-    lowest_m: float = setting(
+    min_point_height_m: float = setting(
         0.3,
         "m",
         (0.05, 1.0),
-        "what is lower over the floor is left out, as shadows are; higher: fewer shadows taken "
-        "for people, crouching ones are missed",
+        "Points lower above the floor are ignored, as they may be shadow; higher: fewer shadows "
+        "are detected as people, but crouching people are missed",
+        formerly=("lowest_m",),
     )
-    least_height_m: float = setting(
+    min_height_m: float = setting(
         0.9,
         "m",
         (0.3, 1.5),
-        "nobody's top is lower; higher: fewer carts and bags taken for people, children are missed",
+        "Smallest body height of a person; higher: fewer carts and bags are detected as people, "
+        "but children are missed",
+        formerly=("least_height_m",),
     )
     body_width_m: float = setting(
         0.5,
         "m",
         (0.2, 1.0),
-        "how broad a person is; lower: groups are parted sooner, and one person into two",
+        "Width of a person; lower: groups are split sooner, and so are single people",
     )
     body_height_m: float = setting(
-        1.75, "m", (0.8, 2.2), "height taken for a person whose head or feet are not seen"
+        1.75,
+        "m",
+        (0.8, 2.2),
+        "Body height of a person whose head or feet are not visible; higher: such people are "
+        "taken to be taller",
     )
     body_depth_m: float = setting(
-        0.07, "m", (0.0, 0.4), "how far a person's middle lies behind the surface the camera sees"
+        0.07,
+        "m",
+        (0.0, 0.4),
+        "Distance from the visible surface of a person to the centre of the body; higher: "
+        "positions move away from the cameras",
     )
     merged_ratio: float = setting(
         1.6,
         "",
         (1.0, 4.0),
-        "a region this many times wider or higher than a person is several people; higher: "
-        "groups are parted less often",
+        "A region this many times as wide or as high as a person holds several people; higher: "
+        "groups are split less often",
     )
     disparity_noise_px: float = setting(
         0.2,
         "px",
         (0.02, 3.0),
-        "how much the measured shift between the eyes trembles; higher: people must be farther "
-        "apart in depth to be told apart",
+        "Standard deviation of the measured disparity; higher: people are separated only when "
+        "they are farther apart in depth",
     )
     hue_bins: int = setting(
         16,
         "",
         (4, 64),
-        "how finely colours are told apart; higher: more clothes differ, changing light does "
-        "more harm",
+        "Histogram bins for hue; higher: more clothes differ, but changing light does more harm",
     )
     saturation_bins: int = setting(
-        4, "", (1, 16), "the same for how strong a colour is, from grey to full"
+        4,
+        "",
+        (1, 16),
+        "Histogram bins for saturation; higher: more clothes differ, but changing light does "
+        "more harm",
     )
     hue_by_saturation: bool = setting(
         True,
         "",
         None,
-        "the stronger its colour, the more a spot of somebody's clothes counts; off, or with "
-        "paper: each counts alike, and grey ones as red",
+        "Weight the hue of each pixel by its saturation. Off, or with paper: all pixels count "
+        "alike, and grey counts as red",
     )

@@ -44,7 +44,7 @@ class SubtractionStereo:
         near, far = self._settings.nearest_m, self._settings.farthest_m
         self._least = lines.disparity_at_height(0.0, near, far)[::STEP, ::STEP] - _SLACK_PX
         self._most = (
-            lines.disparity_at_height(self._settings.tallest_m, near, far)[::STEP, ::STEP]
+            lines.disparity_at_height(self._settings.max_height_m, near, far)[::STEP, ::STEP]
             + _SLACK_PX
         )
         least, most = math.floor(float(self._least.min())), math.ceil(float(self._most.max()))

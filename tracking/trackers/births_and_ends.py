@@ -12,7 +12,7 @@ from tracking.geometry import View
 from tracking.people import Detections
 from tracking.trackers.population import Population, unknown_appearance, unknown_motion
 from tracking.trackers.stereo_boxes import Bodies, expected_visibility, share_in_view
-from tracking.trackers.stereo_settings import StereoFilterSettings
+from tracking.trackers.stereo_settings import StereoFilterSettings, StereoTrackerSettings
 
 Floats = NDArray[np.float64]
 
@@ -68,7 +68,7 @@ def start_tracks(
     seen, rows = spots.seen, spots.free
     count = len(rows)
     measured = seen.position[rows, :2]
-    spread = np.full(count, settings.start_spread_m)
+    spread = np.full(count, settings.initial_spread_m)
     return Population(
         track=np.zeros(count, np.int32),
         particles=scatter(measured, spread, settings.particles, random),
@@ -99,7 +99,7 @@ def confirm_tracks(people: Population, matches: int, last_id: int) -> tuple[Popu
 
 
 def should_keep(
-    people: Population, box: Floats, settings: StereoFilterSettings, size: tuple[int, int]
+    people: Population, box: Floats, settings: StereoTrackerSettings, size: tuple[int, int]
 ) -> NDArray[np.bool_]:
     """Whether each track is kept or deleted: (people,).
 
@@ -107,9 +107,9 @@ def should_keep(
         box: (people, 4) px of their bodies. size: width and height of the picture.
     """
     inside = share_in_view(box, size)
-    patience_s = np.where(inside < _AT_THE_EDGE, settings.lost_at_edge_s, settings.lost_after_s)
-    hidden = expected_visibility(people, box, size) < settings.hidden_below * inside
-    patience_s = np.where(hidden, settings.lost_hidden_s, patience_s)
+    patience_s = np.where(inside < _AT_THE_EDGE, settings.delete_at_edge_s, settings.delete_after_s)
+    hidden = expected_visibility(people, box, size) < settings.min_visibility * inside
+    patience_s = np.where(hidden, settings.delete_occluded_s, patience_s)
     patience_s = np.where(people.confirmed, patience_s, TENTATIVE_PATIENCE_S)
     left = inside < OUT_OF_VIEW
     return np.asarray((people.missed_s == 0.0) | ((people.missed_s <= patience_s) & ~left))

@@ -101,7 +101,7 @@ class StereoTracker(StereoFilter[StereoTrackerSettings, Cues]):
         since_s = expected.missed_s[pairs.track] + elapsed_s
         shared = find_shared_regions(expected, bodies, pairs, seen, self._view)
         alone = shared.alone_of(pairs)
-        clear = find_isolated(expected, pairs.track, self._settings.colour_distance_m)
+        clear = find_isolated(expected, pairs.track, self._settings.colour_update_distance_m)
         match = Match(pairs, shared, clear, seen, colours, since_s)
         people = update_matched(people, match, self._cues, self._settings, self._random)
         people = update_missed(people, elapsed_s, self._view, self._settings)

@@ -26,28 +26,28 @@ class StereoColourSettings(StereoTrackerSettings):
         False,
         "",
         None,
-        "follow people exactly as the paper does, without what was added to it: colours are "
-        "counted as there, and nothing is smoothed",
+        "Track exactly as published, without our additions: colours count as in the paper, and "
+        "nothing is smoothed",
     )
     particles: int = setting(
         700,
         "",
         (10, 20000),
-        "guesses kept of where each person is; more follow crowds more surely and take more time",
+        "Particles per person; higher: tracking in crowds is more reliable and takes more time",
     )
     cost_limit: float = setting(
         2.5,
         "",
         (0.1, 10.0),
-        "a sighting that suits a person worse than this is not theirs, even if nobody else is "
-        "there; higher: fewer gaps, more swapped ids",
+        "Highest cost at which a detection is associated with a track; higher: fewer gaps, more "
+        "id switches",
     )
     model_frames: int = setting(
         5,
         "",
         (1, 1000),
-        "how many first frames of a person its colours are the mean of; higher: steadier "
-        "colours, later to be of use",
+        "The colour model is the mean over this many first frames of a track; higher: steadier "
+        "colours, which are of use later",
     )
 
 

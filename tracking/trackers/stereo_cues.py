@@ -79,13 +79,13 @@ def costs_of(
     """
     distance, colour, direction = cue_values(people, measured, colours, cues)
     wider = (1.0 + settings.gate_growth * people.missed_s)[:, None] * (
-        likelihood_sigma(measured, settings) / settings.sigma_near_m
+        likelihood_sigma(measured, settings) / settings.measurement_noise_m
     )
     total = (
         settings.distance_weight * distance / wider
         + settings.colour_weight * colour
         + np.nan_to_num(direction)
-        + settings.hidden_weight * (1.0 - shown)[:, None]
+        + settings.occlusion_weight * (1.0 - shown)[:, None]
     )
     return Costs(distance, colour, direction, total, distance <= settings.gate_m * wider)
 
@@ -108,4 +108,4 @@ def likelihood_sigma(measured: Floats, settings: StereoFilterSettings) -> Floats
     It grows with the square of the distance from the camera, as the error of range does.
     """
     squared = np.asarray(np.square(measured).sum(axis=1))
-    return settings.sigma_near_m + settings.sigma_range * squared
+    return settings.measurement_noise_m + settings.measurement_noise_growth * squared

@@ -24,8 +24,7 @@ class StereoDirectionSettings(WalkingSettings, StereoTrackerSettings):
         False,
         "",
         None,
-        "follow people exactly as the paper does, without what was added to it: nothing is "
-        "smoothed either",
+        "Track exactly as published, without our additions: nothing is smoothed either",
     )
 
 

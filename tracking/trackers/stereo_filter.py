@@ -86,8 +86,8 @@ def predict(
     Args:
         step: (people, 2) m, how far each is thought to have gone.
     """
-    spread = settings.spread_m * np.sqrt(elapsed_s)
-    spreads = spread * (1.0 + settings.spread_growth * people.missed_s)
+    spread = settings.process_noise_m * np.sqrt(elapsed_s)
+    spreads = spread * (1.0 + settings.process_noise_growth * people.missed_s)
     return people.replace(
         particles=move(people.particles, step, spreads, random),
         position=people.position + step,

@@ -45,7 +45,7 @@ def match_people(
     track = np.flatnonzero(taken >= 0)
     left_over = present.copy()
     left_over[track] = False
-    track = track[_suits_better(costs, track, taken[track], left_over, settings.least_margin)]
+    track = track[_suits_better(costs, track, taken[track], left_over, settings.association_margin)]
     detection = taken[track]
     return Association(track, detection, margins(costs.total, costs.allowed, track, detection))
 

@@ -93,12 +93,14 @@ class PaperTracker(StereoFilter[StereoTrackerSettings, Cues]):
         """
         rows, chosen = pairs.track, pairs.detection
         mine, measured = people.select(rows), seen.position[chosen, :2]
-        weight = weigh(mine.particles, measured, np.full(len(rows), self._settings.sigma_near_m))
+        weight = weigh(
+            mine.particles, measured, np.full(len(rows), self._settings.measurement_noise_m)
+        )
         position = weighted_mean(mine.particles, weight)
         since_s = (mine.missed_s + elapsed_s)[:, None]
         movement = self._moved[rows]
         np.divide(position - mine.seen_at, since_s, out=movement, where=since_s > 0.0)
-        kept = np.exp(-elapsed_s / self._settings.velocity_memory_s)
+        kept = np.exp(-elapsed_s / self._settings.velocity_average_s)
         share = np.maximum(1.0 / mine.matches, 1.0 - kept)[:, None]
         moved = self._moved.copy()
         moved[rows] = movement
@@ -115,7 +117,7 @@ class PaperTracker(StereoFilter[StereoTrackerSettings, Cues]):
 
     def _carry_over(self, people: Population, moved: Floats) -> tuple[Population, Floats]:
         """Who goes into the next frame, resampled; those missed for too long have ended."""
-        there = people.missed_s <= self._settings.lost_after_s
+        there = people.missed_s <= self._settings.delete_after_s
         kept = people.select(there)
         particles = resample(kept.particles, kept.weight, self._random)
         return kept.replace(particles=particles), moved[there]

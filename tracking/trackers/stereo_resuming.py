@@ -92,7 +92,7 @@ def _resumable(
     """The people (n,), ids, where their rows say, before any direction is known."""
     colour, matches = _colours(views, len(people))
     position, velocity, missed_s, confidence = _now(rows, people, resume, settings)
-    spread = settings.start_spread_m * (1.0 + _WIDER_PER_S * missed_s)
+    spread = settings.initial_spread_m * (1.0 + _WIDER_PER_S * missed_s)
     count = (len(people), settings.particles)
     return Population(
         track=people.astype(np.int32),
@@ -188,10 +188,10 @@ def _now(
     seen = _last_rows(rows, people, is_seen(rows))
     now = resume.frame - 1
     unknown_s = (now - rows["frame"][last]) / resume.fps
-    missed_s = np.where(seen < 0, settings.lost_after_s, (now - rows["frame"][seen]) / resume.fps)
+    missed_s = np.where(seen < 0, settings.unseen_limit_s, (now - rows["frame"][seen]) / resume.fps)
     # A row in the last frame says where the person is, however long nobody has seen them.
     stands = unknown_s == 0.0
-    missed_s = np.where(stands, np.minimum(missed_s, settings.lost_after_s / 2), missed_s)
+    missed_s = np.where(stands, np.minimum(missed_s, settings.unseen_limit_s / 2), missed_s)
     velocity = np.column_stack((rows["vx"][last], rows["vy"][last]))
     known = np.isfinite(velocity).all(axis=1)
     velocity = np.where(known[:, None], velocity, _slopes(rows, people, resume))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from dataclasses import dataclass, field
 
 from tracking.foreground import ForegroundSettings
@@ -11,164 +12,197 @@ from tracking.stereo import StereoSettings
 
 
 @dataclass(frozen=True, slots=True)
-class StereoFilterSettings:
+class StereoFilterSettings(ABC):
     """What every stereo tracker can be told; see the `help` of each field."""
 
     particles: int = setting(
         500,
         "",
         (10, 20000),
-        "guesses kept of where each person is; more follow crowds more surely and take more time",
+        "Particles per person; higher: tracking in crowds is more reliable and takes more time",
     )
-    start_spread_m: float = setting(
+    initial_spread_m: float = setting(
         0.25,
         "m",
         (0.01, 2.0),
-        "how far around the first sighting a newcomer may be; higher: surer to be found in the "
-        "next frame, but nearer to being mixed up",
+        "Standard deviation of a tentative track's particles around its first detection; higher: "
+        "the next detection is found more surely, but neighbours are mixed up sooner",
+        formerly=("start_spread_m",),
     )
-    sigma_near_m: float = setting(
+    measurement_noise_m: float = setting(
         0.12,
         "m",
         (0.01, 2.0),
-        "how far off a measured place is, close to the camera; higher: paths are smoother, and "
-        "follow turns later",
+        "Standard deviation of a measured position close to the cameras; higher: tracks are "
+        "smoother, but follow turns later",
+        formerly=("sigma_near_m",),
     )
-    sigma_range: float = setting(
+    measurement_noise_growth: float = setting(
         0.001,
         "m/m²",
         (0.0, 0.1),
-        "how much more a measured place is off far away: this times the square of the distance; "
-        "higher: far people are trusted less",
+        "Growth of the measurement noise with the square of the distance; higher: far "
+        "detections count less",
+        formerly=("sigma_range",),
     )
-    hidden_below: float = setting(
+    min_visibility: float = setting(
         0.3,
         "",
         (0.0, 1.0),
-        "a person of whom less than this share should show, from behind others, counts as "
-        "hidden: it is then waited for as long as people hidden by others are; higher: sooner",
+        "A track of whose body a smaller share is expected to be visible counts as occluded by "
+        "other people; higher: more tracks count as occluded, and coast longer",
+        formerly=("hidden_below",),
     )
-    unseen_s: float = setting(
+    negative_information_s: float = setting(
         0.2,
         "s",
         (0.01, 60.0),
-        "how fast somebody who is not seen is moved to where others could hide them; lower: at "
-        "once",
+        "Time constant with which the particles of a person without a detection move to places "
+        "that other people occlude; higher: they move more slowly",
+        formerly=("unseen_s",),
     )
-    least_margin: float = setting(
+    association_margin: float = setting(
         0.2,
         "",
         (0.0, 5.0),
-        "how much better a sighting must suit one person than the next to be theirs, as a "
-        "difference in cost; higher: fewer swapped ids, more gaps",
+        "Margin by which a detection must fit one track better than the next, as a difference "
+        "in cost; higher: fewer id switches, more gaps",
+        formerly=("least_margin",),
     )
-    colour_distance_m: float = setting(
+    colour_update_distance_m: float = setting(
         0.6,
         "m",
         (0.0, 5.0),
-        "a person's colours are learnt only while nobody else is closer than this; higher: "
-        "cleaner colours, learnt less often",
+        "The colour model of a track is updated only while no other person is closer than this; "
+        "higher: cleaner colour models, updated less often",
+        formerly=("colour_distance_m",),
     )
     confirm_matches: int = setting(
         3,
         "",
         (1, 100),
-        "frames a newcomer must be seen in before it becomes a track; higher: fewer false "
-        "tracks, which begin later",
+        "Detections after which a tentative track is confirmed; higher: fewer false tracks, "
+        "which start later",
     )
     birth_distance_m: float = setting(
         0.5,
         "m",
         (0.0, 5.0),
-        "nobody new starts closer than this to somebody followed; higher: fewer double tracks, "
-        "people who come in pairs are found later",
+        "Smallest distance of a new tentative track to another track; higher: fewer duplicate "
+        "tracks, but people who arrive in pairs are found later",
     )
-    lost_after_s: float = setting(
-        1.5,
-        "s",
-        (0.05, 60.0),
-        "how long somebody is followed without being seen, before the track ends; higher: fewer "
-        "broken tracks, longer guesses",
-    )
-    lost_hidden_s: float = setting(
-        4.0,
-        "s",
-        (0.05, 60.0),
-        "the same while others are thought to hide them; higher: longer waits behind people",
-    )
-    lost_at_edge_s: float = setting(
+    delete_at_edge_s: float = setting(
         0.5,
         "s",
         (0.05, 60.0),
-        "the same for who was last seen at the picture's edge; lower: whoever leaves is let go "
-        "sooner",
+        "Seconds before a track that was lost at the image edge is deleted; lower: people who "
+        "leave are deleted sooner",
+        formerly=("lost_at_edge_s",),
     )
     smooth: bool = setting(
         True,
         "",
         None,
-        "once all is tracked, smooth paths and boxes from both ends and fill their gaps; off: "
-        "exactly what was seen live",
+        "After tracking, smooth positions and boxes forward and backward, and fill gaps. Off: "
+        "the run holds exactly what was tracked live",
     )
     foreground: ForegroundSettings = field(default_factory=ForegroundSettings)
     stereo: StereoSettings = field(default_factory=StereoSettings)
     people: PeopleSettings = field(default_factory=PeopleSettings)
+
+    @property
+    @abstractmethod
+    def unseen_limit_s(self) -> float:
+        """A track without a detection for longer is unreported, unless it is occluded."""
 
 
 @dataclass(frozen=True, slots=True)
 class StereoTrackerSettings(StereoFilterSettings):
     """What a tracker that sums up the costs of the papers' cues can be told."""
 
-    spread_m: float = setting(
+    delete_after_s: float = setting(
+        1.5,
+        "s",
+        (0.05, 60.0),
+        "Seconds without a detection after which a track is deleted; higher: fewer "
+        "fragmentations, longer guesses",
+        formerly=("lost_after_s",),
+    )
+    delete_occluded_s: float = setting(
+        4.0,
+        "s",
+        (0.05, 60.0),
+        "Seconds without a detection after which an occluded track is deleted; higher: tracks "
+        "wait longer behind other people",
+        formerly=("lost_hidden_s",),
+    )
+    process_noise_m: float = setting(
         0.25,
         "m",
         (0.01, 3.0),
-        "how far people may stray from their expected place in a second; higher: sudden turns "
-        "are followed, neighbours are mixed up sooner",
+        "Process noise: standard deviation of a person's position after one second; higher: "
+        "tracks follow sudden turns, but neighbours are mixed up sooner",
+        formerly=("spread_m",),
     )
-    spread_growth: float = setting(
-        1.0, "1/s", (0.0, 10.0), "how much wider that gets with each second a person is not seen"
+    process_noise_growth: float = setting(
+        1.0,
+        "1/s",
+        (0.0, 10.0),
+        "Growth of the process noise with each second without a detection; higher: people are "
+        "searched for in a wider area",
+        formerly=("spread_growth",),
     )
-    velocity_memory_s: float = setting(
+    velocity_average_s: float = setting(
         0.4,
         "s",
         (0.05, 5.0),
-        "time over which walking speed is averaged; higher: steadier, later to notice a turn or "
-        "a stop",
+        "Time over which the velocity is averaged; higher: steadier, but turns and stops are "
+        "noticed later",
+        formerly=("velocity_memory_s",),
     )
     gate_m: float = setting(
         0.9,
         "m",
         (0.1, 5.0),
-        "farthest from where a person is expected that they are looked for; higher: quick "
-        "walkers are kept, ids are swapped sooner",
+        "Gate: largest distance of a detection from the predicted position; higher: fast walkers "
+        "are kept, but ids switch sooner",
     )
     gate_growth: float = setting(
-        1.0, "1/s", (0.0, 10.0), "how much wider that gets with each second a person is not seen"
+        1.0,
+        "1/s",
+        (0.0, 10.0),
+        "Growth of the gate with each second without a detection; higher: people are searched "
+        "for in a wider area",
     )
     cost_limit: float = setting(
         2.0,
         "",
         (0.1, 10.0),
-        "a sighting that suits a person worse than this is not theirs, even if nobody else is "
-        "there; higher: fewer gaps, more swapped ids",
+        "Highest cost at which a detection is associated with a track; higher: fewer gaps, more "
+        "id switches",
     )
     distance_weight: float = setting(
         2.0,
         "1/m",
         (0.0, 20.0),
-        "how much a metre off the expected place counts against a sighting; higher: place decides",
+        "Cost of each metre between detection and predicted position; higher: position decides",
     )
     colour_weight: float = setting(
         1.0,
         "",
         (0.0, 10.0),
-        "how much other colours count against a sighting; higher: clothes decide",
+        "Weight of the colour difference in the cost; higher: clothes decide",
     )
-    hidden_weight: float = setting(
+    occlusion_weight: float = setting(
         0.5,
         "",
         (0.0, 10.0),
-        "how much it counts against a sighting that the person should be hidden there; higher: "
-        "who comes out from behind others is rather somebody else",
+        "Cost of a detection where the person should be occluded; higher: a person who appears "
+        "from behind others is rather a new one",
+        formerly=("hidden_weight",),
     )
+
+    @property
+    def unseen_limit_s(self) -> float:
+        """A track without a detection for longer is unreported, unless it is occluded."""
+        return self.delete_after_s

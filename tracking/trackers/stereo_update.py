@@ -86,7 +86,7 @@ def update_matched(
         particles=particles,
         weight=weight,
         position=position,
-        velocity=_velocity(mine, measured, match.since_s, settings.velocity_memory_s),
+        velocity=_velocity(mine, measured, match.since_s, settings.velocity_average_s),
         matches=mine.matches + 1,
         seen_at=position,
         colour=np.where(
@@ -146,7 +146,9 @@ def update_missed(
     mine = people.particles[lost]
     away_m = out_of_hiding(mine, present, reach_m, _BODY_M)
     # A longer time says more; a person far from every hiding place is just missed.
-    weight = np.exp(-elapsed_s / settings.unseen_s * np.minimum(away_m / _BODY_M, 2.0))
+    weight = np.exp(
+        -elapsed_s / settings.negative_information_s * np.minimum(away_m / _BODY_M, 2.0)
+    )
     weight /= weight.sum(axis=1, keepdims=True)
     before = mine.mean(axis=1)
     position = people.position[lost] + weighted_mean(mine, weight) - before

@@ -27,35 +27,37 @@ class WalkingSettings:
         0.2,
         "",
         (0.0, 10.0),
-        "how much a sudden turn counts against a sighting; higher: people are thought to walk "
-        "straight on",
+        "Cost of a sharp turn in association; higher: people are expected to walk straight on",
     )
     direction_threshold_rad: float = setting(
         1.22,
         "rad",
         (0.01, 3.1416),
-        "a turn sharper than this counts no more than this one does (1.57 is a right angle); "
-        "higher: turning back counts more than turning aside",
+        "Angle from which on a turn has its full cost (1.57 is a right angle); higher: turning "
+        "back costs more than turning aside",
     )
     direction_step_m: float = setting(
         0.4,
         "m",
         (0.05, 5.0),
-        "how far somebody must have walked for their direction to be known; higher: steadier, "
-        "later to notice a turn",
+        "Distance a person must walk before the walking direction is known; higher: steadier, "
+        "but turns are noticed later",
     )
-    direction_memory_s: float = setting(
+    direction_timeout_s: float = setting(
         1.5,
         "s",
         (0.1, 60.0),
-        "who takes longer than this for that distance is standing, and has no direction",
+        "A person who needs longer for that distance is standing and has no walking direction; "
+        "higher: slow walkers have a direction",
+        formerly=("direction_memory_s",),
     )
-    colour_memory: float = setting(
+    colour_forgetting_factor: float = setting(
         0.97,
         "",
         (0.0, 1.0),
-        "how much of a person's colours stays at each sighting; higher: new light is followed "
-        "more slowly, a mix-up spoils them less",
+        "Share of the colour model that remains after each update; higher: the model follows "
+        "the light more slowly, and a wrong association harms it less",
+        formerly=("colour_memory",),
     )
 
 
@@ -66,7 +68,7 @@ def turning_cost(people: Population, measured: Floats, settings: WalkingSettings
     is too close to the newer to give a direction. NaN where a direction is missing.
     """
     older, newer = people.anchors[:, 0], people.anchors[:, 1]
-    standing = people.anchor_age_s > settings.direction_memory_s
+    standing = people.anchor_age_s > settings.direction_timeout_s
     walked = np.where(standing[:, None], np.nan, newer - older)
     from_newer = measured[None] - newer[:, None]
     too_close = np.hypot(from_newer[..., 0], from_newer[..., 1]) < settings.direction_step_m
@@ -106,7 +108,7 @@ class WalkingCues:
 
     def newest_share(self, matches: NDArray[np.int32]) -> NDArray[np.float32]:
         """(people,) the share of one more match in what is known of somebody matched so often."""
-        share = np.maximum(1.0 / (matches + 1), 1.0 - self.settings.colour_memory)
+        share = np.maximum(1.0 / (matches + 1), 1.0 - self.settings.colour_forgetting_factor)
         return share.astype(np.float32)
 
     def is_complete(self, matches: NDArray[np.int32]) -> NDArray[np.bool_]:

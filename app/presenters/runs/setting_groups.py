@@ -7,14 +7,15 @@ from typing import Final
 from app.presenters.i18n import tr
 
 _GROUPS: Final = (
-    ("Particles and motion", ("particle", "spread", "start_spread", "largest_spread")),
-    ("Particles and motion", ("sigma", "velocity", "agility", "slowing")),
-    ("Who is whom", ("colour", "direction", "looks", "distance", "gate", "cost", "similarity")),
-    ("Who is whom", ("model", "hidden_weight", "least_margin", "find_again", "overlooked")),
-    ("Coming and going", ("birth", "confirm", "new", "lost", "remember", "unseen", "hidden")),
-    ("Coming and going", ("unproven", "empty", "led", "walked", "hold", "closest")),
-    ("Bodies", ("radius", "least_height", "most_height", "usual_height", "region", "apart")),
-    ("Bodies", ("body", "adjust", "follow", "silhouettes")),
+    ("Particles and motion", ("particle", "initial_spread", "max_spread", "process_noise")),
+    ("Particles and motion", ("measurement_noise", "velocity")),
+    ("Association", ("appearance", "association", "colour", "cost", "direction", "distance")),
+    ("Association", ("gate", "miss_probability", "model", "occlusion_weight", "reidentify")),
+    ("Association", ("similarity",)),
+    ("Track management", ("birth", "coast", "confirm", "delete", "extrapolate", "merge")),
+    ("Track management", ("min_visibility", "negative_information", "persistent", "report")),
+    ("Bodies", ("adjust", "body", "fit", "initial_height", "max_height", "min_height")),
+    ("Bodies", ("min_separation", "pose", "radius", "region")),
 )
 """Beginnings of names; of several that fit, the longest counts."""
 _OTHERS = "Result"

@@ -31,7 +31,7 @@ def test_a_session_holds_the_settings_the_detector_and_particles_of_parts(
     trackwright: Trackwright, footage: Path, tmp_path: Path
 ) -> None:
     out = tmp_path / "s.h5"
-    words = ["--set", "kept_particles=20", "--set", "birth_s=0"]
+    words = ["--set", "stored_particles=20", "--set", "confirm_s=0"]
     assert trackwright("track", footage, "-o", out, *PARTS, *words)[0] == 0
     with closing(Session.open(out)) as session:
         run = session.runs[0]

@@ -47,7 +47,7 @@ ADJUSTED = Variant("with adjustment", "three-part")
 PAPER = Variant(
     "the paper's adjustment",
     "three-part",
-    (("follow_silhouettes", False), ("body_rules", False), ("find_again", False)),
+    (("fit_silhouettes", False), ("pose_constraints", False), ("reidentify", False)),
 )
 """Only what the detector finds is put back, as in [ZhaoLee2009] 4.3; the rest of ours left out."""
 PLAIN = Variant("without adjustment", "three-part", (("adjust", False),), judged=False)

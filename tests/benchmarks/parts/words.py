@@ -42,7 +42,7 @@ start, as in the paper, whose curves rise where a part is found again. Behind ±
 
 SHORT = """
 "With adjustment" is the tracker as it comes. "The paper's adjustment" (`--set
-follow_silhouettes=false --set body_rules=false --set find_again=false`) puts back only what the
+fit_silhouettes=false --set pose_constraints=false --set reidentify=false`) puts back only what the
 failure detector finds, as the paper does; ours draws parts of people seen alone to their
 silhouettes, too, puts parts back that stand where no part of a body can, and looks for people it
 lost. "Without" (`--set adjust=false`) is colours alone. "Joint" is `three-part-joint`: as good by

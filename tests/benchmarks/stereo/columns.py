@@ -14,7 +14,7 @@ DISTANCE, COLOUR, DIRECTION, OWN = "distance", "distance + colour", "all three",
 CUES = (DISTANCE, COLOUR, DIRECTION)
 COLUMNS = (*CUES, OWN)
 
-_OPEN = (("velocity_memory_s", 1.0), ("spread_m", 0.15))
+_OPEN = (("velocity_average_s", 1.0), ("process_noise_m", 0.15))
 """What the papers leave open and their methods do better with than with our settings: told on
 the clips for choosing, seeds 6001 and 6002."""
 

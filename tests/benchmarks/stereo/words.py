@@ -36,10 +36,10 @@ TABLES = """
 ## Both papers' tables
 
 Tracking accuracy on the clips measured often, 30 s each, at least 30 people a scene. The three
-methods of cues are the papers' own and nothing of ours (`--set paper=true --set velocity_memory_s=1
---set spread_m=0.15`, the last two chosen for them on other clips; weights of cues that are left out
-are 0). What they are given to see, the regions of people, is ours in all
-rows. `stereo-joint` is our default, as it comes.
+methods of cues are the papers' own and nothing of ours (`--set paper=true --set
+velocity_average_s=1 --set process_noise_m=0.15`, the last two chosen for them on other clips;
+weights of cues that are left out are 0). What they are given to see, the regions of people, is
+ours in all rows. `stereo-joint` is our default, as it comes.
 
 "By box" matches tracks and people whose boxes overlap by half, with the 95 % interval in brackets.
 The papers' authors judged by eye. This is stricter: somebody whose box is covered for a moment

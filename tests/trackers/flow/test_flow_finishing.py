@@ -62,7 +62,7 @@ def run_of(*pieces: Piece, hold: bool = True) -> Run:
     start = np.searchsorted(tracks["frame"], np.arange(FRAMES + 1))
     return Run(
         tracker="flow",
-        settings={"hold": hold, "smooth": True},
+        settings={"persistent_points": hold, "smooth": True},
         seed=0,
         frames=(0, FRAMES),
         tracks=tracks,

@@ -43,7 +43,7 @@ def test_points_on_what_is_not_there_any_more_end(follower: PointFollower) -> No
 
 
 def test_there_are_never_more_points_than_asked_for() -> None:
-    follower = PointFollower(PointSettings(most=50), 7, SPACING)
+    follower = PointFollower(PointSettings(max_points=50), 7, SPACING)
     for number in range(4):
         assert len(follower.step(grey(shift=(0, 2 * number)), None)) <= 50
 

@@ -37,7 +37,7 @@ TWO = (straight((-1.6, 4.0), (0.9, 0.1), FRAMES), straight((1.5, 5.6), (-0.8, -0
 
 @cache
 def steps_of_two(hold: bool = True) -> list[StepResult]:
-    settings = parse_settings(tracker_named("flow"), {"hold": str(hold).lower()})
+    settings = parse_settings(tracker_named("flow"), {"persistent_points": str(hold).lower()})
     return tracked(VIEW, pictures_of(TWO), settings)[0]
 
 
@@ -159,7 +159,9 @@ def test_who_stops_for_a_moment_behind_a_pillar_keeps_the_id() -> None:
     pictures = pictures_of([way])
     for picture in pictures:
         picture[:, left:right] = 90
-    patient = parse_settings(tracker_named("flow"), {"empty_s": "3", "lost_after_s": "3"})
+    patient = parse_settings(
+        tracker_named("flow"), {"delete_in_view_s": "3", "delete_after_s": "3"}
+    )
     steps, _ = tracked(VIEW, pictures, patient, floor)
     before, after = steps[10].tracks["track"], steps[-2].tracks["track"]
     assert before.tolist() == after.tolist()

@@ -68,7 +68,7 @@ def run_with(
     values = {name: table.get(name, np.ones(len(table["x"]))) for name in DETECTION_COLUMNS}
     return Run(
         tracker="flow",
-        settings={"hold": True, "smooth": True, "led_s": 0.0},
+        settings={"persistent_points": True, "smooth": True, "extrapolate_s": 0.0},
         seed=0,
         frames=(0, FRAMES),
         tracks=table,

@@ -134,7 +134,7 @@ def test_who_is_spread_too_wide_is_let_go() -> None:
     assert still_there(people, settings).all()
     for _ in range(200):
         people = weighed(predicted(people, 1 / FPS, settings, random), np.zeros((1, 300)))
-    assert people.spread[0] > settings.largest_spread_m
+    assert people.spread[0] > settings.max_spread_m
     assert not still_there(people, settings).any()
 
 
@@ -223,8 +223,8 @@ def test_what_is_drawn_as_hiding_people_proves_nothing() -> None:
 
 
 def test_heights_and_ramps_that_make_no_sense_are_refused() -> None:
-    with pytest.raises(SettingsError, match=r"usual_height_m: 1\.2 is not between"):
-        SpheroidSettings(usual_height_m=1.2)
+    with pytest.raises(SettingsError, match=r"initial_height_m: 1\.2 is not between"):
+        SpheroidSettings(initial_height_m=1.2)
     with pytest.raises(SettingsError, match="setting occluders"):
         SpheroidSettings(occluders="[[1]]")
 

@@ -61,7 +61,9 @@ class ClusteredPeople:
         before = self._owner_before(seen)
         who = _match_clusters(label, before, walkers, len(clusters))
         place = self._places(clusters)
-        walkers = mark_proven(self._measure(walkers, who, place, label), self._settings.walked_m)
+        walkers = mark_proven(
+            self._measure(walkers, who, place, label), self._settings.confirm_distance_m
+        )
         track = np.where(who >= 0, np.append(walkers.track, 0)[who], 0).astype(np.int32)
         walkers, track = self._add_births(walkers, track, place, label, seen)
         self.owner = np.append(track, np.int32(0))[label]
@@ -83,7 +85,7 @@ class ClusteredPeople:
     def _moving_rows(self, seen: FlowFrame) -> Indices:
         """The rows of tracklets that do not stand still."""
         speed = speeds(seen.tracklets, POSITIONS, seen.fps, self._floor)
-        return np.flatnonzero(seen.known & (speed > self._settings.points.still_m_s))
+        return np.flatnonzero(seen.known & (speed > self._settings.points.min_speed_m_s))
 
     def _owner_before(self, seen: FlowFrame) -> NDArray[np.int32]:
         """(n,) whose each tracklet was in the frame before; 0: nobody's."""
@@ -128,7 +130,7 @@ class ClusteredPeople:
         track = track.copy()
         for number in np.flatnonzero((track == 0) & np.isfinite(place).all(axis=1)):
             rows = np.flatnonzero(label == number)
-            if np.median(seen.age_s[rows]) < self._settings.birth_s:
+            if np.median(seen.age_s[rows]) < self._settings.confirm_s:
                 continue
             self.last_id += 1
             track[number] = self.last_id

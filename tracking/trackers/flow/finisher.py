@@ -43,17 +43,17 @@ def finish_run(run: Run, view: View, fps: float, given: Columns | None = None) -
         - paths are smoothed, see `trackers.smooth_run`;
         - trajectories are led back and on for a while, at the pace they had, within the picture,
           as long as the tracklets leave room for somebody there, see `Witnesses`.
-    What was added counts as predicted. With `hold` off runs are only smoothed.
+    What was added counts as predicted. With `persistent_points` off runs are only smoothed.
 
     Args:
         view: the camera. fps: frames a second. given: see `trackers.smooth_run`.
     """
-    if not run.settings.get("hold"):
+    if not run.settings.get("persistent_points"):
         return smooth_run(run, view, fps, given)
     run = join_pieces(relabel_run(run, view, fps), fps)
     run = replace(run, tracks=_fill_gaps(run.tracks, view, fps))
     run = smooth_run(run, view, fps, given, memory_s=_MEMORY_S)
-    led_s = float(run.settings.get("led_s", _USUAL_LED_S))
+    led_s = float(run.settings.get("extrapolate_s", _USUAL_LED_S))
     return replace(run, tracks=_extend(run, view, fps, led_s))
 
 

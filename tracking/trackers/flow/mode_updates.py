@@ -22,8 +22,8 @@ class ModeUpdater:
     def cluster(self, tracklets: Vectors) -> Clusters:
         """The clusters of a frame's tracklets (n, t, 2)."""
         settings, table = self._settings, self._table
-        bounds = settings.fewest, settings.join
-        if self._modes is None or not settings.warm:
+        bounds = settings.min_points, settings.merge_distance
+        if self._modes is None or not settings.warm_start:
             found = cluster_cold(tracklets, table, *bounds, occlusion=settings.occlusion)
         else:
             found = cluster_warm(

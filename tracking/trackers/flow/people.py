@@ -99,7 +99,7 @@ class HeldPeople:
         walkers = predict(self.walkers, seen.elapsed_s)
         owners = self._owners.for_ids(seen.tracklets.id)
         walkers, owners = self._measure(walkers, owners, seen)
-        walkers = mark_proven(walkers, self._settings.walked_m)
+        walkers = mark_proven(walkers, self._settings.confirm_distance_m)
         walkers, owners = self._delete_lost(walkers, owners)
         rows, who = claim_tracklets(walkers, owners, seen, self._floor)
         owners = owners.assign(
@@ -126,7 +126,7 @@ class HeldPeople:
         walkers = update_measured(walkers, estimate.place, estimate.error_m)
         found = estimate.count >= _FEWEST
         owners = release_misfits(owners, estimate.misfit, seen.elapsed_s)
-        if self._settings.silhouettes:
+        if self._settings.fit_silhouettes:
             walkers, owners, score = self._fit_silhouettes(walkers, owners, seen)
             found &= np.isfinite(score)  # foreground alone may be somebody else's
         missed_s = np.where(found, 0.0, walkers.missed_s)
@@ -156,7 +156,7 @@ class HeldPeople:
         cover = draw_cover(walkers.place, self._floor)
         for number in range(len(clusters)):
             rows = free[clusters.label == number]
-            if np.median(seen.age_s[rows]) < settings.birth_s:
+            if np.median(seen.age_s[rows]) < settings.confirm_s:
                 continue
             new = locate_birth(
                 *(seen.slope[rows], seen.before[rows], seen.over_s),
@@ -174,7 +174,7 @@ class HeldPeople:
         self, walkers: Walkers, owners: TrackletOwners, seen: FlowFrame
     ) -> tuple[Walkers, TrackletOwners]:
         """Whoever is seen for a while, and moves, where nobody is followed yet."""
-        if not self._settings.silhouettes:
+        if not self._settings.fit_silhouettes:
             return walkers, owners
         self._unlooked_s += seen.elapsed_s
         if self._unlooked_s < _LOOK_S:
@@ -182,7 +182,7 @@ class HeldPeople:
         place = self._grid.find_people(walkers.place, seen.mask, _SIGHTED, _APART_M)
         self._sightings = self._sightings.update(place, self._unlooked_s)
         self._unlooked_s = 0.0
-        ready = self._sightings.age_s >= self._settings.birth_s
+        ready = self._sightings.age_s >= self._settings.confirm_s
         way = self._sightings.place - self._sightings.first
         ready &= np.hypot(way[:, 0], way[:, 1]) > _WALKED_M
         for row in np.flatnonzero(ready):
@@ -209,8 +209,8 @@ class HeldPeople:
     ) -> tuple[Walkers, TrackletOwners]:
         """Without deleted tracks; of two at one place the surer one has the tracklets."""
         kept = should_keep(walkers, self._settings, self._floor)
-        kept &= walkers.empty_s < self._settings.empty_s
-        heir = _heirs(walkers, kept, self._settings.closest_m)
+        kept &= walkers.empty_s < self._settings.delete_in_view_s
+        heir = _heirs(walkers, kept, self._settings.merge_distance_m)
         row = owners.rows_of(walkers)
         owner = np.where(row >= 0, np.append(walkers.track, 0)[np.append(heir, -1)[row]], 0)
         kept &= heir == np.arange(len(walkers))

@@ -94,11 +94,11 @@ class PointFollower:
         points, settings = self._points, self._settings
         start = np.ascontiguousarray(points.path[:, 0])
         pace = np.nan_to_num(start - points.path[:, 1])
-        there, found = self._flow(before, grey, start, start + pace, settings.levels)
+        there, found = self._flow(before, grey, start, start + pace, settings.pyramid_levels)
         back, again = self._flow(grey, before, there, start.copy(), 0)
         height, width = grey.shape
         kept = found & again
-        kept &= np.hypot(*(back - start).T) <= settings.return_px
+        kept &= np.hypot(*(back - start).T) <= settings.forward_backward_px
         kept &= (there >= _BORDER_PX).all(axis=1)
         kept &= (there < np.array((width, height)) - _BORDER_PX).all(axis=1)
         path = np.concatenate((there[:, None], points.path[:, :-1]), axis=1)
@@ -119,12 +119,12 @@ class PointFollower:
             criteria=(cv2.TERM_CRITERIA_COUNT | cv2.TERM_CRITERIA_EPS, _STEPS, _FINE_PX),
             flags=cv2.OPTFLOW_USE_INITIAL_FLOW,
         )
-        alike = change[:, 0] <= self._settings.change
+        alike = change[:, 0] <= self._settings.max_residual
         return np.asarray(there, np.float32), np.asarray((found[:, 0] > 0) & alike)
 
     def _add_corners(self, grey: Grey, seek: Mask | None) -> Tracklets:
         points = self._points
-        room = self._settings.most - len(points)
+        room = self._settings.max_points - len(points)
         if room <= 0:
             return points
         new = self._corners(grey, seek, points.path[:, 0])[:room]
@@ -142,7 +142,7 @@ class PointFollower:
         """(k, 2) px new corners, the strongest first, one a cell that has no point yet."""
         strength = cv2.cornerMinEigenVal(halve(grey), _EIGEN_BLOCK)
         peak = strength >= cv2.dilate(strength, np.ones((3, 3), np.uint8))
-        peak &= strength > self._settings.corner
+        peak &= strength > self._settings.corner_quality
         if seek is not None:
             peak &= seek > 0
         peak[:_BORDER_PX] = peak[-_BORDER_PX:] = False

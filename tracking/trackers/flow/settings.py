@@ -12,74 +12,80 @@ from tracking.setting import setting
 class PointSettings:
     """How points are found and followed."""
 
-    most: int = setting(
+    max_points: int = setting(
         300,
         "",
         (20, 2000),
-        "most points followed at once; more follow crowds more surely and take more time",
+        "Largest number of tracked points; higher: tracking in crowds is more reliable and takes "
+        "more time",
+        formerly=("most",),
     )
-    corner: float = setting(
+    corner_quality: float = setting(
         0.0001,
         "",
         (0.00001, 0.1),
-        "how plain a corner must be to be followed; lower: more points, also on smooth clothes, "
-        "and more that slip",
+        "Smallest corner quality of a tracked point; lower: more points, also on plain clothes, "
+        "and more that drift",
+        formerly=("corner",),
     )
     spacing: float = setting(
         0.2,
         "",
         (0.02, 2.0),
-        "how far apart new points are, in body widths there; lower: more points on each person",
+        "Distance between new points, in body widths at that place; lower: more points on each "
+        "person",
     )
     window_px: int = setting(
         11,
         "px",
         (5, 31),
-        "side of the patch around a point that is followed, odd; higher: steadier, small far "
-        "people blur with what is behind them",
+        "Side of the square patch that is tracked around a point, odd; higher: steadier, but "
+        "small far people blur with the background",
         odd=True,
     )
-    levels: int = setting(
+    pyramid_levels: int = setting(
         3,
         "",
         (0, 5),
-        "how often the picture is halved to follow quick movement; higher: quicker people, more "
-        "slips",
+        "Levels of the image pyramid; higher: faster people are tracked, and more points drift",
+        formerly=("levels",),
     )
-    return_px: float = setting(
+    forward_backward_px: float = setting(
         1.0,
         "px",
         (0.1, 10.0),
-        "a point followed on and back must come this near to where it was; lower: fewer slips, "
-        "fewer points",
+        "Largest forward-backward error of a point that is tracked to the next frame and back; "
+        "lower: fewer points drift, and fewer remain",
+        formerly=("return_px",),
     )
-    change: float = setting(
+    max_residual: float = setting(
         20.0,
         "grey levels",
         (1.0, 255.0),
-        "a point whose patch changes by more in a frame ends; higher: points live longer, also "
-        "where they slipped",
+        "A point whose patch changes by more from frame to frame is deleted; higher: points live "
+        "longer, also where they drift",
+        formerly=("change",),
     )
     history_s: float = setting(
         0.6,
         "s",
         (0.2, 5.0),
-        "how much of a point's way decides whether it stands still; higher: people who stop are "
-        "kept longer",
+        "Time over which the speed of a point is measured; higher: people who stop are kept longer",
     )
-    still_m_s: float = setting(
+    min_speed_m_s: float = setting(
         0.15,
         "m/s",
         (0.0, 2.0),
-        "slower points are nobody's; higher: the background is left out more surely, slow "
+        "Slower points belong to nobody; higher: the background is ignored more surely, but slow "
         "walkers are missed",
+        formerly=("still_m_s",),
     )
     foreground_only: bool = setting(
         True,
         "",
         None,
-        "look for points only where something differs from the background; off: also elsewhere, "
-        "which takes more time",
+        "Search for points only in the foreground. Off: the whole image is searched, which takes "
+        "more time",
     )
 
 
@@ -91,132 +97,154 @@ class ClusterSettings:
         0.4,
         "m",
         (0.1, 2.0),
-        "how broad the space is whose points are one person; higher: people side by side become "
-        "one",
+        "Width of the volume whose points belong to one person; higher: people side by side "
+        "become one",
     )
-    height_m: float = setting(1.65, "m", (0.2, 3.0), "how high that space is")
-    centre_m: float = setting(0.8, "m", (0.1, 2.5), "how high its middle is over the floor")
-    reach: float = setting(
+    height_m: float = setting(
+        1.65, "m", (0.2, 3.0), "Height of that volume; higher: more points belong to one person"
+    )
+    centre_m: float = setting(
+        0.8, "m", (0.1, 2.5), "Height of its centre above the floor; higher: feet count less"
+    )
+    bandwidth: float = setting(
         1.0,
         "",
         (0.1, 5.0),
-        "how far beyond that space points still count, in its own sizes; higher: looser groups "
-        "become one person",
+        "Bandwidth of mean shift: size of the kernel in multiples of that volume; higher: looser "
+        "groups of points become one person",
+        formerly=("reach",),
     )
-    fewest: int = setting(
+    min_points: int = setting(
         4,
         "",
         (1, 100),
-        "a group of fewer points is nobody; higher: fewer false people, far or plain-clothed "
-        "ones are missed",
+        "Fewest points of a person; higher: fewer false people, but people far away or in plain "
+        "clothes are missed",
+        formerly=("fewest",),
     )
-    join: float = setting(
+    merge_distance: float = setting(
         0.5,
         "",
         (0.0, 1.0),
-        "groups closer than this are one person, in halves of that space; higher: fewer people "
-        "parted into two",
+        "Clusters closer than this are one person, in halves of the volume; higher: fewer people "
+        "are split into two",
+        formerly=("join",),
     )
-    warm: bool = setting(
+    warm_start: bool = setting(
         True,
         "",
         None,
-        "begin where the groups of the frame before were: quicker; off: from nothing in each frame",
+        "Start mean shift from the clusters of the previous frame, which is faster. Off: each "
+        "frame is clustered from scratch",
+        formerly=("warm",),
     )
     occlusion: bool = setting(
         True,
         "",
         None,
-        "make that space smaller where the lower part of a body shows no points, as behind others",
+        "Shrink the volume where the lower part of a body has no points, as behind other people. "
+        "Off: it always has its full size",
     )
 
     @property
     def bodies(self) -> float:
         """How many bodies wide and high a kernel is.
 
-        It reaches `reach` bodies from its middle to each side ([Yoneji2013] eq. 4).
+        It reaches `bandwidth` bodies from its middle to each side ([Yoneji2013] eq. 4).
         """
-        return 2.0 * self.reach
+        return 2.0 * self.bandwidth
 
 
 @dataclass(frozen=True, slots=True)
 class FlowSettings:
     """What the flow tracker can be told; see the `help` of each field."""
 
-    hold: bool = setting(
+    persistent_points: bool = setting(
         True,
         "",
         None,
-        "a point stays with its person while it moves as the body does; off: people are found "
-        "anew in each frame, as in the paper",
+        "A person keeps its points while they move with the body. Off: people are found again "
+        "from all points in each frame, as in the paper",
+        formerly=("hold",),
     )
-    birth_s: float = setting(
+    confirm_s: float = setting(
         0.2,
         "s",
         (0.0, 10.0),
-        "how long a group of points must have moved before it becomes a track; higher: fewer "
-        "false tracks, which begin later",
+        "Seconds a group of points must move before it becomes a track; higher: fewer false "
+        "tracks, which start later",
+        formerly=("birth_s",),
     )
-    walked_m: float = setting(
+    confirm_distance_m: float = setting(
         0.3,
         "m",
         (0.0, 10.0),
-        "a track is shown only once it has gone so far from where it began; higher: fewer false "
-        "tracks, short walks are missed",
+        "Distance a track must walk before it is reported; higher: fewer false tracks, but short "
+        "walks are missed",
+        formerly=("walked_m",),
     )
-    unproven_s: float = setting(
+    confirm_timeout_s: float = setting(
         1.5,
         "s",
         (0.1, 60.0),
-        "how long it has for that, or it was nobody; higher: slow walkers are kept, false ones "
-        "live longer",
+        "Seconds after which a track that has not walked that distance is deleted; higher: slow "
+        "walkers are kept, and false tracks live longer",
+        formerly=("unproven_s",),
     )
-    empty_s: float = setting(
+    delete_in_view_s: float = setting(
         0.6,
         "s",
         (0.05, 60.0),
-        "how long nothing may be seen where somebody should be in sight before the track ends, "
-        "longer behind pillars; counts with hold only",
+        "Seconds without points or foreground after which a track in plain view is deleted "
+        "(longer behind pillars), with persistent_points only; higher: longer guesses",
+        formerly=("empty_s",),
     )
-    lost_after_s: float = setting(
+    delete_after_s: float = setting(
         2.5,
         "s",
         (0.05, 60.0),
-        "how long somebody out of sight is followed before the track ends; higher: fewer broken "
-        "tracks, longer guesses",
+        "Seconds without a detection after which a track is deleted; higher: fewer "
+        "fragmentations, longer guesses",
+        formerly=("lost_after_s",),
     )
-    lost_at_edge_s: float = setting(
+    delete_at_edge_s: float = setting(
         0.4,
         "s",
         (0.05, 60.0),
-        "the same at the picture's edge or outside it; lower: whoever leaves is let go sooner",
+        "Seconds before a track that was lost at the image edge or outside the image is deleted; "
+        "lower: people who leave are deleted sooner",
+        formerly=("lost_at_edge_s",),
     )
-    closest_m: float = setting(
+    merge_distance_m: float = setting(
         0.2,
         "m",
         (0.0, 2.0),
-        "people who walk nearer together than this are one; higher: fewer double tracks, couples "
-        "become one; counts with hold only",
+        "Tracks that walk closer together than this become one, with persistent_points only; "
+        "higher: fewer duplicate tracks, but couples become one",
+        formerly=("closest_m",),
     )
-    silhouettes: bool = setting(
+    fit_silhouettes: bool = setting(
         True,
         "",
         None,
-        "draw people to where their bodies fill the foreground; counts with hold only",
+        "Move people to where their bodies fill the foreground, with persistent_points only. "
+        "Off: points alone place people",
+        formerly=("silhouettes",),
     )
-    led_s: float = setting(
+    extrapolate_s: float = setting(
         2.0,
         "s",
         (0.0, 10.0),
-        "how long people are thought to have walked on before they were found and after they "
-        "were lost, in a finished run; counts with hold only",
+        "Seconds by which finished tracks are extrapolated before their first and after their "
+        "last detection, with persistent_points only; higher: longer tracks with more guesses",
+        formerly=("led_s",),
     )
     smooth: bool = setting(
         True,
         "",
         None,
-        "once all is tracked, look the run over from both ends: smoother paths and boxes; off: "
-        "exactly what was seen live",
+        "After tracking, smooth positions and boxes forward and backward. Off: the run holds "
+        "exactly what was tracked live",
     )
     points: PointSettings = field(default_factory=PointSettings)
     clusters: ClusterSettings = field(default_factory=ClusterSettings)

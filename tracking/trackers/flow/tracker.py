@@ -31,8 +31,8 @@ _SPACING_PX = (4.0, 24.0)
 class FlowTracker:
     """Follows people by bundles of tracklets [Yoneji2013].
 
-    With the setting `hold` people keep their tracklets, see `HeldPeople`; without it a step is the
-    paper's, see `ClusteredPeople`. Nothing is random.
+    With the setting `persistent_points` people keep their tracklets, see `HeldPeople`; without it
+    a step is the paper's, see `ClusteredPeople`. Nothing is random.
     """
 
     def __init__(self, view: View, fps: float, settings: FlowSettings) -> None:
@@ -52,7 +52,7 @@ class FlowTracker:
         spacing = np.nan_to_num(table.hx * np.float32(points.spacing), nan=0.0).clip(*_SPACING_PX)
         self._history = max(POSITIONS, round(points.history_s * fps) + 1)
         self._follower = PointFollower(points, self._history, spacing)
-        kind = HeldPeople if settings.hold else ClusteredPeople
+        kind = HeldPeople if settings.persistent_points else ClusteredPeople
         self._people: HeldPeople | ClusteredPeople = kind(
             settings, table.scaled(box.bodies), self._floor
         )
@@ -113,4 +113,4 @@ class FlowTracker:
     def _drop_still(self, seen: FlowFrame, owner: NDArray[np.int32]) -> None:
         """Follow no further what is nobody's and hardly moves."""
         speed = speeds(seen.tracklets, self._history, self._fps, self._floor)
-        self._follower.drop((owner == 0) & (speed < self._settings.points.still_m_s))
+        self._follower.drop((owner == 0) & (speed < self._settings.points.min_speed_m_s))

@@ -89,7 +89,7 @@ def log_birth_intensity(
     right, bottom = width - box[:, 0] - box[:, 2], height - box[:, 1] - box[:, 3]
     away = np.minimum.reduce([box[:, 0], box[:, 1], right, bottom]) / np.maximum(box[:, 3], 1.0)
     within = np.where(seen.truncated, 0.0, np.clip(away / _EDGE, 0.0, 1.0))
-    rates = np.log([settings.new_at_edge, settings.new_within])
+    rates = np.log([settings.birth_rate_edge, settings.birth_rate_interior])
     return np.asarray(rates[0] + within * (rates[1] - rates[0]) + np.log(max(elapsed_s, 1e-3)))
 
 
@@ -98,7 +98,7 @@ def detection_probability(people: Population, shown: Floats, settings: JointSett
 
     A tentative track may be of nobody: the less often it was matched, the likelier.
     """
-    share = np.clip((shown - _HIDDEN) / (_SHOWN - _HIDDEN), _FAINT, 1.0 - settings.overlooked)
+    share = np.clip((shown - _HIDDEN) / (_SHOWN - _HIDDEN), _FAINT, 1.0 - settings.miss_probability)
     return np.asarray(share * (people.matches + 1.0) / (people.matches + _DOUBT))
 
 

@@ -1,7 +1,7 @@
 """How people move: at a velocity that changes at random, known as well as it was measured.
 
 The constant-velocity model with continuous white noise of acceleration, whose
-process noise intensity is `agility` (Y. Bar-Shalom, X. R. Li, T. Kirubarajan: Estimation with
+process noise intensity is `process_noise` (Y. Bar-Shalom, X. R. Li, T. Kirubarajan: Estimation with
 Applications to Tracking and Navigation, 2001).
 """
 
@@ -27,11 +27,11 @@ def predict(
     as it says the place becomes less known, which is more and more while nobody sees them. Where
     we differ from the sources: there the spread of one step is a constant.
     """
-    slower = np.where(people.missed_s > 0.0, np.exp(-elapsed_s / settings.slowing_s), 1.0)
+    slower = np.where(people.missed_s > 0.0, np.exp(-elapsed_s / settings.velocity_decay_s), 1.0)
     velocity = people.velocity * slower[:, None]
     step = velocity * elapsed_s
     place, both, speed = people.motion.T
-    noise = settings.agility
+    noise = settings.process_noise
     ahead = place + elapsed_s * (2.0 * both + elapsed_s * speed) + noise * elapsed_s**3 / 3.0
     spread = np.sqrt(np.maximum(ahead - place, 0.0))
     both = both + elapsed_s * speed + noise * elapsed_s**2 / 2.0

@@ -41,7 +41,7 @@ class MeasurementNoise:
     @classmethod
     def prior(cls, settings: JointSettings) -> MeasurementNoise:
         """What the settings say."""
-        expected = _WORTH * settings.sigma_near_m**2
+        expected = _WORTH * settings.measurement_noise_m**2
         return cls(expected, expected, _WORTH)
 
     def sigma(self, measured: Floats, settings: JointSettings) -> Floats:

@@ -32,12 +32,12 @@ def reidentify(
         return people
     missing, fresh = people.select(lost), people.select(ready)
     offset = fresh.position[None] - missing.position[:, None]
-    sigma = np.full(len(ready), settings.sigma_near_m)
+    sigma = np.full(len(ready), settings.measurement_noise_m)
     place = place_density(offset, particle_covariance(missing), sigma)
     ratio = model.log_likelihood_ratio(
         appearance_differences(missing, fresh.colour, fresh.appearance)
     )
-    cost = new - place - settings.looks_weight * ratio
+    cost = new - place - settings.appearance_weight * ratio
     pairs = associate(cost, cost < 0.0, 0.0)
     return _replace_lost(people, lost[pairs.track], ready[pairs.detection])
 

@@ -11,92 +11,111 @@ from tracking.trackers.stereo_walking import WalkingSettings
 
 @dataclass(frozen=True, slots=True)
 class JointSettings(WalkingSettings, StereoFilterSettings):
-    """Settings of `stereo-joint`.
-
-    Standard terms: `agility` is the process noise intensity, `new_at_edge` and `new_within` are
-    birth rates, `overlooked` is what the detection probability in full view lacks of 1.
-    """
+    """Settings of `stereo-joint`."""
 
     confirm_s: float = setting(
         0.1,
         "s",
         (0.0, 10.0),
-        "how long a newcomer must be seen before it becomes a track; higher: fewer false tracks, "
-        "which begin later",
+        "Seconds of detections after which a tentative track is confirmed; higher: fewer false "
+        "tracks, which start later",
     )
-    lost_after_s: float = setting(
+    report_s: float = setting(
         0.5,
         "s",
         (0.05, 60.0),
-        "how long somebody in plain view is shown without being seen; after that they are only "
-        "remembered, and get their id back when found",
+        "Seconds a track in plain view is reported without a detection. After that it coasts "
+        "unreported, and keeps its id when the person is detected again; higher: longer guesses",
+        formerly=("lost_after_s",),
     )
-    least_margin: float = setting(
+    report_occluded_s: float = setting(
+        4.0,
+        "s",
+        (0.05, 60.0),
+        "Seconds an occluded track is reported without a detection; higher: longer guesses "
+        "behind other people",
+        formerly=("lost_hidden_s",),
+    )
+    association_margin: float = setting(
         0.1,
         "",
         (0.0, 5.0),
-        "how much better a sighting must suit one person than the next to be theirs (0.1: a nat, "
-        "2.7 times as likely); higher: fewer swapped ids, more gaps",
+        "Margin by which a detection must fit one track better than the next, as a difference "
+        "in cost (0.1 is 1 nat: 2.7 times as likely); higher: fewer id switches, more gaps",
+        formerly=("least_margin",),
     )
-    agility: float = setting(
+    process_noise: float = setting(
         1.0,
         "m²/s³",
         (0.001, 100.0),
-        "how suddenly people turn, stop and start; higher: turns are followed at once, paths are "
-        "rougher and neighbours mixed up sooner",
+        "Intensity of the process noise: how suddenly people turn, stop and start; higher: "
+        "tracks follow turns at once, but are rougher and switch sooner",
+        formerly=("agility",),
     )
-    new_at_edge: float = setting(
+    birth_rate_edge: float = setting(
         1.0,
         "1/m²/s",
         (1e-6, 100.0),
-        "how often somebody new comes in at the picture's edge, on each square metre of floor; "
-        "higher: whoever appears there is rather a new person than a lost one",
+        "Birth rate at the image edge: new people per square metre of floor and second; higher: "
+        "a detection there is rather a new person than a coasting track",
+        formerly=("new_at_edge",),
     )
-    new_within: float = setting(
+    birth_rate_interior: float = setting(
         0.05,
         "1/m²/s",
         (1e-6, 100.0),
-        "the same in the middle of the picture, through doors or from behind pillars",
+        "Birth rate away from the image edge, as through doors or from behind pillars; higher: "
+        "a detection there is rather a new person than a coasting track",
+        formerly=("new_within",),
     )
-    overlooked: float = setting(
+    miss_probability: float = setting(
         0.05,
         "",
         (0.001, 0.9),
-        "how often somebody in full view is not detected; higher: misses are forgiven, people "
-        "who are gone are kept longer",
+        "Probability that a person in full view is not detected (1 minus the detection "
+        "probability); higher: missed detections cost less",
+        formerly=("overlooked",),
     )
-    looks_weight: float = setting(
+    appearance_weight: float = setting(
         0.5,
         "",
         (0.0, 4.0),
-        "how much clothes and height decide who is who, beside place; higher: looks decide, "
-        "which goes wrong among people dressed alike",
+        "Weight of appearance (clothes and body height) beside position in association; higher: "
+        "appearance decides, which fails among people who are dressed alike",
+        formerly=("looks_weight",),
     )
     smooth: bool = setting(
         True,
         "",
         None,
-        "once all is tracked, put ids right over the whole recording, smooth paths and boxes and "
-        "fill gaps; off: exactly what was seen live",
+        "After tracking, correct ids over the whole recording, smooth positions and boxes, and "
+        "fill gaps. Off: the run holds exactly what was tracked live",
     )
     direction_weight: float = setting(
         1.0,
         "nat",
         (0.0, 10.0),
-        "how much a sudden turn counts against a sighting, in nats (1 nat: 2.7 times less "
-        "likely); higher: people are thought to walk straight on",
+        "Cost of a sharp turn in association, in nats (1 nat: 2.7 times less likely); higher: "
+        "people are expected to walk straight on",
     )
-    remember_s: float = setting(
+    coast_s: float = setting(
         8.0,
         "s",
         (0.0, 60.0),
-        "how long somebody lost within the picture can get their id back; higher: longer, and "
-        "sooner given to somebody else",
+        "Seconds a track away from the image edge coasts without a detection before it is "
+        "deleted; higher: more people get their id back, and more ids go to the wrong person",
+        formerly=("remember_s",),
     )
-    slowing_s: float = setting(
+    velocity_decay_s: float = setting(
         2.0,
         "s",
         (0.1, 60.0),
-        "how long somebody who is not seen is thought to walk on; lower: they are looked for "
-        "nearer to where they were lost",
+        "Time constant with which a coasting track slows down; lower: it is searched for nearer "
+        "to its last detection",
+        formerly=("slowing_s",),
     )
+
+    @property
+    def unseen_limit_s(self) -> float:
+        """A track without a detection for longer is unreported, unless it is occluded."""
+        return self.report_s

@@ -42,8 +42,8 @@ def is_reported(
         shown: (people,) share of each body expected to be in sight.
         interval_s: between two frames, as they usually come.
     """
-    hidden = shown < settings.hidden_below
-    patience_s = np.where(hidden, settings.lost_hidden_s, settings.lost_after_s)
+    hidden = shown < settings.min_visibility
+    patience_s = np.where(hidden, settings.report_occluded_s, settings.report_s)
     patience_s = np.minimum(patience_s, _REPORTED_SHARE * people.matches * interval_s)
     return np.asarray(people.confirmed & (people.missed_s <= patience_s))
 
@@ -67,7 +67,7 @@ def should_keep(
     """
     inside = share_in_view(box, size)
     at_the_edge = share_a_step_off(around, size) < _AT_THE_EDGE
-    patience_s = np.where(at_the_edge, settings.lost_at_edge_s, settings.remember_s)
+    patience_s = np.where(at_the_edge, settings.delete_at_edge_s, settings.coast_s)
     patience_s = np.minimum(patience_s, _COASTED_SHARE * people.matches * interval_s)
     patience_s = np.where(people.confirmed, patience_s, TENTATIVE_PATIENCE_S)
     patience_s = np.where(inside < OUT_OF_VIEW, 0.0, patience_s)

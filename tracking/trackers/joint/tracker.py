@@ -97,20 +97,20 @@ class JointTracker(StereoFilter[JointSettings, JointCues]):
         interval_s = self._usual_interval_s(elapsed_s)
         expected = predict(before, settings, elapsed_s, self._random)
         bodies, size = Bodies.at(expected.position, view), view.camera.size
-        known = expected.missed_s < settings.lost_after_s
+        known = expected.missed_s < settings.report_s
         shown = expected_visibility(expected, bodies.boxes(expected.outline), size, known)
         new = log_birth_intensity(seen, settings, elapsed_s, view)
         difference = appearance_differences(expected, colours, appearance)
         sigma = self._noise.sigma(seen.position[:, :2], settings)
         costs, likelihoods = self._score_pairs(expected, seen, sigma, difference, new, shown)
         pairs, free = associate_people(
-            expected, likelihoods, ~seen.merged, settings.least_margin / NAT
+            expected, likelihoods, ~seen.merged, settings.association_margin / NAT
         )
         people = age_tracks(expected, pairs.track, elapsed_s)
         since_s = expected.missed_s[pairs.track] + elapsed_s
         shared = find_shared_regions(expected, bodies, pairs, seen, view)
         alone = shared.alone_of(pairs)
-        clear = find_isolated(expected, pairs.track, settings.colour_distance_m)
+        clear = find_isolated(expected, pairs.track, settings.colour_update_distance_m)
         match = Match(pairs, shared, clear, seen, colours, since_s)
         people = update_matched(people, match, appearance, sigma, self._cues, self._random)
         self._learn(expected, match, difference)
@@ -149,7 +149,9 @@ class JointTracker(StereoFilter[JointSettings, JointCues]):
     ) -> tuple[Costs, AssociationLikelihoods]:
         """The association likelihoods of all pairs, and the costs to report."""
         measured = seen.position[:, :2]
-        appearance = self._settings.looks_weight * self._appearance.log_likelihood_ratio(difference)
+        appearance = self._settings.appearance_weight * self._appearance.log_likelihood_ratio(
+            difference
+        )
         appearance *= appearance_trust(people)[:, None]
         turn = self._cues.direction(people, measured)
         detected = detection_probability(people, shown, self._settings)

@@ -26,7 +26,7 @@ def predicted(
         return people
     noise = random.standard_normal(people.state.shape, dtype=np.float32)
     root = float(np.sqrt(elapsed_s))
-    spreads = np.repeat((settings.spread_m, settings.spread_velocity), 2) * root
+    spreads = np.repeat((settings.process_noise_m, settings.process_noise_velocity), 2) * root
     state = people.state + noise * spreads.astype(np.float32)
     state[..., :2] += people.state[..., 2:] * np.float32(elapsed_s)
     speed = np.hypot(state[..., 2], state[..., 3])
@@ -46,7 +46,7 @@ def _heights(
         return np.repeat(people.height[:, None], shape[1], axis=1).astype(np.float32)
     noise = random.standard_normal(shape, dtype=np.float32)
     tall = people.height[:, None] + people.height_sd[:, None] * noise
-    low, high = settings.least_height_m, settings.most_height_m
+    low, high = settings.min_height_m, settings.max_height_m
     return np.asarray(np.clip(tall, low, high), np.float32)
 
 

@@ -25,103 +25,134 @@ class SpheroidSettings:
         False,
         "",
         None,
-        "follow people exactly as published: one fixed spheroid, plain scores as weights, no "
-        "colours",
+        "Track exactly as published, without our additions: one fixed spheroid, plain scores as "
+        "weights, no colours",
     )
     particles: int = setting(
         300,
         "",
         (10, 5000),
-        "guesses kept of where each person is; more follow crowds more surely and take more time",
+        "Particles per person; higher: tracking in crowds is more reliable and takes more time",
     )
     radius_m: float = setting(
         0.25,
         "m",
         (0.1, 0.6),
-        "how stout a person's egg-shaped body model (spheroid) is: half its breadth; higher: "
-        "neighbours share more of the picture",
+        "Radius of the spheroid that models a body (half its width); higher: neighbours share "
+        "more of the image",
     )
-    least_height_m: float = setting(
+    min_height_m: float = setting(
         1.35,
         "m",
         (0.5, 2.2),
-        "lowest body height that is estimated; higher: children come out too tall and too near",
+        "Smallest body height that is estimated; higher: children are estimated too tall and too "
+        "near",
+        formerly=("least_height_m",),
     )
-    most_height_m: float = setting(2.0, "m", (0.6, 2.5), "largest body height that is estimated")
-    usual_height_m: float = setting(
-        1.72, "m", (0.5, 2.4), "body height a newcomer begins with; the paper takes 1.8"
+    max_height_m: float = setting(
+        2.0,
+        "m",
+        (0.6, 2.5),
+        "Largest body height that is estimated; higher: tall people fit better",
+        formerly=("most_height_m",),
     )
-    spread_m: float = setting(
+    initial_height_m: float = setting(
+        1.72,
+        "m",
+        (0.5, 2.4),
+        "Body height of a tentative track (1.8 in the paper); higher: it starts nearer to the "
+        "camera",
+        formerly=("usual_height_m",),
+    )
+    process_noise_m: float = setting(
         0.12,
         "m/√s",
         (0.0, 2.0),
-        "how far people may stray from their expected place in a second; higher: sudden turns "
-        "are followed, neighbours are mixed up sooner",
+        "Process noise of the position; higher: tracks follow sudden turns, but neighbours are "
+        "mixed up sooner",
+        formerly=("spread_m",),
     )
-    spread_velocity: float = setting(0.8, "m/s/√s", (0.0, 10.0), "the same for how fast they walk")
+    process_noise_velocity: float = setting(
+        0.8,
+        "m/s/√s",
+        (0.0, 10.0),
+        "Process noise of the velocity; higher: tracks follow sudden turns, but neighbours are "
+        "mixed up sooner",
+        formerly=("spread_velocity",),
+    )
     region_scale: float = setting(
         2.0,
         "",
         (1.0, 4.0),
-        "how large the surroundings are that a guess is judged by, in sizes of the spheroid; "
-        "counts with paper only",
+        "Size of the region in which a particle is weighted, in sizes of the spheroid, with "
+        "paper only; higher: a wider background counts",
     )
-    apart_m: float = setting(
+    min_separation_m: float = setting(
         0.35,
         "m",
         (0.0, 2.0),
-        "no two people are nearer to each other; higher: fewer double tracks, who walks close "
-        "together is lost; the paper takes two radii",
+        "Smallest distance between two people (two radii in the paper); higher: fewer duplicate "
+        "tracks, but people who walk close together are lost",
+        formerly=("apart_m",),
     )
     colour_weight: float = setting(
         6.0,
         "",
         (0.0, 100.0),
-        "how much clothes decide, beside foreground; higher: fewer swapped ids where clothes "
-        "differ; 0, or with paper: not at all",
+        "Weight of colours beside foreground; higher: fewer id switches where clothes differ. 0, "
+        "or with paper: colours do not count",
     )
-    birth_every_s: float = setting(
+    birth_interval_s: float = setting(
         0.2,
         "s",
         (0.02, 10.0),
-        "how often newcomers are looked for; lower: found sooner, at the price of time",
+        "Seconds between two searches for new people; lower: they are found sooner, and more time",
+        formerly=("birth_every_s",),
     )
-    birth_looks: int = setting(
+    birth_frames: int = setting(
         2,
         "",
         (1, 50),
-        "looks a newcomer must be seen in before it becomes a track; higher: fewer false tracks, "
-        "which begin later",
+        "Searched frames in which a new person must be detected before a track starts; higher: "
+        "fewer false tracks, which start later",
+        formerly=("birth_looks",),
     )
-    largest_spread_m: float = setting(
+    max_spread_m: float = setting(
         0.9,
         "m",
         (0.1, 10.0),
-        "a track ends when its guesses are spread wider than this; higher: doubtful people are "
-        "kept longer",
+        "A track whose particles spread wider than this is no longer reported; higher: uncertain "
+        "tracks are kept longer",
+        formerly=("largest_spread_m",),
     )
-    lost_hidden_s: float = setting(
+    report_occluded_s: float = setting(
         1.5,
         "s",
         (0.05, 60.0),
-        "how long a person hidden by others is waited for; not with paper",
+        "Seconds an occluded track is reported without a detection, not with paper; higher: "
+        "longer guesses behind other people",
+        formerly=("lost_hidden_s",),
     )
-    remembered_s: float = setting(
+    coast_s: float = setting(
         5.0,
         "s",
         (0.0, 120.0),
-        "for how long somebody lost gets the same id back when found near by; 0: never; not with "
-        "paper",
+        "Seconds an unreported track coasts before it is deleted. Until then it keeps its id "
+        "when the person is detected near by. 0, or with paper: it is deleted at once",
+        formerly=("remembered_s",),
     )
     smooth: bool = setting(
         True,
         "",
         None,
-        "once tracked, look the whole run over: one id for a person's whole stay (not with paper), "
-        "smooth paths and boxes, gaps filled",
+        "After tracking, link the tracks of one person (not with paper), smooth positions and "
+        "boxes, and fill gaps. Off: the run holds exactly what was tracked live",
     )
     occluders: str = setting(
-        "", "", None, "outlines of what hides people: [[[u, v], ...], ...] in px of the left image"
+        "",
+        "",
+        None,
+        "Outlines of objects that hide people: [[[u, v], ...], ...] in px of the left image",
     )
     ramp: RampSettings = field(default_factory=RampSettings)
     foreground: ForegroundSettings = field(default_factory=_sensitive)
@@ -129,15 +160,15 @@ class SpheroidSettings:
     @property
     def newcomer_m(self) -> float:
         """Body height thought of a newcomer, m; as published one fixed height, everybody's."""
-        return _PAPER_HEIGHT_M if self.paper else self.usual_height_m
+        return _PAPER_HEIGHT_M if self.paper else self.initial_height_m
 
     def __post_init__(self) -> None:
         """Check what belongs together, before any work; raises `SettingsError`."""
         occluders_from(self.occluders)
-        if not self.least_height_m <= self.usual_height_m <= self.most_height_m:
+        if not self.min_height_m <= self.initial_height_m <= self.max_height_m:
             raise SettingsError(
-                f"usual_height_m: {self.usual_height_m} is not between least_height_m, "
-                f"{self.least_height_m}, and most_height_m, {self.most_height_m}; change one"
+                f"initial_height_m: {self.initial_height_m} is not between min_height_m, "
+                f"{self.min_height_m}, and max_height_m, {self.max_height_m}; change one"
             )
         if self.ramp.low >= self.ramp.high:
             raise SettingsError(

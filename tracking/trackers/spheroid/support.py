@@ -79,10 +79,10 @@ def still_there(people: Followed, settings: SpheroidSettings) -> NDArray[np.bool
     he would be in plain sight, and who has walked out of the picture, is let go at once, before the
     hypotheses drift onto somebody else.
     """
-    gathered = people.spread <= settings.largest_spread_m
+    gathered = people.spread <= settings.max_spread_m
     if settings.paper:
         return np.asarray(gathered)
     in_plain_sight = people.shown > 0.5
-    patience_s = np.where(in_plain_sight, _EMPTY_S, settings.lost_hidden_s)
+    patience_s = np.where(in_plain_sight, _EMPTY_S, settings.report_occluded_s)
     patience_s = np.where(people.inside < _EDGE, np.minimum(patience_s, _EMPTY_S), patience_s)
     return np.asarray(gathered & (people.inside > _LEFT) & (people.missed_s <= patience_s))

@@ -176,7 +176,7 @@ class SpheroidTracker:
             outlines = silhouettes(people.select(still), self._flat, self._settings, _GHOST_SCALE)
             there[still] = ~are_ghosts(self._flat, outlines, seen.ramp, seen.working)
         lost = self._lost.with_others(people.select(~there), seen.time_s)
-        kept_s = 0.0 if self._settings.paper else self._settings.remembered_s
+        kept_s = 0.0 if self._settings.paper else self._settings.coast_s
         self._lost = lost.kept(seen.time_s - lost.at_s < kept_s)
         return people.select(there)
 
@@ -187,7 +187,7 @@ class SpheroidTracker:
         settings = self._settings
         if seen.time_s < self._next_look_s:
             return people
-        self._next_look_s = seen.time_s + settings.birth_every_s - 1e-3
+        self._next_look_s = seen.time_s + settings.birth_interval_s - 1e-3
         modest = people.replace(height=np.minimum(people.height, self._usual_m + births.TALLER_M))
         explained = silhouettes(modest, self._flat, settings, births.EXPLAINED)
         free = self._counted & (covered(seen.ramp.shape, explained) == 0)
@@ -196,7 +196,7 @@ class SpheroidTracker:
         footless = None if settings.paper else zones == 0
         places = births.unexplained(seen.ramp, free, self._cells, axes, footless)
         self._candidates = births.waited_for(self._candidates, places, seen.time_s)
-        ready = self._candidates.looks >= settings.birth_looks
+        ready = self._candidates.looks >= settings.birth_frames
         states = np.concatenate((self._candidates.xy, self._candidates.velocity), axis=1)
         people, others = self._parted(people, seen)
         new = together([self._begun(states[ready]), others])
@@ -210,7 +210,7 @@ class SpheroidTracker:
         """The people, and those who were followed as one with somebody close by."""
         if self._settings.paper:
             return people, self._begun(np.zeros((0, 4)))
-        look = round(seen.time_s / self._settings.birth_every_s)
+        look = round(seen.time_s / self._settings.birth_interval_s)
         due = (people.track + look) % _PARTED_LOOKS == 0
         rows = np.flatnonzero(due & seen_steeply(people, self._flat, _PARTED_SLOPE))
         evidence = self._evidence(people, seen)

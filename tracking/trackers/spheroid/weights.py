@@ -86,7 +86,7 @@ def judged_and_weighed(
         log_weight = _gains(windows, seen, own, balance)
         rows = np.flatnonzero(~steep)
         log_weight[rows] += _feet_gains(people, evidence, own, axes, rows, flat, settings)
-        log_weight -= 0.5 * ((tall - settings.usual_height_m) / _HEIGHT_SD_M) ** 2
+        log_weight -= 0.5 * ((tall - settings.initial_height_m) / _HEIGHT_SD_M) ** 2
     if alike is not None:
         log_weight += alike
     log_weight[taken(people, settings) | ~np.isfinite(seen.u)] = -np.inf
@@ -163,7 +163,7 @@ def _balances(
 def taken(people: Followed, settings: SpheroidSettings) -> Flags:
     """(people, N) hypotheses too close to where somebody else stands ([Waechter2013] 3.2.2)."""
     close = np.zeros(people.weight.shape, bool)
-    reach = 2 * settings.radius_m if settings.paper else settings.apart_m
+    reach = 2 * settings.radius_m if settings.paper else settings.min_separation_m
     apart = np.hypot(*(people.xy[:, None] - people.xy[None]).transpose(2, 0, 1))
     width = np.abs(people.state[..., :2] - people.xy[:, None]).max(axis=(1, 2), initial=0.0)
     for one, other in zip(*np.nonzero(apart < reach + np.sqrt(2) * width[:, None]), strict=True):

@@ -40,7 +40,7 @@ def colours_learnt(
     seen = looked_at(picture, people.rectangles)
     alike = resemblance(seen, people.model)
     learnt = ~people.occluded & ~lost & (seen.sum(axis=(2, 3)) > 0)
-    model = _blended(people.model, seen, learnt, settings.model_memory)
+    model = _blended(people.model, seen, learnt, settings.colour_forgetting_factor)
     good = learnt & claims.alone[:, None] & (claims.support >= _GOOD_VIEW)
     looks = _blended(people.looks, seen, good, _LOOKS_MEMORY)
     usual = people.usual + (1.0 - _USUAL_MEMORY) * learnt * (alike - people.usual)

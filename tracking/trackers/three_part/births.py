@@ -118,8 +118,8 @@ def somebody(
     newcomers: Newcomers, seen: Detections, free: Indices, settings: WholeBodySettings
 ) -> Indices:
     """Which of the free regions are people by now, as rows of `free`."""
-    at_edge = seen.truncated[free] & (newcomers.seen_s >= max(_AT_EDGE_S, settings.birth_s))
-    ready = at_edge | (~seen.truncated[free] & (newcomers.clear_s >= settings.birth_s))
+    at_edge = seen.truncated[free] & (newcomers.seen_s >= max(_AT_EDGE_S, settings.confirm_s))
+    ready = at_edge | (~seen.truncated[free] & (newcomers.clear_s >= settings.confirm_s))
     covered = covered_shares(newcomers.box, newcomers.box)
     taller = newcomers.box[None, :, 3] > newcomers.box[:, None, 3]
     piece = (taller & (covered >= _OCCUPIED) & ready).any(axis=1)
@@ -136,8 +136,8 @@ def still_there(
 ) -> Flags:
     """(people,) who is followed on."""
     inside = share_inside(boxes, size)
-    patience_s = np.where(inside < _AT_THE_EDGE, settings.lost_at_edge_s, settings.lost_after_s)
-    patience_s = np.where(people.hidden, settings.lost_hidden_s, patience_s)
+    patience_s = np.where(inside < _AT_THE_EDGE, settings.delete_at_edge_s, settings.delete_after_s)
+    patience_s = np.where(people.hidden, settings.delete_occluded_s, patience_s)
     missed = people.missed_s > 0.0
     left = (inside < _GONE) | (missed & (inside < _OUT_OF_VIEW))
     return np.asarray(~left & (people.missed_s <= patience_s))

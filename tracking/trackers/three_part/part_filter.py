@@ -131,8 +131,8 @@ def _next_counts(
         people.clouds.count,
         np.nan_to_num(entropy, nan=1.0 / settings.particle_growth),
         settings.particle_growth,
-        settings.least_particles,
-        settings.most_particles,
+        settings.min_particles,
+        settings.max_particles,
     )
     return np.asarray(next_)
 
@@ -160,9 +160,9 @@ def _spread(state: Floats, elapsed_s: float, settings: WholeBodySettings) -> Flo
     """(people, parts, 6) random spread after this time."""
     root = np.sqrt(max(elapsed_s, 0.0))
     size = part_sizes(state)[..., None]
-    place = np.repeat(settings.spread_position * size, 2, axis=-1)
-    grown = settings.spread_size * state[..., 2:4]
-    speed = np.repeat(settings.spread_velocity * size, 2, axis=-1)
+    place = np.repeat(settings.process_noise_position * size, 2, axis=-1)
+    grown = settings.process_noise_size * state[..., 2:4]
+    speed = np.repeat(settings.process_noise_velocity * size, 2, axis=-1)
     return np.asarray(root * np.concatenate((place, grown, speed), axis=-1))
 
 

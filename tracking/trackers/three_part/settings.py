@@ -16,93 +16,124 @@ class Aids:
     """What puts parts right besides the colour filters; see the settings of these names.
 
     Attributes:
-        adjust: [ZhaoLee2009] section 4.3.2. follow_silhouettes, body_rules, find_again: ours.
+        adjust: [ZhaoLee2009] section 4.3.2. fit_silhouettes, pose_constraints, reidentify: ours.
     """
 
     adjust: bool = False
-    follow_silhouettes: bool = False
-    body_rules: bool = False
-    find_again: bool = False
+    fit_silhouettes: bool = False
+    pose_constraints: bool = False
+    reidentify: bool = False
 
 
 @dataclass(frozen=True, slots=True)
 class WholeBodySettings:
     """What a tracker of one rectangle a person can be told; see the `help` of each field."""
 
-    least_particles: int = setting(
+    min_particles: int = setting(
         200,
         "",
         (10, 20000),
-        "fewest guesses for a body part, however sure it is; more are steadier and take more time",
+        "Fewest particles of a body part, however certain it is; higher: steadier, and more time",
+        formerly=("least_particles",),
     )
-    most_particles: int = setting(
+    max_particles: int = setting(
         1000,
         "",
         (10, 20000),
-        "most guesses for a body part, however doubtful it is; more find it again sooner and "
-        "take more time",
+        "Most particles of a body part, however uncertain it is; higher: a lost part is found "
+        "sooner, and more time",
+        formerly=("most_particles",),
     )
     particle_growth: float = setting(
         1.2,
         "",
         (0.1, 10.0),
-        "how many more guesses are made when all seem equally good; higher: quicker to find a "
-        "lost part, slower to run",
+        "Growth of the number of particles with the entropy of their weights; higher: a lost "
+        "part is found sooner, and more time",
     )
     similarity_sigma: float = setting(
         0.07,
         "",
         (0.01, 1.0),
-        "how alike colours must be to be the same part; lower: stricter, lost sooner when light "
-        "changes",
+        "Standard deviation of the colour distance in the likelihood; lower: stricter, but parts "
+        "are lost sooner when the light changes",
     )
-    model_memory: float = setting(
+    colour_forgetting_factor: float = setting(
         0.9,
         "",
         (0.0, 1.0),
-        "how much of a part's colours stays at each frame; higher: new light is followed more "
-        "slowly, a mix-up spoils them less",
+        "Share of the colour model that remains after each update; higher: the model follows "
+        "the light more slowly, and a wrong association harms it less",
+        formerly=("model_memory",),
     )
-    spread_position: float = setting(
+    process_noise_position: float = setting(
         0.9,
         "1/√s",
         (0.0, 10.0),
-        "how far a part may stray in a second, in its own sizes; higher: quick movement is "
-        "followed, the part trembles more",
+        "Process noise of the position, in sizes of the part; higher: fast movement is followed, "
+        "but the part jitters more",
+        formerly=("spread_position",),
     )
-    spread_size: float = setting(0.25, "1/√s", (0.0, 5.0), "the same for its size")
-    spread_velocity: float = setting(2.5, "1/s", (0.0, 50.0), "the same for how fast it moves")
-    kept_particles: int = setting(
+    process_noise_size: float = setting(
+        0.25,
+        "1/√s",
+        (0.0, 5.0),
+        "Process noise of the size, in sizes of the part; higher: changes of size are followed, "
+        "but the size jitters more",
+        formerly=("spread_size",),
+    )
+    process_noise_velocity: float = setting(
+        2.5,
+        "1/s",
+        (0.0, 50.0),
+        "Process noise of the velocity, in sizes of the part; higher: turns and stops are "
+        "followed, but the part jitters more",
+        formerly=("spread_velocity",),
+    )
+    stored_particles: int = setting(
         100,
         "",
         (0, 20000),
-        "guesses of each part kept in the session to be looked at; 0: none, smaller files",
+        "Particles of each part that the session stores for display; 0: none; higher: larger files",
+        formerly=("kept_particles",),
     )
-    birth_s: float = setting(
+    confirm_s: float = setting(
         0.15,
         "s",
         (0.0, 10.0),
-        "how long a new region must be seen before it becomes a track; higher: fewer false "
-        "tracks, which begin later",
+        "Seconds of detections after which a tentative track is confirmed; higher: fewer false "
+        "tracks, which start later",
+        formerly=("birth_s",),
     )
-    lost_after_s: float = setting(
+    delete_after_s: float = setting(
         1.0,
         "s",
         (0.05, 60.0),
-        "how long a person with no foreground is followed before the track ends; higher: fewer "
-        "broken tracks, longer guesses",
+        "Seconds without foreground after which a track is deleted; higher: fewer "
+        "fragmentations, longer guesses",
+        formerly=("lost_after_s",),
     )
-    lost_hidden_s: float = setting(
-        4.0, "s", (0.05, 60.0), "the same while others, or what was drawn as an occluder, hide them"
+    delete_occluded_s: float = setting(
+        4.0,
+        "s",
+        (0.05, 60.0),
+        "Seconds without foreground after which a track behind other people or drawn occluders "
+        "is deleted; higher: tracks wait longer there",
+        formerly=("lost_hidden_s",),
     )
-    lost_at_edge_s: float = setting(
+    delete_at_edge_s: float = setting(
         0.3,
         "s",
         (0.05, 60.0),
-        "the same at the picture's edge; lower: whoever leaves is let go sooner",
+        "Seconds before a track that was lost at the image edge is deleted; lower: people who "
+        "leave are deleted sooner",
+        formerly=("lost_at_edge_s",),
     )
     occluders: str = setting(
-        "", "", None, "outlines of what hides people: [[[u, v], ...], ...] in px of the left image"
+        "",
+        "",
+        None,
+        "Outlines of objects that hide people: [[[u, v], ...], ...] in px of the left image",
     )
     foreground: ForegroundSettings = field(default_factory=ForegroundSettings)
     people: PeopleSettings = field(default_factory=PeopleSettings)
@@ -110,10 +141,10 @@ class WholeBodySettings:
     def __post_init__(self) -> None:
         """Check what belongs together, before any work; raises `SettingsError`."""
         occluders_from(self.occluders)
-        if self.least_particles > self.most_particles:
+        if self.min_particles > self.max_particles:
             raise SettingsError(
-                f"least_particles: {self.least_particles} is more than most_particles, "
-                f"{self.most_particles}; raise that one or lower this one"
+                f"min_particles: {self.min_particles} is more than max_particles, "
+                f"{self.max_particles}; raise that one or lower this one"
             )
 
     @property
@@ -127,38 +158,44 @@ class ThreePartSettings(WholeBodySettings):
     """What a tracker of head, torso and hip-leg can be told besides.
 
     Which settings make which row of [ZhaoLee2009]'s comparison: `adjust=false` is theirs without
-    adjustment, colour filters alone that nothing puts back; `adjust=true` with
-    `follow_silhouettes`, `body_rules` and `find_again` false is theirs with it, the detector's
-    failures put back by the other parts and the foreground; all true is ours.
+    adjustment, colour filters alone that nothing puts back; `adjust=true` with `fit_silhouettes`,
+    `pose_constraints` and `reidentify` false is theirs with it, the detector's failures put back
+    by the other parts and the foreground; all true is ours.
     """
 
     adjust: bool = setting(
         True,
         "",
         None,
-        "put parts that failed back where the other parts and the foreground say; off: the "
-        "paper's comparison, where nothing does and the next three count for nothing",
+        "Put failed parts back where the other parts and the foreground place them. Off: as in "
+        "the paper's comparison, and the next three settings have no effect",
     )
-    follow_silhouettes: bool = setting(
+    fit_silhouettes: bool = setting(
         True,
         "",
         None,
-        "beyond the paper: draw parts of people seen alone and whole to their outline",
+        "Fit the parts of isolated people to their silhouettes (not in the paper). Off: colours "
+        "alone place these parts",
+        formerly=("follow_silhouettes",),
     )
-    body_rules: bool = setting(
+    pose_constraints: bool = setting(
         True,
         "",
         None,
-        "beyond the paper: parts fail by foreground and pose too, and hidden ones stay in the body",
+        "Detect failed parts by foreground and pose too, and keep occluded parts within the body "
+        "(not in the paper). Off: only the failure detector does",
+        formerly=("body_rules",),
     )
-    find_again: bool = setting(
+    reidentify: bool = setting(
         True,
         "",
         None,
-        "beyond the paper: look for people who were lost, and part those taken for one",
+        "Give lost people their id back, and split tracks that hold two people (not in the "
+        "paper). Off: neither",
+        formerly=("find_again",),
     )
     detector: str = setting(
-        "", "", None, "file of the failure detector; empty: the built-in one judges"
+        "", "", None, "File of the failure detector; empty: the built-in detector"
     )
 
     @property
@@ -166,4 +203,4 @@ class ThreePartSettings(WholeBodySettings):
         """What puts parts right."""
         if not self.adjust:
             return Aids()
-        return Aids(True, self.follow_silhouettes, self.body_rules, self.find_again)
+        return Aids(True, self.fit_silhouettes, self.pose_constraints, self.reidentify)

@@ -168,7 +168,7 @@ class PartTracker:
         self._people = people
         layout, settings = self._layout, self._settings
         return step_result(
-            observation, people, shown, layout, self._camera.fps, settings.kept_particles
+            observation, people, shown, layout, self._camera.fps, settings.stored_particles
         )
 
     def _filtered(self, frame: Frame) -> Followed:
@@ -178,7 +178,7 @@ class PartTracker:
         people = weighed(
             people, before, frame.picture, frame.elapsed_s, settings, layout, self._random
         )
-        if not self._aids.body_rules:
+        if not self._aids.pose_constraints:
             return people
         return people.replace(state=carried(people.state, people.pose, people.occluded))
 
@@ -204,7 +204,7 @@ class PartTracker:
         if self._layout.parts == 1:
             return people
         aids, seen, picture = self._aids, frame.seen, frame.picture
-        if aids.follow_silhouettes:
+        if aids.fit_silhouettes:
             claims = frame.claims(people)
             people = drawn_home(people, seen, claims, picture, frame.elapsed_s, self._layout)
         said = self._watch.judge(frame.time_s, people, ~people.hidden)
@@ -213,17 +213,17 @@ class PartTracker:
             return people
         scene = Scene(seen, frame.claims(people), picture)
         failed = said.failed.copy()
-        if aids.body_rules:
+        if aids.pose_constraints:
             failed |= clear_failures(people, scene)
-        if aids.follow_silhouettes:
+        if aids.fit_silhouettes:
             off, legs = legs_elsewhere(people, seen, scene.claims, picture)
             failed[off, HIP_LEG] = True
         if not failed.any():
             return people
         several = said.several | (failed.sum(axis=1) > 1)
         boxes = outlined_boxes(people.rectangles, people.outline)
-        places = adjusted(people, boxes, failed, several, scene, by_body=aids.body_rules)
-        if aids.follow_silhouettes:
+        places = adjusted(people, boxes, failed, several, scene, by_body=aids.pose_constraints)
+        if aids.fit_silhouettes:
             places[off, HIP_LEG] = legs[off]
         people = people.replace(failed=failed)
         return begun_anew(people, places, picture, self._layout, self._random)
@@ -246,7 +246,7 @@ class PartTracker:
         boxes = outlined_boxes(people.rectangles, people.outline)
         free = births.free_regions(seen, claims, own_boxes(boxes, claims, seen))
         free = births.without_pieces(free, seen, boxes, people.height)
-        if self._aids.find_again:
+        if self._aids.reidentify:
             people, free = self._found_again(people, frame, boxes, free)
         boxes = outlined_boxes(people.rectangles, people.outline)
         kept = births.still_there(people, boxes, self._camera.size, self._settings)
@@ -282,7 +282,7 @@ class PartTracker:
         """The people, those begun as one with somebody now seen beside them begun anew alone."""
         claims = frame.claims(people)
         rows = both_in_one(claims, new)
-        if not self._aids.find_again or not len(rows):
+        if not self._aids.reidentify or not len(rows):
             return people
         own = regions_rectangles(frame.seen, claims.region[rows], frame.picture, self._layout)
         rows, own = rows[all_seen(own)], own[all_seen(own)]

@@ -147,7 +147,7 @@ def test_settings_of_a_tracker_stand_under_headings(qtbot):
     form = SettingsForm(TRACKERS["stereo-joint"])
     qtbot.addWidget(form)
     said = [label.text() for label in form.findChildren(QLabel)]
-    assert {"Particles and motion", "Who is whom", "Coming and going"} <= set(said)
+    assert {"Particles and motion", "Association", "Track management"} <= set(said)
 
 
 def test_a_tracker_that_does_not_suit_the_recording_is_listed_with_the_reason(
