@@ -176,7 +176,7 @@ class SettingsForm(QWidget):
         row = grid.rowCount()
         for column, widget in enumerate((label, control, about)):
             grid.addWidget(widget, row, column)
-        sought = f"{field.name} {title} {words}"
+        sought = f"{field.name} {title} {words} {' '.join(field.formerly)}"
         self._rows.append(SettingRow(sought, (label, control, about), above, fold))
         self._controls[field.name], self._labels[field.name] = control, label
         if isinstance(control, WholeBox | NumberBox):

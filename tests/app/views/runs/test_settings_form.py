@@ -179,12 +179,17 @@ def _in_sight(dialog):
 
 def test_settings_are_found_by_words_of_name_and_help(dialog):
     before = _in_sight(dialog)
-    dialog._search.setText("guesses parti")
+    dialog._search.setText("person parti")
     found = _in_sight(dialog)
     assert "particles" in found
     assert len(found) < 5
     dialog._search.clear()
     assert _in_sight(dialog) == before
+
+
+def test_a_setting_is_found_by_the_name_it_had_in_earlier_versions(dialog):
+    dialog._search.setText("agility")
+    assert _in_sight(dialog) == {"process_noise"}
 
 
 def test_a_setting_of_an_earlier_stage_is_found_though_its_group_is_folded(dialog):
