@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from PySide6.QtCore import QObject, Signal
 
-from app.background.late_eye import LagSearch
+from app.background.late_camera import LagSearch
 from tracking.recording import FrameCache, Instants, Recording, StereoFrame
 
 
@@ -21,10 +21,10 @@ class _Request:
 class FrameReader(QObject):
     """Reads frames of one recording in a thread.
 
-    `ready(ticket, frame)` carries a `StereoFrame`: both eyes of one instant. Whether an eye is late
-    is looked for from the first one on (`LagSearch`); if it is, the frame asked for last comes once
-    more, with the right picture of its instant. Requests that were overtaken before their turn are
-    never read. `failed(frame, error)` says which frame could not be read; later requests go on.
+    `ready(ticket, frame)` carries a `StereoFrame`: both cameras of one instant. Whether a camera is
+    late is looked for from the first one on (`LagSearch`); if it is, the frame asked for last comes
+    once more, with the right picture of its instant. Requests that were overtaken before their turn
+    are never read. `failed(frame, error)` says which frame could not be read; later requests go on.
     Without `close`, which waits for its threads, these end once their reader is destroyed.
     """
 

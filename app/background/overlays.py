@@ -71,7 +71,7 @@ class OverlayMaker(QObject):
             lead: while it plays, how many frames are left out at first: they would come late.
         """
         with self._changed:
-            if not self._is_paired(frame):  # a late eye was found: what was made of it is wrong
+            if not self._is_paired(frame):  # a late camera was found: what was made of it is wrong
                 self._right_lag = frame.right_lag
                 self._made.clear()
             self._wanted = _Request(frame, kinds, ahead, lead)
@@ -134,7 +134,7 @@ class OverlayMaker(QObject):
         return request.frame if asked else None
 
     def _is_paired(self, frame: StereoFrame) -> bool:
-        """Whether a frame's eyes are paired like those of the others."""
+        """Whether a frame's cameras are paired like those of the others."""
         return frame.right_lag is None or frame.right_lag == self._right_lag
 
     def _keep(self, frame: StereoFrame, kinds: Kinds, painted: Rgba) -> None:

@@ -33,10 +33,10 @@ class Order:
 
     Attributes:
         tracks: the file. format: its name; None: told by content.
-        recording, eyes: what the tracks are of, for a new session. out: that session.
+        recording, bare: what the tracks are of, for a new session. out: that session.
         into: a session that is there already, instead.
         thin_px: thin dense tracks within this tolerance. as_new: with new ids.
-        unit: of a text that does not say its own, as `eyes.fps` is; None: it does.
+        unit: of a text that does not say its own, as `bare.fps` is; None: it does.
         only_people: leave out what is none. take_good: take the good rows where others are bad.
         force: replace a session with corrections. report: list the rows that are invalid.
     """
@@ -44,7 +44,7 @@ class Order:
     tracks: Path
     format: str | None
     recording: Path | None
-    eyes: Bare
+    bare: Bare
     out: Path | None
     into: Path | None
     unit: str | None = None
@@ -85,7 +85,7 @@ def _check_whereto(order: Order) -> None:
                 "name the session to make, or one with --into", param_hint="--out"
             )
         return
-    given = {"--out": order.out, "--recording": order.recording, "--left": order.eyes.left}
+    given = {"--out": order.out, "--recording": order.recording, "--left": order.bare.left}
     for name, value in given.items():
         if value is not None:
             raise typer.BadParameter(
@@ -137,7 +137,7 @@ class Source:
     def read(self, filmed: Filmed) -> Imported:
         """The tracks of the file. Raises FormatError where they cannot be taken."""
         read = self.format.read
-        filmed = replace(filmed, stated=Stated(self.order.unit or "", self.order.eyes.fps))
+        filmed = replace(filmed, stated=Stated(self.order.unit or "", self.order.bare.fps))
         if read is None:
             raise FormatError(f"{self.format.title} is only written; import another format")
         with self._watched() as report:

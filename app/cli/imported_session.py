@@ -32,7 +32,7 @@ from tracking.tracks import TrackTable
 def into_new_session(source: Source, read: Imported | None, out: Path) -> None:
     """Make a session of the tracks, and tell what is in it."""
     order = source.order
-    with opened(order.recording, order.eyes) as recording:
+    with opened(order.recording, order.bare) as recording:
         check_file(out)
         refuse_to_lose(out, force=order.force)
         found = _fitted(source, read, filmed_by(recording), None)

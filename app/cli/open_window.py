@@ -17,7 +17,7 @@ def run_open(path: Path | None, bare: Bare, recording: Path | None) -> None:
     """Show the window until it is closed.
 
     Args:
-        path: a recording or session; None: the welcome page, or the eyes `bare` names.
+        path: a recording or session; None: the welcome page, or the cameras `bare` names.
         bare: what the options say of a recording without recording.toml.
         recording: where a session's recording is by now, if it has moved.
 

@@ -21,7 +21,7 @@ class Bare:
     Attributes:
         left, right: videos. calibration: one or two files.
         height, tilt, roll: where the floor is, m and degrees.
-        fps: of images. layout, first: of a video that holds both eyes.
+        fps: of images. layout, first: of a video that holds both cameras.
         allow_outside: follow paths out of the recording's folder.
     """
 
@@ -118,7 +118,7 @@ class InPicture:
     picture_line: Annotated[
         list[str] | None,
         typer.Option(
-            help="NAME:u1,v1:u2,v2 in px of the left eye; people pass with the foot of their box.",
+            help="NAME:u1,v1:u2,v2 in px of the left image; the foot of a box crosses it.",
             rich_help_panel=_PICTURE,
         ),
     ] = None

@@ -62,10 +62,10 @@ Accept = Annotated[
 
 Left = Annotated[
     Path | None,
-    typer.Option("--left", help="The left or only eye: a video.", rich_help_panel=_BARE),
+    typer.Option("--left", help="The left or only camera: a video.", rich_help_panel=_BARE),
 ]
 Right = Annotated[
-    Path | None, typer.Option("--right", help="The right eye: a video.", rich_help_panel=_BARE)
+    Path | None, typer.Option("--right", help="The right camera: a video.", rich_help_panel=_BARE)
 ]
 Calibration = Annotated[
     list[Path] | None,
@@ -93,11 +93,11 @@ Fps = Annotated[
 ]
 Layout = Annotated[
     Literal["side-by-side", "top-bottom"] | None,
-    typer.Option("--layout", help="How both eyes lie in one video.", rich_help_panel=_BARE),
+    typer.Option("--layout", help="How both cameras lie in one video.", rich_help_panel=_BARE),
 ]
 First = Annotated[
     Literal["left", "right"] | None,
-    typer.Option("--first", help="The eye that comes first there.", rich_help_panel=_BARE),
+    typer.Option("--first", help="The camera that comes first there.", rich_help_panel=_BARE),
 ]
 Outside = Annotated[
     bool,

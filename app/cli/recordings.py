@@ -15,18 +15,18 @@ from tracking.recording.limits import checked_fps, checked_ground
 
 
 def opened(path: Path | None, bare: Bare, instead: str = "") -> Recording:
-    """The recording at a path, or of the eyes the options name.
+    """The recording at a path, or of the cameras the options name.
 
     Args:
         instead: what else can be done with a session, after the place of its path.
 
     Raises:
         RecordingError, CalibrationError: it cannot be opened, or is a session or other HDF5.
-        typer.BadParameter: no recording is named, or a right eye alone.
+        typer.BadParameter: no recording is named, or a right camera alone.
     """
     place = path or bare.left
     if place is None:
-        raise typer.BadParameter("name a recording, or its eyes with --left and --right")
+        raise typer.BadParameter("name a recording, or its cameras with --left and --right")
     if _is_hdf5(place):
         raise _refusal(place, instead)
     return open_recording(place, options_of(bare))
@@ -60,7 +60,7 @@ def _is_hdf5(place: Path) -> bool:
 def options_of(bare: Bare) -> OpenOptions:
     """The same for the library."""
     if bare.right is not None and bare.left is None:
-        raise typer.BadParameter("a right eye needs a left one", param_hint="--right")
+        raise typer.BadParameter("a right camera needs a left one", param_hint="--right")
     _check_numbers(bare)
     return OpenOptions(
         left=bare.left,

@@ -70,20 +70,20 @@ def _unused(recording: Recording) -> str:
     if recording.calibration is not None and recording.ground is not None:
         return ""
     missing = "calibration" if recording.calibration is None else "height and tilt of the camera"
-    unused = ["the right eye"] if recording.is_stereo else []
+    unused = ["the right camera"] if recording.is_stereo else []
     unused += ["height", "tilt"] if recording.ground is not None else []
     if not unused:
         return ""
     *most, last = unused
     which = f"{', '.join(most)} and {last} are" if most else f"{last} is"
     tracker = best_tracker(recording)
-    return f"no {missing}: {tracker} follows people by the left eye; {which} not used"
+    return f"no {missing}: {tracker} follows people by the left camera; {which} not used"
 
 
 def _nobody(tracker: str) -> str:
     """Why a tracker may have found nobody, where nothing else has been told of it.
 
-    Two eyes tell which of two lasting looks is farther.
+    Two cameras tell which of two lasting looks is farther.
     """
     much = "nearly all" if tracker_named(tracker).needs_stereo else "half"
     return (

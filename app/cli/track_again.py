@@ -62,7 +62,7 @@ class TrackAgainRequest:
 
 
 def asked_again(
-    onward: Onward, recording: Path | None, out: Path | None, eyes: Bare
+    onward: Onward, recording: Path | None, out: Path | None, bare: Bare
 ) -> TrackAgainRequest | None:
     """What the options ask for; None where they do not ask to track again.
 
@@ -78,18 +78,18 @@ def asked_again(
         return None
     if onward.start is None:
         raise typer.BadParameter("name the first frame to track again", param_hint="--from")
-    _refuse_other_eyes(eyes, recording)
-    place = recording or eyes.left
+    _refuse_bare_options(bare, recording)
+    place = recording or bare.left
     return TrackAgainRequest(
-        onward.again, onward.start, onward.until, place, out, onward.accept, eyes.allow_outside
+        onward.again, onward.start, onward.until, place, out, onward.accept, bare.allow_outside
     )
 
 
-def _refuse_other_eyes(eyes: Bare, recording: Path | None) -> None:
+def _refuse_bare_options(bare: Bare, recording: Path | None) -> None:
     """A session knows its recording; `--left` may name where that is by now, as RECORDING may."""
     known = {"allow_outside"} if recording is not None else {"allow_outside", "left"}
-    for option in (field.name for field in fields(eyes) if field.name not in known):
-        if getattr(eyes, option) is not None:
+    for option in (field.name for field in fields(bare) if field.name not in known):
+        if getattr(bare, option) is not None:
             raise typer.BadParameter(
                 "the session of --again says what its recording is; leave it out",
                 param_hint=f"--{option}",

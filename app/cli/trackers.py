@@ -49,7 +49,7 @@ def _as_json(spec: TrackerSpec) -> dict[str, Any]:
 
 
 def _needs(spec: TrackerSpec) -> list[str]:
-    asked = (("two eyes", spec.needs_stereo), ("a calibration", spec.needs_calibration))
+    asked = (("two cameras", spec.needs_stereo), ("a calibration", spec.needs_calibration))
     return [name for name, needed in asked if needed]
 
 

@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 from run_with_parts import with_parts
 
-from app.background import late_eye
+from app.background import late_camera
 from app.presenters.files import document_loader
 from app.views.application import start_application
 from app.views.widgets.user_settings import Remembered
@@ -66,7 +66,7 @@ def tiny_run(tiny_recording: Path) -> Run:
 
 @pytest.fixture(scope="session")
 def lag_known(tiny_recording: Path) -> Iterator[None]:
-    """By how much an eye of the tiny recording is late is looked for once, not in each window.
+    """By how much a camera of the tiny recording is late is looked for once, not in each window.
 
     There it takes a third of the time of a test that opens the window and closes it.
     """
@@ -79,7 +79,7 @@ def lag_known(tiny_recording: Path) -> Iterator[None]:
         return (yield from lag_looks(recording, start))
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(late_eye, "lag_looks", looks)
+        patch.setattr(late_camera, "lag_looks", looks)
         yield
 
 

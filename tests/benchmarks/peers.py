@@ -50,7 +50,7 @@ class Timed:
 class Primitives(Timed):
     """The bare primitives of the pipeline: background, block matching, regions, histograms.
 
-    The background is subtracted from both eyes in colour, as subtraction stereo has it, by MOG2
+    The background is subtracted from both cameras in colour, as subtraction stereo has it, by MOG2
     without its search for shadows. StereoBM matches as the pipeline does: inside the box round the
     foreground, rows halved, only the disparities that people can have in the scene. Components of
     the left foreground and a histogram of each make the rest. Nobody is told apart, placed on the
@@ -61,7 +61,7 @@ class Primitives(Timed):
         super().__init__()
         self._rectification = _rectification(recording)
         self._least, self._count = _search(self._rectification)
-        self._eyes = [cv2.createBackgroundSubtractorMOG2(detectShadows=False) for _ in range(2)]
+        self._images = [cv2.createBackgroundSubtractorMOG2(detectShadows=False) for _ in range(2)]
         self._matcher = cv2.StereoBM.create(self._count, _WINDOW_PX)
         self._matcher.setMinDisparity(self._least)
 
@@ -69,14 +69,14 @@ class Primitives(Timed):
         """One frame; how many people are in view is no matter here."""
         del people
         self.spent_s = {}
-        eyes = _rectified(self._rectification, frame)
-        mask, _ = self._timed("subtraction", _subtracted, self._eyes, eyes)
-        disparity = self._timed("matching", self._matched, eyes, mask)
+        images = _rectified(self._rectification, frame)
+        mask, _ = self._timed("subtraction", _subtracted, self._images, images)
+        disparity = self._timed("matching", self._matched, images, mask)
         labels, stats, _ = self._timed("regions", _regions, mask)
-        found = self._timed("histograms", _histograms, eyes[0], labels, stats, _large(stats))
+        found = self._timed("histograms", _histograms, images[0], labels, stats, _large(stats))
         return disparity, found
 
-    def _matched(self, eyes: tuple[Picture, Picture], mask: Picture) -> object:
+    def _matched(self, images: tuple[Picture, Picture], mask: Picture) -> object:
         x, y, width, height = cv2.boundingRect(mask)
         if width == 0:
             return None
@@ -84,12 +84,14 @@ class Primitives(Timed):
         around = 2 * _WINDOW_PX
         rows = slice(max(0, y - around), y + height + around)
         cut = rows, slice(max(0, x - before), x + width + _WINDOW_PX)
-        left, right = (_rows_halved(cv2.cvtColor(eye[cut], cv2.COLOR_BGR2GRAY)) for eye in eyes)
+        left, right = (
+            _rows_halved(cv2.cvtColor(image[cut], cv2.COLOR_BGR2GRAY)) for image in images
+        )
         return self._matcher.compute(left, right)
 
 
 class Obvious(Timed):
-    """What comes to mind first: MOG2 with shadows on both eyes, SGBM, regions, a filter a person.
+    """The obvious way: MOG2 with shadows on both cameras, SGBM, regions, filters.
 
     Everything is done on whole pictures at their full size. SGBM searches 64 disparities with the
     other parameters of OpenCV's own example. What is foreground and has a disparity is opened
@@ -105,7 +107,7 @@ class Obvious(Timed):
         self._rectification = _rectification(recording)
         least, count = _search(self._rectification)
         self._least = max(0, least + count - _DISPARITIES)
-        self._eyes = [cv2.createBackgroundSubtractorMOG2(detectShadows=True) for _ in range(2)]
+        self._images = [cv2.createBackgroundSubtractorMOG2(detectShadows=True) for _ in range(2)]
         self._matcher = cv2.StereoSGBM.create(
             self._least, _DISPARITIES, 5, P1=8 * 25, P2=32 * 25, disp12MaxDiff=1,
             uniquenessRatio=10, speckleWindowSize=100, speckleRange=32,
@@ -115,20 +117,20 @@ class Obvious(Timed):
     def __call__(self, frame: StereoFrame, people: int) -> object:
         """One frame, in which so many people are followed."""
         self.spent_s = {}
-        eyes = _rectified(self._rectification, frame)
-        mask, there = self._timed("subtraction", _subtracted, self._eyes, eyes)
-        disparity = self._timed("matching", self._matched, eyes)
-        seen = self._timed("regions", self._placed, eyes[0], mask, there, disparity)
+        images = _rectified(self._rectification, frame)
+        mask, there = self._timed("subtraction", _subtracted, self._images, images)
+        disparity = self._timed("matching", self._matched, images)
+        seen = self._timed("regions", self._placed, images[0], mask, there, disparity)
         return self._timed("filters", self._filters.step, seen, people)
 
-    def _matched(self, eyes: tuple[Picture, Picture]) -> NDArray[np.int16]:
-        left, right = (cv2.cvtColor(eye, cv2.COLOR_BGR2GRAY) for eye in eyes)
+    def _matched(self, images: tuple[Picture, Picture]) -> NDArray[np.int16]:
+        left, right = (cv2.cvtColor(image, cv2.COLOR_BGR2GRAY) for image in images)
         return np.asarray(self._matcher.compute(left, right), np.int16)
 
     def _placed(
         self, left: Picture, mask: Picture, there: Picture, disparity: NDArray[np.int16]
     ) -> Seen:
-        """Regions of what both eyes see as new, on the floor, with their colours."""
+        """Regions of what both cameras see as new, on the floor, with their colours."""
         known = np.asarray(cv2.compare(disparity, 16 * self._least, cv2.CMP_GE), np.uint8)
         labels, stats, centres = _regions(np.asarray(cv2.bitwise_and(mask, known), np.uint8))
         median = {k: _median(labels, stats[k], k, disparity) for k in _large(stats)}
@@ -150,11 +152,12 @@ def _rectified(rectification: Rectification, frame: StereoFrame) -> tuple[Pictur
 
 
 def _subtracted(
-    models: list[cv2.BackgroundSubtractorMOG2], eyes: tuple[Picture, Picture]
+    models: list[cv2.BackgroundSubtractorMOG2], images: tuple[Picture, Picture]
 ) -> tuple[Picture, Picture]:
-    """Foreground of both eyes, 255, shadows left out."""
+    """Foreground of both cameras, 255, shadows left out."""
     left, right = (
-        np.asarray(model.apply(eye), np.uint8) for model, eye in zip(models, eyes, strict=True)
+        np.asarray(model.apply(image), np.uint8)
+        for model, image in zip(models, images, strict=True)
     )
     return (
         np.asarray(cv2.compare(left, 255, cv2.CMP_EQ), np.uint8),
@@ -162,9 +165,9 @@ def _subtracted(
     )
 
 
-def _rows_halved(eye: cv2.typing.MatLike) -> cv2.typing.MatLike:
-    size = (eye.shape[1], -(-eye.shape[0] // 2))
-    return cv2.resize(eye, size, interpolation=cv2.INTER_AREA)
+def _rows_halved(image: cv2.typing.MatLike) -> cv2.typing.MatLike:
+    size = (image.shape[1], -(-image.shape[0] // 2))
+    return cv2.resize(image, size, interpolation=cv2.INTER_AREA)
 
 
 def _regions(mask: Picture) -> tuple[NDArray[np.int32], NDArray[np.int32], NDArray[np.float64]]:
@@ -194,7 +197,7 @@ def _median(
 
 
 def _both_see(there: Picture, centre: NDArray[np.float64], disparity: float) -> bool:
-    """Whether the right eye sees something new where a region's middle should be."""
+    """Whether the right camera sees something new where a region's middle should be."""
     u, v = round(float(centre[0]) - disparity), round(float(centre[1]))
     return 0 <= u < there.shape[1] and bool(there[v, u])
 

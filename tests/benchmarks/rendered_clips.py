@@ -35,7 +35,7 @@ class Clip:
         seed: says who comes by and how.
         seconds: of the scene's length; the scene's own if None.
         people: the scene's own if None.
-        eyes: 1 for the left eye alone; the scene's own if None.
+        cameras: 1 for the left camera alone; the scene's own if None.
         disturbances: what is out of the ordinary.
     """
 
@@ -43,7 +43,7 @@ class Clip:
     seed: int
     seconds: float | None = None
     people: int | None = None
-    eyes: int | None = None
+    cameras: int | None = None
     disturbances: Disturbances = NO_DISTURBANCES
 
     @property
@@ -54,7 +54,7 @@ class Clip:
         for letter, value in (
             ("s", self.seconds),
             ("p", self.people),
-            ("eyes", self.eyes),
+            ("eyes", self.cameras),
             ("from", disturbances.begin_s or None),
             ("dim", disturbances.dimmed_s),
             ("bump", disturbances.bumped_s),
@@ -86,7 +86,7 @@ def folder_of(clip: Clip, kept: Path | None = None) -> Path:
             clip.seconds,
             clip.people,
             clip.seed,
-            eyes=clip.eyes,
+            cameras=clip.cameras,
             disturbances=clip.disturbances,
         )
     return folder

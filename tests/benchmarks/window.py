@@ -11,12 +11,12 @@ from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication, QWidget
 
 from app.presenters.scenes import (
-    Eye,
     FloorPerson,
     Lane,
     OverheadScene,
     PersonMark,
     PictureScene,
+    Side,
     TimelineScene,
 )
 from app.views.look.theme import Look, apply_look
@@ -42,7 +42,7 @@ def picture_scene(frame: int, rng: np.random.Generator) -> PictureScene:
         box = (left, top, 40.0, 120.0)
         selected, predicted = track == PEOPLE, track % 5 == 0
         people.append(PersonMark(track, box, str(track), colour, selected, predicted, trail))
-    return PictureScene(Eye.LEFT, frame, image, tuple(people))
+    return PictureScene(Side.LEFT, frame, image, tuple(people))
 
 
 def overhead_scene(frame: int, rng: np.random.Generator) -> OverheadScene:
@@ -123,7 +123,7 @@ def _figures() -> dict[str, float]:
     floors = [overhead_scene(frame, rng) for frame in range(8)]
     pictures = [picture_scene(frame, rng) for frame in range(8)]
     lanes = [timeline_scene(frame, rng) for frame in range(2)]
-    overhead, picture, timeline = OverheadView(), PictureView(Eye.LEFT), TimelineView()
+    overhead, picture, timeline = OverheadView(), PictureView(Side.LEFT), TimelineView()
     overhead.resize(700, 700)
     picture.resize(700, 560)
     timeline.resize(1500, 320)

@@ -1,4 +1,4 @@
-"""The whole real window while it plays what is cached: both eyes, floor and timeline."""
+"""The whole real window while it plays what is cached: both cameras, floor and timeline."""
 
 from __future__ import annotations
 
@@ -159,7 +159,7 @@ def _play(window: MainWindow, session: Path, taken: dict[str, list[float]]) -> d
     show_document(window, session, 0)
     controller, heart = window.controller, Heartbeat()
     assert controller is not None
-    controller.set_eyes("both")
+    controller.set_cameras("both")
     controller.editing.pick(1)
     wait_until(lambda: controller.playback.loaded == ((0, FRAMES),))
     _round(controller)  # what is made once is made
@@ -185,7 +185,7 @@ def _live(window: MainWindow, recording: Path) -> dict[str, float]:
     show_document(window, recording, 0)
     controller, heart = window.controller, Heartbeat()
     assert controller is not None
-    controller.set_eyes("both")
+    controller.set_cameras("both")
     wait_until(lambda: len(controller.playback.loaded) > 0)
     heart.start()
     controller.toggle()

@@ -15,7 +15,7 @@ VIEW = Rig.of_scene(SCENES["lobby"], (640, 480)).view
 
 
 def turned_rig() -> Rectification:
-    """A pair with lenses that distort and eyes that do not look the same way."""
+    """A pair with lenses that distort and cameras that do not look the same way."""
     matrix = np.array([[560.0, 0, 322], [0, 561, 243], [0, 0, 1]])
     left = Camera(matrix, np.array([-0.21, 0.06, 0.001, -0.0005, 0.0]), 640, 480)
     other = np.array([[564.0, 0, 317], [0, 564, 245], [0, 0, 1]])

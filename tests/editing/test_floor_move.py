@@ -1,4 +1,4 @@
-"""Whoever is dragged over the floor is seen there by both eyes."""
+"""Whoever is dragged over the floor is seen there by both cameras."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def drag(table: TrackTable, frame: int, to: tuple[float, float], view: View = VI
 
 
 @pytest.mark.parametrize("name", RIGS)
-def test_both_eyes_agree_on_where_the_foot_of_a_dragged_person_is(name: str) -> None:
+def test_both_cameras_agree_on_where_the_foot_of_a_dragged_person_is(name: str) -> None:
     rig = RIGS[name]
     assert rig.ground is not None
     view = View(rig.calibration.left, rig.ground)
@@ -43,25 +43,26 @@ def test_both_eyes_agree_on_where_the_foot_of_a_dragged_person_is(name: str) -> 
 
 def off_epipolar_line_px(rig: Rectification, left: np.ndarray, right: np.ndarray) -> float:
     """How far a right pixel is from the line that belongs to the left one, from R and T alone."""
-    eyes, turn = rig.calibration, rig.calibration.rotation
-    assert eyes.right is not None
-    x, y, z = eyes.translation
+    cameras, turn = rig.calibration, rig.calibration.rotation
+    assert cameras.right is not None
+    x, y, z = cameras.translation
     essential = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]]) @ turn
     rays = [
-        np.append(eye.undistort(at)[0], 1) for eye, at in ((eyes.left, left), (eyes.right, right))
+        np.append(side.undistort(at)[0], 1)
+        for side, at in ((cameras.left, left), (cameras.right, right))
     ]
     line = essential @ rays[0]
-    return float(abs(rays[1] @ line) / np.hypot(*line[:2]) * eyes.right.matrix[0, 0])
+    return float(abs(rays[1] @ line) / np.hypot(*line[:2]) * cameras.right.matrix[0, 0])
 
 
 def triangulated(rig: Rectification, left: np.ndarray, right: np.ndarray) -> np.ndarray:
     """The world point where both rays meet best."""
-    eyes = rig.calibration
-    assert eyes.right is not None
+    cameras = rig.calibration
+    assert cameras.right is not None
     assert rig.ground is not None
-    a = np.append(eyes.left.undistort(left)[0], 1)
-    b = eyes.rotation.T @ np.append(eyes.right.undistort(right)[0], 1)
-    centre = -eyes.rotation.T @ eyes.translation
+    a = np.append(cameras.left.undistort(left)[0], 1)
+    b = cameras.rotation.T @ np.append(cameras.right.undistort(right)[0], 1)
+    centre = -cameras.rotation.T @ cameras.translation
     along = np.linalg.lstsq(np.column_stack([a, -b]), centre, rcond=None)[0]
     rotation, origin = rig.ground.world_from_camera
     return rotation @ ((a * along[0] + centre + b * along[1]) / 2) + origin

@@ -164,7 +164,7 @@ def test_a_pair_of_ros_camera_infos_gives_rotation_and_baseline(tmp_path: Path) 
     (tmp_path / "right.yaml").write_text(ros_text(right_rotation, -60.0))
     calibration = read_calibration([tmp_path / "left.yaml", tmp_path / "right.yaml"])
     np.testing.assert_allclose(calibration.rotation, right_rotation.T @ ROTATION, atol=1e-9)
-    # The right eye stands 0.12 m along the common rectified row.
+    # The right camera stands 0.12 m along the common rectified row.
     np.testing.assert_allclose(
         ROTATION @ (-calibration.rotation.T @ calibration.translation), (0.12, 0, 0), atol=1e-9
     )

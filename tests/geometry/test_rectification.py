@@ -69,7 +69,7 @@ def test_principal_points_that_differ_along_the_row_only_shift_the_disparity() -
 
 @given(WORLD)
 @settings(deadline=None)
-def test_a_world_point_lies_on_one_row_of_both_rectified_eyes(
+def test_a_world_point_lies_on_one_row_of_both_rectified_cameras(
     real: Rectification, point: tuple[float, float, float]
 ) -> None:
     world = np.array([point])
@@ -131,7 +131,7 @@ def test_the_rectified_picture_of_a_real_rig_keeps_its_middle_and_is_well_covere
 
 
 def test_rows_of_a_real_rectified_pair_agree(real: Rectification, shared_data: Path) -> None:
-    """Corners matched between the eyes of real footage lie on the same row."""
+    """Corners matched between the cameras of real footage lie on the same row."""
     left, right = real.rectify(*_real_pair(shared_data))
     matches = _matched_corners(left, right)
     assert len(matches) > 50
@@ -158,7 +158,7 @@ def test_one_camera_cannot_be_rectified() -> None:
     [
         (np.eye(3) * 2, [-0.12, 0, 0], "not a rotation"),
         (np.diag([1.0, 1.0, -1.0]), [-0.12, 0, 0], "not a rotation"),
-        (np.eye(3), [0.12, 0, 0], "exchange the eyes"),
+        (np.eye(3), [0.12, 0, 0], "exchange the cameras"),
         (np.eye(3), [0, -0.12, 0], "side by side"),
         (np.eye(3), [0, 0, 0], "0 m apart"),
         (np.eye(3), [-120.0, 0, 0], "in metres"),
@@ -178,7 +178,7 @@ def test_a_calibration_of_another_size_is_told() -> None:
         rectified_already().calibration.check_size((320, 240))
 
 
-def test_eyes_turned_so_far_that_nothing_is_left_are_refused() -> None:
+def test_cameras_turned_so_far_that_nothing_is_left_are_refused() -> None:
     camera = Camera(MATRIX, np.zeros(5), 640, 480)
     turned, _ = cv2.Rodrigues(np.array([0.0, 1.2, 0.0]))
     calibration = StereoCalibration(camera, camera, turned, turned @ np.array([-0.12, 0.0, 0.0]))
@@ -188,8 +188,8 @@ def test_eyes_turned_so_far_that_nothing_is_left_are_refused() -> None:
 
 def _real_pair(shared_data: Path) -> tuple[np.ndarray, np.ndarray]:
     pair = []
-    for eye in ("left", "right"):
-        with av.open(str(shared_data / "overhead-real" / f"{eye}.mp4")) as container:
+    for side in ("left", "right"):
+        with av.open(str(shared_data / "overhead-real" / f"{side}.mp4")) as container:
             frame = next(f for n, f in enumerate(container.decode(video=0)) if n == 70)
             pair.append(frame.to_ndarray(format="bgr24"))
     return pair[0], pair[1]

@@ -1,4 +1,4 @@
-"""By how much an eye is late is told from some stretches of the footage."""
+"""By how much a camera is late is told from some stretches of the footage."""
 
 from __future__ import annotations
 
@@ -9,15 +9,15 @@ from numpy.typing import NDArray
 
 from tracking.geometry import Camera, Ground, Rectification, StereoCalibration
 from tracking.people import lag_looks
-from tracking.people.eye_movement import EyeMovement, thinned
-from tracking.people.first_lag import thinned_eyes, thinned_maps
+from tracking.people.first_lag import thinned_images, thinned_maps
+from tracking.people.motion_agreement import MotionAgreement, thinned
 from tracking.recording import StereoFrame
 
 COUNT, ROWS, AROUND = 300, 120, 60
 
 
 class Footage:
-    """Rows in which by chance much or little moves, seen by two eyes of which one is late."""
+    """Rows in which by chance much or little moves, seen by two cameras of which one is late."""
 
     fps, rectification = 20.0, None
     right_lag: int | None = None
@@ -117,7 +117,7 @@ def test_a_lag_that_is_told_stands_only_where_nothing_moves(still_until: int, la
 def test_a_stretch_is_of_few_frames_however_many_there_are_a_second(
     fps: float, most_lag: int
 ) -> None:
-    movement = EyeMovement(fps)
+    movement = MotionAgreement(fps)
     assert movement.most_lag == most_lag
     assert movement.span <= 156
 
@@ -130,7 +130,7 @@ def test_pixels_are_compared_where_they_are_after_rectification() -> None:
     rectification = Rectification(calibration, Ground(2.0, 20.0))
     smooth = cv2.GaussianBlur(np.random.default_rng(1).uniform(0, 255, (240, 320, 3)), (0, 0), 3)
     left, right = smooth.astype(np.uint8), smooth[::-1].astype(np.uint8)
-    eyes = thinned_eyes(StereoFrame(0, 0.0, left, right), thinned_maps(rectification))
-    for eye, whole in zip(eyes, rectification.rectify(left, right), strict=True):
-        assert eye.shape == thinned(whole).shape
-        assert np.abs(eye.astype(int) - thinned(whole)).max() <= 5
+    images = thinned_images(StereoFrame(0, 0.0, left, right), thinned_maps(rectification))
+    for image, whole in zip(images, rectification.rectify(left, right), strict=True):
+        assert image.shape == thinned(whole).shape
+        assert np.abs(image.astype(int) - thinned(whole)).max() <= 5

@@ -146,16 +146,16 @@ def test_people_who_stand_for_most_of_the_time_are_not_learnt(shared_data: Path)
     assert (apart_m.min(axis=0) < 0.4).all()
 
 
-def test_a_frame_without_a_right_eye_is_refused(shared_data: Path) -> None:
+def test_a_frame_without_a_right_camera_is_refused(shared_data: Path) -> None:
     with open_recording(shared_data / "rendered-lobby") as recording:
         perception = prepared(recording)
         left = recording.read(0).left
-    with pytest.raises(RecordingError, match="no right eye"):
+    with pytest.raises(RecordingError, match="no right camera"):
         perception.observe(StereoFrame(0, 0.0, left, None))
 
 
 def rig(width: int, height: int) -> Rectification:
-    """Two eyes that are alike, 20 cm from each other."""
+    """Two cameras that are alike, 20 cm from each other."""
     matrix = np.array([[float(width), 0, width / 2], [0, float(width), height / 2], [0, 0, 1]])
     camera = Camera(matrix, np.zeros(5), width, height)
     calibration = StereoCalibration(camera, camera, np.eye(3), np.array([-0.2, 0, 0]))
@@ -179,7 +179,7 @@ def test_the_smallest_pictures_that_can_be_matched_are_observed() -> None:
         assert len(perception.observe(StereoFrame(n, n / 20, left, right)).people) == 0
 
 
-def test_while_the_right_eye_is_black_the_left_one_places_people(shared_data: Path) -> None:
+def test_while_the_right_camera_is_black_the_left_one_places_people(shared_data: Path) -> None:
     truth = truth_of(shared_data / "rendered-plaza")
     with open_recording(shared_data / "rendered-plaza") as recording:
         perception = prepared(recording)
@@ -198,4 +198,4 @@ def test_while_the_right_eye_is_black_the_left_one_places_people(shared_data: Pa
     assert found < 1.05 * wanted
     assert np.mean(errors) < 0.2
     (note,) = perception.notes
-    assert note.startswith("the right eye shows nothing new in frames 300 to 315: people are")
+    assert note.startswith("the right camera shows nothing new in frames 300 to 315: people are")

@@ -121,7 +121,7 @@ def test_a_stretched_out_arm_is_nobody_without_metres() -> None:
 
 
 def test_people_seen_from_above_are_not_doubled() -> None:
-    scene = Scene(SCENES["plaza"], people=6, seed=7, eyes=1)
+    scene = Scene(SCENES["plaza"], people=6, seed=7, cameras=1)
     frames = [scene.frame(number) for number in range(160, 480, 40)]
     perception = SingleCameraPerception(FPS, scene.rig.view)
     perception.learn([frame for frame, _ in frames])
@@ -143,7 +143,7 @@ def test_wide_pictures_give_boxes_and_regions_as_recorded() -> None:
 @pytest.fixture(scope="module")
 def rendered() -> list[tuple[Observation, SceneTruth, NDArray[np.int32]]]:
     """Observations of a rendered walkway with what is true of them and who covers each pixel."""
-    scene = Scene(SCENES["walkway"], seed=4104, eyes=1)
+    scene = Scene(SCENES["walkway"], seed=4104, cameras=1)
     numbers = range(40, scene.frames, 8)
     frames = [scene.frame(number) for number in numbers]
     perception = SingleCameraPerception(FPS, scene.rig.view)

@@ -21,17 +21,17 @@ WALKS = ((40, 200, 9, 0), (250, 110, -7, -3), (150, 90, 4, 4), (90, 140, 0, -8))
 
 @pytest.fixture(scope="module")
 def street(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder of drawn pictures for two eyes; each test says where its floor is."""
+    """A folder of drawn pictures for two cameras; each test says where its floor is."""
     folder = tmp_path_factory.mktemp("street")
     wall = np.random.default_rng(5).integers(80, 180, (60, 80, 3), np.uint8)
     empty = cv2.resize(wall, SIZE, interpolation=cv2.INTER_CUBIC)
-    for eye, disparity in (("left", 0), ("right", 12)):
-        (folder / eye).mkdir()
+    for camera, disparity in (("left", 0), ("right", 12)):
+        (folder / camera).mkdir()
         for frame in range(FRAMES):
             picture = empty.copy()
             for u, v, across, down in WALKS if frame else ():
                 draw_person(picture, u + across * frame - disparity, v + down * frame)
-            cv2.imwrite(str(folder / eye / f"{frame:03}.png"), picture)
+            cv2.imwrite(str(folder / camera / f"{frame:03}.png"), picture)
     matrix = [FOCAL_PX, 0, SIZE[0] / 2, 0, FOCAL_PX, SIZE[1] / 2, 0, 0, 1]
     shapes = {"M1": (3, matrix), "M2": (3, matrix), "R": (3, np.eye(3).ravel().tolist())}
     shapes |= {"D1": (1, [0.0] * 5), "D2": (1, [0.0] * 5), "T": (3, [-BASELINE_M, 0, 0])}

@@ -101,18 +101,18 @@ def test_smoothing_changes_the_run_but_not_its_steps(recording: Recording):
     assert [step.tracks["x"].tobytes() for step in steps] == before
 
 
-def test_swapped_eyes_are_told(recording: Recording, rendered: Path):
-    eyes = OpenOptions(
+def test_swapped_cameras_are_told(recording: Recording, rendered: Path):
+    cameras = OpenOptions(
         left=rendered / "right.mp4",
         right=rendered / "left.mp4",
         calibration=(rendered / "calibration.yaml",),
         height_m=recording.ground.height_m,
         tilt_deg=recording.ground.tilt_deg,
     )
-    with open_recording(rendered, eyes) as swapped, track(swapped, settings=FAST) as tracking:
+    with open_recording(rendered, cameras) as swapped, track(swapped, settings=FAST) as tracking:
         assert tracking.notes == ()
         list(tracking)
-        assert "are the eyes swapped?" in tracking.notes[0]
+        assert "are the cameras swapped?" in tracking.notes[0]
 
 
 def test_a_changed_setting_that_leaves_no_distance_is_told_first(recording: Recording):
@@ -121,11 +121,11 @@ def test_a_changed_setting_that_leaves_no_distance_is_told_first(recording: Reco
     with track(recording, settings=settings) as tracking:
         list(tracking)
     (note,) = tracking.notes
-    assert "Nearest is 20 m, is that right? If so, are the eyes swapped" in note
+    assert "Nearest is 20 m, is that right? If so, are the cameras swapped" in note
     assert "Body" not in note
 
 
-def test_eyes_in_their_places_give_no_note(recording: Recording):
+def test_cameras_in_their_places_give_no_note(recording: Recording):
     with track(recording, settings=FAST, frames=(40, 60)) as tracking:
         list(tracking)
         assert tracking.notes == ()
@@ -199,10 +199,10 @@ def test_a_tracker_that_times_its_stages_tells_them_beside_the_others(rendered: 
 
 
 def test_two_cameras_without_calibration_are_tracked_by_one(rendered: Path, tmp_path: Path):
-    for eye in ("left.mp4", "right.mp4"):
-        shutil.copy(rendered / eye, tmp_path / eye)
-    eyes = OpenOptions(left=tmp_path / "left.mp4", right=tmp_path / "right.mp4")
-    with open_recording(tmp_path, eyes) as bare:
+    for side in ("left.mp4", "right.mp4"):
+        shutil.copy(rendered / side, tmp_path / side)
+    cameras = OpenOptions(left=tmp_path / "left.mp4", right=tmp_path / "right.mp4")
+    with open_recording(tmp_path, cameras) as bare:
         assert best_tracker(bare) == "three-part"
         with pytest.raises(CalibrationError, match="has no calibration"):
             track(bare, "stereo-direction")

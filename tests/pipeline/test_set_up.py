@@ -29,8 +29,8 @@ def told(recording: Recording, tracker: str = "stereo-direction") -> tuple[str, 
         return tracking.notes
 
 
-def eyes_of(lobby: Path, left: str, right: str) -> OpenOptions:
-    """The same set-up with other eyes."""
+def cameras_of(lobby: Path, left: str, right: str) -> OpenOptions:
+    """The same set-up with other cameras."""
     with open_recording(lobby) as recording:
         ground = recording.ground
     return OpenOptions(
@@ -67,20 +67,20 @@ def test_a_wrong_height_or_tilt_is_told_as_that_with_what_would_be_right(
     assert "swapped" not in note
 
 
-def test_swapped_eyes_are_told_as_that_and_not_as_a_wrong_floor(lobby: Path):
-    with open_recording(lobby, eyes_of(lobby, "right.mp4", "left.mp4")) as swapped:
+def test_swapped_cameras_are_told_as_that_and_not_as_a_wrong_floor(lobby: Path):
+    with open_recording(lobby, cameras_of(lobby, "right.mp4", "left.mp4")) as swapped:
         (note,) = told(swapped)
-    assert "are the eyes swapped?" in note
+    assert "are the cameras swapped?" in note
 
 
-def test_the_same_pictures_for_both_eyes_are_told_as_that(lobby: Path):
-    with open_recording(lobby, eyes_of(lobby, "left.mp4", "left.mp4")) as same:
+def test_the_same_pictures_for_both_cameras_are_told_as_that(lobby: Path):
+    with open_recording(lobby, cameras_of(lobby, "left.mp4", "left.mp4")) as same:
         (note,) = told(same)
-    assert "both eyes show the same pictures" in note
+    assert "both cameras show the same pictures" in note
 
 
 @pytest.mark.parametrize(("apart_px", "same"), [(10, False), (0, True)])
-def test_a_lamp_at_night_tells_whether_eyes_differ(
+def test_a_lamp_at_night_tells_whether_cameras_differ(
     lobby: Path, monkeypatch: pytest.MonkeyPatch, apart_px: int, same: bool
 ):
     left, right = np.zeros((2, 240, 320, 3), np.uint8)
@@ -105,6 +105,6 @@ def test_a_nearest_distance_that_is_not_below_the_farthest_is_refused(
         track(recording, "stereo-joint", settings)
 
 
-def test_one_eye_may_show_what_it_likes(lobby: Path):
-    with open_recording(lobby, eyes_of(lobby, "left.mp4", "left.mp4")) as same:
+def test_one_camera_may_show_what_it_likes(lobby: Path):
+    with open_recording(lobby, cameras_of(lobby, "left.mp4", "left.mp4")) as same:
         assert told(same, "spheroid") == ()

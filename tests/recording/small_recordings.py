@@ -13,7 +13,7 @@ from tracking.recording import Recording
 
 COUNT = 12
 RIGHT_OFFSET = 100
-"""The right eye's pictures carry their number plus this."""
+"""The right camera's pictures carry their number plus this."""
 
 
 def numbers_of(recording: Recording) -> list[tuple[int, int | None]]:

@@ -1,4 +1,4 @@
-"""Frames in the left eye's time, with the right picture of the same instant."""
+"""Frames in the left camera's time, with the right picture of the same instant."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from tracking.recording.video import VideoSource
 
 
 def write_split(folder: Path, layout: str) -> None:
-    """One video that holds both eyes."""
+    """One video that holds both cameras."""
     stack = np.hstack if layout == "side-by-side" else np.vstack
     both = [stack((numbered_picture(n), numbered_picture(n + RIGHT_OFFSET))) for n in range(COUNT)]
     write_video(folder / "both.mp4", (), pictures=both)
@@ -107,14 +107,14 @@ def test_each_picture_is_decoded_once_and_none_waits(
 
 @pytest.mark.parametrize("recording", ["top-bottom"], indirect=True)
 @pytest.mark.parametrize("lag", [-4, 4])
-def test_of_pictures_that_hold_both_eyes_one_half_waits(recording: Recording, lag: int) -> None:
+def test_of_pictures_that_hold_both_cameras_one_half_waits(recording: Recording, lag: int) -> None:
     frames = Instants(recording, lag).frames(5, 7)
     frame = next(iter(frames))
     assert frame.right is not None
     assert (frame.left if lag > 0 else frame.right).base is None
 
 
-def test_a_recording_of_one_eye_stays_as_it_is(tmp_path: Path) -> None:
+def test_a_recording_of_one_camera_stays_as_it_is(tmp_path: Path) -> None:
     with open_recording(write_video(tmp_path / "one.mp4", range(3))) as alone:
         frames = list(Instants(alone, 2).frames(0, 3))
     assert [(frame.right, frame.right_lag) for frame in frames] == [(None, 0)] * 3

@@ -79,7 +79,9 @@ def test_a_lag_that_cannot_be_is_refused(lag: str, problem: str) -> None:
         parsed(f'[left]\nsource = "a.mp4"\n[right]\nsource = "b.mp4"\nlag = {lag}\n')
 
 
-def test_one_video_with_both_eyes_lies_side_by_side_with_the_left_eye_first_unless_told() -> None:
+def test_one_video_with_both_cameras_lies_side_by_side_with_the_left_camera_first_unless_told() -> (
+    None
+):
     manifest = parsed('[stereo]\nsource = "both.mp4"\n')
     assert (manifest.layout, manifest.first) == ("side-by-side", "left")
     manifest = parsed('[stereo]\nsource = "both.mp4"\nlayout = "top-bottom"\nfirst = "right"\n')

@@ -1,4 +1,4 @@
-"""Recordings whose eyes, images or times are not as they should be: mended or told."""
+"""Recordings whose cameras, images or times are not as they should be: mended or told."""
 
 from __future__ import annotations
 
@@ -25,14 +25,14 @@ from tracking.recording import (
 )
 
 
-def test_eyes_of_different_length_end_with_the_shorter_one(tmp_path: Path) -> None:
+def test_cameras_of_different_length_end_with_the_shorter_one(tmp_path: Path) -> None:
     write_pair(tmp_path, right_count=COUNT - 4)
     with open_recording(tmp_path) as recording:
         assert numbers_of(recording) == pairs(COUNT - 4)
         assert any("left.mp4 has 12 frames, right.mp4 8" in note for note in recording.notes)
 
 
-def test_eyes_of_different_size_are_refused(tmp_path: Path) -> None:
+def test_cameras_of_different_size_are_refused(tmp_path: Path) -> None:
     write_video(tmp_path / "left.mp4", range(3))
     big = [numbered_picture(n, 160, 96) for n in range(3)]
     write_video(tmp_path / "right.mp4", [], pictures=big)
@@ -40,8 +40,8 @@ def test_eyes_of_different_size_are_refused(tmp_path: Path) -> None:
         open_recording(tmp_path)
 
 
-def test_a_frame_one_eye_dropped_does_not_shift_the_rest(tmp_path: Path) -> None:
-    """The right eye's times show a gap; eyes stay paired by the instant."""
+def test_a_frame_one_camera_dropped_does_not_shift_the_rest(tmp_path: Path) -> None:
+    """The right camera's times show a gap; cameras stay paired by the instant."""
     write_video(tmp_path / "left.mp4", range(40))
     kept = [n for n in range(40) if n != 21]
     write_video(
@@ -60,7 +60,7 @@ def test_a_frame_one_eye_dropped_does_not_shift_the_rest(tmp_path: Path) -> None
         assert any("right.mp4: 1 frame not recorded" in note for note in recording.notes)
 
 
-def test_an_image_one_eye_lacks_does_not_shift_the_rest(tmp_path: Path) -> None:
+def test_an_image_one_camera_lacks_does_not_shift_the_rest(tmp_path: Path) -> None:
     write_images(tmp_path / "left", range(COUNT))
     write_images(tmp_path / "right", [n for n in range(COUNT) if n != 5], RIGHT_OFFSET)
     with open_recording(tmp_path, OpenOptions(fps=10.0)) as recording:

@@ -59,11 +59,11 @@ def test_two_image_folders_by_glob(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("first", ["left", "right"])
 @pytest.mark.parametrize(("layout", "axis"), [("side-by-side", 1), ("top-bottom", 0)])
-def test_one_video_with_both_eyes(tmp_path: Path, layout: str, first: str, axis: int) -> None:
+def test_one_video_with_both_cameras(tmp_path: Path, layout: str, first: str, axis: int) -> None:
     both = []
     for number in range(COUNT):
-        eyes = [numbered_picture(number), numbered_picture(number + RIGHT_OFFSET)]
-        both.append(np.concatenate(eyes if first == "left" else eyes[::-1], axis))
+        cameras = [numbered_picture(number), numbered_picture(number + RIGHT_OFFSET)]
+        both.append(np.concatenate(cameras if first == "left" else cameras[::-1], axis))
     write_video(tmp_path / "both.mp4", [], pictures=both)
     (tmp_path / "recording.toml").write_text(
         f'[stereo]\nsource = "both.mp4"\nlayout = "{layout}"\nfirst = "{first}"\n'
@@ -74,7 +74,7 @@ def test_one_video_with_both_eyes(tmp_path: Path, layout: str, first: str, axis:
         assert number_in(recording.read(5).left) == 5
 
 
-def test_a_bare_video_and_one_with_both_eyes_by_option(tmp_path: Path) -> None:
+def test_a_bare_video_and_one_with_both_cameras_by_option(tmp_path: Path) -> None:
     video = write_video(tmp_path / "v.mp4", range(COUNT))
     with open_recording(video) as recording:
         assert recording.name == "v"
@@ -210,12 +210,14 @@ def test_a_calibration_of_the_wrong_size_is_refused(tmp_path: Path) -> None:
         open_recording(tmp_path, OpenOptions(calibration=(tmp_path / "c.yaml",)))
 
 
-def test_one_eye_takes_the_left_camera_of_a_rig_and_two_eyes_need_both(tmp_path: Path) -> None:
+def test_one_camera_takes_the_left_camera_of_a_rig_and_two_cameras_need_both(
+    tmp_path: Path,
+) -> None:
     write_pair(tmp_path)
     write_calibration(tmp_path / "both.yaml", rig())
     write_calibration(tmp_path / "one.yaml", StereoCalibration.of_one(rig().left))
-    one_eye = OpenOptions(calibration=(tmp_path / "both.yaml",), height_m=2.0, tilt_deg=30.0)
-    with open_recording(tmp_path / "left.mp4", one_eye) as recording:
+    one_camera = OpenOptions(calibration=(tmp_path / "both.yaml",), height_m=2.0, tilt_deg=30.0)
+    with open_recording(tmp_path / "left.mp4", one_camera) as recording:
         assert recording.view is not None
         assert recording.rectification is None
     with open_recording(tmp_path, OpenOptions(calibration=(tmp_path / "one.yaml",))) as recording:

@@ -125,32 +125,32 @@ def test_a_text_that_could_be_drawn_as_a_film_is_none(tmp_path: Path) -> None:
         open_recording(tmp_path / "truth.txt")
 
 
-@pytest.mark.parametrize("eye", ["left", "right"])
+@pytest.mark.parametrize("side", ["left", "right"])
 @pytest.mark.parametrize("lacking", ["missing", "empty"])
-def test_a_manifests_eye_that_is_not_there_is_told_as_that(
-    tmp_path: Path, eye: str, lacking: str
+def test_a_manifests_camera_that_is_not_there_is_told_as_that(
+    tmp_path: Path, side: str, lacking: str
 ) -> None:
-    other = "left" if eye == "right" else "right"
+    other = "left" if side == "right" else "right"
     write_video(tmp_path / f"{other}.mp4", range(3))
     if lacking == "empty":
-        (tmp_path / f"{eye}.mp4").touch()
+        (tmp_path / f"{side}.mp4").touch()
     write_manifest(tmp_path, Manifest("Hall", "left.mp4", right="right.mp4"))
     with pytest.raises(RecordingError) as refused:
         open_recording(tmp_path)
     told = str(refused.value)
-    assert f"recording.toml: the {eye} eye is {lacking}" in told
+    assert f"recording.toml: the {side} camera is {lacking}" in told
     assert "give a video" not in told
-    assert ("leave [right] out" in told) == (eye == "right")
+    assert ("leave [right] out" in told) == (side == "right")
 
 
 @pytest.mark.parametrize(
     ("manifest", "named"),
     [
-        (Manifest("Hall", "both.mp4", layout="side-by-side"), "the video of both eyes"),
+        (Manifest("Hall", "both.mp4", layout="side-by-side"), "the video of both cameras"),
         (Manifest("Hall", "only.mp4"), "the video"),
     ],
 )
-def test_a_manifests_only_source_that_is_not_there_is_called_no_eye(
+def test_a_manifests_only_source_that_is_not_there_is_called_no_camera(
     tmp_path: Path, manifest: Manifest, named: str
 ) -> None:
     write_manifest(tmp_path, manifest)

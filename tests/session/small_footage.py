@@ -1,4 +1,4 @@
-"""Real recordings of three small pictures an eye, and sessions on them."""
+"""Real recordings of three small pictures a camera, and sessions on them."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def write_rig(path: Path) -> Path:
 
 
 def write_footage(folder: Path) -> Path:
-    """A folder with recording.toml: two eyes, calibrated, over a floor."""
+    """A folder with recording.toml: two cameras, calibrated, over a floor."""
     write_pictures(folder / "left", 1)
     write_pictures(folder / "right", 2)
     write_rig(folder / "rig.yaml")
@@ -58,7 +58,7 @@ def reopened(path: Path) -> Session:
 
 
 def is_whole(recording: Recording) -> bool:
-    """Whether both eyes, the calibration and the floor are there; closes it."""
+    """Whether both cameras, the calibration and the floor are there; closes it."""
     recording.close()
     return (
         recording.is_stereo

@@ -209,7 +209,7 @@ def test_what_the_user_said_of_a_recording_counts_before_its_recording_toml(
 # Recordings without one
 
 
-def test_bare_eyes_with_options_open_whole(tmp_path: Path) -> None:
+def test_bare_cameras_with_options_open_whole(tmp_path: Path) -> None:
     left, right = write_pictures(tmp_path / "a" / "l", 1), write_pictures(tmp_path / "b" / "r", 2)
     options = bare(left, right, write_rig(tmp_path / "rigs" / "rig.yaml"))
     path = session_on(tmp_path / "s.h5", left, options)
@@ -242,7 +242,7 @@ def test_one_image_folder_opens_with_its_truth(tmp_path: Path) -> None:
         assert found.truth_path == pictures / "truth.txt"
 
 
-def test_pictures_with_both_eyes_open_as_they_were_laid_out(tmp_path: Path) -> None:
+def test_pictures_with_both_cameras_open_as_they_were_laid_out(tmp_path: Path) -> None:
     pictures = write_pictures(tmp_path / "both", 1)
     options = OpenOptions(fps=10.0, layout="side-by-side", first="right")
     path = session_on(tmp_path / "s.h5", pictures, options)
@@ -272,7 +272,7 @@ def test_pictures_in_a_folder_above_the_session_are_found(tmp_path: Path) -> Non
     assert place_of(reopened(path)) == pictures
 
 
-def test_bare_eyes_that_were_given_a_recording_toml_are_found_where_the_user_says(
+def test_bare_cameras_that_were_given_a_recording_toml_are_found_where_the_user_says(
     tmp_path: Path,
 ) -> None:
     left, right = write_pictures(tmp_path / "a" / "l", 1), write_pictures(tmp_path / "b" / "r", 2)

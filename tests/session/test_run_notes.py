@@ -28,7 +28,7 @@ def notes_in(path: Path) -> tuple[str, ...]:
 
 
 def test_notes_are_read_as_they_were_saved_and_saved_again(tmp_path: Path) -> None:
-    notes = ("the right eye is dead in frames 100 to 299", "\u00fc: 8 frames late")
+    notes = ("the right camera is dead in frames 100 to 299", "\u00fc: 8 frames late")
     path = made(tmp_path, notes)
     with closing(Session.open(path)) as session:
         session.save(tmp_path / "again.h5")

@@ -1,4 +1,4 @@
-"""An eye that is a little out of focus is noticed, and the other one smoothed as much."""
+"""A camera that is a little out of focus is noticed, and the other one smoothed as much."""
 
 from __future__ import annotations
 
@@ -25,11 +25,11 @@ def scene(noise: float, seed: int, spread_px: float = 0.0, gain: float = 1.0) ->
 
 
 @pytest.mark.parametrize(("noise", "gain"), [(0.0, 1.0), (3.0, 1.15), (1.0, 0.85)])
-def test_eyes_that_are_equally_sharp_are_left_as_they_are(noise: float, gain: float) -> None:
+def test_cameras_that_are_equally_sharp_are_left_as_they_are(noise: float, gain: float) -> None:
     left, right = scene(noise, 0), scene(noise, 1, gain=gain)
-    eyes = EvenSharpness()
-    eyes.learn(left, right)
-    same = eyes.even(left, right)
+    cameras = EvenSharpness()
+    cameras.learn(left, right)
+    same = cameras.even(left, right)
     assert same[0] is left
     assert same[1] is right
 
@@ -37,28 +37,28 @@ def test_eyes_that_are_equally_sharp_are_left_as_they_are(noise: float, gain: fl
 @pytest.mark.parametrize("noise", [0.0, 3.0])
 @pytest.mark.parametrize("spread_px", [0.8, 1.3])
 @pytest.mark.parametrize("blurred", [0, 1])
-def test_the_sharper_eye_is_smoothed_as_much_as_the_other_is_out_of_focus(
+def test_the_sharper_camera_is_smoothed_as_much_as_the_other_is_out_of_focus(
     blurred: int, spread_px: float, noise: float
 ) -> None:
-    left, right = (scene(noise, eye, spread_px if eye == blurred else 0.0) for eye in (0, 1))
-    eyes = EvenSharpness()
-    eyes.learn(left, right)
-    assert eyes.spread_px[blurred] == 0.0
-    assert eyes.spread_px[1 - blurred] == pytest.approx(spread_px, abs=0.2)
+    left, right = (scene(noise, side, spread_px if side == blurred else 0.0) for side in (0, 1))
+    cameras = EvenSharpness()
+    cameras.learn(left, right)
+    assert cameras.spread_px[blurred] == 0.0
+    assert cameras.spread_px[1 - blurred] == pytest.approx(spread_px, abs=0.2)
 
 
-def test_an_eye_that_comes_into_focus_again_is_no_longer_evened() -> None:
-    eyes = EvenSharpness()
-    eyes.learn(scene(1.0, 0), scene(1.0, 1, 1.2))
-    eyes.learn(scene(1.0, 0), scene(1.0, 1))
-    assert eyes.spread_px == (0.0, 0.0)
+def test_a_camera_that_comes_into_focus_again_is_no_longer_evened() -> None:
+    cameras = EvenSharpness()
+    cameras.learn(scene(1.0, 0), scene(1.0, 1, 1.2))
+    cameras.learn(scene(1.0, 0), scene(1.0, 1))
+    assert cameras.spread_px == (0.0, 0.0)
 
 
-def test_an_eye_that_seems_nearly_as_sharp_once_is_evened_still() -> None:
-    eyes = EvenSharpness()
-    eyes.learn(scene(1.0, 0), scene(1.0, 1, 1.2))
-    eyes.learn(scene(1.0, 0), scene(1.0, 1, 0.55))
-    assert eyes.spread_px[0] > 0
+def test_a_camera_that_seems_nearly_as_sharp_once_is_evened_still() -> None:
+    cameras = EvenSharpness()
+    cameras.learn(scene(1.0, 0), scene(1.0, 1, 1.2))
+    cameras.learn(scene(1.0, 0), scene(1.0, 1, 0.55))
+    assert cameras.spread_px[0] > 0
     fresh = EvenSharpness()
     fresh.learn(scene(1.0, 0), scene(1.0, 1, 0.55))
     assert fresh.spread_px == (0.0, 0.0)
@@ -70,15 +70,15 @@ def plain(light: float, seed: int) -> Grey:
     return np.asarray(grain.clip(0, 255), np.uint8)
 
 
-def test_noise_says_nothing_of_how_sharp_eyes_are() -> None:
-    eyes = EvenSharpness()
-    eyes.learn(plain(110, 0), plain(118.3, 1))
-    assert eyes.spread_px == (0.0, 0.0)
+def test_noise_says_nothing_of_how_sharp_cameras_are() -> None:
+    cameras = EvenSharpness()
+    cameras.learn(plain(110, 0), plain(118.3, 1))
+    assert cameras.spread_px == (0.0, 0.0)
 
 
 def test_what_is_known_stays_while_there_is_nothing_to_see() -> None:
-    eyes = EvenSharpness()
-    eyes.learn(scene(1.0, 0), scene(1.0, 1, 1.2))
-    known = eyes.spread_px
-    eyes.learn(plain(110, 0), plain(110, 1))
-    assert eyes.spread_px == known != (0.0, 0.0)
+    cameras = EvenSharpness()
+    cameras.learn(scene(1.0, 0), scene(1.0, 1, 1.2))
+    known = cameras.spread_px
+    cameras.learn(plain(110, 0), plain(110, 1))
+    assert cameras.spread_px == known != (0.0, 0.0)

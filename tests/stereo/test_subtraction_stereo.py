@@ -69,7 +69,7 @@ def test_outside_the_foreground_there_is_no_range(lines: SightLines) -> None:
     assert not np.isfinite(found).any()
 
 
-def test_nothing_matches_what_the_right_eye_sees_as_background(lines: SightLines) -> None:
+def test_nothing_matches_what_the_right_camera_sees_as_background(lines: SightLines) -> None:
     left = dots(5)
     found = SubtractionStereo(lines).match(
         left, seen_from_the_right(left, 7), mask(BODY[1]), mask(slice(10, 60))
@@ -104,14 +104,14 @@ def person_before(
     spread_px: float = 0.0,
     dark: int = 0,
 ) -> NDArray[np.float32]:
-    """Disparity in a person 12 px away before a scene 6 px away, seen by an imperfect right eye.
+    """Disparity in a person 12 px away before a scene 6 px away, seen by an imperfect right camera.
 
     Args:
         dark: so many times the scene is looked at again, and lies in the dark.
     """
 
-    def as_right(eye: Grey) -> Grey:
-        lower = np.roll(eye, lower_px, axis=0)
+    def as_right(side: Grey) -> Grey:
+        lower = np.roll(side, lower_px, axis=0)
         blurred = cv2.GaussianBlur(lower, (0, 0), spread_px) if spread_px else lower
         return np.asarray(blurred, np.uint8)
 
@@ -125,7 +125,7 @@ def person_before(
 
 
 @pytest.mark.parametrize("lower_px", [-1, 1, 3])
-def test_a_right_eye_that_sees_lower_or_higher_gives_the_range_of_level_ones(
+def test_a_right_camera_that_sees_lower_or_higher_gives_the_range_of_level_ones(
     lines: SightLines, lower_px: int
 ) -> None:
     inside = person_before(dots(5), dots(6), lines, lower_px)
@@ -134,7 +134,7 @@ def test_a_right_eye_that_sees_lower_or_higher_gives_the_range_of_level_ones(
 
 
 @pytest.mark.parametrize("imperfect", [{"lower_px": 3}, {"spread_px": 2.0}])
-def test_what_is_known_of_the_eyes_outlasts_a_time_in_the_dark(
+def test_what_is_known_of_the_cameras_outlasts_a_time_in_the_dark(
     lines: SightLines, imperfect: dict[str, Any]
 ) -> None:
     inside = person_before(dots(5), dots(6), lines, **imperfect, dark=16)
@@ -144,7 +144,7 @@ def test_what_is_known_of_the_eyes_outlasts_a_time_in_the_dark(
 def test_a_first_scene_that_told_nothing_is_followed_by_another_look(lines: SightLines) -> None:
     scene, person = dots(5), dots(6)
     there = [
-        np.roll(seen_from_the_right(eye, px), 3, axis=0) for eye, px in ((scene, 6), (person, 12))
+        np.roll(seen_from_the_right(side, px), 3, axis=0) for side, px in ((scene, 6), (person, 12))
     ]
     stereo = SubtractionStereo(lines)
     stereo.learn_scene(np.zeros_like(scene), np.zeros_like(scene))
@@ -154,7 +154,7 @@ def test_a_first_scene_that_told_nothing_is_followed_by_another_look(lines: Sigh
     assert np.isfinite(found).sum() > 500
 
 
-def test_a_right_eye_out_of_focus_gives_the_range_of_sharp_ones(lines: SightLines) -> None:
+def test_a_right_camera_out_of_focus_gives_the_range_of_sharp_ones(lines: SightLines) -> None:
     inside = person_before(dots(5), dots(6), lines, spread_px=2.0)
     assert (np.abs(inside - 12) < 0.25).mean() > 0.95
 
@@ -176,11 +176,11 @@ def test_foreground_at_the_upper_and_lower_edge_alone_is_matched_with_any_window
     rig = StereoCalibration(camera, camera, np.eye(3), np.array([-0.12, 0, 0]))
     lines = SightLines(Rectification(rig, Ground(2.4, 30.0)))
     stereo = SubtractionStereo(lines, StereoSettings(window_px=window_px))
-    eye, everywhere = dots(5)[np.arange(height) % HEIGHT], np.full((height, WIDTH), 255, np.uint8)
+    side, everywhere = dots(5)[np.arange(height) % HEIGHT], np.full((height, WIDTH), 255, np.uint8)
     low = np.zeros_like(everywhere)
     low[row, 100:200] = 255
-    stereo.learn_scene(eye, eye)
-    found = stereo.match(eye, eye, low, everywhere)
+    stereo.learn_scene(side, side)
+    found = stereo.match(side, side, low, everywhere)
     assert found.shape == (-(-height // STEP), WIDTH // STEP)
     assert not np.isfinite(found[low[::STEP, ::STEP] == 0]).any()
 
@@ -191,9 +191,10 @@ def test_sight_lines_agree_with_the_rectification(u: int, v: int, disparity: flo
     matrix = np.array([[255.0, 0, 161], [0, 255, 119], [0, 0, 1]])
     right = matrix.copy()
     right[0, 2] = 158.0
-    eyes = [Camera(m, np.zeros(5), WIDTH, HEIGHT) for m in (matrix, right)]
+    cameras = [Camera(m, np.zeros(5), WIDTH, HEIGHT) for m in (matrix, right)]
     rig = Rectification(
-        StereoCalibration(eyes[0], eyes[1], np.eye(3), np.array([-0.2, 0, 0])), Ground(3.0, 50.0, 4)
+        StereoCalibration(cameras[0], cameras[1], np.eye(3), np.array([-0.2, 0, 0])),
+        Ground(3.0, 50.0, 4),
     )
     lines = SightLines(rig)
     whole = disparity + lines.offset

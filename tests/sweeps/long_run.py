@@ -133,8 +133,8 @@ def repeat_clip(clip: Path, out: Path, frames: int) -> None:
     out.mkdir()
     for name in ("recording.toml", "calibration.yaml"):
         (out / name).write_bytes((clip / name).read_bytes())
-    for eye in ("left.mp4", "right.mp4"):
-        with av.open(str(clip / eye)) as source, av.open(str(out / eye), "w") as target:
+    for side in ("left.mp4", "right.mp4"):
+        with av.open(str(clip / side)) as source, av.open(str(out / side), "w") as target:
             stream = source.streams.video[0]
             times = -(-frames // stream.frames)
             written = target.add_stream_from_template(stream)

@@ -30,7 +30,7 @@ def _walk(stands: tuple[int, int], frames: int = 160) -> PlannedWalk:
 
 @pytest.fixture(scope="module")
 def crouching() -> Scene:
-    return Scene(SCENES["crouching"], seed=4102, eyes=1, size=SMALL)
+    return Scene(SCENES["crouching"], seed=4102, cameras=1, size=SMALL)
 
 
 @settings(deadline=None)
@@ -104,15 +104,15 @@ def test_feet_stay_on_the_floor_while_somebody_is_down(crouching: Scene) -> None
 
 
 def test_tops_and_trousers_differ_on_the_walkway() -> None:
-    scene = Scene(SCENES["walkway"], people=8, seed=3, seconds=1.0, size=SMALL, eyes=1)
+    scene = Scene(SCENES["walkway"], people=8, seed=3, seconds=1.0, size=SMALL, cameras=1)
     texels = np.split(np.sqrt(scene.cast.textures / 0.9), 8)
     for atlas in (rows[: 320 * 256].reshape(320, 256, 3) for rows in texels):
         chest, shin = atlas[30:70, :].mean(axis=(0, 1)), atlas[190:215, 5:85].mean(axis=(0, 1))
         assert np.linalg.norm(chest - shin) > 0.12
 
 
-def test_a_recording_of_one_eye_shows_the_left_one_of_two(tmp_path: Path) -> None:
-    one = render_recording(tmp_path / "one", "walkway", 4.0, 2, 5, size=SMALL, eyes=1)
+def test_a_recording_of_one_camera_shows_the_left_one_of_two(tmp_path: Path) -> None:
+    one = render_recording(tmp_path / "one", "walkway", 4.0, 2, 5, size=SMALL, cameras=1)
     two = render_recording(tmp_path / "two", "walkway", 4.0, 2, 5, size=SMALL)
     assert not (one / "right.mp4").exists()
     for name in ("left.mp4", "truth.txt", "truth_parts.csv"):
@@ -123,7 +123,7 @@ def test_a_recording_of_one_eye_shows_the_left_one_of_two(tmp_path: Path) -> Non
 
 
 def test_scenes_for_body_parts_are_as_large_as_the_paper_s_pictures(tmp_path: Path) -> None:
-    scene = Scene(SCENES["walkway"], people=0, seed=1, seconds=0.1, eyes=1)
+    scene = Scene(SCENES["walkway"], people=0, seed=1, seconds=0.1, cameras=1)
     assert scene.rig.size == (720, 480)
-    with pytest.raises(SettingsError, match="eyes is 3"):
-        render_recording(tmp_path / "out", "walkway", 1.0, 1, 1, eyes=3)
+    with pytest.raises(SettingsError, match="cameras is 3"):
+        render_recording(tmp_path / "out", "walkway", 1.0, 1, 1, cameras=3)

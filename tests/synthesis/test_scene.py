@@ -55,7 +55,7 @@ def test_empty_frames_differ_by_noise_alone(plaza: Scene) -> None:
     assert abs((one - two).mean()) < 0.05
 
 
-def test_the_right_eye_is_a_little_darker(plaza: Scene) -> None:
+def test_the_right_camera_is_a_little_darker(plaza: Scene) -> None:
     frame, _ = plaza.frame(0)
     assert frame.right is not None
     assert 0.95 < frame.right.mean() / frame.left.mean() < 0.995
@@ -135,7 +135,7 @@ def _disparity_of_match(
     return column - (start + shift)
 
 
-def test_the_eyes_see_people_at_the_disparity_of_their_distance() -> None:
+def test_the_cameras_see_people_at_the_disparity_of_their_distance() -> None:
     scene = Scene(SCENES["lobby"], people=6, seed=2, seconds=6.0)
     number, _ = _with_people(scene)
     frame, _ = scene.frame(number)

@@ -1,4 +1,4 @@
-"""What one eye sees where nobody is: learnt, adapted, and subtracted."""
+"""What one camera sees where nobody is: learnt, adapted, and subtracted."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ _OPENING = cv2.getStructuringElement(cv2.MORPH_CROSS, (3, 3))
 
 @dataclass(frozen=True, slots=True)
 class Subtraction:
-    """One eye's picture beside its background.
+    """One camera's picture beside its background.
 
     Attributes:
         picture: (height, width, 3) the lightly smoothed picture.
@@ -57,7 +57,7 @@ class Subtraction:
 
 
 class BackgroundModel:
-    """A running mean and deviation per pixel and channel of one fixed eye.
+    """A running mean and deviation per pixel and channel of one fixed camera.
 
     Slow changes are followed, a change of exposure is taken out at once as one factor, and what
     stays still without being a person is absorbed after a while. Pixels protected by the caller
@@ -155,7 +155,7 @@ class BackgroundModel:
 
     @property
     def background(self) -> Picture:
-        """(height, width, 3) what the eye would see without people."""
+        """(height, width, 3) what the camera would see without people."""
         return self._background
 
     @property

@@ -60,13 +60,13 @@ class Blocks:
             picture, background: (height, width, 3). mask: (height, width) 255 where they differ.
         """
         size = grid(mask.shape)
-        eyes = [np.ascontiguousarray(eye[::_STEP, ::_STEP]) for eye in (picture, background)]
-        now, usual = (np.asarray(cv2.extractChannel(eye, 1), np.float32) for eye in eyes)
-        colours = [np.asarray(means(eye, size), np.float32) for eye in eyes]
+        images = [np.ascontiguousarray(image[::_STEP, ::_STEP]) for image in (picture, background)]
+        now, usual = (np.asarray(cv2.extractChannel(image, 1), np.float32) for image in images)
+        colours = [np.asarray(means(image, size), np.float32) for image in images]
         brighter = quotient(colours[0][..., 1], colours[1][..., 1])
         here, there, alike = _compared(now, usual, brighter)
         # Across the edge of a patch the light changes, but hardly within the width of a detail.
-        fine = [np.asarray(eye - cv2.blur(eye, _FINE), np.float32) for eye in (now, usual)]
+        fine = [np.asarray(image - cv2.blur(image, _FINE), np.float32) for image in (now, usual)]
         _, fine_there, fine_alike = _compared(fine[0], fine[1], brighter)
         alike |= fine_alike & fine_there
         alike &= _of_one_colour(*colours)
@@ -82,8 +82,8 @@ def _compared(now: Floats, usual: Floats, brighter: Floats) -> tuple[Flags, Flag
     size = (brighter.shape[1], brighter.shape[0])
     light, before = means(now, size), means(usual, size)
     variance, variance_before = (
-        np.maximum(means(eye * eye, size) - mean * mean, 0)
-        for eye, mean in ((now, light), (usual, before))
+        np.maximum(means(image * image, size) - mean * mean, 0)
+        for image, mean in ((now, light), (usual, before))
     )
     common = means(now * usual, size) - light * before
     expected = brighter * brighter * variance_before

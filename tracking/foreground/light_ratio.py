@@ -53,11 +53,11 @@ def _spread(picture: Picture, background: Picture, lit_px: Mask, size: tuple[int
     Args:
         lit_px: (height, width) 255 there. size: blocks across and down.
     """
-    lights = [cv2.copyTo(eye, lit_px).astype(np.float32) for eye in (picture, background)]
-    now, usual = (cv2.boxFilter(means(eye, size), -1, NEAR, normalize=False) for eye in lights)
+    lights = [cv2.copyTo(image, lit_px).astype(np.float32) for image in (picture, background)]
+    now, usual = (cv2.boxFilter(means(image, size), -1, NEAR, normalize=False) for image in lights)
     ratio = np.asarray(cv2.resize(quotient(now, usual), lit_px.shape[::-1]), np.float32)
     for side in _EVEN_PX:
-        now, usual = (cv2.boxFilter(eye, -1, (side, side), normalize=False) for eye in lights)
+        now, usual = (cv2.boxFilter(image, -1, (side, side), normalize=False) for image in lights)
         ratio = np.where(usual > _FEWEST_LIT * side * side, quotient(now, usual), ratio)
     return ratio
 

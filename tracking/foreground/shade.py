@@ -58,5 +58,5 @@ class ShadeColour:
 
 def _ratio(seen: Subtraction, v: NDArray[np.intp], u: NDArray[np.intp]) -> Floats:
     """(n, 3) light of the picture over that of the background."""
-    now, usual = (eye[v, u].astype(np.float32) for eye in (seen.picture, seen.background))
+    now, usual = (image[v, u].astype(np.float32) for image in (seen.picture, seen.background))
     return (now + DARK_OFFSET) / (usual + DARK_OFFSET)

@@ -58,14 +58,16 @@ class FlatView:
             low, self.size = self._reach(matrix)
         self._matrix = matrix.copy()
         self._matrix[:2, 2] -= low
-        rotation, eye = view.world_from_camera
-        self.projection: Floats = self._matrix @ np.column_stack((rotation.T, -rotation.T @ eye))
+        rotation, camera_position = view.world_from_camera
+        self.projection: Floats = self._matrix @ np.column_stack(
+            (rotation.T, -rotation.T @ camera_position)
+        )
         self._map: _Map | None = None
         self._back: _Map | None = None
         self._index: NDArray[np.intp] | None = None
 
     @property
-    def eye(self) -> Floats:
+    def camera_position(self) -> Floats:
         """(3,) m, the camera's centre in the world."""
         return self.view.world_from_camera[1]
 

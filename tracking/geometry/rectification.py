@@ -96,7 +96,7 @@ class Rectification:
         return rotation @ self._rig.left_rotation.T, centre
 
     def rectify(self, left: Image, right: Image) -> tuple[Image, Image]:
-        """Both eyes rectified; the very same arrays where they are so already.
+        """Both cameras rectified; the very same arrays where they are so already.
 
         Pixels that were not recorded are black.
         """
@@ -179,7 +179,7 @@ class Rectification:
     def _recorded(
         self, camera: Camera, rotation: Floats, points: Floats, offset_px: float
     ) -> Floats:
-        """An eye's pixels (n, 2) as recorded of its rectified pixels (n, 2)."""
+        """A camera's pixels (n, 2) as recorded of its rectified pixels (n, 2)."""
         points = np.asarray(points, float).reshape(-1, 2)
         cx, cy = self.principal
         rays = np.column_stack(

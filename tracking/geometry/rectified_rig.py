@@ -48,9 +48,9 @@ def rectified_rig(calibration: StereoCalibration, right: Camera) -> RectifiedRig
     left = calibration.left
     if _is_rectified(calibration, right):
         cx_left, cx_right = left.matrix[0, 2], right.matrix[0, 2]
-        focal, cy, eye = left.matrix[0, 0], left.matrix[1, 2], np.eye(3)
+        focal, cy, side = left.matrix[0, 0], left.matrix[1, 2], np.eye(3)
         return RectifiedRig(
-            True, eye, eye, float(focal), float(cx_left), float(cx_right), float(cy),
+            True, side, side, float(focal), float(cx_left), float(cx_right), float(cy),
             calibration.baseline_m,
         )  # fmt: skip
     left_rotation = _rectified_axes(calibration)
@@ -87,16 +87,16 @@ def _rectified_axes(calibration: StereoCalibration) -> Floats:
     return np.stack((x_axis, np.cross(z_axis, x_axis), z_axis))
 
 
-def _shared_matrix(eyes: tuple[tuple[Camera, Floats], ...]) -> tuple[float, float, float]:
+def _shared_matrix(cameras: tuple[tuple[Camera, Floats], ...]) -> tuple[float, float, float]:
     """Focal length and principal point (cx, cy) of both rectified cameras, in px."""
-    width, height = eyes[0][0].size
+    width, height = cameras[0][0].size
     half = np.array([(width - 1) / 2, (height - 1) / 2])
-    middles = np.stack([_turned(camera, rotation, half[None]) for camera, rotation in eyes])
+    middles = np.stack([_turned(camera, rotation, half[None]) for camera, rotation in cameras])
     middle = middles.mean(axis=0)[0]
     edges = half + np.array([[-half[0], 0], [half[0], 0], [0, -half[1]], [0, half[1]]])
-    # Only the left eye must stay whole: boxes and floor are measured in it.
-    offsets = np.abs(_turned(*eyes[0], edges) - middle)
-    wanted = float(np.mean([camera.matrix[[0, 1], [0, 1]].mean() for camera, _ in eyes]))
+    # Only the left camera must stay whole: boxes and floor are measured in it.
+    offsets = np.abs(_turned(*cameras[0], edges) - middle)
+    wanted = float(np.mean([camera.matrix[[0, 1], [0, 1]].mean() for camera, _ in cameras]))
     fitting = float((half / np.nanmax(offsets, axis=0)).min())
     focal = min(wanted, max(fitting, _LEAST_ZOOM * wanted))
     cx, cy = half - focal * middle

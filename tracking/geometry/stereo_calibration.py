@@ -55,10 +55,10 @@ class StereoCalibration:
 
     def check_size(self, size: tuple[int, int]) -> None:
         """Raise CalibrationError if images of this size (width, height) do not fit it."""
-        for eye, camera in (("left", self.left), ("right", self.right)):
+        for side, camera in (("left", self.left), ("right", self.right)):
             if camera is not None and camera.size != size:
                 raise CalibrationError(
-                    f"calibration: made for {camera.width} x {camera.height} px ({eye} camera), "
+                    f"calibration: made for {camera.width} x {camera.height} px ({side} camera), "
                     f"the recording is {size[0]} x {size[1]}; give the calibration of this size"
                 )
 
@@ -86,5 +86,5 @@ def _check_side_by_side(rotation: Floats, translation: Floats) -> None:
     if centre[0] < abs(centre[1]) or centre[0] < abs(centre[2]):
         raise CalibrationError(
             "calibration: the right camera does not stand right of the left one; "
-            "exchange the eyes or calibrate them side by side"
+            "exchange the cameras or calibrate them side by side"
         )

@@ -66,7 +66,7 @@ def hidden_sides(
     Args:
         labels: (rows, columns) uint8, k + 1 for the pixels of region k.
         boxes: of the regions.
-        sight: (k, 2) m on the floor from the eye to each region.
+        sight: (k, 2) m on the floor from the camera to each region.
 
     Returns:
         (k, 4) bool for the left, top, right and bottom side, and (k,) bool, touching the edge.

@@ -1,4 +1,4 @@
-"""By how much an eye of a recording is late, told before anything is tracked."""
+"""By how much a camera of a recording is late, told before anything is tracked."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.geometry import Rectification
-from tracking.people.eye_movement import (
+from tracking.people.motion_agreement import (
     MOST_HELD,
-    EyeMovement,
+    MotionAgreement,
     Picture,
     Stretch,
     beside_px,
@@ -34,7 +34,7 @@ _NOWHERE_PX = -1e4
 
 
 def first_lag(recording: Recording, start: int = 0) -> int | None:
-    """Frames by which the right eye is late; negative: the left one. None: nothing tells.
+    """Frames by which the right camera is late; negative: the left one. None: nothing tells.
 
     Args:
         recording, start: see `lag_looks`.
@@ -60,7 +60,7 @@ def lag_looks(recording: Recording, start: int = 0) -> Generator[int, StereoFram
     lag, that one is it unless a stretch tells another, or it leaves no two pictures of an instant.
 
     Args:
-        recording: of two eyes; rectified where it can be. start: the frame that matters most.
+        recording: of two cameras; rectified where it can be. start: the frame that matters most.
     """
     told_lag = recording.right_lag
     movement = _movement(recording)
@@ -73,7 +73,7 @@ def lag_looks(recording: Recording, start: int = 0) -> Generator[int, StereoFram
         movement.begin()
         for number in range(first, min(first + frames, recording.frame_count)):
             frame = yield number
-            movement.add(thinned_eyes(frame, maps))
+            movement.add(thinned_images(frame, maps))
             glanced = number == first + _A_GLANCE
             if len(movement) == movement.span or (glanced and movement.is_still()):
                 break
@@ -87,15 +87,15 @@ def lag_looks(recording: Recording, start: int = 0) -> Generator[int, StereoFram
     return told_lag if abs(told_lag or 0) < recording.frame_count else None
 
 
-def _movement(recording: Recording) -> EyeMovement:
+def _movement(recording: Recording) -> MotionAgreement:
     """Looks for the lag that the recording tells, too, unless it is too short for that."""
-    movement = EyeMovement(recording.fps, recording.right_lag or 0)
+    movement = MotionAgreement(recording.fps, recording.right_lag or 0)
     fits = movement.span < recording.frame_count
-    return movement if fits else EyeMovement(recording.fps)
+    return movement if fits else MotionAgreement(recording.fps)
 
 
 def thinned_maps(rectification: Rectification | None) -> tuple[Map, Map] | None:
-    """Where the pixels that are compared come from in both eyes; None: from where they are.
+    """Where the pixels that are compared come from in both cameras; None: from where they are.
 
     As `thinned` takes the mean of four, there are four for each. All pixels
     would take seconds.
@@ -120,15 +120,15 @@ def thinned_maps(rectification: Rectification | None) -> tuple[Map, Map] | None:
     return left, right
 
 
-def thinned_eyes(frame: StereoFrame, maps: tuple[Map, Map] | None) -> tuple[Picture, Picture]:
-    """Both eyes as they are compared."""
+def thinned_images(frame: StereoFrame, maps: tuple[Map, Map] | None) -> tuple[Picture, Picture]:
+    """Both cameras as they are compared."""
     assert frame.right is not None
     if maps is None:
         return thinned(frame.left), thinned(frame.right)
     left, right = (
         mean_of_four(
-            np.asarray(cv2.remap(cv2.extractChannel(eye, 1), x, y, cv2.INTER_LINEAR), np.uint8), 2
+            np.asarray(cv2.remap(cv2.extractChannel(image, 1), x, y, cv2.INTER_LINEAR), np.uint8), 2
         )
-        for eye, (x, y) in zip((frame.left, frame.right), maps, strict=True)
+        for image, (x, y) in zip((frame.left, frame.right), maps, strict=True)
     )
     return left, right

@@ -60,7 +60,7 @@ def _is_ghost(
     inside = np.s_[max(top - 3, 0) : top + height + 3, max(left - 3, 0) : left + width + 3]
     mask = own[inside]
     ring = cv2.morphologyEx(mask, cv2.MORPH_GRADIENT, _RING) > 0
-    now, usual = (_edges(eye[inside])[ring] for eye in (picture, background))
+    now, usual = (_edges(image[inside])[ring] for image in (picture, background))
     if float(usual.mean()) <= _STRONGER * float(now.mean()):
         return False
     return bool((usual > now).mean() >= along)

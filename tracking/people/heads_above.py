@@ -38,7 +38,7 @@ def told_by_heads(
     places: Floats,
     owner: NDArray[np.intp],
     points: SurfacePoints,
-    eye: Floats,
+    camera_xy: Floats,
     settings: PeopleSettings,
 ) -> Floats:
     """(k, 2) the places, those over which several heads rise replaced by one a head.
@@ -48,13 +48,13 @@ def told_by_heads(
 
     Args:
         places: (n, 2) m. owner: whose each point is, of `assign_points`.
-        points: of the frame. eye: (2,) m, the floor point below the camera.
+        points: of the frame. camera: (2,) m, the floor point below the camera.
         settings: of people.
     """
     found = [places[k : k + 1] for k in range(len(places))]
     for k in np.flatnonzero(_spreads(len(places), owner, points) > _SPREAD_M**2).tolist():
         own = (owner == k) & (points.world[:, 2] > settings.min_point_height_m)
-        heads = _heads(points.chosen(np.flatnonzero(own)), eye)
+        heads = _heads(points.chosen(np.flatnonzero(own)), camera_xy)
         if len(heads) > 1:
             found[k] = np.array(heads, np.float32)
     return np.concatenate(found) if found else places
@@ -72,26 +72,26 @@ def _spreads(count: int, owner: NDArray[np.intp], points: SurfacePoints) -> Floa
     return np.asarray(spread, np.float32)
 
 
-def _heads(points: SurfacePoints, eye: Floats) -> list[Floats]:
+def _heads(points: SurfacePoints, camera_xy: Floats) -> list[Floats]:
     """Where heads with bodies under them rise over the points of one place."""
     high = points.chosen(np.flatnonzero(points.world[:, 2] > _LOWEST_HEAD_M))
     free = high.mass == high.area
     heads: list[Floats] = []
     tops: list[float] = []
     while np.count_nonzero(free) >= _FEWEST and len(heads) < _MOST_HEADS:
-        found = _highest(high, free, eye)
+        found = _highest(high, free, camera_xy)
         if found is None:
             break
         place, top = found
-        if all(_is_another(place, top, other, high, eye) for other in heads):
+        if all(_is_another(place, top, other, high, camera_xy) for other in heads):
             heads.append(place)
             tops.append(top)
-        free &= apart(place[None], high.world[:, :2], high.range_noise, eye, _APART_M)[0] > 1
-    return [heads[k] for k in _with_bodies(heads, points, eye)]
+        free &= apart(place[None], high.world[:, :2], high.range_noise, camera_xy, _APART_M)[0] > 1
+    return [heads[k] for k in _with_bodies(heads, points, camera_xy)]
 
 
 def _highest(
-    points: SurfacePoints, free: NDArray[np.bool_], eye: Floats
+    points: SurfacePoints, free: NDArray[np.bool_], camera_xy: Floats
 ) -> tuple[Floats, float] | None:
     """Place and height of the highest head among the free points; None: what is there is none."""
     z = points.world[free, 2]
@@ -101,7 +101,7 @@ def _highest(
     place = np.asarray(points.world[highest, :2].mean(axis=0), np.float32)
     for _ in range(2):
         xy, noise = points.world[:, :2], points.range_noise
-        near = crown & (apart(place[None], xy, noise, eye, _HEAD_RADIUS_M)[0] < 1)
+        near = crown & (apart(place[None], xy, noise, camera_xy, _HEAD_RADIUS_M)[0] < 1)
         if float(points.area[near].sum()) < _HEAD_AREA_M2:
             return None
         area = points.area[near]
@@ -110,24 +110,26 @@ def _highest(
 
 
 def _is_another(
-    place: Floats, top: float, other: Floats, points: SurfacePoints, eye: Floats
+    place: Floats, top: float, other: Floats, points: SurfacePoints, camera_xy: Floats
 ) -> bool:
     """Whether a head is somebody else's than another one: apart from it, and lower between."""
     noise = points.range_noise
     usual = np.median(noise, keepdims=True)
-    if apart(other[None], place[None], usual, eye, _APART_M)[0, 0] < 1:
+    if apart(other[None], place[None], usual, camera_xy, _APART_M)[0, 0] < 1:
         return False
     middle = np.asarray((place + other)[None] / 2, np.float32)
-    between = apart(middle, points.world[:, :2], noise, eye, _HEAD_RADIUS_M / 2)[0] < 1
+    between = apart(middle, points.world[:, :2], noise, camera_xy, _HEAD_RADIUS_M / 2)[0] < 1
     if np.count_nonzero(between) < 3:
         return True
     return float(np.quantile(points.world[between, 2], 0.9)) < top - _VALLEY_M
 
 
-def _with_bodies(heads: list[Floats], points: SurfacePoints, eye: Floats) -> list[int]:
+def _with_bodies(heads: list[Floats], points: SurfacePoints, camera_xy: Floats) -> list[int]:
     """Which of the heads have a body under them."""
     if len(heads) < 2:
         return list(range(len(heads)))
-    squared = apart(np.array(heads, np.float32), points.world[:, :2], points.range_noise, eye, 1.0)
+    squared = apart(
+        np.array(heads, np.float32), points.world[:, :2], points.range_noise, camera_xy, 1.0
+    )
     area = np.bincount(squared.argmin(axis=0), points.area, len(heads))
     return np.flatnonzero(area > _BODY_SHARE * area.sum()).tolist()

@@ -21,7 +21,7 @@ _SHADOW = 127
 
 
 class Overlays:
-    """Pictures a view may lay over the left eye, in pixels of the rectified left image.
+    """Pictures a view may lay over the left camera, in pixels of the rectified left image.
 
     They are made when asked for: most frames are tracked and never shown.
 
@@ -103,7 +103,7 @@ class Observation:
         people: who is seen.
         overlays: for the views.
         picture: (height, width, 3) BGR, what single-camera perception looked at: the left (or only)
-            eye as recorded, in whose pixels everything else is; None where perception does not
+            camera as recorded, in whose pixels everything else is; None where perception does not
             hand it on.
     """
 

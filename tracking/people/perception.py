@@ -20,11 +20,11 @@ from tracking.foreground import (
 )
 from tracking.geometry import Ground, Rectification
 from tracking.people.detections import Detections
-from tracking.people.eyes_watch import EyesWatch, shows_nothing
 from tracking.people.finder import PeopleFinder
 from tracking.people.observation import Observation, Overlays
-from tracking.people.one_eye import OneEye
+from tracking.people.one_camera import OneCamera
 from tracking.people.settings import PeopleSettings
+from tracking.people.stereo_watch import StereoWatch, shows_nothing
 from tracking.people.working_scale import shrink_of, shrunk
 from tracking.recording.frame import Image, StereoFrame
 from tracking.stereo import (
@@ -45,13 +45,13 @@ _UPDATES_PER_SCENE = 8
 
 
 class StereoPerception:
-    """Turns stereo frames into people on the floor; holds both eyes' background models.
+    """Turns stereo frames into people on the floor; holds both cameras' background models.
 
     Each frame passes the stages `rectify`, `subtract`, `shade`, `match` and `find`; `remember`
     then lets the backgrounds follow. `observe` does all of them; they are public so that each can
-    be timed. While the right eye fails, or its pictures are of other instants than the left eye's,
-    people are found by the left one alone. `eyes` says by how much an eye is late: frames are to
-    come with pictures of one instant, in the left eye's time (`Instants`).
+    be timed. While the right camera fails, or its pictures are of other instants than the left
+    camera's, people are found by the left one alone. `images` says by how much a camera is late:
+    frames are to come with pictures of one instant, in the left camera's time (`Instants`).
 
     Args:
         rectification: of the recording.
@@ -60,7 +60,7 @@ class StereoPerception:
         foreground, stereo, people: settings; None for the usual ones.
 
     Attributes:
-        eyes: whether the right eye fails, and whether either is late.
+        images: whether the right camera fails, and whether either is late.
 
     Raises:
         RecordingError: its pictures are too small to be matched.
@@ -84,13 +84,15 @@ class StereoPerception:
         self._stereo = SubtractionStereo(lines, stereo)
         self._updates = 0
         self._finder = PeopleFinder(rectification, ground, lines, people or PeopleSettings())
-        self._one_eye = OneEye(rectification, ground, self._shrink, people or PeopleSettings())
-        self.eyes = EyesWatch(fps)
+        self._one_camera = OneCamera(
+            rectification, ground, self._shrink, people or PeopleSettings()
+        )
+        self.stereo_watch = StereoWatch(fps)
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What the user should be told of the eyes, a line each."""
-        return self.eyes.told()
+        """What the user should be told of the cameras, a line each."""
+        return self.stereo_watch.told()
 
     def learn(self, frames: Iterable[StereoFrame]) -> None:
         """Learn both backgrounds from frames spread over some time, before the first `observe`.
@@ -117,8 +119,8 @@ class StereoPerception:
         """
         if not cv2.hasNonZero(left.where):
             return
-        learnt = [eye.background for eye in self._backgrounds]
-        grey = [_grey(eye) for eye in learnt]
+        learnt = [image.background for image in self._backgrounds]
+        grey = [_grey(image) for image in learnt]
         self._stereo.suppose_scene(_grey(left.picture), _grey(right.picture))
         disparity = self._stereo.match(grey[0], grey[1], left.where, right.where)
         nearer = disparity > self._stereo.scene + _NEARER_PX
@@ -127,19 +129,19 @@ class StereoPerception:
         masks = self._protected(self._finder.find(points, body, learnt[0]), left.where.shape)
         for background, other, mask in zip(self._backgrounds, (left, right), masks, strict=True):
             background.put_back(other, mask)
-        self._stereo.suppose_scene(*(_grey(eye.background) for eye in self._backgrounds))
+        self._stereo.suppose_scene(*(_grey(image.background) for image in self._backgrounds))
         self._finder.scene = self._stereo.scene
 
     def observe(self, frame: StereoFrame) -> Observation:
         """What is seen in the frame. Frames come in order.
 
         Raises:
-            RecordingError: the frame has no right eye.
+            RecordingError: the frame has no right camera.
         """
-        eyes = self.rectify(frame)
-        if not self._are_of_use(frame, eyes):
-            return self._by_left_eye(frame, eyes[0])
-        left, right = self.subtract(*eyes)
+        images = self.rectify(frame)
+        if not self._are_of_use(frame, images):
+            return self._by_left_camera(frame, images[0])
+        left, right = self.subtract(*images)
         shadow = self.shade(left)
         disparity = self.match(left, right)
         people = self.find(left, shadow, disparity)
@@ -147,19 +149,19 @@ class StereoPerception:
         overlays = self._overlays(left.mask, shadow, disparity)
         return Observation(frame.number, frame.time_s, people, overlays)
 
-    def _are_of_use(self, frame: StereoFrame, eyes: tuple[Image, Image]) -> bool:
-        """Whether both eyes see, and the same instant."""
+    def _are_of_use(self, frame: StereoFrame, images: tuple[Image, Image]) -> bool:
+        """Whether both cameras see, and the same instant."""
         if frame.right_lag is None:
             return False
-        self.eyes.look(frame.number, *eyes, frame.right_lag)
-        return not self.eyes.failing and self.eyes.lag == frame.right_lag
+        self.stereo_watch.look(frame.number, *images, frame.right_lag)
+        return not self.stereo_watch.failing and self.stereo_watch.lag == frame.right_lag
 
-    def _by_left_eye(self, frame: StereoFrame, eye: Image) -> Observation:
-        """What is seen by the left eye; the right one's background is left as it was."""
-        left = self._backgrounds[0].subtract(eye)
+    def _by_left_camera(self, frame: StereoFrame, image: Image) -> Observation:
+        """What is seen by the left camera; the right one's background is left as it was."""
+        left = self._backgrounds[0].subtract(image)
         shadow = self.shade(left)
         size = (left.mask.shape[1], left.mask.shape[0])
-        people = self._one_eye.find(left, in_size(shadow, size) & left.mask)
+        people = self._one_camera.find(left, in_size(shadow, size) & left.mask)
         self.remember(left, None, people)
         overlays = self._overlays(left.mask, shadow, None)
         return Observation(frame.number, frame.time_s, people, overlays)
@@ -168,7 +170,7 @@ class StereoPerception:
         """What a view may lay over a frame; nothing is remembered, frames come in any order.
 
         Raises:
-            RecordingError: the frame has no right eye.
+            RecordingError: the frame has no right camera.
         """
         left, right = self.subtract(*self.rectify(frame))
         shadow = self.shade(left)
@@ -176,34 +178,34 @@ class StereoPerception:
         return self._overlays(left.mask, shadow, disparity)
 
     def rectify(self, frame: StereoFrame) -> tuple[Image, Image]:
-        """Both eyes rectified, at the working scale."""
+        """Both cameras rectified, at the working scale."""
         if frame.right is None:
             raise RecordingError(
-                f"frame {frame.number}: there is no right eye; choose a tracker for one camera"
+                f"frame {frame.number}: there is no right camera; choose a tracker for one camera"
             )
         pair = (frame.left, frame.right)
-        if not self._rectification.identity and all(_is_grey(eye) for eye in pair):
+        if not self._rectification.identity and all(_is_grey(image) for image in pair):
             pair = (_one_channel(frame.left), _one_channel(frame.right))
         left, right = self._rectification.rectify(*pair)
         return self._working(left), self._working(right)
 
-    def _working(self, eye: Image) -> Image:
-        """An eye at the working scale, with three channels."""
-        eye = shrunk(eye, self._shrink)
-        if eye.ndim == 2:
-            eye = np.asarray(cv2.cvtColor(eye, cv2.COLOR_GRAY2BGR), np.uint8)
-        return eye
+    def _working(self, image: Image) -> Image:
+        """A camera at the working scale, with three channels."""
+        image = shrunk(image, self._shrink)
+        if image.ndim == 2:
+            image = np.asarray(cv2.cvtColor(image, cv2.COLOR_GRAY2BGR), np.uint8)
+        return image
 
     def subtract(self, left: Image, right: Image) -> tuple[Subtraction, Subtraction]:
-        """Both eyes against their backgrounds."""
+        """Both cameras against their backgrounds."""
         return self._backgrounds[0].subtract(left), self._backgrounds[1].subtract(right)
 
     def shade(self, left: Subtraction) -> Mask:
-        """(rows, columns) uint8 on the grid, where the left eye's foreground is shadow, if any."""
+        """(rows, columns) uint8 on the grid: where the left foreground is shadow, if anywhere."""
         return self._shadows.dark(left)
 
     def match(self, left: Subtraction, right: Subtraction) -> NDArray[np.float32]:
-        """(rows, columns) disparity of the left eye's foreground, of `SubtractionStereo`."""
+        """(rows, columns) disparity of the left camera's foreground, of `SubtractionStereo`."""
         return self._stereo.match(_grey(left.picture), _grey(right.picture), left.mask, right.mask)
 
     def find(self, left: Subtraction, shadow: Mask, disparity: NDArray[np.float32]) -> Detections:
@@ -213,27 +215,27 @@ class StereoPerception:
         return self._finder.find(self._finder.points(disparity), body, left.picture)
 
     def remember(self, left: Subtraction, right: Subtraction | None, people: Detections) -> None:
-        """Let the backgrounds of eyes that see follow what was seen, except where people are."""
+        """Let the backgrounds of cameras that see follow what was seen, except where people are."""
         protected: tuple[Mask | None, Mask | None] = (None, None)
         due = self._backgrounds[0].update_is_due
         if due:
             protected = self._protected(people, left.mask.shape)
-        for eye, seen, mask in zip(self._backgrounds, (left, right), protected, strict=True):
+        for image, seen, mask in zip(self._backgrounds, (left, right), protected, strict=True):
             if seen is None:
-                eye.skip()
+                image.skip()
             else:
-                eye.update(seen, mask)
+                image.update(seen, mask)
         if due:
             if self._updates % _UPDATES_PER_SCENE == 0:
                 self._learn_scene()
             self._updates += 1
 
     def _learn_scene(self) -> None:
-        self._stereo.learn_scene(*(_grey(eye.background) for eye in self._backgrounds))
+        self._stereo.learn_scene(*(_grey(image.background) for image in self._backgrounds))
         self._finder.scene = self._stereo.scene
 
     def _protected(self, people: Detections, shape: tuple[int, ...]) -> tuple[Mask, Mask]:
-        """Masks of both eyes that cover the people generously."""
+        """Masks of both cameras that cover the people generously."""
         masks = (np.zeros(shape, np.uint8), np.zeros(shape, np.uint8))
         shift = self._rectification.disparity_from_world(people.position) / self._shrink
         each = STEP * self._shrink
@@ -253,11 +255,11 @@ class StereoPerception:
 
 
 def _require_size(size: tuple[int, int], shrink: int, stereo: StereoSettings) -> None:
-    """Refuse pictures that are smaller than what both eyes are compared in."""
+    """Refuse pictures that are smaller than what both cameras are compared in."""
     least = shrink * least_side_px(stereo.window_px)
     if min(size) < least:
         raise RecordingError(
-            f"pictures of {size[0]} x {size[1]} px are too small to match two eyes, which needs "
+            f"pictures of {size[0]} x {size[1]} px are too small to match two cameras, which needs "
             f"{least} x {least}: choose a tracker for one camera"
         )
 
@@ -276,11 +278,11 @@ def _grey(picture: Image) -> NDArray[np.uint8]:
     return np.asarray(cv2.cvtColor(picture, cv2.COLOR_BGR2GRAY), np.uint8)
 
 
-def _is_grey(eye: Image) -> bool:
+def _is_grey(image: Image) -> bool:
     """Whether the channels agree, by a sample; one channel is rectified faster than three."""
-    sample = eye[::16, ::16]
+    sample = image[::16, ::16]
     return bool((sample == sample[..., :1]).all())
 
 
-def _one_channel(eye: Image) -> Image:
-    return np.asarray(cv2.extractChannel(eye, 1), np.uint8)
+def _one_channel(image: Image) -> Image:
+    return np.asarray(cv2.extractChannel(image, 1), np.uint8)

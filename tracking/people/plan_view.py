@@ -70,7 +70,7 @@ def surface_points(
 
     Args:
         disparity: (rows, columns) px, NaN where unknown.
-        lines: of the eye.
+        lines: of the camera.
         rays: (rows, columns, 3) those of `lines` at the grid's places.
         pixel_area: working pixels a grid place stands for.
         noise_px: spread of disparity.
@@ -107,7 +107,7 @@ def _mixed(disparity: Floats, pixel: NDArray[np.intp], limit_px: Floats) -> NDAr
     return np.asarray(np.minimum(behind, before) > limit_px, np.bool_)
 
 
-def find_people(points: SurfacePoints, eye: Floats, settings: PeopleSettings) -> Floats:
+def find_people(points: SurfacePoints, camera_xy: Floats, settings: PeopleSettings) -> Floats:
     """(k, 2) places on the floor where people stand, seen surface's middle, best first.
 
     Mean shift over the points from above, with a kernel of a person's breadth that is drawn out
@@ -117,7 +117,7 @@ def find_people(points: SurfacePoints, eye: Floats, settings: PeopleSettings) ->
 
     Args:
         points: of the foreground, those near the floor left out.
-        eye: (2,) the floor point below the camera.
+        camera_xy: (2,) the floor point below the camera.
         settings: of people.
     """
     if len(points.area) == 0:
@@ -127,7 +127,7 @@ def find_people(points: SurfacePoints, eye: Floats, settings: PeopleSettings) ->
     share = np.float32(points.mass.sum() / max(float(thinned.mass.sum()), 1e-9))
     places = _seeds(thinned, share, settings)
     floor, noise = thinned.world[:, :2], thinned.range_noise
-    units = Units.of(floor, noise, eye, settings.body_width_m * _KERNEL)
+    units = Units.of(floor, noise, camera_xy, settings.body_width_m * _KERNEL)
     summed = np.column_stack((floor, noise, np.ones_like(noise))) * thinned.mass[:, None]
     mass = noise = np.zeros(len(places), np.float32)
     for _ in range(_STEPS):
@@ -138,7 +138,7 @@ def find_people(points: SurfacePoints, eye: Floats, settings: PeopleSettings) ->
         mass = sums[:, 3]
         means = sums[:, :3] / np.maximum(mass, 1e-9)[:, None]
         places, noise = means[:, :2], means[:, 2]
-    return _distinct(places, mass * share, noise, eye, settings)
+    return _distinct(places, mass * share, noise, camera_xy, settings)
 
 
 @dataclass(frozen=True, slots=True)
@@ -149,29 +149,29 @@ class Units:
 
     Attributes:
         along: (3, n) what a place's x, y and 1 are multiplied with for its distance along the
-            line of sight; x and y are from the eye. across: (2, n) the same across it.
-        eye: (2,) m.
+            line of sight; x and y are from the camera. across: (2, n) the same across it.
+        camera_xy: (2,) m.
     """
 
     along: Floats
     across: Floats
-    eye: Floats
+    camera_xy: Floats
 
     @classmethod
-    def of(cls, points: Floats, spread: Floats, eye: Floats, width_m: float) -> Units:
+    def of(cls, points: Floats, spread: Floats, camera_xy: Floats, width_m: float) -> Units:
         """Of points (n, 2) m with noise of range (n,) m; `width_m` is the unit across."""
-        x, y = np.subtract(points.T, eye[:, None], order="C")
+        x, y = np.subtract(points.T, camera_xy[:, None], order="C")
         distance = np.maximum(np.hypot(x, y), np.float32(1e-3))
         along = np.array((x / distance, y / distance, -distance))
         along /= np.sqrt(np.float32(width_m**2) + spread * spread)
         across = np.array((-y, x))
         across /= distance * np.float32(width_m)
-        return cls(along, across, eye)
+        return cls(along, across, camera_xy)
 
     def squared(self, places: Floats) -> Floats:
         """(k, n) squared distances of the points from places (k, 2) m."""
         at = np.ones((len(places), 3), np.float32)
-        at[:, :2] = places - self.eye
+        at[:, :2] = places - self.camera_xy
         squared = at @ self.along
         squared *= squared
         across = at[:, :2] @ self.across
@@ -180,16 +180,18 @@ class Units:
         return squared
 
 
-def apart(places: Floats, points: Floats, spread: Floats, eye: Floats, width_m: float) -> Floats:
+def apart(
+    places: Floats, points: Floats, spread: Floats, camera_xy: Floats, width_m: float
+) -> Floats:
     """(k, n) squared distance of points from places, in units of a person's breadth.
 
     Along the line of sight the unit is longer by the noise of range.
 
     Args:
         places: (k, 2) m. points: (n, 2) m. spread: (n,) m noise of range of the points.
-        eye: (2,) m. width_m: the unit across.
+        camera_xy: (2,) m. width_m: the unit across.
     """
-    return Units.of(points, spread, eye, width_m).squared(places)
+    return Units.of(points, spread, camera_xy, width_m).squared(places)
 
 
 def _seeds(points: SurfacePoints, share: np.float32, settings: PeopleSettings) -> Floats:
@@ -212,13 +214,13 @@ def _seeds(points: SurfacePoints, share: np.float32, settings: PeopleSettings) -
 
 
 def _distinct(
-    places: Floats, mass: Floats, noise: Floats, eye: Floats, settings: PeopleSettings
+    places: Floats, mass: Floats, noise: Floats, camera_xy: Floats, settings: PeopleSettings
 ) -> Floats:
     """The places with enough surface, each once."""
     order = np.argsort(-mass, kind="stable")
     order = order[mass[order] > settings.min_area_m2]
     places, noise = places[order], noise[order]
-    near = apart(places, places, noise, eye, settings.body_width_m) < _SAME_PERSON
+    near = apart(places, places, noise, camera_xy, settings.body_width_m) < _SAME_PERSON
     kept = np.ones(len(places), np.bool_)
     # Most have nobody better near them.
     number = np.arange(len(places))

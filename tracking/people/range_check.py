@@ -6,7 +6,7 @@ from tracking.people.observation import Overlays
 
 _EVERY_PX = 8
 _LEAST_SHARE = 0.2
-"""Of eyes in their places a quarter is ranged at the least, of swapped ones hardly a sixth."""
+"""Of cameras in their places a quarter is ranged at the least, of swapped ones hardly a sixth."""
 _LEAST_SEEN = 200
 
 

@@ -43,13 +43,15 @@ class Extent:
 def assign_points(
     places: NDArray[np.float32],
     points: SurfacePoints,
-    eye: NDArray[np.float32],
+    camera_xy: NDArray[np.float32],
     settings: PeopleSettings,
 ) -> NDArray[np.intp]:
     """(n,) index of the place each point belongs to, -1 where none is near."""
     if len(places) == 0:
         return np.full(len(points.pixel), -1, np.intp)
-    squared = apart(places, points.world[:, :2], points.range_noise, eye, settings.body_width_m / 2)
+    squared = apart(
+        places, points.world[:, :2], points.range_noise, camera_xy, settings.body_width_m / 2
+    )
     nearest = squared.min(axis=0)
     # Of two equally near the later one: many times as fast as argmin along the first axis.
     number = np.arange(len(places), dtype=np.uint8)[:, None]
@@ -92,7 +94,7 @@ def measure(
     count: int,
     owner: NDArray[np.intp],
     points: SurfacePoints,
-    eye: NDArray[np.float32],
+    camera_xy: NDArray[np.float32],
     columns: int,
 ) -> Extent:
     """The real size of each region.
@@ -101,7 +103,7 @@ def measure(
         count: of the regions.
         owner: (n,) of `assign_points`.
         points: of the grid.
-        eye: (2,) m.
+        camera_xy: (2,) m.
         columns: of the grid.
     """
     rows = np.flatnonzero(owner >= 0)
@@ -112,7 +114,7 @@ def measure(
     sums = [np.bincount(region, surface * values, count) for values in (x, y, z)]
     middle = (np.column_stack(sums) / np.maximum(area, 1e-9)[:, None]).astype(np.float32)
     low, high = _trimmed(z, region, pixels, 0.02)
-    sight = middle[:, :2] - eye
+    sight = middle[:, :2] - camera_xy
     across = np.array((-sight[:, 1], sight[:, 0]))
     across /= np.maximum(np.hypot(sight[:, 0], sight[:, 1]), np.float32(1e-3))
     sideways = x * across[0].take(region) + y * across[1].take(region)

@@ -35,7 +35,7 @@ _PROTECTED = np.ones((17, 17), np.uint8)
 
 
 class SingleCameraPerception:
-    """Turns pictures of one fixed camera, or of the left eye of two, into people.
+    """Turns pictures of one fixed camera, or of the left camera of two, into people.
 
     Args:
         fps: frames a second of the recording.
@@ -43,8 +43,8 @@ class SingleCameraPerception:
         foreground, people: settings; None for the usual ones.
     """
 
-    eyes: None = None
-    """It looks with one eye."""
+    stereo_watch: None = None
+    """It looks with one camera."""
 
     def __init__(
         self,
@@ -73,17 +73,17 @@ class SingleCameraPerception:
 
     def observe(self, frame: StereoFrame) -> Observation:
         """What is seen in the frame. Frames come in order."""
-        eye = frame.left
-        seen = self._background.subtract(self._working(eye))
+        image = frame.left
+        seen = self._background.subtract(self._working(image))
         shadow = self._shadows.shadows(seen)
-        standing = Standing(self._view, shrink_of(eye.shape[1]), self._settings)
+        standing = Standing(self._view, shrink_of(image.shape[1]), self._settings)
         regions = people_regions(self._kinds(seen, shadow), standing)
         known = self._view is not None
         regions = without_ghosts(regions, seen.picture, seen.background, floor_known=known)
-        people = described(regions, seen.picture, eye.shape, standing, self._settings)
+        people = described(regions, seen.picture, image.shape, standing, self._settings)
         self._remember(seen, regions)
-        overlays = self._overlays(seen.mask, shadow, eye)
-        return Observation(frame.number, frame.time_s, people, overlays, eye)
+        overlays = self._overlays(seen.mask, shadow, image)
+        return Observation(frame.number, frame.time_s, people, overlays, image)
 
     def overlays(self, frame: StereoFrame) -> Overlays:
         """What a view may lay over a frame; nothing is remembered, frames come in any order."""
@@ -114,10 +114,10 @@ class SingleCameraPerception:
         else:
             self._background.update(seen)
 
-    def _working(self, eye: Image) -> Image:
-        """The eye at the working scale."""
-        return shrunk(eye, shrink_of(eye.shape[1]))
+    def _working(self, image: Image) -> Image:
+        """The camera at the working scale."""
+        return shrunk(image, shrink_of(image.shape[1]))
 
-    def _overlays(self, mask: Mask, shadow: Mask, eye: Image) -> Overlays:
+    def _overlays(self, mask: Mask, shadow: Mask, image: Image) -> Overlays:
         shown = np.where(shadow == 255, np.uint8(127), mask)
-        return Overlays(in_full(shown, eye.shape), None)
+        return Overlays(in_full(shown, image.shape), None)

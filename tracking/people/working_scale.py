@@ -16,9 +16,9 @@ def shrink_of(width_px: int) -> int:
     return -(-width_px // _WIDEST_PX)
 
 
-def shrunk(eye: Image, shrink: int) -> Image:
-    """The eye at the working scale; itself where that is its own."""
+def shrunk(image: Image, shrink: int) -> Image:
+    """The camera at the working scale; itself where that is its own."""
     if shrink == 1:
-        return eye
-    size = (eye.shape[1] // shrink, eye.shape[0] // shrink)
-    return np.asarray(cv2.resize(eye, size, interpolation=cv2.INTER_AREA), np.uint8)
+        return image
+    size = (image.shape[1] // shrink, image.shape[0] // shrink)
+    return np.asarray(cv2.resize(image, size, interpolation=cv2.INTER_AREA), np.uint8)

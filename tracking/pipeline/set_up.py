@@ -1,4 +1,4 @@
-"""Whether eyes and floor can be what they are said to be, by the empty scene itself."""
+"""Whether cameras and floor can be what they are said to be, by the empty scene itself."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ Floats = NDArray[np.float64]
 Picture = NDArray[np.uint8]
 
 _MATCHING = "stereo."
-"""Settings of how the eyes are matched begin so; all are numbers with a unit."""
+"""Settings of how the cameras are matched begin so; all are numbers with a unit."""
 _WIDTH_PX = 400
 """Pictures are shrunk to less than this: a glance is enough."""
 _WINDOW_PX = 11
@@ -59,7 +59,7 @@ class Scene:
 
     @property
     def is_behind(self) -> bool:
-        """Whether most of it would lie behind the cameras, as where the eyes are swapped."""
+        """Whether most of it would lie behind the cameras, as where the cameras are swapped."""
         enough = len(self.disparity) >= _FEWEST
         return enough and bool(np.mean(self.disparity < -_BEYOND_PX) > 0.5)
 
@@ -78,7 +78,7 @@ def require_sense(settings: Mapping[str, Any]) -> None:
 
 
 def changed_matching(tracker: str, settings: Any) -> str:
-    """Settings of how the eyes are matched that are not the tracker's defaults, in words.
+    """Settings of how the cameras are matched that are not the tracker's defaults, in words.
 
     What a person is to look like (`people.*`) changes no distance, and is not among them.
     """
@@ -91,10 +91,10 @@ def changed_matching(tracker: str, settings: Any) -> str:
 
 
 def doubt_of(recording: Recording, frames: Sequence[StereoFrame]) -> str:
-    """What cannot be right of eyes, height and tilt, for the user; "": nothing.
+    """What cannot be right of cameras, height and tilt, for the user; "": nothing.
 
     Args:
-        frames: spread over the recording; all tell whether the eyes differ, the middle one the
+        frames: spread over the recording; all tell whether the cameras differ, the middle one the
             rest.
     """
     rectification, ground = recording.rectification, recording.ground
@@ -103,12 +103,12 @@ def doubt_of(recording: Recording, frames: Sequence[StereoFrame]) -> str:
         return ""
     if _show_the_same(frames):
         return (
-            f"{recording.name}: both eyes show the same pictures, which tell no distance: give "
-            "the right eye's own source, or choose a tracker for one camera"
+            f"{recording.name}: both cameras show the same pictures, which tell no distance: give "
+            "the right camera's own source, or choose a tracker for one camera"
         )
     scene = seen_scene(rectification, frame.left, frame.right)
     if scene.is_behind:
-        return f"{recording.name}: no distance for what moves: are the eyes swapped?"
+        return f"{recording.name}: no distance for what moves: are the cameras swapped?"
     better = better_floor(scene, ground)
     if better is None:
         return ""
@@ -119,7 +119,7 @@ def doubt_of(recording: Recording, frames: Sequence[StereoFrame]) -> str:
 
 
 def _show_the_same(frames: Sequence[StereoFrame]) -> bool:
-    """Whether both eyes' pictures are the same in all frames that show anything."""
+    """Whether both cameras' pictures are the same in all frames that show anything."""
     pairs = [(frame.left, frame.right) for frame in frames if frame.right is not None]
     told = [pair for pair in pairs if float(np.std(pair[0])) > _LEAST_DETAIL]
     return bool(told) and all(_differ(*pair) < _SAME for pair in told)
@@ -147,9 +147,9 @@ def seen_scene(rectification: Rectification, left: Picture, right: Picture) -> S
     """
     lines = SightLines(rectification, -(-rectification.size[0] // _WIDTH_PX))
     size = lines.shape[::-1]
-    eyes = [_grey_in(size, eye) for eye in rectification.rectify(left, right)]
+    images = [_grey_in(size, image) for image in rectification.rectify(left, right)]
     reach = 16 * max(1, size[0] // 64)
-    found = _ranged(eyes, round(lines.offset), reach)
+    found = _ranged(images, round(lines.offset), reach)
     rows, columns = np.nonzero(np.isfinite(found))
     some = np.linspace(0, max(len(rows) - 1, 0), min(len(rows), _MOST)).astype(int)
     rows, columns = rows[some], columns[some]
@@ -157,12 +157,14 @@ def seen_scene(rectification: Rectification, left: Picture, right: Picture) -> S
     return Scene(sight, found[rows, columns] - lines.offset, lines.focal_baseline)
 
 
-def _grey_in(size: Sequence[int], eye: Picture) -> Picture:
-    grey = eye if eye.ndim == 2 else np.asarray(cv2.cvtColor(eye, cv2.COLOR_BGR2GRAY), np.uint8)
+def _grey_in(size: Sequence[int], image: Picture) -> Picture:
+    grey = (
+        image if image.ndim == 2 else np.asarray(cv2.cvtColor(image, cv2.COLOR_BGR2GRAY), np.uint8)
+    )
     return np.asarray(cv2.resize(grey, tuple(size), interpolation=cv2.INTER_AREA), np.uint8)
 
 
-def _ranged(eyes: Sequence[Picture], middle: int, reach: int) -> Floats:
+def _ranged(images: Sequence[Picture], middle: int, reach: int) -> Floats:
     """(height, width) disparities within `reach` of the middle, NaN where nothing matched."""
     matcher = cv2.StereoBM.create(2 * reach, _WINDOW_PX)
     matcher.setMinDisparity(middle - reach)
@@ -170,7 +172,7 @@ def _ranged(eyes: Sequence[Picture], middle: int, reach: int) -> Floats:
     matcher.setUniquenessRatio(15)
     matcher.setDisp12MaxDiff(1)
     beside = 2 * reach + abs(middle)
-    wide = [cv2.copyMakeBorder(e, 0, 0, beside, beside, cv2.BORDER_REPLICATE) for e in eyes]
+    wide = [cv2.copyMakeBorder(e, 0, 0, beside, beside, cv2.BORDER_REPLICATE) for e in images]
     found = np.asarray(matcher.compute(*wide), np.float64)[:, beside:-beside] / 16
     partner = np.arange(found.shape[1]) - found
     good = (found > middle - reach) & (partner >= 0) & (partner < found.shape[1])

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from tracking.errors import SettingsError
-from tracking.people import EyesWatch, RangedShare, first_lag
+from tracking.people import RangedShare, StereoWatch, first_lag
 from tracking.pipeline.run_buffer import KeptSteps
 from tracking.pipeline.set_up import changed_matching, doubt_of, require_sense
 from tracking.recording import Instants, Recording, StereoFrame
@@ -92,15 +92,15 @@ class Tracking:
     """A tracker at work: iterate for a `StepResult` a frame, close to cancel.
 
     The background is learnt first, from frames spread over the whole recording, so that a range
-    that starts late and a scene that starts with people are seen like any other. Where an eye is
-    late, which is looked for first and all along, each frame is the left eye's, with the right
+    that starts late and a scene that starts with people are seen like any other. Where a camera is
+    late, which is looked for first and all along, each frame is the left camera's, with the right
     picture of its instant. All calls belong to one thread.
 
     Attributes:
         frames: half-open range being tracked. done: frames of it tracked so far.
         observation: what was seen in the last frame, with its overlays; None before the first.
-        doubt: what cannot be right of two eyes, height and tilt, known from the first step on and
-            one of the notes; "": nothing.
+        doubt: what cannot be right of two cameras, height and tilt, known from the first step on
+            and one of the notes; "": nothing.
     """
 
     def __init__(
@@ -187,9 +187,9 @@ class Tracking:
         """What is told where hardly anything that moves has a distance; "": it has one."""
         if self._followed or not self._spec.needs_stereo or not self._ranged.is_too_small:
             return ""
-        eyes = "are the eyes swapped, or is the calibration of other cameras?"
+        cameras = "are the cameras swapped, or is the calibration of other cameras?"
         changed = changed_matching(self._spec.name, self._settings)
-        asked = f"{changed}, is that right? If so, {eyes}" if changed else eyes
+        asked = f"{changed}, is that right? If so, {cameras}" if changed else cameras
         return f"{self._recording.name}: no distance for what moves: {asked}"
 
     def _work(self) -> Generator[StepResult]:
@@ -197,17 +197,17 @@ class Tracking:
         perception, tracker = self._spec.build(self._recording, self._settings, self._seed)
         self._perception, self._tracker = perception, tracker
         timed("learn", self._learn, perception)
-        eyes, instants = perception.eyes, Instants(self._recording)
-        if eyes is not None:
-            timed("learn", begin_pairing, eyes, instants, self.frames[0])
+        watch, instants = perception.stereo_watch, Instants(self._recording)
+        if watch is not None:
+            timed("learn", begin_pairing, watch, instants, self.frames[0])
         if self._resume is not None:
             seen = (perception.observe(instants.read(n)) for n in self._resume.looks)
             timed("learn", tracker.resume, self._resume, seen)
         pictures = instants.frames(*self.frames)
         while (frame := timed("decode", next, pictures, None)) is not None:
             self.observation = timed("perception", perception.observe, frame)
-            if eyes is not None:
-                instants.lag = eyes.pairing
+            if watch is not None:
+                instants.lag = watch.pairing
             self._ranged.add(self.observation.overlays)
             result = timed("tracker", tracker.step, self.observation)
             self._followed |= bool(len(result.tracks["track"]))
@@ -217,7 +217,7 @@ class Tracking:
             yield result
 
     def _learn(self, perception: Perception) -> None:
-        """The background; two eyes are looked at for whether they can be as told."""
+        """The background; two cameras are looked at for whether they can be as told."""
         samples = background_samples(self._recording)
         if self._spec.needs_stereo:
             self.doubt = doubt_of(self._recording, samples)
@@ -231,11 +231,11 @@ def background_samples(recording: Recording) -> list[StereoFrame]:
     return [recording.read(int(number)) for number in numbers]
 
 
-def begin_pairing(eyes: EyesWatch, instants: Instants, start: int) -> None:
+def begin_pairing(watch: StereoWatch, instants: Instants, start: int) -> None:
     """Begin with the lag that the footage shows from a frame on, or recording.toml tells.
 
-    Whoever reads on takes `eyes.pairing` over to `instants.lag` after each frame looked at.
+    Whoever reads on takes `watch.pairing` over to `instants.lag` after each frame looked at.
     """
     recording = instants.recording
-    eyes.begin(first_lag(recording, start) or 0, recording.right_lag)
-    instants.lag = eyes.pairing
+    watch.begin(first_lag(recording, start) or 0, recording.right_lag)
+    instants.lag = watch.pairing

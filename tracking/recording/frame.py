@@ -13,15 +13,15 @@ Image = NDArray[np.uint8]
 
 @dataclass(frozen=True, slots=True)
 class StereoFrame:
-    """Both eyes at one instant, the left one's, as recorded (not rectified).
+    """Both cameras at one instant, the left one's, as recorded (not rectified).
 
     Attributes:
         number: frame number in the recording, from 0.
         time_s: seconds since the recording's first frame.
-        left: the left (or only) eye's picture.
-        right: the right eye's picture; None in a monocular recording.
+        left: the left (or only) camera's picture.
+        right: the right camera's picture; None in a monocular recording.
         right_lag: by so many frames the right picture was recorded later than the left one, so
-            that both show one instant; 0 where no eye is late. None: the right eye recorded
+            that both show one instant; 0 where no camera is late. None: the right camera recorded
             nothing of this instant, and `right` shows another.
     """
 

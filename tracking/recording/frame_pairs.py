@@ -1,4 +1,4 @@
-"""Which picture of the right eye belongs to which of the left."""
+"""Which picture of the right camera belongs to which of the left."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ _SAME_CLOCK_SHARE = 0.9
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Pairing:
-    """The two eyes side by side.
+    """The two cameras side by side.
 
     Attributes:
-        right: (n,) number of the right eye's picture for each left picture; never decreasing.
+        right: (n,) number of the right camera's picture for each left picture; never decreasing.
         notes: what was odd, in words.
     """
 
@@ -27,11 +27,11 @@ class Pairing:
     notes: tuple[str, ...]
 
 
-def pair_eyes(left: PictureSource, right: PictureSource) -> Pairing:
+def pair_frames(left: PictureSource, right: PictureSource) -> Pairing:
     """Pair the pictures of two sources.
 
-    Eyes are paired by number: picture n with picture n, and the recording is as long as the
-    shorter one. Where an eye lost pictures, and times (videos) or numbers in file names (images)
+    Cameras are paired by number: picture n with picture n, and the recording is as long as the
+    shorter one. Where a camera lost pictures, and times (videos) or numbers in file names (images)
     show which, picture n keeps the picture taken at the same instant; where there is none, the
     one before it.
     """
@@ -44,8 +44,8 @@ def pair_eyes(left: PictureSource, right: PictureSource) -> Pairing:
     notes: tuple[str, ...] = ()
     if left.frame_count != right.frame_count:
         notes = (
-            f"the eyes differ in length: {left.name} has {left.frame_count} frames, {right.name} "
-            f"{right.frame_count}; the recording ends with the shorter one",
+            f"the cameras differ in length: {left.name} has {left.frame_count} frames, "
+            f"{right.name} {right.frame_count}; the recording ends with the shorter one",
         )
     return Pairing(np.arange(count), notes)
 
@@ -53,7 +53,7 @@ def pair_eyes(left: PictureSource, right: PictureSource) -> Pairing:
 def _common_keys(
     left: PictureSource, right: PictureSource
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]] | None:
-    """When each picture was taken, in frames, on a clock the eyes share; None without one."""
+    """When each picture was taken, in frames, on a clock the cameras share; None without one."""
     if isinstance(left, ImageSource) and isinstance(right, ImageSource):
         numbers = frame_numbers(left.files), frame_numbers(right.files)
         if numbers[0] is None or numbers[1] is None:
@@ -90,7 +90,7 @@ def _by_key(left: NDArray[np.float64], right: NDArray[np.float64]) -> Pairing | 
     alone = int((~met).sum())
     filled = np.maximum.accumulate(np.where(met, nearest, 0))
     note = (
-        "the eyes lost different frames; they are paired by when they were taken, and in "
+        "the cameras lost different frames; they are paired by when they were taken, and in "
         f"{counted(alone, 'frame')} the right picture is the one before"
     )
     return Pairing(filled.astype(np.int64), (note,))

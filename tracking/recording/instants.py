@@ -1,4 +1,4 @@
-"""Frames whose two pictures were taken at one instant, though an eye is late."""
+"""Frames whose two pictures were taken at one instant, though a camera is late."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from tracking.recording.recording import Recording
 
 
 class Instants:
-    """A recording in the left eye's time: frame n holds the left picture n.
+    """A recording in the left camera's time: frame n holds the left picture n.
 
     The right picture is the one of the same instant, recorded `lag` frames later. Where there is
     none, before the recording begins or after it ends, the frame's `right_lag` is None, and another
@@ -19,7 +19,7 @@ class Instants:
 
     Attributes:
         recording: where the pictures come from.
-        lag: frames by which the right eye is late; negative: the left one. It may be changed
+        lag: frames by which the right camera is late; negative: the left one. It may be changed
             while `frames` are read: from the next one on it counts.
     """
 

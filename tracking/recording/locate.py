@@ -73,7 +73,7 @@ def from_manifest(place: Path, text: str) -> Located:
     """A recording whose manifest is kept elsewhere.
 
     Args:
-        place: the folder the manifest's paths are relative to; or the left (or only) eye's
+        place: the folder the manifest's paths are relative to; or the left (or only) camera's
             pictures, by whatever name they have now, with everything else beside them.
         text: the manifest.
 
@@ -112,7 +112,7 @@ def _in_folder(folder: Path) -> Located:
     name = folder.resolve().name
     if image_files([file for file in folder.iterdir() if file.is_file()]):
         return _made_up(folder, name, folder, None)
-    left, right = _eye(folder, "left"), _eye(folder, "right")
+    left, right = _camera(folder, "left"), _camera(folder, "right")
     if left is not None:
         return _made_up(folder, name, left, right)
     raise RecordingError(
@@ -130,8 +130,8 @@ def _made_up(
     fps: float | None = None,
 ) -> Located:
     """A manifest for files that have none, with paths relative to a folder they share."""
-    eyes = [left] if right is None else [left, right]
-    folder = _shared_folder([*eyes, *calibration])
+    cameras = [left] if right is None else [left, right]
+    folder = _shared_folder([*cameras, *calibration])
     manifest = Manifest(
         name,
         _relative(left, folder),
@@ -157,7 +157,7 @@ def _with_options(found: Located, options: OpenOptions) -> Located:
         return found
     if changed.layout and changed.right:
         raise RecordingError(
-            f"{found.path}: has a source for each eye; leave out the layout of both in one"
+            f"{found.path}: has a source for each camera; leave out the layout of both in one"
         )
     text = format_manifest(changed)
     notes = () if options.fps else found.notes
@@ -172,9 +172,9 @@ def _with_calibration(found: Located, options: OpenOptions) -> Located:
     manifest = found.manifest
     sources = [manifest.left] if manifest.right is None else [manifest.left, manifest.right]
     inside = found.trusted or options.allow_outside
-    eyes = [place_inside(found.folder, source, inside) for source in sources]
-    folder = _shared_folder([found.folder / "any", *eyes, *options.calibration])
-    left, *right = (_relative(eye, folder) for eye in eyes)
+    cameras = [place_inside(found.folder, source, inside) for source in sources]
+    folder = _shared_folder([found.folder / "any", *cameras, *options.calibration])
+    left, *right = (_relative(camera, folder) for camera in cameras)
     calibration = tuple(_relative(file, folder) for file in options.calibration)
     changed = replace(
         manifest, left=left, right=right[0] if right else None, calibration=calibration
@@ -232,8 +232,8 @@ def _images_in(folder: Path) -> Path | None:
     return None
 
 
-def _eye(folder: Path, side: str) -> Path | None:
-    """A video or an image folder with an eye's name."""
+def _camera(folder: Path, side: str) -> Path | None:
+    """A video or an image folder with a camera's name."""
     if _images_in(folder / side) is not None:
         return _images_in(folder / side)
     videos = [f for f in folder.glob(f"{side}.*") if f.suffix.lower() in _VIDEO_SUFFIXES]

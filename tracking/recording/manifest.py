@@ -11,7 +11,7 @@ from typing import Any, TypeVar
 from tracking.atomic_output import replace_with
 from tracking.errors import CalibrationError, OutputError, RecordingError
 from tracking.geometry import Ground
-from tracking.recording.eyes import MOST_LAG, Layout, Side
+from tracking.recording.image_pairs import MOST_LAG, Layout, Side
 from tracking.recording.limits import checked_fps, checked_ground
 
 MANIFEST_NAME = "recording.toml"
@@ -42,11 +42,11 @@ class Manifest:
 
     Attributes:
         name: for people.
-        left: a video, an image folder or a glob of images; the only eye if `right` is None.
-        right: the right eye's source; None: monocular, or both eyes in `left` (see `layout`).
-        layout: how both eyes lie in `left`; None: `left` holds one eye.
-        first: the eye on the left or at the top, where `layout` is given.
-        right_lag: frames by which the right eye is late; negative: the left one; None: not told.
+        left: a video, an image folder or a glob of images; the only camera if `right` is None.
+        right: the right camera's source; None: monocular, or both cameras in `left` (see `layout`).
+        layout: how both cameras lie in `left`; None: `left` holds one camera.
+        first: the camera on the left or at the top, where `layout` is given.
+        right_lag: frames by which the right camera is late; negative: the left one; None: not told.
         fps: frames a second; None: as the video says.
         calibration: one file, or a pair; empty: not calibrated.
         ground: where the floor is; None: unknown.
@@ -235,10 +235,10 @@ def _choice(table: _Table, key: str, choices: tuple[_T, ...], default: _T) -> _T
 
 
 def _right_lag(table: _Table) -> int | None:
-    eye = table.section("stereo" if "stereo" in table else "right")
-    lag: int | None = eye.get("lag", int, None)
+    side = table.section("stereo" if "stereo" in table else "right")
+    lag: int | None = side.get("lag", int, None)
     if lag is not None and abs(lag) > MOST_LAG:
-        raise eye.error("lag", f"must be -{MOST_LAG} to {MOST_LAG} frames")
+        raise side.error("lag", f"must be -{MOST_LAG} to {MOST_LAG} frames")
     return lag
 
 

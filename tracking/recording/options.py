@@ -7,7 +7,7 @@ from pathlib import Path
 
 from tracking.errors import RecordingError
 from tracking.geometry import Ground
-from tracking.recording.eyes import Layout, Side
+from tracking.recording.image_pairs import Layout, Side
 from tracking.recording.limits import checked_fps, checked_ground
 
 
@@ -16,12 +16,12 @@ class OpenOptions:
     """Options of the commands that open a recording; what is None is taken from the recording.
 
     Attributes:
-        left, right: a video, an image folder or a glob of images for each eye.
+        left, right: a video, an image folder or a glob of images for each camera.
         calibration: the calibration file, or a pair of files.
         height_m, tilt_deg, roll_deg: where the floor is; see `Ground`.
         fps: frames a second; it counts, whatever the recording says. See `rate`.
-        layout: how both eyes lie in one video.
-        first: the eye on the left or at the top of it.
+        layout: how both cameras lie in one video.
+        first: the camera on the left or at the top of it.
         allow_outside: a manifest may name files outside its folder.
     """
 

@@ -104,7 +104,7 @@ def open_video(where: str) -> tuple[InputContainer, VideoStream]:
             "read; make it smaller"
         )
     stream.codec_context.options = {"max_pixels": str(MOST_PIXELS)}  # of frames that say more
-    # One thread keeps frames in step with packets, and leaves the other cores to other eyes.
+    # One thread keeps frames in step with packets, and leaves the other cores to other cameras.
     stream.codec_context.thread_count = 1
     return container, stream
 

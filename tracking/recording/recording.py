@@ -1,4 +1,4 @@
-"""A recording: both eyes by frame number, with what is known of cameras and floor."""
+"""A recording: both cameras by frame number, with what is known of cameras and floor."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 
 from tracking.errors import RecordingError
 from tracking.geometry import Ground, Rectification, StereoCalibration, View
-from tracking.recording.eyes import Eyes
 from tracking.recording.fingerprint import Fingerprint, fingerprint
 from tracking.recording.frame import StereoFrame
+from tracking.recording.image_pairs import ImagePairs
 from tracking.recording.locate import Located
 from tracking.recording.manifest import TRUTH_NAME
 from tracking.recording.oddities import first_frame_note
@@ -24,33 +24,35 @@ from tracking.recording.recording_calibration import Calibrated
 class Recording:
     """An opened recording; made by `open_recording`.
 
-    Frames are exact and counted from 0. Both eyes of a frame are of the same instant: by number,
-    or where an eye lost frames and its times tell, by time (see `pair_eyes`). An eye whose pictures
-    all come late is not noticed here; see `Instants`. `read` may be called from several threads.
+    Frames are exact and counted from 0. Both cameras of a frame are of the same instant: by number,
+    or where a camera lost frames and its times tell, by time (see `pair_frames`). A camera whose
+    pictures all come late is not noticed here; see `Instants`. `read` may be called from several
+    threads.
 
     Attributes:
         path: what was opened.
         folder: what the paths of its manifest are relative to.
         name: for people.
         fps: frames a second; the manifest's counts before the video's.
-        frame_count: the number of frames; of two eyes that differ, the shorter one's.
-        size: width and height of one eye's pictures in px.
-        right_lag: frames by which the right eye is late, where the manifest tells; see `Instants`.
+        frame_count: the number of frames; of two cameras that differ, the shorter one's.
+        size: width and height of one camera's pictures in px.
+        right_lag: frames by which the right camera is late, where the manifest tells; see
+            `Instants`.
         calibration, ground, view, rectification: None where not known; a rectification needs two
-            calibrated eyes, a view a calibrated left eye and the floor.
+            calibrated cameras, a view a calibrated left camera and the floor.
         manifest_text, calibration_text: as read; the manifest's is made up where there is none,
             or where options said otherwise.
         own_manifest: whether that text is the folder's recording.toml, as read.
         truth_path: the truth.txt in the recording's folder; None without one.
     """
 
-    def __init__(self, located: Located, eyes: Eyes, calibrated: Calibrated) -> None:
+    def __init__(self, located: Located, cameras: ImagePairs, calibrated: Calibrated) -> None:
         self.path: Path = located.path
         self.folder: Path = located.folder
         self.name: str = located.manifest.name
-        self.frame_count: int = eyes.frame_count
-        self.size: tuple[int, int] = eyes.size
-        self.fps: float = _rate(located, eyes)
+        self.frame_count: int = cameras.frame_count
+        self.size: tuple[int, int] = cameras.size
+        self.fps: float = _rate(located, cameras)
         self.right_lag: int | None = located.manifest.right_lag
         self.calibration: StereoCalibration | None = calibrated.calibration
         self.ground: Ground | None = located.manifest.ground
@@ -61,20 +63,20 @@ class Recording:
         self.calibration_text: str = calibrated.text
         truth = located.path / TRUTH_NAME
         self.truth_path: Path | None = truth if truth.is_file() else None
-        self._eyes = eyes
-        self._times_s = _uneven_times(eyes, self.fps, self.frame_count)
+        self._cameras = cameras
+        self._times_s = _uneven_times(cameras, self.fps, self.frame_count)
         self._lock = Lock()
         self._opening_notes = (
             *located.notes,
-            *_manifest_notes(located, eyes, self.fps),
+            *_manifest_notes(located, cameras, self.fps),
             *calibrated.notes,
         )
         self._opening_notes += self._first_frame_notes()
 
     @property
     def is_stereo(self) -> bool:
-        """Whether there is a right eye."""
-        return self._eyes.is_stereo
+        """Whether there is a right camera."""
+        return self._cameras.is_stereo
 
     @property
     def duration_s(self) -> float:
@@ -85,20 +87,20 @@ class Recording:
     @property
     def notes(self) -> tuple[str, ...]:
         """Oddities to tell the user, in words; grows where broken frames are met."""
-        sources = [note for source in self._eyes.sources for note in source.notes]
-        return (*self._opening_notes, *self._eyes.notes, *sources)
+        sources = [note for source in self._cameras.sources for note in source.notes]
+        return (*self._opening_notes, *self._cameras.notes, *sources)
 
     @property
     def sources(self) -> tuple[Path, ...]:
-        """Where the pictures are, the left (or only) eye first; a folder for images."""
+        """Where the pictures are, the left (or only) camera first; a folder for images."""
         return tuple(
             files[0] if len(files) == 1 else files[0].parent
-            for files in (source.files for source in self._eyes.sources)
+            for files in (source.files for source in self._cameras.sources)
         )
 
     def fingerprints(self) -> tuple[Fingerprint, ...]:
         """A fingerprint of each source, in the order of `sources`."""
-        return tuple(fingerprint(source.name, source.files) for source in self._eyes.sources)
+        return tuple(fingerprint(source.name, source.files) for source in self._cameras.sources)
 
     @property
     def uneven_times_s(self) -> NDArray[np.float64] | None:
@@ -119,7 +121,7 @@ class Recording:
         self._check(number)
         self._check(right_number)
         with self._lock:
-            left, right = self._eyes.read(number, right_number)
+            left, right = self._cameras.read(number, right_number)
         return StereoFrame(number, self.time_s(number), left, right, right_number - number)
 
     def frames(
@@ -128,7 +130,7 @@ class Recording:
         """Frames start to stop (half-open) in order, read fast and apart from `read`.
 
         Args:
-            lag: frames by which the right eye is late; negative: the left one. Beyond its first
+            lag: frames by which the right camera is late; negative: the left one. Beyond its first
                 and its last picture these stand in, and `right_lag` is None.
 
         Raises:
@@ -140,14 +142,14 @@ class Recording:
                 f"{self.path}: frames {start} to {stop} are not within 0 to {self.frame_count}"
             )
         lag = lag if self.is_stereo else 0
-        for number, (left, right) in enumerate(self._eyes.pairs(start, stop, lag), start):
+        for number, (left, right) in enumerate(self._cameras.pairs(start, stop, lag), start):
             right_lag = lag if 0 <= number + lag < self.frame_count else None
             yield StereoFrame(number, self.time_s(number), left, right, right_lag)
 
     def close(self) -> None:
         """Let go of all files."""
         with self._lock:
-            for source in self._eyes.sources:
+            for source in self._cameras.sources:
                 source.close()
 
     def __enter__(self) -> Recording:
@@ -168,13 +170,13 @@ class Recording:
             )
 
     def _first_frame_notes(self) -> tuple[str, ...]:
-        sources = [source for source in self._eyes.sources if source.frame_count > 1]
+        sources = [source for source in self._cameras.sources if source.frame_count > 1]
         found = [first_frame_note(s.name, s.read(0), s.read(1)) for s in sources]
         return tuple(note for note in found if note is not None)
 
 
-def _rate(located: Located, eyes: Eyes) -> float:
-    fps = located.manifest.fps or eyes.sources[0].fps
+def _rate(located: Located, cameras: ImagePairs) -> float:
+    fps = located.manifest.fps or cameras.sources[0].fps
     if not fps:
         raise RecordingError(
             f"{located.path}: images do not say how fast they were taken; give fps in "
@@ -183,9 +185,9 @@ def _rate(located: Located, eyes: Eyes) -> float:
     return fps
 
 
-def _uneven_times(eyes: Eyes, fps: float, count: int) -> NDArray[np.float64] | None:
+def _uneven_times(cameras: ImagePairs, fps: float, count: int) -> NDArray[np.float64] | None:
     """The stream's own times where frames do not come evenly at the recording's rate."""
-    source = eyes.sources[0]
+    source = cameras.sources[0]
     if source.times_s is None or source.fps is None or abs(source.fps - fps) > 0.01 * fps:
         return None
     even = np.arange(count) / fps
@@ -193,12 +195,12 @@ def _uneven_times(eyes: Eyes, fps: float, count: int) -> NDArray[np.float64] | N
     return None if np.abs(times - even).max() < 0.5 / fps else times
 
 
-def _manifest_notes(located: Located, eyes: Eyes, fps: float) -> tuple[str, ...]:
+def _manifest_notes(located: Located, cameras: ImagePairs, fps: float) -> tuple[str, ...]:
     notes = [f"recording.toml: {key} means nothing here" for key in located.manifest.unknown]
-    streamed = eyes.sources[0].fps
+    streamed = cameras.sources[0].fps
     if streamed is not None and abs(streamed - fps) > 0.01 * fps:
         notes.append(
-            f"{eyes.sources[0].name}: the video says {streamed:g} frames a second, the recording "
-            f"{fps:g}; the recording counts"
+            f"{cameras.sources[0].name}: the video says {streamed:g} frames a second, the "
+            f"recording {fps:g}; the recording counts"
         )
     return tuple(notes)

@@ -21,9 +21,9 @@ class Calibrated:
     """Cameras and floor of a recording; None where not known.
 
     Attributes:
-        calibration: of the eyes the recording has.
-        view: the left eye on the floor.
-        rectification: of two calibrated eyes.
+        calibration: of the cameras the recording has.
+        view: the left camera on the floor.
+        rectification: of two calibrated cameras.
         text: the calibration files as read.
         notes: oddities, in words.
     """
@@ -42,8 +42,8 @@ def read_calibrated(
 
     Args:
         files: none, one or two.
-        size: width and height of one eye in px.
-        stereo: whether the recording has two eyes.
+        size: width and height of one camera in px.
+        stereo: whether the recording has two cameras.
         ground: where the floor is; None where unknown.
 
     Raises:
@@ -57,7 +57,7 @@ def read_calibrated(
     if not stereo and calibration.right is not None:
         calibration = StereoCalibration.of_one(calibration.left)
     if stereo and calibration.right is None:
-        notes = (f"{files[0].name}: calibrates the left eye only; there is no depth",)
+        notes = (f"{files[0].name}: calibrates the left camera only; there is no depth",)
     return Calibrated(
         calibration,
         View(calibration.left, ground) if ground is not None else None,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from tracking.errors import RecordingError
-from tracking.recording.eyes import Eyes, OneEye, Side, SplitEyes, TwoEyes
+from tracking.recording.image_pairs import ImagePairs, OneCamera, Side, SplitSource, TwoSources
 from tracking.recording.locate import Located, from_manifest, locate
 from tracking.recording.manifest import MANIFEST_NAME
 from tracking.recording.options import OpenOptions
@@ -25,7 +25,7 @@ def open_recording(path: Path, options: OpenOptions | None = None) -> Recording:
         options: what to take instead of what the recording says.
 
     Raises:
-        RecordingError: missing, unreadable, empty, or eyes that do not belong together.
+        RecordingError: missing, unreadable, empty, or cameras that do not belong together.
         CalibrationError: the calibration is unreadable or does not fit the pictures.
     """
     options = options or OpenOptions()
@@ -37,7 +37,7 @@ def open_from_manifest(place: Path, text: str, options: OpenOptions | None = Non
 
     Args:
         place: what the manifest's paths are relative to (`Recording.folder`); or the left (or
-            only) eye's pictures, by whatever name they have now, with all else beside them.
+            only) camera's pictures, by whatever name they have now, with all else beside them.
         text: the manifest (`Recording.manifest_text`).
         options: only `allow_outside` counts.
 
@@ -49,41 +49,41 @@ def open_from_manifest(place: Path, text: str, options: OpenOptions | None = Non
 
 def _open(located: Located, options: OpenOptions) -> Recording:
     inside = located.trusted or options.allow_outside
-    eyes = _open_eyes(located, inside)
+    cameras = _open_sources(located, inside)
     files = list(options.calibration) or [
         place_inside(located.folder, file, inside) for file in located.manifest.calibration
     ]
-    calibrated = read_calibrated(files, eyes.size, eyes.is_stereo, located.manifest.ground)
-    return Recording(located, eyes, calibrated)
+    calibrated = read_calibrated(files, cameras.size, cameras.is_stereo, located.manifest.ground)
+    return Recording(located, cameras, calibrated)
 
 
-def _open_eyes(located: Located, allow_outside: bool) -> Eyes:
+def _open_sources(located: Located, allow_outside: bool) -> ImagePairs:
     manifest = located.manifest
     left = _opened(located, manifest.left, "left", allow_outside)
     if manifest.layout is not None:
-        return SplitEyes(left, manifest.layout, manifest.first)
+        return SplitSource(left, manifest.layout, manifest.first)
     if manifest.right is None:
-        return OneEye(left)
-    return TwoEyes(left, _opened(located, manifest.right, "right", allow_outside))
+        return OneCamera(left)
+    return TwoSources(left, _opened(located, manifest.right, "right", allow_outside))
 
 
-def _opened(located: Located, source: str, eye: Side, allow_outside: bool) -> PictureSource:
-    """The pictures of an eye."""
+def _opened(located: Located, source: str, side: Side, allow_outside: bool) -> PictureSource:
+    """The pictures of a camera."""
     place = place_inside(located.folder, source, allow_outside)
     if located.own and (lacking := _lacking(place)):
-        instead = ", or leave [right] out for one camera" if eye == "right" else ""
+        instead = ", or leave [right] out for one camera" if side == "right" else ""
         raise RecordingError(
-            f"{located.folder / MANIFEST_NAME}: {_called(located, eye)} is {lacking}: {place}",
+            f"{located.folder / MANIFEST_NAME}: {_called(located, side)} is {lacking}: {place}",
             f"put it there{instead}",
         )
     return open_pictures(place, source)
 
 
-def _called(located: Located, eye: Side) -> str:
+def _called(located: Located, side: Side) -> str:
     """What a source shows, in the words of its manifest."""
     if located.manifest.layout is not None:
-        return "the video of both eyes"
-    return "the video" if located.manifest.right is None else f"the {eye} eye"
+        return "the video of both cameras"
+    return "the video" if located.manifest.right is None else f"the {side} camera"
 
 
 def _lacking(place: Path) -> str:

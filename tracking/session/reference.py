@@ -35,7 +35,7 @@ class Footage(Protocol):
 
     @property
     def is_stereo(self) -> bool:
-        """Whether there are two eyes."""
+        """Whether there are two cameras."""
 
     @property
     def manifest_text(self) -> str:

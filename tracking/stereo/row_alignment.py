@@ -1,4 +1,4 @@
-"""By how much the right eye sees things higher or lower than calibration says, and undoing it."""
+"""Vertical misalignment of the right camera against the calibration, and its correction."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ Floats = NDArray[np.float32]
 _MARKS = Marks(most=200, faintest=0.002, apart_px=12, window_px=15, levels=1)
 _FEWEST = 40
 _RETURN_PX = 0.4
-"""A mark followed to the right eye and back must end so near to where it began."""
+"""A mark followed to the right camera and back must end so near to where it began."""
 _ASIDE_PX = 2.5
 """Marks of the empty scene are found so near to where range puts them, to the left and right."""
 _LIKE_PX = 0.6
@@ -24,30 +24,30 @@ _FEWEST_IN_QUARTER = 5
 _CERTAIN = 3.0
 """Standard errors by which a slope must differ from none."""
 _LEVEL_PX, _MOST_PX = 0.35, 4.0
-"""Eyes that are off by less match as well; off by more they are calibrated wrong."""
+"""Cameras that are off by less match as well; off by more they are calibrated wrong."""
 
 
 class Levelling:
-    """Shifts, turns and scales the right eye so that things lie in the rows of the left one.
+    """Shifts, turns and scales the right camera so that things lie in the rows of the left one.
 
     A rig that was warm, or knocked, when or after it was calibrated sees the same thing a pixel
-    higher in one eye. Block matching looks along rows, and finds what is there instead. Where what
-    is higher on one side is lower on the other, the eye is turned about its axis, and range is
-    wrong above and below.
+    higher in one camera. Block matching looks along rows, and finds what is there instead. Where
+    what is higher on one side is lower on the other, the camera is turned about its axis, and range
+    is wrong above and below.
 
-    `Marks` are followed from one eye to the other and back. What is made of them is ours.
+    `Marks` are followed from one camera to the other and back. What is made of them is ours.
 
     Attributes:
-        off: how much lower the right eye sees than the left one: (3,) px in the picture's middle,
-            and more for each px to the right, and downwards. None: the eyes are level, or nothing
-            is known of them.
+        off: how much lower the right camera sees than the left one: (3,) px in the picture's
+            middle, and more for each px to the right, and downwards. None: the cameras are level,
+            or nothing is known of them.
     """
 
     def __init__(self) -> None:
         self.off: Floats | None = None
 
     def learn(self, left: Grey, right: Grey, scene: Floats, step: int) -> bool:
-        """Compare where both eyes see marks of the empty scene.
+        """Compare where both cameras see marks of the empty scene.
 
         What is known stays as it is unless marks tell that it is wrong: a scene that lies in the
         dark, or in hard light, has few of them.
@@ -73,11 +73,11 @@ class Levelling:
         return True
 
     def level(self, right: Grey) -> Grey:
-        """The right eye with its rows at the height of the left one's."""
+        """The right camera with its rows at the height of the left one's."""
         return self._moved(right, cv2.INTER_LINEAR)
 
     def level_mask(self, right: Grey) -> Grey:
-        """A mask of the right eye, moved as the eye is."""
+        """A mask of the right camera, moved as the camera is."""
         return self._moved(right, cv2.INTER_NEAREST)
 
     def _moved(self, right: Grey, between: int) -> Grey:
@@ -93,13 +93,13 @@ class Levelling:
         return np.asarray(cv2.warpAffine(right, moved, size, flags=way, borderMode=border))
 
 
-def _middle(eye: Grey) -> NDArray[np.float64]:
+def _middle(image: Grey) -> NDArray[np.float64]:
     """(2,) px."""
-    return (np.array(eye.shape[::-1]) - 1) / 2
+    return (np.array(image.shape[::-1]) - 1) / 2
 
 
 def _found_right(left: Grey, right: Grey, scene: Floats, step: int) -> tuple[Floats, Floats]:
-    """(n, 2) px of marks in the left eye, and where they are in the right one."""
+    """(n, 2) px of marks in the left camera, and where they are in the right one."""
     marks = _MARKS.of(left)
     u, v = (marks // step).astype(np.intp).T
     range_px = scene[v.clip(0, scene.shape[0] - 1), u.clip(0, scene.shape[1] - 1)]
@@ -116,7 +116,7 @@ def _found_right(left: Grey, right: Grey, scene: Floats, step: int) -> tuple[Flo
 def _plane(
     points: NDArray[np.floating], lower_px: Floats, middle: NDArray[np.float64]
 ) -> Floats | None:
-    """What most marks say of how much lower the right eye sees; None: they cannot tell.
+    """What most marks say of how much lower the right camera sees; None: they cannot tell.
 
     Marks that lie together tell how much lower it sees there, but not how it is turned.
 

@@ -1,4 +1,4 @@
-"""Which eye sees more sharply, and how much it must be smoothed to see as the other one does."""
+"""Which camera sees more sharply, and how much it must be smoothed to see as the other one does."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ _FINE, _COARSE = (3, 5), (7, 15)
 """Squares between which what is averaged away is fine detail, and coarser detail that every lens
 shows. Noise is finer than either."""
 _SAME, _SAME_AGAIN = 1.1, 1.05
-"""Ratios of fine detail up to which two eyes are equally sharp, as they never see quite the same:
-before one was found out of focus, and afterwards."""
+"""Ratios of fine detail up to which two cameras are equally sharp, as they never see quite the
+same: before one was found out of focus, and afterwards."""
 _FAINTEST = 1.5
 """Coarser detail, grey levels, of which something can be told: noise alone makes 1.3."""
 _SPREADS_PX = (0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.15, 1.3, 1.5, 1.75, 2.0)
@@ -23,24 +23,25 @@ _SPREADS_PX = (0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.15, 1.3, 1.5, 1.75, 2.0)
 
 
 class EvenSharpness:
-    """Smooths the sharper one of two eyes where the other is a little out of focus.
+    """Smooths the sharper one of two cameras where the other is a little out of focus.
 
-    Block matching compares how steep brightness is. In an eye that is out of focus edges are less
+    Block matching compares how steep brightness is. In a camera that is out of focus edges are less
     steep, and what fits a steep edge best is something else. The measure and the remedy are ours.
 
     Attributes:
-        spread_px: standard deviations of the smoothing of the left and of the right eye; 0: none.
+        spread_px: standard deviations of the smoothing of the left and of the right camera; 0:
+            none.
     """
 
     def __init__(self) -> None:
         self.spread_px = (0.0, 0.0)
 
     def learn(self, left: Grey, right: Grey) -> None:
-        """Compare how sharply both eyes see the empty scene: (height, width) each.
+        """Compare how sharply both cameras see the empty scene: (height, width) each.
 
         What is known stays as it is where there is little to see.
         """
-        if min(_detail(eye, _COARSE) for eye in (left, right)) < _FAINTEST:
+        if min(_detail(image, _COARSE) for image in (left, right)) < _FAINTEST:
             return
         left_detail, right_detail = _fine_detail(left), _fine_detail(right)
         same = _SAME_AGAIN if any(self.spread_px) else _SAME
@@ -52,33 +53,33 @@ class EvenSharpness:
             self.spread_px = (0.0, _spread_to(left_detail, right))
 
     def even(self, left: Grey, right: Grey) -> tuple[Grey, Grey]:
-        """Both eyes as sharp as the less sharp one."""
+        """Both cameras as sharp as the less sharp one."""
         return _smoothed(left, self.spread_px[0]), _smoothed(right, self.spread_px[1])
 
 
-def _fine_detail(eye: Grey) -> float:
+def _fine_detail(image: Grey) -> float:
     """Fine detail over coarser one, whatever the contrast."""
-    fine, coarse = (_detail(eye, sides) for sides in (_FINE, _COARSE))
+    fine, coarse = (_detail(image, sides) for sides in (_FINE, _COARSE))
     return fine / max(coarse, 1e-6)
 
 
-def _detail(eye: Grey, sides: tuple[int, int]) -> float:
+def _detail(image: Grey, sides: tuple[int, int]) -> float:
     """What averaging over the larger one of two squares takes away of what the smaller leaves.
 
     Grey levels, the root of the mean of squares, so that edges count, which matching goes by.
     """
-    near = cv2.blur(eye, (sides[0], sides[0]))
+    near = cv2.blur(image, (sides[0], sides[0]))
     away = cv2.norm(near, cv2.blur(near, (sides[1], sides[1])), cv2.NORM_L2)
-    return away / math.sqrt(eye.size)
+    return away / math.sqrt(image.size)
 
 
-def _spread_to(detail: float, eye: Grey) -> float:
-    """The smoothing that leaves an eye as much fine detail."""
-    left = [abs(_fine_detail(_smoothed(eye, spread)) - detail) for spread in _SPREADS_PX]
+def _spread_to(detail: float, image: Grey) -> float:
+    """The smoothing that leaves a camera as much fine detail."""
+    left = [abs(_fine_detail(_smoothed(image, spread)) - detail) for spread in _SPREADS_PX]
     return _SPREADS_PX[int(np.argmin(left))]
 
 
-def _smoothed(eye: Grey, spread_px: float) -> Grey:
+def _smoothed(image: Grey, spread_px: float) -> Grey:
     if not spread_px:
-        return eye
-    return np.asarray(cv2.GaussianBlur(eye, (0, 0), spread_px), np.uint8)
+        return image
+    return np.asarray(cv2.GaussianBlur(image, (0, 0), spread_px), np.uint8)

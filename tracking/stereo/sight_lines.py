@@ -1,4 +1,4 @@
-"""Where every pixel of the rectified left eye looks in the world."""
+"""Where every pixel of the rectified left camera looks in the world."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ Floats = NDArray[np.float32]
 
 
 class SightLines:
-    """Rays of a rectified left eye, at the working scale.
+    """Rays of a rectified left camera, at the working scale.
 
     A point seen at depth Z lies at `centre + Z * rays[v, u]`; Z is metres along the optical axis.
 
     Attributes:
         shrink: recorded pixels per working pixel.
-        centre: (3,) world metres of the left eye.
+        centre: (3,) world metres of the left camera.
         rightward: (3,) unit vector in the world along the picture's rows.
         rays: (height, width, 3) float32, world metres per metre of depth.
         focal_baseline: px m; depth is this over the disparity less `offset`, in working pixels.
@@ -55,7 +55,7 @@ class SightLines:
     def disparity_at_height(self, z_m: float, nearest_m: float, farthest_m: float) -> Floats:
         """(height, width) the disparity of the level z = z_m where each pixel sees it.
 
-        The level lies below the eye for pixels that look down; others see it nowhere and get the
+        The level lies below the camera for pixels that look down; others see it nowhere and get the
         disparity of `farthest_m`. Clipped to the given depths.
         """
         down = np.minimum(self.rays[..., 2], -1e-6)

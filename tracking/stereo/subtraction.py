@@ -26,7 +26,7 @@ _SLACK_PX = 1.0
 _FILTER_PX = 2
 """How far beyond a window what the matcher does before matching reaches."""
 _SCENES_PER_LEVELLING = 8
-"""Times that the scene is ranged from one look at whether the eyes are alike to the next."""
+"""Times that the scene is ranged from one look at whether the cameras are alike to the next."""
 _SAME_PLACE_M, _SAME_PLACE_PX = 0.15, 0.75
 """How far in range, and at most in disparity, a change may be from the background it is on."""
 
@@ -34,8 +34,8 @@ _SAME_PLACE_M, _SAME_PLACE_PX = 0.15, 0.75
 class SubtractionStereo:
     """Matches left against right where both are foreground.
 
-    [Kawashita2012], [Kawashita2014] section 2.1: the background is subtracted from each eye on its
-    own and what is left is matched. Each pixel is only searched between the disparity of the
+    [Kawashita2012], [Kawashita2014] section 2.1: the background is subtracted from each camera on
+    its own and what is left is matched. Each pixel is only searched between the disparity of the
     floor it looks at and that of the tallest person that could stand on that line of sight.
     """
 
@@ -100,7 +100,7 @@ class SubtractionStereo:
         self._take_scene(scene)
 
     def suppose_scene(self, left: Grey, right: Grey) -> None:
-        """Range a scene as `learn_scene` does, learning nothing of the eyes from it.
+        """Range a scene as `learn_scene` does, learning nothing of the cameras from it.
 
         Args:
             left, right: (height, width) rectified grey pictures of the scene.
@@ -125,11 +125,11 @@ class SubtractionStereo:
         return np.where(scene >= low, scene, np.nan).astype(np.float32)
 
     def _alike(self, left: Grey, right: Grey) -> tuple[Grey, Grey]:
-        """Both eyes as if they stood level and were equally sharp."""
+        """Both cameras as if they stood level and were equally sharp."""
         return self._sharpness.even(left, self._levelling.level(right))
 
     def match(self, left: Grey, right: Grey, left_mask: Mask, right_mask: Mask) -> Disparity:
-        """Disparity of the left eye's foreground, on every second pixel.
+        """Disparity of the left camera's foreground, on every second pixel.
 
         Rows are halved before matching and columns are not: range needs full resolution across
         only, and the window becomes as upright as people are. Each part of the foreground is
@@ -180,7 +180,7 @@ class SubtractionStereo:
     def _foreground_there(
         self, mask: Mask, place: NDArray[np.intp], disparity: Disparity
     ) -> NDArray[np.bool_]:
-        """Whether the right eye, too, sees foreground at the matched place.
+        """Whether the right camera, too, sees foreground at the matched place.
 
         Args:
             mask: of every second row. place: (n,) on the grid.
@@ -204,11 +204,11 @@ class SubtractionStereo:
         top, bottom = self._rows_matched(rows, left.shape[0])
         first, last = columns.start - before, columns.stop + margin
         cut = np.s_[top:bottom, max(0, first) : last]
-        eyes = [eye[cut] for eye in (left, right)]
+        images = [image[cut] for image in (left, right)]
         if first < 0 or last > left.shape[1]:
             pad = (max(0, -first), max(0, last - left.shape[1]))
-            eyes = [_beside(eye, pad) for eye in eyes]
-        found = self._matcher.compute(*eyes)
+            images = [_beside(image, pad) for image in images]
+        found = self._matcher.compute(*images)
         inner = found[rows.start - top :, before:]
         return np.asarray(inner[: rows.stop - rows.start, : columns.stop - columns.start], np.int16)
 
@@ -227,13 +227,13 @@ def least_side_px(window_px: int) -> int:
     return STEP * (window_px | 1) + 1
 
 
-def _rows_halved(eye: Grey) -> Grey:
+def _rows_halved(image: Grey) -> Grey:
     """Each row the mean of two; a last odd one stays."""
-    if eye.shape[0] % STEP:
-        eye = np.concatenate((eye, eye[-1:]))
-    return np.asarray(cv2.addWeighted(eye[::STEP], 0.5, eye[1::STEP], 0.5, 0.0), np.uint8)
+    if image.shape[0] % STEP:
+        image = np.concatenate((image, image[-1:]))
+    return np.asarray(cv2.addWeighted(image[::STEP], 0.5, image[1::STEP], 0.5, 0.0), np.uint8)
 
 
-def _beside(eye: Grey, pad: tuple[int, int]) -> Grey:
+def _beside(image: Grey, pad: tuple[int, int]) -> Grey:
     """The picture with its sides drawn out."""
-    return np.asarray(cv2.copyMakeBorder(eye, 0, 0, *pad, cv2.BORDER_REPLICATE), np.uint8)
+    return np.asarray(cv2.copyMakeBorder(image, 0, 0, *pad, cv2.BORDER_REPLICATE), np.uint8)

@@ -1,4 +1,4 @@
-"""Scenes of walking people, rendered for two eyes with exact truth."""
+"""Scenes of walking people, rendered for two cameras with exact truth."""
 
 from tracking.synthesis.disturbances import Disturbances
 from tracking.synthesis.recording_writer import check_seconds, render_recording

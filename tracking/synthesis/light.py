@@ -55,7 +55,7 @@ class FloorShadows:
         self._slant = -towards[:2] / towards[2]
         self._to_lamp = -towards
         self._lamp = lamp
-        self._pixels = [rig.floor_to_pixel(eye) @ self._floor_from_cell() for eye in (0, 1)]
+        self._pixels = [rig.floor_to_pixel(camera) @ self._floor_from_cell() for camera in (0, 1)]
         self._image_size = rig.size
 
     def cast(self, corners: Floats, feet: Floats) -> FloorShade:
@@ -74,12 +74,12 @@ class FloorShadows:
         height = self._buffer.depth()
         return FloorShade(self._factor(height, feet), height)
 
-    def seen_by(self, shade: FloorShade, eye: int) -> Float32s:
-        """The light left on the floor as an eye sees it, (height, width, 3)."""
+    def seen_by(self, shade: FloorShade, camera: int) -> Float32s:
+        """The light left on the floor as a camera sees it, (height, width, 3)."""
         return np.asarray(
             cv2.warpPerspective(
                 shade.factor,
-                self._pixels[eye],
+                self._pixels[camera],
                 self._image_size,
                 flags=cv2.INTER_LINEAR,
                 borderMode=cv2.BORDER_CONSTANT,

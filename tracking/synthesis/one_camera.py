@@ -26,7 +26,7 @@ def _office(name: str, title: str, people: int, seconds: float) -> SceneSpec:
         seconds=seconds,
         uniform="red and brown",
         fps=15.0,
-        eyes=1,
+        cameras=1,
         focal=_OFFICE_FOCAL,
         scenario=name,
     )
@@ -74,7 +74,7 @@ ONE_CAMERA_SCENES = (
         people=56,
         seconds=60.0,
         fps=10.0,
-        eyes=1,
+        cameras=1,
         passage=_LANE,
     ),
     SceneSpec(
@@ -89,7 +89,7 @@ ONE_CAMERA_SCENES = (
         people=60,
         seconds=60.0,
         fps=10.0,
-        eyes=1,
+        cameras=1,
         passage=_TWO_WAY,
     ),
 )

@@ -1,4 +1,4 @@
-"""Draws people into the picture of one eye."""
+"""Draws people into the picture of one camera."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _TEXELS_PER_M = 210.0
 
 @dataclass(frozen=True, slots=True, eq=False)
 class PeopleSamples:
-    """People as samples of one eye's picture.
+    """People as samples of one camera's picture.
 
     Attributes:
         person, part: (t,) row of the person and body part of each triangle drawn.
@@ -41,18 +41,18 @@ class PeopleSamples:
 
 
 class Painter:
-    """Draws people for one eye, in front of and behind the things that stand still."""
+    """Draws people for one camera, in front of and behind the things that stand still."""
 
-    def __init__(self, rig: Rig, eye: int, lamp: LampSpec, still: Float32s | None) -> None:
-        """A painter for an eye (0 left, 1 right).
+    def __init__(self, rig: Rig, side: int, lamp: LampSpec, still: Float32s | None) -> None:
+        """A painter for a camera (0 left, 1 right).
 
         Args:
             rig: the cameras.
-            eye: which of them.
+            side: which of them.
             lamp: the light's colours.
             still: inverse depth (rows, columns) of pillars at the samples, 0 elsewhere; or None.
         """
-        self._rig, self._eye = rig, eye
+        self._rig, self._side = rig, side
         width, height = rig.size
         self._size = width * FINE, height * FINE
         self._buffer = DepthBuffer(*self._size, still)
@@ -78,7 +78,7 @@ class Painter:
             people: (n,) index of each body in the cast.
             margin: how far beyond the picture `covered` goes, in picture widths.
         """
-        pixels = self._rig.project(camera_points, self._eye)
+        pixels = self._rig.project(camera_points, self._side)
         corners, chosen = sample_corners(pixels, self._triangles)
         person = (chosen // len(self._triangles)).astype(np.int32)
         covered = fill(corners, self._window(margin))

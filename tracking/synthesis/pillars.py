@@ -63,23 +63,23 @@ class Pillars:
         return self.vertices[:, self.triangles].reshape(-1, 3, 3)
 
     def draw(
-        self, rig: Rig, eye: int, lamp: LampSpec, light: Float32s, behind: Backdrop
+        self, rig: Rig, camera: int, lamp: LampSpec, light: Float32s, behind: Backdrop
     ) -> Float32s:
         """Draw the pillars over a backdrop, in place.
 
         Args:
             rig: the cameras.
-            eye: which of them.
+            camera: which of them.
             lamp: the light's colours.
             light: (n, v, 2) direct and ambient light on the vertices.
-            behind: the eye's backdrop.
+            behind: the camera's backdrop.
 
         Returns:
             Their inverse depth at each sample (rows, columns); 0 elsewhere.
         """
         width, height = rig.size
         buffer = DepthBuffer(width * FINE, height * FINE)
-        pixels = rig.project(rig.left_camera_points(self.vertices), eye)
+        pixels = rig.project(rig.left_camera_points(self.vertices), camera)
         corners, chosen = sample_corners(pixels, self.triangles)
         samples = fill(corners, (0, 0, buffer.width, buffer.height))
         seen = samples.where(buffer.nearest(samples))

@@ -35,7 +35,7 @@ def render_recording(
     *,
     size: tuple[int, int] | None = None,
     fps: float | None = None,
-    eyes: int | None = None,
+    cameras: int | None = None,
     disturbances: Disturbances = NO_DISTURBANCES,
 ) -> Path:
     """Render a scene into a recording folder with exact truth.
@@ -51,7 +51,7 @@ def render_recording(
         cancelled: asked before each frame; True stops.
         size: width and height of the images in px, even; the scene's own if None.
         fps: frames a second; the scene's own if None.
-        eyes: 2, or 1 for a recording of the left eye alone; the scene's own if None.
+        cameras: 2, or 1 for a recording of the left camera alone; the scene's own if None.
         disturbances: what is out of the ordinary.
 
     Returns:
@@ -63,8 +63,8 @@ def render_recording(
         CancelledError: `cancelled` said so.
     """
     spec = _spec_of(scene)
-    fps, eyes = spec.fps if fps is None else fps, spec.eyes if eyes is None else eyes
-    _check(seconds, people, spec.size_px if size is None else size, fps, eyes)
+    fps, cameras = spec.fps if fps is None else fps, spec.cameras if cameras is None else cameras
+    _check(seconds, people, spec.size_px if size is None else size, fps, cameras)
     _check_begin(spec, seconds, disturbances)
     with replacing_folder(folder) as part:
         rendered = Scene(
@@ -74,7 +74,7 @@ def render_recording(
             seconds=seconds,
             size=size,
             fps=fps,
-            eyes=eyes,
+            cameras=cameras,
             disturbances=disturbances,
         )
         _write(part, rendered, seed, progress, cancelled)
@@ -96,7 +96,7 @@ def check_seconds(seconds: float | None) -> None:
 
 
 def _check(
-    seconds: float | None, people: int | None, size: tuple[int, int], fps: float, eyes: int
+    seconds: float | None, people: int | None, size: tuple[int, int], fps: float, cameras: int
 ) -> None:
     check_seconds(seconds)
     if people is not None and not 0 <= people <= MOST_PEOPLE:
@@ -105,8 +105,8 @@ def _check(
         raise SettingsError(f"size is {size[0]} x {size[1]}; give even numbers from 32 to 4096")
     if not 1 <= fps <= 240:
         raise SettingsError(f"fps is {fps:g}; give 1 to 240")
-    if eyes not in (1, 2):
-        raise SettingsError(f"eyes is {eyes}; give 1 or 2")
+    if cameras not in (1, 2):
+        raise SettingsError(f"cameras is {cameras}; give 1 or 2")
 
 
 def _check_begin(spec: SceneSpec, seconds: float | None, disturbances: Disturbances) -> None:
@@ -129,7 +129,7 @@ def _write(
     with contextlib.ExitStack() as open_files:
         videos = [
             open_files.enter_context(VideoWriter(folder / f"{side}.mp4", size, scene.fps))
-            for side in _SIDES[: scene.eyes]
+            for side in _SIDES[: scene.cameras]
         ]
         for number in range(scene.frames):
             if cancelled is not None and cancelled():
@@ -152,7 +152,7 @@ def _write_descriptions(folder: Path, scene: Scene, seed: int) -> None:
     manifest = Manifest(
         name=f"{scene.spec.name} {seed}",
         left="left.mp4",
-        right="right.mp4" if scene.eyes == 2 else None,
+        right="right.mp4" if scene.cameras == 2 else None,
         fps=scene.fps,
         calibration=("calibration.yaml",),
         ground=scene.rig.view.ground,

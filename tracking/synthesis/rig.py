@@ -11,7 +11,7 @@ from tracking.geometry import Camera, Ground, StereoCalibration, View
 from tracking.synthesis.specs import SceneSpec
 
 BASELINE_M = 0.12
-"""Distance of the eyes in [Kawashita2012] and [Kawashita2014]."""
+"""Distance of the cameras in [Kawashita2012] and [Kawashita2014]."""
 
 NEAREST_M = 0.25
 """What is nearer to a camera than this is not drawn."""
@@ -51,12 +51,12 @@ class Rig:
 
     @property
     def focal_px(self) -> float:
-        """Focal length, the same both ways and in both eyes."""
+        """Focal length, the same both ways and in both cameras."""
         return float(self.view.camera.matrix[0, 0])
 
     @property
     def principal_px(self) -> tuple[float, float]:
-        """Where the optical axis meets the image, the same in both eyes."""
+        """Where the optical axis meets the image, the same in both cameras."""
         return float(self.view.camera.matrix[0, 2]), float(self.view.camera.matrix[1, 2])
 
     def left_camera_points(self, world: NDArray[np.floating]) -> NDArray[np.float64]:
@@ -64,32 +64,32 @@ class Rig:
         rotation, centre = self.view.world_from_camera
         return (world - centre) @ rotation
 
-    def project(self, points: NDArray[np.float64], eye: int) -> NDArray[np.float64]:
+    def project(self, points: NDArray[np.float64], side: int) -> NDArray[np.float64]:
         """Pixels and inverse depth (..., 3) of points (..., 3) in left camera axes.
 
         Args:
             points: as `left_camera_points` gives them.
-            eye: 0 left, 1 right.
+            side: 0 left, 1 right.
 
         Returns:
             u, v, 1 / z; NaN where the point is nearer than `NEAREST_M`.
         """
         depth = np.where(points[..., 2] > NEAREST_M, points[..., 2], np.nan)
         inverse = 1.0 / depth
-        across = points[..., 0] - eye * BASELINE_M
+        across = points[..., 0] - side * BASELINE_M
         u = self.focal_px * across * inverse + self.principal_px[0]
         v = self.focal_px * points[..., 1] * inverse + self.principal_px[1]
         return np.stack((u, v, inverse), axis=-1)
 
-    def floor_to_pixel(self, eye: int) -> NDArray[np.float64]:
-        """Homography (3, 3) from floor x, y in metres to pixels of an eye."""
+    def floor_to_pixel(self, side: int) -> NDArray[np.float64]:
+        """Homography (3, 3) from floor x, y in metres to pixels of a camera."""
         rotation, centre = self.view.world_from_camera
-        shift = -rotation.T @ centre - np.array([eye * BASELINE_M, 0.0, 0.0])
+        shift = -rotation.T @ centre - np.array([side * BASELINE_M, 0.0, 0.0])
         flat = np.column_stack((rotation.T[:, 0], rotation.T[:, 1], shift))
         return np.asarray(self.view.camera.matrix @ flat, float)
 
     def rays(self, pixels: NDArray[np.float64]) -> NDArray[np.float64]:
-        """World directions (..., 3) of pixels (..., 2), the same for both eyes."""
+        """World directions (..., 3) of pixels (..., 2), the same for both cameras."""
         rotation, _ = self.view.world_from_camera
         u0, v0 = self.principal_px
         camera = np.stack(
@@ -102,20 +102,20 @@ class Rig:
         )
         return np.asarray(camera @ rotation.T, float)
 
-    def eye_centre(self, eye: int) -> NDArray[np.float64]:
-        """World position (3,) of an eye."""
+    def camera_centre(self, side: int) -> NDArray[np.float64]:
+        """World position (3,) of a camera."""
         rotation, centre = self.view.world_from_camera
-        return np.asarray(centre + eye * BASELINE_M * rotation[:, 0], float)
+        return np.asarray(centre + side * BASELINE_M * rotation[:, 0], float)
 
     def sees(self, box: NDArray[np.float64], margin_px: float = 0.0) -> bool:
-        """Whether a box (left, top, width, height) of the left image lies partly in an eye.
+        """Whether a box (left, top, width, height) of the left image lies partly in a camera.
 
         A box that cannot be told (partly behind the camera) counts as seen.
         """
         width, height = self.size
         if np.isnan(box).any():
             return True
-        # The right eye sees a person up to this much farther left.
+        # The right camera sees a person up to this much farther left.
         parallax = self.focal_px * BASELINE_M
         left, top, right, bottom = box[0], box[1], box[0] + box[2], box[1] + box[3]
         return bool(

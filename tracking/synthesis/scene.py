@@ -30,7 +30,7 @@ class Scene:
         cast: the people; their frames are those of the whole scene, however late it begins.
         frames: how many frames there are.
         fps: frames a second.
-        eyes: 1 or 2.
+        cameras: 1 or 2.
     """
 
     def __init__(
@@ -42,7 +42,7 @@ class Scene:
         seconds: float | None = None,
         size: tuple[int, int] | None = None,
         fps: float | None = None,
-        eyes: int | None = None,
+        cameras: int | None = None,
         disturbances: Disturbances = NO_DISTURBANCES,
     ) -> None:
         """Plan everybody's way and draw what stands still.
@@ -54,8 +54,8 @@ class Scene:
             seconds: length; the scene's own, less what is left out of it, if None.
             size: width and height of the images in px; the scene's own if None.
             fps: frames a second; the scene's own if None.
-            eyes: 2, or 1 for the left eye alone, of the same pictures and truth; the scene's own
-                if None.
+            cameras: 2, or 1 for the left camera alone, of the same pictures and truth; the scene's
+                own if None.
             disturbances: what is out of the ordinary.
 
         Raises:
@@ -63,7 +63,7 @@ class Scene:
         """
         size = spec.size_px if size is None else size
         self.fps = spec.fps if fps is None else fps
-        self.eyes = spec.eyes if eyes is None else eyes
+        self.cameras = spec.cameras if cameras is None else cameras
         self.spec, self._disturbances = spec, disturbances
         self._skipped = round(disturbances.begin_s * self.fps)
         length_s = spec.seconds - disturbances.begin_s if seconds is None else seconds
@@ -72,12 +72,12 @@ class Scene:
         count = spec.people if people is None else people
         whole = self.frames + self._skipped
         self.cast = Cast.of_scene(spec, self.rig, count, whole, self.fps, seed)
-        self._stage = Stage(spec, self.rig, self.eyes, seed)
+        self._stage = Stage(spec, self.rig, self.cameras, seed)
         self._bumped_stage = self._after_the_knock(size, seed)
-        self._sensors = [Sensor(size, eye, seed) for eye in range(self.eyes)]
+        self._sensors = [Sensor(size, side, seed) for side in range(self.cameras)]
 
     def frame(self, number: int) -> tuple[StereoFrame, SceneTruth]:
-        """The eyes' pictures of a frame, and what is true in the left one.
+        """The cameras' pictures of a frame, and what is true in the left one.
 
         Raises:
             IndexError: there is no such frame.
@@ -91,7 +91,7 @@ class Scene:
         return self._exposed(number, lights), truth
 
     def surfaces(self, number: int) -> Surfaces:
-        """Who is seen at which pixel of the left eye, and the true disparity there.
+        """Who is seen at which pixel of the left camera, and the true disparity there.
 
         Raises:
             IndexError: there is no such frame.
@@ -128,7 +128,7 @@ class Scene:
         if self._disturbances.bumped_s is None:
             return None
         spec = knock_camera(self.spec)
-        return Stage(spec, Rig.of_scene(spec, size), self.eyes, seed)
+        return Stage(spec, Rig.of_scene(spec, size), self.cameras, seed)
 
     def _stage_at(self, number: int) -> Stage:
         if self._bumped_stage and self._disturbances.is_bumped(number / self.fps):
@@ -137,10 +137,10 @@ class Scene:
 
     def _exposed(self, number: int, lights: list[Float32s]) -> StereoFrame:
         left = self._expose(0, number, lights[0])
-        right = self._expose(1, number, lights[1]) if self.eyes == 2 else None
+        right = self._expose(1, number, lights[1]) if self.cameras == 2 else None
         return StereoFrame(number, number / self.fps, left, right)
 
-    def _expose(self, eye: int, number: int, light: Float32s) -> Image:
+    def _expose(self, side: int, number: int, light: Float32s) -> Image:
         share = self._disturbances.brightness(number / self.fps)
         lit = light if share == 1.0 else light * np.float32(share)
-        return self._sensors[eye].expose(lit, number)
+        return self._sensors[side].expose(lit, number)

@@ -1,4 +1,4 @@
-"""What stands still: floor, walls and pillars, drawn once for each eye."""
+"""What stands still: floor, walls and pillars, drawn once for each camera."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _FARTHEST_M = 60.0
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Backdrop:
-    """The unlit-by-people background of one eye.
+    """The unlit-by-people background of one camera.
 
     Attributes:
         light: (height, width, 3) linear, blue, green, red.
@@ -37,8 +37,8 @@ class Backdrop:
         return floor, self.light - floor
 
 
-def backdrop(spec: SceneSpec, rig: Rig, eye: int, seed: int) -> Backdrop:
-    """The floor and walls as an eye sees them, smoothed over the pixel."""
+def backdrop(spec: SceneSpec, rig: Rig, side: int, seed: int) -> Backdrop:
+    """The floor and walls as a camera sees them, smoothed over the pixel."""
     width, height = rig.size
     floor = Floor(spec, seed)
     light = np.empty((height, width, 3), np.float32)
@@ -46,7 +46,7 @@ def backdrop(spec: SceneSpec, rig: Rig, eye: int, seed: int) -> Backdrop:
     rows_at_once = max(1, 65536 // width)
     for top in range(0, height, rows_at_once):
         rows = min(rows_at_once, height - top)
-        fine_light, fine_floor = _band(spec, rig, eye, floor, (top, rows), seed)
+        fine_light, fine_floor = _band(spec, rig, side, floor, (top, rows), seed)
         light[top : top + rows] = cv2.resize(
             fine_light, (width, rows), interpolation=cv2.INTER_AREA
         )
@@ -57,7 +57,7 @@ def backdrop(spec: SceneSpec, rig: Rig, eye: int, seed: int) -> Backdrop:
 
 
 def _band(
-    spec: SceneSpec, rig: Rig, eye: int, floor: Floor, band: tuple[int, int], seed: int
+    spec: SceneSpec, rig: Rig, side: int, floor: Floor, band: tuple[int, int], seed: int
 ) -> tuple[Float32s, Float32s]:
     """Colour and floor mask of some rows, at several samples a pixel."""
     width, _ = rig.size
@@ -66,7 +66,7 @@ def _band(
     u = (np.arange(width * _OVERSAMPLING) + 0.5) * step - 0.5
     v = (np.arange(rows * _OVERSAMPLING) + 0.5) * step - 0.5 + top
     rays = rig.rays(np.stack(np.meshgrid(u, v), axis=-1))
-    centre = rig.eye_centre(eye)
+    centre = rig.camera_centre(side)
     with np.errstate(divide="ignore"):
         nearest = np.where(rays[..., 2] < 0, -centre[2] / rays[..., 2], np.inf)
     nearest = np.minimum(nearest, _FARTHEST_M / np.maximum(rays[..., 1], 0.1))
@@ -84,11 +84,11 @@ def _band(
     return colour, is_floor
 
 
-def inverse_depth(spec: SceneSpec, rig: Rig, eye: int, samples: int) -> Float32s | None:
+def inverse_depth(spec: SceneSpec, rig: Rig, side: int, samples: int) -> Float32s | None:
     """Inverse depth of walls that people can be behind; None without such walls.
 
     Args:
-        spec, rig, eye: whose walls, and who looks.
+        spec, rig, side: whose walls, and who looks.
         samples: per pixel along each side.
 
     Returns:
@@ -101,7 +101,7 @@ def inverse_depth(spec: SceneSpec, rig: Rig, eye: int, samples: int) -> Float32s
     u = (np.arange(width * samples) - (samples - 1) / 2) / samples
     v = (np.arange(height * samples) - (samples - 1) / 2) / samples
     rays = rig.rays(np.stack(np.meshgrid(u, v), axis=-1))
-    away = [_distance(wall, rig.eye_centre(eye), rays) for wall in walls]
+    away = [_distance(wall, rig.camera_centre(side), rays) for wall in walls]
     # Rays are one long along the optical axis: what they are multiplied by is depth.
     return np.asarray(1.0 / np.minimum.reduce(away), np.float32)
 

@@ -101,7 +101,7 @@ class SceneSpec:
         stoops: share of the longer stops in which people crouch or bend down and stand up again.
         contrasting: nobody's trousers have about the colour of the top.
         size_px: width and height of the pictures unless told otherwise.
-        fps, eyes: frames a second and how many eyes, unless told otherwise.
+        fps, cameras: frames a second and how many cameras, unless told otherwise.
         focal: focal length as a share of the picture's width; unless told otherwise the stereo
             papers' 3.8 mm lens at VGA.
         scenario: what people do, one of `scenarios`; empty: they come by as they like.
@@ -128,7 +128,7 @@ class SceneSpec:
     size_px: tuple[int, int] = (640, 480)
     roll_deg: float = 0.0
     fps: float = 20.0
-    eyes: int = 2
+    cameras: int = 2
     focal: float = 510.0 / 640.0
     scenario: str = ""
     passage: PassageSpec | None = None

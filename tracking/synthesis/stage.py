@@ -30,31 +30,33 @@ class Stage:
         rig: the cameras.
     """
 
-    def __init__(self, spec: SceneSpec, rig: Rig, eyes: int, seed: int) -> None:
+    def __init__(self, spec: SceneSpec, rig: Rig, cameras: int, seed: int) -> None:
         """Draw what stands still.
 
         Args:
             spec: the scene.
             rig: the cameras in their pose.
-            eyes: 1 or 2.
+            cameras: 1 or 2.
             seed: equal seeds lay equal floors.
         """
         self.rig, self._spec = rig, spec
         self._triangles = topology()[0]
         self._shadows = FloorShadows(rig, spec.lamp)
-        self._backdrops = [backdrop(spec, rig, eye, seed) for eye in range(eyes)]
+        self._backdrops = [backdrop(spec, rig, side, seed) for side in range(cameras)]
         self._pillars = Pillars.of_scene(spec)
-        self._painters = [Painter(rig, eye, spec.lamp, self._still(eye)) for eye in range(eyes)]
+        self._painters = [
+            Painter(rig, side, spec.lamp, self._still(side)) for side in range(cameras)
+        ]
         self._parts = [behind.split() for behind in self._backdrops]
 
     def empty(self) -> list[Float32s]:
-        """The light (height, width, 3) that each eye gets of nobody."""
+        """The light (height, width, 3) that each camera gets of nobody."""
         return self._lights(self._shade(None, None), [None] * len(self._painters))
 
     def of_people(
         self, cast: Cast, people: NDArray[np.intp], posture: Posture
     ) -> tuple[list[Float32s], SceneTruth]:
-        """The light that each eye gets of people (n,), and what is true in the left one."""
+        """The light that each camera gets of people (n,), and what is true in the left one."""
         world, normals = cast.surfaces(people, posture)
         shade = self._shade(world, posture.foot.reshape(-1, 2))
         near = self._near(world)
@@ -62,14 +64,14 @@ class Stage:
         light = self._shadows.light_on(world, normals[near], shade)
         points = self.rig.left_camera_points(world)
         drawn = [
-            painter.draw(points, light, cast.textures, people, 0.0 if eye else _TRUTH_MARGIN)
-            for eye, painter in enumerate(self._painters)
+            painter.draw(points, light, cast.textures, people, 0.0 if side else _TRUTH_MARGIN)
+            for side, painter in enumerate(self._painters)
         ]
         truth = truth_of(people, posture.position[near], self.rig.project(points, 0), drawn[0])
         return self._lights(shade, drawn), truth
 
     def surfaces(self, cast: Cast, people: NDArray[np.intp], posture: Posture) -> Surfaces:
-        """Who is seen at which pixel of the left eye, and the true disparity there."""
+        """Who is seen at which pixel of the left camera, and the true disparity there."""
         world, _ = cast.surfaces(people, posture)
         near = self._near(world)
         points = self.rig.left_camera_points(world[near])
@@ -77,16 +79,16 @@ class Stage:
         drawn = self._painters[0].draw(points, light, cast.textures, people[near])
         return surfaces_of(drawn, people[near], self.rig)
 
-    def _still(self, eye: int) -> Float32s | None:
-        """Draw the pillars into an eye's backdrop; inverse depth of what people can be behind."""
-        walls = inverse_depth(self._spec, self.rig, eye, FINE)
+    def _still(self, side: int) -> Float32s | None:
+        """Draw the pillars into a camera's backdrop; inverse depth of what people can be behind."""
+        walls = inverse_depth(self._spec, self.rig, side, FINE)
         if not len(self._pillars):
             return walls
         light = self._shadows.light_on(
             self._pillars.vertices, self._pillars.normals, self._shade(None, None)
         )
-        behind = self._backdrops[eye]
-        pillars = self._pillars.draw(self.rig, eye, self._spec.lamp, light, behind)
+        behind = self._backdrops[side]
+        pillars = self._pillars.draw(self.rig, side, self._spec.lamp, light, behind)
         return pillars if walls is None else np.maximum(walls, pillars)
 
     def _shade(self, world: Floats | None, feet: Floats | None) -> FloorShade:
@@ -98,7 +100,7 @@ class Stage:
         return self._shadows.cast(corners, np.zeros((0, 2)) if feet is None else feet)
 
     def _near(self, world: Floats) -> NDArray[np.intp]:
-        """Whose bodies may be seen by an eye; nobody who is partly behind the camera."""
+        """Whose bodies may be seen by a camera; nobody who is partly behind the camera."""
         pixels = self.rig.project(self.rig.left_camera_points(world), 0)[..., :2]
         seen = []
         for person, points in enumerate(pixels):
@@ -108,11 +110,11 @@ class Stage:
         return np.array(seen, np.intp)
 
     def _lights(self, shade: FloorShade, drawn: list[PeopleSamples] | list[None]) -> list[Float32s]:
-        return [self._light(eye, shade, one) for eye, one in enumerate(drawn)]
+        return [self._light(side, shade, one) for side, one in enumerate(drawn)]
 
-    def _light(self, eye: int, shade: FloorShade, drawn: PeopleSamples | None) -> Float32s:
-        floor, rest = self._parts[eye]
-        left = self._shadows.seen_by(shade, eye)
+    def _light(self, side: int, shade: FloorShade, drawn: PeopleSamples | None) -> Float32s:
+        floor, rest = self._parts[side]
+        left = self._shadows.seen_by(shade, side)
         light = np.asarray(cv2.add(cv2.multiply(floor, left), rest), np.float32)
         if drawn is not None:
             composite(light, drawn)

@@ -20,7 +20,7 @@ CARED_FOR = 0.3
 
 @dataclass(frozen=True, slots=True, eq=False)
 class SceneTruth:
-    """The people of whom something is seen in the left eye, a row each; n rows.
+    """The people of whom something is seen in the left camera, a row each; n rows.
 
     Attributes:
         track: (n,) ids from 1.
@@ -58,7 +58,7 @@ def nobody() -> SceneTruth:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Surfaces:
-    """What the left eye's pixels show.
+    """What the left camera's pixels show.
 
     Attributes:
         track: (height, width) id of the person who covers most of a pixel; 0: nobody.
@@ -76,7 +76,7 @@ def no_surfaces(size: tuple[int, int]) -> Surfaces:
 
 
 def surfaces_of(drawn: PeopleSamples, people: NDArray[np.intp], rig: Rig) -> Surfaces:
-    """What is seen in the left eye's picture of people (n,), indices in the cast."""
+    """What is seen in the left camera's picture of people (n,), indices in the cast."""
     surfaces = no_surfaces(rig.size)
     pixels = surfaces.track.size
     place = (drawn.seen.y // FINE) * rig.size[0] + drawn.seen.x // FINE
@@ -104,8 +104,8 @@ def truth_of(
     Args:
         people: (n,) indices in the cast.
         position: (n, 2) where they stand.
-        pixels: (n, v, 3) their vertices as the left eye sees them.
-        drawn: the left eye's picture, covering more than the picture itself.
+        pixels: (n, v, 3) their vertices as the left camera sees them.
+        drawn: the left camera's picture, covering more than the picture itself.
     """
     seen = _part_samples(drawn, len(people))
     whole = _whole_samples(drawn, len(people))

@@ -25,7 +25,7 @@ _FRAMES_TO_A_KEY = 20
 
 
 class VideoWriter:
-    """One eye's video, frame after frame; a context manager."""
+    """One camera's video, frame after frame; a context manager."""
 
     def __init__(self, path: Path, size: tuple[int, int], fps: float) -> None:
         """Begin a video of images of `size` (width, height).

@@ -168,7 +168,7 @@ def tracker_named(name: str) -> TrackerSpec:
 
 
 def best_tracker(recording: Recording) -> str:
-    """The name of the best tracker: two eyes over a known floor, one over it, or neither."""
+    """The name of the best tracker: two cameras over a known floor, one over it, or neither."""
     measured = recording.rectification is not None and recording.ground is not None
     if recording.is_stereo and measured:
         return "stereo-joint"
@@ -212,7 +212,7 @@ def _is_same(default: Any, value: Any) -> bool:
 def require(spec: TrackerSpec, recording: Recording) -> None:
     """Check that the tracker can work on the recording.
 
-    Raises `RecordingError` for a missing eye, `CalibrationError` for a missing calibration or
+    Raises `RecordingError` for a missing camera, `CalibrationError` for a missing calibration or
     floor.
     """
     if spec.needs_stereo and not recording.is_stereo:

@@ -9,8 +9,8 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from tracking.people.eyes_watch import EyesWatch
 from tracking.people.observation import Observation
+from tracking.people.stereo_watch import StereoWatch
 from tracking.recording.frame import StereoFrame
 from tracking.trackers.resumption import Resume
 from tracking.tracks.columns import (
@@ -68,8 +68,8 @@ class Perception(Protocol):
     """Turns pictures into observations; holds the background model."""
 
     @property
-    def eyes(self) -> EyesWatch | None:
-        """How the eyes' frames are to be paired; None: it looks with one eye."""
+    def stereo_watch(self) -> StereoWatch | None:
+        """How the cameras' frames are to be paired; None: it looks with one camera."""
 
     @property
     def notes(self) -> tuple[str, ...]:

@@ -272,8 +272,8 @@ def _usual_sides(position: Floats, view: View) -> tuple[Floats, Floats]:
     discs[..., :2] = position
     discs[..., 2] = np.array(_BODY)[:, :1]
     centre = view.pixel_from_world(discs.reshape(-1, 3)).reshape(len(_BODY), -1, 2)
-    rotation, eye = view.world_from_camera
-    depth = (discs - eye) @ rotation[:, 2:]
+    rotation, camera_position = view.world_from_camera
+    depth = (discs - camera_position) @ rotation[:, 2:]
     px_per_m = view.camera.matrix[0, 0] / np.where(depth > 0, depth, np.nan)
     radius = px_per_m * np.array(_BODY)[:, 1:, None]
     low, high = (centre - radius).min(axis=0), (centre + radius).max(axis=0)

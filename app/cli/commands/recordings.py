@@ -58,7 +58,7 @@ def demo(
 def open_window(
     path: Annotated[Path | None, typer.Argument(help="A recording or a session.")] = None,
     *,
-    eyes: Bare,
+    bare: Bare,
     recording: Annotated[
         Path | None, typer.Option(help="Where a session's recording has moved to.")
     ] = None,
@@ -66,7 +66,7 @@ def open_window(
     """Open the window."""
     from app.cli.open_window import run_open
 
-    run_open(path, eyes, recording)
+    run_open(path, bare, recording)
 
 
 @program.command()
@@ -74,13 +74,13 @@ def open_window(
 def info(
     path: Annotated[Path | None, typer.Argument(help="A recording or a session.")] = None,
     *,
-    eyes: Bare,
+    bare: Bare,
     json: options.Json = False,
 ) -> None:
     """Say what a recording or a session holds."""
     from app.cli.info import run_info
 
-    run_info(path, eyes, as_json=json)
+    run_info(path, bare, as_json=json)
 
 
 @program.command()
@@ -113,7 +113,7 @@ def synth(
     ] = None,
     json: options.Json = False,
 ) -> None:
-    """Render a recording of people with exact truth, with one eye or two as the scene has it."""
+    """Render a recording of people with exact truth, with one camera or two as the scene has it."""
     from app.cli.synth import SynthRequest, run_synth
 
     request = SynthRequest(scene, seconds, people, seed, begin, dim, bump)

@@ -72,7 +72,7 @@ def import_tracks(
     only_people: import_options.OnlyPeople = False,
     report: import_options.Report = False,
     force: options.Force = False,
-    eyes: Bare,
+    bare: Bare,
     json: options.Json = False,
 ) -> None:
     """Take tracks made elsewhere into a session, with a report of invalid rows."""
@@ -82,7 +82,7 @@ def import_tracks(
         tracks=tracks,
         format=file_format,
         recording=recording,
-        eyes=eyes,
+        bare=bare,
         out=out,
         into=into,
         unit=unit,

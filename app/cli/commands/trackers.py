@@ -41,7 +41,7 @@ def track(
     order: Order,
     onward: Onward,
     force: options.Force = False,
-    eyes: Bare,
+    bare: Bare,
     json: options.Json = False,
 ) -> None:
     """Run a tracker over a recording, or again from a frame of a corrected session on."""
@@ -51,12 +51,12 @@ def track(
     from app.cli.track import run_track
     from app.cli.track_again import asked_again, run_track_again
 
-    if (request := asked_again(onward, recording, out, eyes)) is not None:
+    if (request := asked_again(onward, recording, out, bare)) is not None:
         run_track_again(request, order, force=force, as_json=json)
         return
     if out is None:
         raise typer.BadParameter("name the session to make", param_hint="--out")
-    run_track(recording, eyes, out, order, force=force, as_json=json)
+    run_track(recording, bare, out, order, force=force, as_json=json)
 
 
 @program.command()

@@ -28,7 +28,7 @@ class CommandContext:
         trained: a detector was trained here. detector: the name of the one in use; "" for the
             built-in one.
         scored: tracks were compared with a truth.
-        stereo, truth: the recording has a right eye, a truth file.
+        stereo, truth: the recording has a right camera, a truth file.
         can_track: a tracker exists for the recording; else `why_no_tracking` says why.
         read_only: the session cannot be saved under its name, e.g. as another window has it open.
     """

@@ -122,8 +122,8 @@ def reportable(now: CommandContext) -> str:
     return "" if now.truth and now.tracks else scored(now)
 
 
-def two_eyes(now: CommandContext) -> str:
-    """The recording must have two eyes."""
+def two_cameras(now: CommandContext) -> str:
+    """The recording must have two cameras."""
     return recording(now) or ("" if now.stereo else tr("the recording has one camera"))
 
 

@@ -5,14 +5,14 @@ from __future__ import annotations
 from typing import Final
 
 from app.presenters.commands.command import Command
-from app.presenters.commands.enablement import floor, recording, two_eyes
+from app.presenters.commands.enablement import floor, recording, two_cameras
 
 _LOOK = "theme colours"
 
 COMMANDS: Final = (
-    Command("view.left", "View", "Left eye", ("1",), recording, checkable=True, alone="Picture"),
-    Command("view.both", "View", "Both eyes", ("2",), two_eyes, True),
-    Command("view.anaglyph", "View", "Anaglyph (red and cyan)", ("3",), two_eyes, True),
+    Command("view.left", "View", "Left camera", ("1",), recording, checkable=True, alone="Picture"),
+    Command("view.both", "View", "Both cameras", ("2",), two_cameras, True),
+    Command("view.anaglyph", "View", "Anaglyph (red and cyan)", ("3",), two_cameras, True),
     Command("view.grid", "View", "Floor grid on the picture", ("F",), floor, True, True),
     Command("view.particles", "View", "Particles on the picture", ("O",), recording, True),
     Command("view.trails", "View", "Trails on the picture", ("T",), recording, True),
@@ -21,7 +21,7 @@ COMMANDS: Final = (
         "View",
         "Foreground and shadows on the picture",
         ("B",),
-        lambda now: two_eyes(now) or floor(now),
+        lambda now: two_cameras(now) or floor(now),
         True,
         submenu="What the tracker sees",
     ),
@@ -30,7 +30,7 @@ COMMANDS: Final = (
         "View",
         "Distances (disparity) on the picture",
         ("D",),
-        lambda now: two_eyes(now) or floor(now),
+        lambda now: two_cameras(now) or floor(now),
         True,
         submenu="What the tracker sees",
     ),

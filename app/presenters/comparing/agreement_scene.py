@@ -12,7 +12,7 @@ class OtherMark:
     """Somebody of the other session in a picture: a thin dashed box.
 
     Attributes:
-        box: left, top, width, height in pixels of that eye. label: their id there.
+        box: left, top, width, height in pixels of that camera. label: their id there.
         colour: of the person of the open session it is taken for.
     """
 

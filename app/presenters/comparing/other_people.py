@@ -7,9 +7,9 @@ import math
 import numpy as np
 
 from app.presenters.comparing.agreement_scene import OtherMark, OtherPlace
-from app.presenters.pictures.right_eye import boxes_in_right_eye
+from app.presenters.pictures.right_image import boxes_in_right_image
 from app.presenters.pictures.trails import floor_points, trails_by_track
-from app.presenters.scenes import Eye
+from app.presenters.scenes import Side
 from app.presenters.track_colours import ColourOf
 from tracking.recording import Recording
 from tracking.tracks import TrackTable
@@ -30,16 +30,16 @@ class OtherPeople:
         self._tracks = tracks
         self._colour_of = colour_of
 
-    def picture(self, eye: Eye, frame: int) -> tuple[OtherMark, ...]:
-        """Everybody in one eye."""
+    def picture(self, side: Side, frame: int) -> tuple[OtherMark, ...]:
+        """Everybody in one camera."""
         rows = self._tracks.of_frame(frame)
         boxes = np.column_stack([rows[name] for name in ("left", "top", "width", "height")])
-        if eye is Eye.RIGHT and len(boxes):
+        if side is Side.RIGHT and len(boxes):
             rectification = self._recording.rectification
             if rectification is None or self._recording.ground is None:
                 return ()
             places = np.column_stack((rows["x"], rows["y"]))
-            boxes = boxes_in_right_eye(rectification, boxes, places)
+            boxes = boxes_in_right_image(rectification, boxes, places)
         return tuple(
             OtherMark((left, top, width, height), str(track), self._colour_of(track))
             for track, (left, top, width, height) in zip(

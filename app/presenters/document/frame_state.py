@@ -97,7 +97,7 @@ class FrameState:
         run: what its measurements and particles were made by, be it at work still; None: nothing is
             known of that.
         preview: trails on the floor (m) of an edit that waits.
-        picture_preview: the same in pixels of the left eye.
+        picture_preview: the same in pixels of the left camera.
         replaced: the frame's rows that this edit moves elsewhere or takes out; None: none.
         colours: of the tracks.
         movable: boxes and people can be dragged. drawing: a box is to be drawn.

@@ -22,8 +22,8 @@ from app.presenters.labelling.labelling_scene import (
 from app.presenters.labelling.outlines import Drawn, DrawnLabels
 from app.presenters.labelling.part_labelling import PartLabelling
 from app.presenters.labelling.shape_planner import drawn_with
-from app.presenters.pictures.right_eye import boxes_in_right_eye
-from app.presenters.scenes import Eye
+from app.presenters.pictures.right_image import boxes_in_right_image
+from app.presenters.scenes import Side
 from tracking.tracks import Box, Labels, PartLabel
 
 CountText = Callable[[Tool, int], str]
@@ -65,11 +65,11 @@ class LabellingPresenter:
 
     # what the views show
 
-    def picture(self, eye: Eye, frame: int, count_text: CountText) -> PictureLabels:
-        """Everything drawn and said, in one eye; `count_text` tells what is counted at it."""
-        outlines = _told(self._drawn.picture(eye, self.labels, self._picked), count_text)
+    def picture(self, side: Side, frame: int, count_text: CountText) -> PictureLabels:
+        """Everything drawn and said, in one camera; `count_text` tells what is counted at it."""
+        outlines = _told(self._drawn.picture(side, self.labels, self._picked), count_text)
         labelling = self.choice.tool is not None
-        return PictureLabels(self._part_marks(eye, frame), outlines, labelling)
+        return PictureLabels(self._part_marks(side, frame), outlines, labelling)
 
     def floor(self, count_text: CountText) -> FloorLabels:
         """What was drawn on the floor, with what is counted at it."""
@@ -79,7 +79,7 @@ class LabellingPresenter:
     def _picked(self) -> Drawn:
         return (self.choice.tool or Tool.PARTS, self.choice.picked)
 
-    def _part_marks(self, eye: Eye, frame: int) -> tuple[PartMark, ...]:
+    def _part_marks(self, side: Side, frame: int) -> tuple[PartMark, ...]:
         """Those of the selected person while they are labelled; else what was said of anybody."""
         labelling = self.choice.tool is Tool.PARTS
         if labelling:
@@ -88,7 +88,7 @@ class LabellingPresenter:
             shown = [(label, True) for label in self.labels.parts.of_frame(frame)]
         marks = []
         for label, given in shown:
-            box = label.box if eye is not Eye.RIGHT else self._in_right_eye(label)
+            box = label.box if side is not Side.RIGHT else self._in_right_image(label)
             if box is not None:
                 marks.append(self._mark(label, given, box))
         return tuple(marks)
@@ -100,7 +100,7 @@ class LabellingPresenter:
         track, part = label.track, label.part
         return PartMark(track, part, box, colour, given, label.on_part, asked, chosen)
 
-    def _in_right_eye(self, label: PartLabel) -> Box | None:
+    def _in_right_image(self, label: PartLabel) -> Box | None:
         session, recording = self._document.session, self._document.recording
         if session is None or recording.rectification is None or recording.ground is None:
             return None
@@ -108,7 +108,7 @@ class LabellingPresenter:
         if not len(row["frame"]):
             return None
         floor = np.array([[row["x"][0], row["y"][0]]], np.float64)
-        box = boxes_in_right_eye(recording.rectification, np.array([label.box]), floor)[0]
+        box = boxes_in_right_image(recording.rectification, np.array([label.box]), floor)[0]
         if not np.isfinite(box).all():
             return None
         left, top, width, height = box.tolist()
@@ -193,15 +193,15 @@ def _drawing_words(tool: Tool) -> tuple[str, str]:
     """Title of the panel, and what to do in a line."""
     if tool is Tool.OCCLUDERS:
         return tr("Occluders"), tr(
-            "Click the corners in the left eye; Enter or a double click closes; drag corners to "
+            "Click the corners in the left image; Enter or a double click closes; drag corners to "
             "correct them; Esc leaves."
         )
     if tool is Tool.LINES:
         return tr("Counting lines"), tr(
-            "Click both ends on the floor, or in the left eye; the arrow shows which way is "
+            "Click both ends on the floor, or in the left image; the arrow shows which way is "
             "forward; Esc leaves."
         )
     return tr("Regions"), tr(
-        "Click the corners on the floor, or in the left eye; Enter or a double click closes; drag "
-        "corners to correct them; Esc leaves."
+        "Click the corners on the floor, or in the left image; Enter or a double click closes; "
+        "drag corners to correct them; Esc leaves."
     )

@@ -33,7 +33,7 @@ class Tool(Enum):
 
     @property
     def in_picture(self) -> bool:
-        """Whether it is drawn in the left eye; lines and regions are where there is no floor."""
+        """Whether it is drawn in the left camera; lines and regions are where there is no floor."""
         return self is Tool.OCCLUDERS or self.on_floor
 
 
@@ -43,7 +43,7 @@ class PartMark:
 
     Attributes:
         track, part: whose, and 0 head, 1 torso, 2 hip-leg.
-        box: left, top, width, height in pixels of that eye as recorded.
+        box: left, top, width, height in pixels of that camera as recorded.
         colour: the part's while it is labelled, else the person's.
         given: somebody said it; else it is a first guess, drawn faint.
         on_part: what was said; None: unsure.
@@ -84,7 +84,7 @@ class Outline:
 
 @dataclass(frozen=True, slots=True)
 class PictureLabels:
-    """What was drawn and said, in one eye; `labelling`: the boxes of people give way to parts."""
+    """Labels and drawings in one image; `labelling`: the boxes of people give way to parts."""
 
     parts: tuple[PartMark, ...] = ()
     outlines: tuple[Outline, ...] = ()

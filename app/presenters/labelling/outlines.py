@@ -15,7 +15,7 @@ from app.presenters.labelling.labelling_scene import (
     Tool,
 )
 from app.presenters.pictures.projection import project_outline
-from app.presenters.scenes import Eye
+from app.presenters.scenes import Side
 from tracking.recording import Recording
 from tracking.tracks import CountingLine, Labels, Region
 
@@ -33,32 +33,32 @@ class DrawnLabels:
 
     def __init__(self, recording: Recording) -> None:
         self._recording = recording
-        self._made: dict[Eye | None, tuple[tuple[object, ...], tuple[Outline, ...]]] = {}
+        self._made: dict[Side | None, tuple[tuple[object, ...], tuple[Outline, ...]]] = {}
 
     def floor(self, labels: Labels, picked: Drawn) -> tuple[Outline, ...]:
         """Lines and regions in metres."""
         return self._outlines(None, labels, picked)
 
-    def picture(self, eye: Eye, labels: Labels, picked: Drawn) -> tuple[Outline, ...]:
-        """What was drawn in the left eye, and what lies on the floor as an eye sees it."""
-        return self._outlines(eye, labels, picked)
+    def picture(self, side: Side, labels: Labels, picked: Drawn) -> tuple[Outline, ...]:
+        """What was drawn in the left camera, and what lies on the floor as a camera sees it."""
+        return self._outlines(side, labels, picked)
 
-    def _outlines(self, eye: Eye | None, labels: Labels, picked: Drawn) -> tuple[Outline, ...]:
+    def _outlines(self, side: Side | None, labels: Labels, picked: Drawn) -> tuple[Outline, ...]:
         key = (labels.occluders, labels.lines, labels.regions, picked)
-        made = self._made.get(eye)
+        made = self._made.get(side)
         if made is None or made[0] != key:
-            made = key, self._make(eye, labels, picked)
-            self._made[eye] = made
+            made = key, self._make(side, labels, picked)
+            self._made[side] = made
         return made[1]
 
-    def _make(self, eye: Eye | None, labels: Labels, picked: Drawn) -> tuple[Outline, ...]:
+    def _make(self, side: Side | None, labels: Labels, picked: Drawn) -> tuple[Outline, ...]:
         counted = (
-            *(self._region(eye, region, number) for number, region in enumerate(labels.regions)),
-            *(self._line(eye, line, number) for number, line in enumerate(labels.lines)),
+            *(self._region(side, region, number) for number, region in enumerate(labels.regions)),
+            *(self._line(side, line, number) for number, line in enumerate(labels.lines)),
         )
         seen = (one for one in counted if one is not None)
         lying = [replace(one, picked=picked == one.key) for one in seen]
-        if eye in (None, Eye.RIGHT):
+        if side in (None, Side.RIGHT):
             return tuple(lying)
         occluders = [
             Outline(
@@ -72,39 +72,39 @@ class DrawnLabels:
         ]
         return (*lying, *occluders)
 
-    def _region(self, eye: Eye | None, region: Region, number: int) -> Outline | None:
+    def _region(self, side: Side | None, region: Region, number: int) -> Outline | None:
         """None where it lies in the picture, and another view is drawn."""
         corners, key = np.asarray(region.polygon, np.float64), (Tool.REGIONS, number)
-        if not self._lies_in(eye, region):
+        if not self._lies_in(side, region):
             return None
         if not region.in_picture:
-            corners = self._seen(eye, corners, closed=True)
+            corners = self._seen(side, corners, closed=True)
         return Outline(region.name, corners, True, REGION_COLOUR, key=key)
 
-    def _line(self, eye: Eye | None, line: CountingLine, number: int) -> Outline | None:
+    def _line(self, side: Side | None, line: CountingLine, number: int) -> Outline | None:
         ends, key = np.array([line.start, line.end], np.float64), (Tool.LINES, number)
-        if not self._lies_in(eye, line):
+        if not self._lies_in(side, line):
             return None
         if line.in_picture:
             return Outline(line.name, ends, False, LINE_COLOUR, picture_arrow(line), key=key)
-        arrow = self._seen(eye, forward_arrow(line), dense=False)
-        return Outline(line.name, self._seen(eye, ends), False, LINE_COLOUR, arrow, key=key)
+        arrow = self._seen(side, forward_arrow(line), dense=False)
+        return Outline(line.name, self._seen(side, ends), False, LINE_COLOUR, arrow, key=key)
 
-    def _lies_in(self, eye: Eye | None, item: CountingLine | Region) -> bool:
-        """Whether something can be seen in an eye, or on the floor where that is None."""
+    def _lies_in(self, side: Side | None, item: CountingLine | Region) -> bool:
+        """Whether something can be seen in a camera, or on the floor where that is None."""
         if item.in_picture:
-            return eye in (Eye.LEFT, Eye.BOTH)
-        return eye is None or self._recording.view is not None
+            return side in (Side.LEFT, Side.BOTH)
+        return side is None or self._recording.view is not None
 
     def _seen(
-        self, eye: Eye | None, corners: Floats, closed: bool = False, dense: bool = True
+        self, side: Side | None, corners: Floats, closed: bool = False, dense: bool = True
     ) -> Floats:
-        """The corners as they are on the floor, or the line through them as an eye sees it."""
-        if eye is None:
+        """The corners as they are on the floor, or the line through them as a camera sees it."""
+        if side is None:
             return corners.astype(np.float64)
         if closed:
             corners = np.concatenate((corners, corners[:1]))
-        pixels = project_outline(self._recording, eye, corners)
+        pixels = project_outline(self._recording, side, corners)
         if dense:
             return pixels
         ends = pixels[[0, -1]]

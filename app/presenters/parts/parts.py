@@ -75,7 +75,7 @@ class PartsPresenter:
         labels: PictureLabels = _NO_LABELS,
         suggested: Suggested | None = None,
     ) -> PicturedParts:
-        """What is laid over the left eye.
+        """What is laid over the left camera.
 
         Rectangles that are being labelled are drawn by labelling: here is only what the tracker
         says of them. `suggested`: why the part that is looked at is worth labelling.

@@ -28,7 +28,7 @@ class PartBox:
 
     Attributes:
         track, part: whose, and 0 head, 1 torso, 2 hip-leg.
-        box: left, top, width, height in pixels of the left eye as recorded.
+        box: left, top, width, height in pixels of the left camera as recorded.
         colour: the person's.
         failed: the detector, or a rule of the tracker, says it is off its part.
         occluded: hidden; it follows motion alone.
@@ -91,7 +91,7 @@ class PartCard:
 
 @dataclass(frozen=True, slots=True)
 class PicturedParts:
-    """All parts in the left eye at an instant.
+    """All parts in the left camera at an instant.
 
     Attributes:
         boxes: those of the selected person last. cards: what is said of them, selected first.

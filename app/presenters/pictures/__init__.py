@@ -1,1 +1,1 @@
-"""What is drawn on the pictures of both eyes and on the floor from above."""
+"""What is drawn on the pictures of both cameras and on the floor from above."""

@@ -1,4 +1,4 @@
-"""Both eyes in one picture, for red and cyan glasses."""
+"""Both cameras in one picture, for red and cyan glasses."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from app.presenters.scenes import Eye, PersonMark, PictureScene
+from app.presenters.scenes import PersonMark, PictureScene, Side
 from tracking.errors import CalibrationError
 from tracking.geometry import Rectification
 from tracking.recording import Image, Recording, StereoFrame
@@ -19,11 +19,11 @@ Move = Callable[[Floats], Floats]
 
 
 class Anaglyph:
-    """Lays the rectified right eye over the rectified left one, and moves the people along.
+    """Lays the rectified right camera over the rectified left one, and moves the people along.
 
     The right picture is shifted so that the floor in the middle of the picture lies in the plane
-    of the screen: people stand out of it, and the eyes need not squint. Without a calibration the
-    pictures are taken as recorded; they only look right where the cameras were well aligned.
+    of the screen: people stand out of it, and nobody has to squint. Without a calibration
+    the pictures are taken as recorded; they only look right where the cameras were well aligned.
     """
 
     def __init__(self, recording: Recording) -> None:
@@ -34,18 +34,18 @@ class Anaglyph:
         self._last: tuple[StereoFrame, Image] | None = None
 
     def scene(self, frame: StereoFrame, scene: PictureScene) -> PictureScene:
-        """The left eye's scene on a picture of both eyes; as it is where there is one eye."""
+        """The left image's scene on an image of both; unchanged where there is one camera."""
         if frame.right is None or frame.right.shape != frame.left.shape:
             return scene
         picture = self._picture(frame, frame.right)
         rectification = self._rectification
         if rectification is None or rectification.identity:
-            return replace(scene, eye=Eye.BOTH, image=picture)
+            return replace(scene, side=Side.BOTH, image=picture)
         move = rectification.rectified_from_recorded
         overlay = scene.overlay
         return replace(
             scene,
-            eye=Eye.BOTH,
+            side=Side.BOTH,
             image=picture,
             people=tuple(_moved(person, move) for person in scene.people),
             overlay=None if overlay is None else rectification.rectify(overlay, overlay)[0],
@@ -64,11 +64,11 @@ class Anaglyph:
 
 
 def anaglyph_image(left: Image, right: Image, shift_px: int = 0) -> Image:
-    """Red from the left eye's brightness, green and blue from the right eye's.
+    """Red from the left camera's brightness, green and blue from the right camera's.
 
     Args:
         left, right: (height, width, 3) uint8 BGR, rectified.
-        shift_px: how far the right eye is moved to the right; what only one eye has is black.
+        shift_px: how far the right camera is moved to the right; what only one camera has is black.
     """
     width = right.shape[1]
     shift = max(-width, min(width, shift_px))

@@ -162,7 +162,7 @@ def why_nothing(instant: FrameState, name: str) -> str:
     if name == "tracklets" and not len(tracks.tracklets(frame)["track"]):
         return tr("No points are followed here: track with flow (Ctrl+T) to see tracklets")
     if name == "outlines" and not len(tracks.particles(frame)["track"]):
-        return tr("No hypotheses here: track with spheroid, or two eyes (Ctrl+T), to see them")
+        return tr("No hypotheses here: track with spheroid, or two cameras (Ctrl+T), to see them")
     if name == "evaluation" and not _has_regions(instant.run):
         return tr(
             "No region of evaluation here: only spheroid with its setting 'paper' has one; track "

@@ -49,11 +49,11 @@ class OverlayPainter:
     before its first step; unlike a tracker's they do not change from frame to frame.
 
     Args:
-        recording: two calibrated eyes and a floor.
+        recording: two calibrated cameras and a floor.
         run: whose settings of foreground and stereo are taken; the usual ones without.
 
     Raises:
-        CalibrationError: the recording has no second eye, no calibration or no floor.
+        CalibrationError: the recording has no second camera, no calibration or no floor.
     """
 
     def __init__(self, recording: Recording, run: MadeBy | None = None) -> None:

@@ -1,4 +1,4 @@
-"""The pictures of both eyes with the people in them."""
+"""The pictures of both cameras with the people in them."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from app.presenters.document.frame_state import NO_OVERLAY, FrameState, PictureO
 from app.presenters.i18n import tr
 from app.presenters.pictures.anaglyph import Anaglyph
 from app.presenters.pictures.bodies import BodyPainter, legend_of
-from app.presenters.pictures.right_eye import boxes_in_right_eye
+from app.presenters.pictures.right_image import boxes_in_right_image
 from app.presenters.pictures.trails import TRAIL_S, floor_points, foot_points, trails_by_track
-from app.presenters.scenes import Eye, LegendEntry, PersonMark, PictureScene, PreviewTrail
+from app.presenters.scenes import LegendEntry, PersonMark, PictureScene, PreviewTrail, Side
 from tracking.recording import Image, Recording, StereoFrame
 from tracking.tracks import Columns, Source
 
@@ -30,40 +30,40 @@ class PicturePresenter:
     def __init__(self, recording: Recording) -> None:
         self._recording = recording
         self._trail_frames = max(1, round(TRAIL_S * recording.fps))
-        self._grid: dict[Eye, Floats] = {}
+        self._grid: dict[Side, Floats] = {}
         self._anaglyph = Anaglyph(recording)
         self._bodies = BodyPainter(recording.view)
 
     def scene(
         self,
-        eye: Eye,
+        side: Side,
         frame: StereoFrame | None,
         instant: FrameState,
         pictured: ViewOptions,
         laid: PictureOverlay = NO_OVERLAY,
     ) -> PictureScene:
-        """One eye at the instant; without a frame, a scene that says it is being read.
+        """One camera at the instant; without a frame, a scene that says it is being read.
 
         `laid` is what lies over the picture below the particles.
         """
-        image = None if frame is None else (frame.left if eye is Eye.LEFT else frame.right)
-        if eye is Eye.RIGHT and not self._recording.is_stereo:
-            return PictureScene(eye, instant.frame, None, message=tr("Recorded with one camera"))
+        image = None if frame is None else (frame.left if side is Side.LEFT else frame.right)
+        if side is Side.RIGHT and not self._recording.is_stereo:
+            return PictureScene(side, instant.frame, None, message=tr("Recorded with one camera"))
         if image is None:
-            return PictureScene(eye, instant.frame, None, message=tr("Reading..."))
+            return PictureScene(side, instant.frame, None, message=tr("Reading..."))
         return PictureScene(
-            eye,
+            side,
             instant.frame,
             image,
-            people=self._people(eye, instant, pictured),
-            overlay=self._overlay(eye, instant, pictured, image, laid.image),
-            grid=self._floor_grid(eye) if pictured.grid else np.zeros((0, 2, 2)),
-            message=laid.message if eye is Eye.LEFT else _late_eye(frame),
-            preview=self._preview(eye, instant),
-            ghosts=self._ghosts(eye, instant),
-            drawing=instant.drawing and eye is Eye.LEFT,
-            movable=instant.movable and not instant.waits and eye is Eye.LEFT,
-            legend=self._legend(eye, instant, pictured, laid),
+            people=self._people(side, instant, pictured),
+            overlay=self._overlay(side, instant, pictured, image, laid.image),
+            grid=self._floor_grid(side) if pictured.grid else np.zeros((0, 2, 2)),
+            message=laid.message if side is Side.LEFT else _late_camera(frame),
+            preview=self._preview(side, instant),
+            ghosts=self._ghosts(side, instant),
+            drawing=instant.drawing and side is Side.LEFT,
+            movable=instant.movable and not instant.waits and side is Side.LEFT,
+            legend=self._legend(side, instant, pictured, laid),
         )
 
     def anaglyph(
@@ -73,46 +73,46 @@ class PicturePresenter:
         pictured: ViewOptions,
         laid: PictureOverlay = NO_OVERLAY,
     ) -> PictureScene:
-        """Both eyes in one picture for red and cyan glasses, with the left eye's people."""
-        scene = self.scene(Eye.LEFT, frame, instant, pictured, laid)
+        """Both cameras in one picture for red and cyan glasses, with the left camera's people."""
+        scene = self.scene(Side.LEFT, frame, instant, pictured, laid)
         return scene if frame is None else self._anaglyph.scene(frame, scene)
 
     def _legend(
-        self, eye: Eye, instant: FrameState, pictured: ViewOptions, laid: PictureOverlay
+        self, side: Side, instant: FrameState, pictured: ViewOptions, laid: PictureOverlay
     ) -> tuple[LegendEntry, ...]:
-        if not pictured.bodies or eye is not Eye.LEFT:
+        if not pictured.bodies or side is not Side.LEFT:
             return laid.legend
         return (*legend_of(instant, pictured), *laid.legend)
 
-    def _preview(self, eye: Eye, instant: FrameState) -> tuple[PreviewTrail, ...]:
-        """The trails of an edit that waits; for the right eye from their places on the floor."""
-        if eye is Eye.LEFT:
+    def _preview(self, side: Side, instant: FrameState) -> tuple[PreviewTrail, ...]:
+        """The trails of an edit that waits; for the right camera from their places on the floor."""
+        if side is Side.LEFT:
             return instant.picture_preview
-        seen = ((trail, self._project(eye, trail.points)) for trail in instant.preview)
+        seen = ((trail, self._project(side, trail.points)) for trail in instant.preview)
         return tuple(
             replace(trail, points=points[np.isfinite(points).all(axis=1)]) for trail, points in seen
         )
 
     def _people(
-        self, eye: Eye, instant: FrameState, pictured: ViewOptions
+        self, side: Side, instant: FrameState, pictured: ViewOptions
     ) -> tuple[PersonMark, ...]:
         rows = instant.tracks.of_frame(instant.frame)
-        trails = self._trails(eye, instant) if pictured.trails else {}
-        marks = self._marks(eye, rows, instant, trails)
+        trails = self._trails(side, instant) if pictured.trails else {}
+        marks = self._marks(side, rows, instant, trails)
         return tuple(sorted(marks, key=lambda mark: mark.selected))
 
-    def _ghosts(self, eye: Eye, instant: FrameState) -> tuple[PersonMark, ...]:
+    def _ghosts(self, side: Side, instant: FrameState) -> tuple[PersonMark, ...]:
         """People where they are before an edit that waits, as far as it moves or takes them out."""
         rows = instant.replaced
-        return () if rows is None else tuple(self._marks(eye, rows, instant, {}))
+        return () if rows is None else tuple(self._marks(side, rows, instant, {}))
 
     def _marks(
-        self, eye: Eye, rows: Columns, instant: FrameState, trails: Mapping[int, Floats]
+        self, side: Side, rows: Columns, instant: FrameState, trails: Mapping[int, Floats]
     ) -> Iterator[PersonMark]:
         boxes = np.column_stack([rows[name] for name in ("left", "top", "width", "height")])
-        if eye is Eye.RIGHT:
+        if side is Side.RIGHT:
             boxes = self._right_boxes(boxes, rows)
-        movable = instant.selected if instant.movable and eye is Eye.LEFT else 0
+        movable = instant.selected if instant.movable and side is Side.LEFT else 0
         hidden = rows["visibility"] == 0
         by_person = rows["source"] == Source.PERSON if "source" in rows else np.zeros_like(hidden)
         columns = rows["track"], rows["predicted"], hidden, by_person
@@ -133,27 +133,27 @@ class PicturePresenter:
                     movable=track == movable,
                 )
 
-    def _trails(self, eye: Eye, instant: FrameState) -> dict[int, Floats]:
+    def _trails(self, side: Side, instant: FrameState) -> dict[int, Floats]:
         rows = instant.tracks.recent(instant.frame, self._trail_frames)
-        if eye is Eye.LEFT:
+        if side is Side.LEFT:
             return trails_by_track(rows, self.left_foot_points(rows))
-        return trails_by_track(rows, self._project(eye, floor_points(rows)))
+        return trails_by_track(rows, self._project(side, floor_points(rows)))
 
     def left_foot_points(self, rows: Columns) -> Floats:
         """Where the people of the rows stand, (n, 2) px: by the floor, else by their boxes."""
         boxes = foot_points(rows)
         if self._recording.view is None:
             return boxes
-        floor = self._project(Eye.LEFT, floor_points(rows))
+        floor = self._project(Side.LEFT, floor_points(rows))
         return np.where(np.isfinite(floor), floor, boxes)
 
-    def _project(self, eye: Eye, floor: Floats) -> Floats:
+    def _project(self, side: Side, floor: Floats) -> Floats:
         """Pixels of floor points; NaN where they are not seen."""
         points = np.column_stack((floor, np.zeros(len(floor))))
         if not len(points):
             return np.zeros((0, 2))
         view, rectification = self._recording.view, self._recording.rectification
-        if eye is Eye.LEFT:
+        if side is Side.LEFT:
             return view.pixel_from_world(points) if view is not None else _nowhere(points)
         if rectification is None or self._recording.ground is None:
             return _nowhere(points)
@@ -163,29 +163,29 @@ class PicturePresenter:
         rectification = self._recording.rectification
         if rectification is None or self._recording.ground is None or not len(boxes):
             return np.full_like(boxes, np.nan)
-        return boxes_in_right_eye(rectification, boxes, floor_points(rows))
+        return boxes_in_right_image(rectification, boxes, floor_points(rows))
 
     def _overlay(
         self,
-        eye: Eye,
+        side: Side,
         instant: FrameState,
         pictured: ViewOptions,
         image: Image,
         laid: NDArray[np.uint8] | None,
     ) -> NDArray[np.uint8] | None:
         """All that lies over a picture: the very same as was laid where there is nothing more."""
-        if pictured.bodies and eye is Eye.LEFT:
+        if pictured.bodies and side is Side.LEFT:
             laid = self._bodies.over(instant, pictured, laid, image.shape)
-        return self._particles(eye, instant, image, laid) if pictured.particles else laid
+        return self._particles(side, instant, image, laid) if pictured.particles else laid
 
     def _particles(
-        self, eye: Eye, instant: FrameState, image: Image, below: NDArray[np.uint8] | None
+        self, side: Side, instant: FrameState, image: Image, below: NDArray[np.uint8] | None
     ) -> NDArray[np.uint8]:
         """The particles as dots of their person's colour in a picture to lay over."""
         particles = instant.tracks.particles(instant.frame)
         overlay = np.zeros((*image.shape[:2], 4), np.uint8) if below is None else below.copy()
         floor = np.column_stack((particles["x"], particles["y"])).astype(np.float64)
-        pixels = self._project(eye, floor)
+        pixels = self._project(side, floor)
         height, width = image.shape[:2]
         with np.errstate(invalid="ignore"):
             inside = (pixels >= 0).all(axis=1) & (pixels < (width - 1, height - 1)).all(axis=1)
@@ -196,25 +196,25 @@ class PicturePresenter:
             overlay[row + down, column + right, 3] = 220
         return overlay
 
-    def _floor_grid(self, eye: Eye) -> Floats:
-        if eye not in self._grid:
+    def _floor_grid(self, side: Side) -> Floats:
+        if side not in self._grid:
             lines = _grid_lines(_GRID_REACH_M)
-            pixels = self._project(eye, lines.reshape(-1, 2)).reshape(-1, 2, 2)
+            pixels = self._project(side, lines.reshape(-1, 2)).reshape(-1, 2, 2)
             width, height = self._recording.size
             with np.errstate(invalid="ignore"):
                 near = (np.abs(pixels) < 4 * max(width, height)).all(axis=(1, 2))
-            self._grid[eye] = pixels[near & np.isfinite(pixels).all(axis=(1, 2))]
-        return self._grid[eye]
+            self._grid[side] = pixels[near & np.isfinite(pixels).all(axis=(1, 2))]
+        return self._grid[side]
 
 
-def _late_eye(frame: StereoFrame | None) -> str:
-    """Which picture the right eye shows, where it is not the one recorded with the left one."""
+def _late_camera(frame: StereoFrame | None) -> str:
+    """Which picture the right camera shows, where it is not the one recorded with the left one."""
     if frame is None or frame.right_lag == 0:
         return ""
     if frame.right_lag is None:
         return tr("Nothing was recorded at this instant: another frame is shown")
     number = frame.number + frame.right_lag
-    return tr("Frame {number} of this eye: the same instant", number=number)
+    return tr("Frame {number} of this camera: the same instant", number=number)
 
 
 def _nowhere(points: Floats) -> Floats:

@@ -1,4 +1,4 @@
-"""Places on the floor in the pictures of both eyes."""
+"""Places on the floor in the pictures of both cameras."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from app.presenters.scenes import Eye
+from app.presenters.scenes import Side
 from tracking.recording import Recording
 
 Floats = NDArray[np.float64]
@@ -15,12 +15,12 @@ Floats = NDArray[np.float64]
 _STEP_M = 0.1
 
 
-def project_floor(recording: Recording, eye: Eye, floor: Floats) -> Floats:
+def project_floor(recording: Recording, side: Side, floor: Floats) -> Floats:
     """Pixels (n, 2) of floor points (n, 2) in metres; NaN where they are not seen."""
     points = np.column_stack((floor, np.zeros(len(floor))))
     if not len(points):
         return np.zeros((0, 2))
-    if eye is not Eye.RIGHT:
+    if side is not Side.RIGHT:
         view = recording.view
         return view.pixel_from_world(points) if view is not None else _nowhere(points)
     rectification = recording.rectification
@@ -29,12 +29,12 @@ def project_floor(recording: Recording, eye: Eye, floor: Floats) -> Floats:
     return rectification.right_pixel_from_world(points)
 
 
-def project_outline(recording: Recording, eye: Eye, corners: Floats) -> Floats:
+def project_outline(recording: Recording, side: Side, corners: Floats) -> Floats:
     """The pixels of a line through floor points, which bends with the lens.
 
     NaN rows stand where it leaves the surroundings of the picture.
     """
-    pixels = project_floor(recording, eye, _dense(corners))
+    pixels = project_floor(recording, side, _dense(corners))
     reach = 4 * max(recording.size)
     with np.errstate(invalid="ignore"):
         near = np.asarray((np.abs(pixels) < reach).all(axis=1))

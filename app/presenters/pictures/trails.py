@@ -29,5 +29,5 @@ def floor_points(rows: Columns) -> NDArray[np.float64]:
 
 
 def foot_points(rows: Columns) -> NDArray[np.float64]:
-    """(n, 2) pixels of the left eye: the middle of the boxes' lower edges."""
+    """(n, 2) pixels of the left camera: the middle of the boxes' lower edges."""
     return np.column_stack((rows["left"] + rows["width"] / 2, rows["top"] + rows["height"]))

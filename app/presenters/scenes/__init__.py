@@ -5,7 +5,6 @@ Presenters make scenes, views draw them. No Qt here; colours are (red, green, bl
 
 from app.presenters.scenes.instants import (
     Colour,
-    Eye,
     FloorPerson,
     LegendEntry,
     OverheadScene,
@@ -13,6 +12,7 @@ from app.presenters.scenes.instants import (
     PictureScene,
     Points,
     PreviewTrail,
+    Side,
 )
 from app.presenters.scenes.lists import (
     CommandItem,
@@ -40,7 +40,6 @@ __all__ = [
     "Colour",
     "CommandItem",
     "EditPreview",
-    "Eye",
     "FloorPerson",
     "HistoryItem",
     "Lane",
@@ -53,6 +52,7 @@ __all__ = [
     "PreviewTrail",
     "Proposal",
     "RecentItem",
+    "Side",
     "SpanKind",
     "TimelineMark",
     "TimelineScene",

@@ -14,7 +14,7 @@ Colour = tuple[int, int, int]
 Points = NDArray[np.float64]  # (n, 2)
 
 
-class Eye(Enum):
+class Side(Enum):
     """Which camera a picture is of; BOTH: one over the other, in the left one's pixels."""
 
     LEFT = "left"
@@ -28,7 +28,7 @@ class PersonMark:
 
     Attributes:
         track: id.
-        box: left, top, width, height in pixels of that eye as recorded.
+        box: left, top, width, height in pixels of that camera as recorded.
         label: what is written at the box, e.g. "4 red coat".
         colour: the track's own.
         selected: drawn with emphasis.
@@ -70,10 +70,10 @@ class LegendEntry:
 
 @dataclass(frozen=True, slots=True)
 class PictureScene:
-    """One eye at one instant.
+    """One camera at one instant.
 
     Attributes:
-        eye: which.
+        side: which.
         frame: frame number shown.
         image: the picture as recorded; None while it is being read.
         people: marks, the selected one last.
@@ -87,7 +87,7 @@ class PictureScene:
         drawing: a box is to be drawn. movable: anybody's box can be dragged.
     """
 
-    eye: Eye
+    side: Side
     frame: int
     image: Image | None
     people: tuple[PersonMark, ...] = ()

@@ -125,7 +125,7 @@ class TruthMark:
     """Somebody of the truth, or a false alarm, in a picture.
 
     Attributes:
-        box: left, top, width, height in pixels of that eye. label: "" for none.
+        box: left, top, width, height in pixels of that camera. label: "" for none.
         wrong: what goes wrong there in this frame; None: nothing.
     """
 

@@ -10,8 +10,8 @@ from app.presenters.comparing.other_people import OtherPeople
 from app.presenters.document.frame_state import FrameState
 from app.presenters.i18n import tr
 from app.presenters.pictures.extent import extent, reach_m
-from app.presenters.pictures.right_eye import boxes_in_right_eye
-from app.presenters.scenes import Eye, LegendEntry
+from app.presenters.pictures.right_image import boxes_in_right_image
+from app.presenters.scenes import LegendEntry, Side
 from app.presenters.scoring.score_scene import (
     ERROR_COLOURS,
     TRUTH_COLOUR,
@@ -40,15 +40,15 @@ class TruthPeople:
         self._people = OtherPeople(recording, people, TrackColours().of)
         self._bounds = extent(people.by_track(("x", "y")), reach_m(recording))
 
-    def picture(self, eye: Eye, instant: FrameState) -> PicturedTruth:
-        """Everybody of the truth in one eye, and which of the result's are nobody."""
+    def picture(self, side: Side, instant: FrameState) -> PicturedTruth:
+        """Everybody of the truth in one camera, and which of the result's are nobody."""
         missed, alarms = self._wrong(instant.frame)
         people = tuple(
             TruthMark(one.box, _label(one.label), _if_missed(one.label, missed))
-            for one in self._people.picture(eye, instant.frame)
+            for one in self._people.picture(side, instant.frame)
         )
-        told = legend() if eye is Eye.LEFT else ()
-        return PicturedTruth(people, self._alarms(eye, instant, alarms), told)
+        told = legend() if side is Side.LEFT else ()
+        return PicturedTruth(people, self._alarms(side, instant, alarms), told)
 
     def floor(self, instant: FrameState) -> FlooredTruth:
         """The same on the floor."""
@@ -71,14 +71,14 @@ class TruthPeople:
         alarms = self._errors.result[first:stop][kind == ErrorKind.FALSE_ALARM]
         return set(missed.tolist()), set(alarms.tolist())
 
-    def _alarms(self, eye: Eye, instant: FrameState, alarms: set[int]) -> tuple[TruthMark, ...]:
+    def _alarms(self, side: Side, instant: FrameState, alarms: set[int]) -> tuple[TruthMark, ...]:
         rows = _of_tracks(instant, alarms)
         boxes = np.column_stack([rows[name] for name in _SIDE]).astype(np.float64)
         rectification = self._recording.rectification
-        if eye is Eye.RIGHT and len(boxes):
+        if side is Side.RIGHT and len(boxes):
             if rectification is None or self._recording.ground is None:
                 return ()
-            boxes = boxes_in_right_eye(
+            boxes = boxes_in_right_image(
                 rectification, boxes, np.column_stack((rows["x"], rows["y"]))
             )
         return tuple(

@@ -16,7 +16,7 @@ from app.presenters.comparing.agreement import (
 )
 from app.presenters.comparing.other_people import OtherPeople
 from app.presenters.i18n import tr
-from app.presenters.scenes import Eye
+from app.presenters.scenes import Side
 from app.views.widgets.questions import choose_file
 from app.views.widgets.work import Work
 
@@ -85,9 +85,9 @@ class SessionsBeside(QObject):
             view.overhead.show_others(())
             return
         frame = controller.playback.number
-        view.left.show_others(people.picture(Eye.LEFT, frame))
+        view.left.show_others(people.picture(Side.LEFT, frame))
         view.right.show_others(
-            people.picture(Eye.RIGHT, frame) if controller.eyes == "both" else ()
+            people.picture(Side.RIGHT, frame) if controller.cameras == "both" else ()
         )
         view.overhead.show_others(people.floor(frame))
 

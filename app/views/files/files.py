@@ -179,7 +179,7 @@ class Files(QObject):
         self._window.show_workspace()
         self._tell_oddities(opened)
         controller.pictured = pictured_from(self._remembered.text("pictured"))
-        controller.set_eyes(self._remembered.text("eyes", "both"))
+        controller.set_cameras(self._remembered.text("eyes", "both"))
         self._whereabouts.begin(controller, path, from_start)
 
     def greet_after_crash(self) -> None:
@@ -288,7 +288,7 @@ class Files(QObject):
             self.backups.close()
             self.detectors.close()
             if controller.document.recording.is_stereo:  # one camera leaves nothing to choose
-                self._remembered.set_text("eyes", controller.eyes)
+                self._remembered.set_text("eyes", controller.cameras)
             self._remembered.set_text("pictured", controller.pictured.lasting)
             self._whereabouts.end()
             controller.close()

@@ -125,10 +125,10 @@ class Shapes(QObject):
     def _tell_where(self) -> None:
         """A click in a view the tool does not draw on; on its own a layer lies above."""
         if self._tool is Tool.OCCLUDERS:
-            self.said.emit(tr("Occluders are drawn in the left eye"))
+            self.said.emit(tr("Occluders are drawn in the left camera"))
         elif self._tool is not None and self._tool.on_floor:
             self.said.emit(
-                tr("Lines and regions are drawn in the view from above, or in the left eye")
+                tr("Lines and regions are drawn in the view from above, or in the left camera")
             )
 
     def _change(self, plan: Callable[..., Change]) -> None:

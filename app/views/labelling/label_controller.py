@@ -18,7 +18,7 @@ from app.presenters.labelling.labelling_scene import (
     Suggested,
     Tool,
 )
-from app.presenters.scenes import Eye
+from app.presenters.scenes import Side
 from app.views.labelling.drawn_shapes import Shapes
 from app.views.labelling.labelling_panel import LabellingPanel
 from app.views.labelling.part_keys import PartKeys
@@ -263,7 +263,8 @@ class Labelling(QObject):
     def draw(self, both: bool, shown: bool, count_text: CountText) -> None:
         """Show labels in the views.
 
-        both: the right eye is shown too. shown: at all. count_text: what to write at what is drawn.
+        both: the right camera is shown too. shown: at all. count_text: what to write at what is
+            drawn.
         """
         if self._document.flow is not None and self.tool is not None:
             self.leave()
@@ -271,8 +272,8 @@ class Labelling(QObject):
         frame, presenter = self._playback.number, self._presenter
         shown = shown or self.tool is not None
         nothing = PictureLabels()
-        left = presenter.picture(Eye.LEFT, frame, count_text) if shown else nothing
-        right = presenter.picture(Eye.RIGHT, frame, count_text) if shown and both else nothing
+        left = presenter.picture(Side.LEFT, frame, count_text) if shown else nothing
+        right = presenter.picture(Side.RIGHT, frame, count_text) if shown and both else nothing
         self._show(left, right)
         self._workspace.overhead.show_labels(presenter.floor(count_text))
         if self.tool is Tool.PARTS:

@@ -21,7 +21,7 @@ Sides = tuple[int, int]
 
 
 class PartsLayer(Layer):
-    """Head, torso and hip-leg of one person in the left eye.
+    """Head, torso and hip-leg of one person in the left camera.
 
     Signals:
         part_chosen(int): a rectangle was clicked.
@@ -43,7 +43,7 @@ class PartsLayer(Layer):
         self._box = QRectF()
 
     def show_parts(self, marks: Sequence[PartMark], chosen: int) -> None:
-        """The rectangles there are, in the left eye; a click beside them draws the chosen one."""
+        """The rectangles in the left image; a click beside them draws the chosen one."""
         self._marks, self._chosen = tuple(marks), chosen
         if self._held is not None and not self._still_there():
             self._held = None

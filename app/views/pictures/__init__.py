@@ -1,1 +1,1 @@
-"""The pictures of both eyes and the floor from above, with what is drawn on them."""
+"""The pictures of both cameras and the floor from above, with what is drawn on them."""

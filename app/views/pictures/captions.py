@@ -1,4 +1,4 @@
-"""What stands low down in an eye's picture: its name, a message, what the colours mean."""
+"""What stands low down in a camera's picture: its name, a message, what the colours mean."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class Captions:
     """Where the three stand; a rectangle is empty where there is nothing to say or no room.
 
     Attributes:
-        name: of the eye, at the right. message: in the middle, above the others where they meet.
+        name: of the camera, at the right. message: in the middle, above the others where they meet.
         legend: at the left, or at the top where it hides nobody there; a picture too low or too
             narrow for all three has none.
     """
@@ -50,18 +50,18 @@ def lay_out(
     people: their boxes, of which the legend hides as little as can be.
     """
     room = area.adjusted(_EDGE_PX, _EDGE_PX, -_EDGE_PX, -_EDGE_PX)
-    eye = QRectF(QPointF(), note_size(metrics, name, room.width()))
-    eye.moveBottomRight(room.bottomRight())
+    side = QRectF(QPointF(), note_size(metrics, name, room.width()))
+    side.moveBottomRight(room.bottomRight())
     told = QRectF(QPointF(), legend_size(metrics, legend))
     told.moveBottomLeft(room.bottomLeft())
-    told = above(told, [eye], _GAP_PX)
+    told = above(told, [side], _GAP_PX)
     said = QRectF(QPointF(), note_size(metrics, message, room.width()))
     said.moveCenter(QPointF(room.center().x(), 0))
     said.moveBottom(room.bottom())
-    with_legend = above(said, [eye, told], _GAP_PX)
+    with_legend = above(said, [side, told], _GAP_PX)
     if min(told.top(), with_legend.top()) < room.top() or told.right() > room.right():
-        return Captions(eye, above(said, [eye], _GAP_PX), QRectF())
-    return Captions(eye, with_legend, _clear(told, room, [eye, with_legend], people))
+        return Captions(side, above(said, [side], _GAP_PX), QRectF())
+    return Captions(side, with_legend, _clear(told, room, [side, with_legend], people))
 
 
 def _clear(

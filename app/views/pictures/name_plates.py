@@ -116,7 +116,7 @@ def draw_name(
 
 
 def draw_note(painter: QPainter, rect: QRectF, text: str, theme: Theme) -> None:
-    """A quiet plate of the theme, e.g. which eye a picture is of."""
+    """A quiet plate of the theme, e.g. which camera a picture is of."""
     painter.setPen(Qt.PenStyle.NoPen)
     painter.setBrush(faded(theme.window, 0.82))
     painter.drawRoundedRect(rect, 5, 5)

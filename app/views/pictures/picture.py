@@ -1,4 +1,4 @@
-"""One eye's picture with the people marked on it."""
+"""One camera's picture with the people marked on it."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QWidget
 from app.presenters.comparing.agreement_scene import OtherMark
 from app.presenters.labelling.labelling_scene import PictureLabels
 from app.presenters.parts.parts_scene import PicturedParts
-from app.presenters.scenes import Eye, LegendEntry, PersonMark, PictureScene
+from app.presenters.scenes import LegendEntry, PersonMark, PictureScene, Side
 from app.presenters.scoring.score_scene import PicturedTruth
 from app.views.labelling.marks import draw_outlines, draw_parts
 from app.views.look.theme import Theme, scaled_font
@@ -62,16 +62,16 @@ class PictureView(Canvas):
     picture_clicked = Signal(float, float)
     part_picked = Signal(int)
 
-    def __init__(self, eye: Eye, parent: QWidget | None = None) -> None:
+    def __init__(self, side: Side, parent: QWidget | None = None) -> None:
         super().__init__(upward=False, parent=parent)
-        self._scene = PictureScene(eye, 0, None)
+        self._scene = PictureScene(side, 0, None)
         self._labels = PictureLabels()
         self._parts = PicturedParts()
         self._others: tuple[OtherMark, ...] = ()
         self._truth = PicturedTruth()
         self._image = QImage()
         self._overlay = QImage()
-        self._eye_name = ""
+        self._camera_name = ""
         self._alone = False
         self._grip: Grip | None = None
         self._held = 0
@@ -89,7 +89,7 @@ class PictureView(Canvas):
             self._image = _from_bgr(scene.image)
         if scene.overlay is not previous.overlay:
             self._overlay = _from_rgba(scene.overlay)
-        if scene.eye is not previous.eye:
+        if scene.side is not previous.side:
             self._rename()
         if self._image.size() != before:
             self.fit()
@@ -124,7 +124,7 @@ class PictureView(Canvas):
             self.update()
 
     def set_alone(self, alone: bool) -> None:
-        """Be called an eye, or where there is one camera only, the picture."""
+        """Be called a camera, or where there is one camera only, the picture."""
         if alone is not self._alone:
             self._alone = alone
             self._rename()
@@ -138,12 +138,12 @@ class PictureView(Canvas):
 
     def _rename(self) -> None:
         names = {
-            Eye.LEFT: self.tr("Picture") if self._alone else self.tr("Left eye"),
-            Eye.RIGHT: self.tr("Right eye"),
-            Eye.BOTH: self.tr("Both eyes, for red and cyan glasses"),
+            Side.LEFT: self.tr("Picture") if self._alone else self.tr("Left camera"),
+            Side.RIGHT: self.tr("Right camera"),
+            Side.BOTH: self.tr("Both cameras, for red and cyan glasses"),
         }
-        self._eye_name = names[self._scene.eye]
-        self.setAccessibleName(self._eye_name)
+        self._camera_name = names[self._scene.side]
+        self.setAccessibleName(self._camera_name)
 
     def content(self) -> QRectF:
         """The picture; its first pixel's centre lies at (0, 0)."""
@@ -270,7 +270,7 @@ class PictureView(Canvas):
         return min(hits, key=lambda hit: hit[0])[1] if hits else None
 
     def paint(self, painter: QPainter, theme: Theme) -> None:
-        """Picture, overlay, grid, people, the eye's name, what colours mean."""
+        """Picture, overlay, grid, people, the camera's name, what colours mean."""
         area = QRectF(self.rect())
         if self._image.isNull():
             draw_message(painter, area, self._scene.message, theme)
@@ -316,9 +316,9 @@ class PictureView(Canvas):
 
     @property
     def _words(self) -> tuple[str, str, tuple[LegendEntry, ...]]:
-        """The eye's name, the message, what colours mean."""
+        """The camera's name, the message, what colours mean."""
         told = () if self._low and self._truth.floor_tells else self._truth.legend
-        return self._eye_name, self._scene.message, (*told, *self._scene.legend)
+        return self._camera_name, self._scene.message, (*told, *self._scene.legend)
 
     def _lay_out_captions(self, area: QRectF) -> Captions:
         """Before people's names, which keep clear of them."""

@@ -19,9 +19,9 @@ _LOOK_MS = 250
 class Playback(QObject):
     """The clock of one recording and the frame that is shown.
 
-    `frame` is what all views show: both eyes of one instant. While the reader is busy it may stand
-    behind `clock.frame`, the playhead. Signals: `shown()`, another frame is there; `moved()`, the
-    playhead, the speed, playing or what is at hand changed; `failed(error)`, a frame cannot be
+    `frame` is what all views show: both cameras of one instant. While the reader is busy it may
+    stand behind `clock.frame`, the playhead. Signals: `shown()`, another frame is there; `moved()`,
+    the playhead, the speed, playing or what is at hand changed; `failed(error)`, a frame cannot be
     read.
 
     Attributes:

@@ -8,7 +8,7 @@ from app.presenters.commands import CommandContext
 from app.presenters.document.document import Document
 from app.presenters.document.frame_state import ViewOptions
 from app.presenters.labelling.labelling_scene import Tool
-from app.presenters.scenes import Eye, TransportScene
+from app.presenters.scenes import Side, TransportScene
 from app.views.comparing.comparison_controller import Comparing
 from app.views.correcting.drag_controller import Dragging
 from app.views.correcting.edit_controller import Editing
@@ -59,7 +59,7 @@ class RecordingController(QObject):
         panel = workspace.review
         self.reviewing = Reviewing(document, self.playback, self.editing, panel, self)
         self.pictured = ViewOptions()
-        self.eyes = "left"
+        self.cameras = "left"
         self._told_unread = ""
         self._selected = self._to_show = 0
         self._workspace = workspace
@@ -185,11 +185,13 @@ class RecordingController(QObject):
 
     # drawing
 
-    def set_eyes(self, mode: str) -> None:
+    def set_cameras(self, mode: str) -> None:
         """Show "left", "both" or "anaglyph"."""
-        self.eyes = mode if self.document.recording.is_stereo else "left"
+        self.cameras = mode if self.document.recording.is_stereo else "left"
         width, height = self.document.recording.size
-        self._workspace.show_eyes(self.eyes, width / height, self.document.recording.is_stereo)
+        self._workspace.show_cameras(
+            self.cameras, width / height, self.document.recording.is_stereo
+        )
         self.draw_instant()
         self.changed.emit()
 
@@ -243,18 +245,18 @@ class RecordingController(QObject):
         view, document, frame = self._workspace, self.document, self.playback.frame
         instant = document.instant(self.playback.number)
         pictures, laid = document.pictures, self.overlaying.laid(self.pictured.kinds)
-        if self.eyes == "anaglyph":
+        if self.cameras == "anaglyph":
             view.left.show_scene(pictures.anaglyph(frame, instant, self.pictured, laid))
         else:
-            view.left.show_scene(pictures.scene(Eye.LEFT, frame, instant, self.pictured, laid))
-        if self.eyes == "both":
-            view.right.show_scene(pictures.scene(Eye.RIGHT, frame, instant, self.pictured))
+            view.left.show_scene(pictures.scene(Side.LEFT, frame, instant, self.pictured, laid))
+        if self.cameras == "both":
+            view.right.show_scene(pictures.scene(Side.RIGHT, frame, instant, self.pictured))
         view.overhead.show_legend(self.pictured.floor_legend)
         view.overhead.show_scene(document.overhead.scene(instant))
         self.counting.draw(instant, self.pictured)
-        self.scoring.draw(instant, self.pictured, self.eyes)
+        self.scoring.draw(instant, self.pictured, self.cameras)
         counted = self.counting.texts_at(instant, self.pictured)
-        self.labelling.draw(self.eyes == "both", self.pictured.labels, counted)
+        self.labelling.draw(self.cameras == "both", self.pictured.labels, counted)
         self.parts.draw(instant, self.pictured)
         self._tell_unread()
         self._show_selected()

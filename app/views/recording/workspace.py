@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.presenters.comparing.differences_scene import DifferencesScene
-from app.presenters.scenes import Eye
+from app.presenters.scenes import Side
 from app.views.comparing.compare_panel import ComparePanel
 from app.views.comparing.differences_panel import DifferencesPanel
 from app.views.correcting.edit_panel import EditPanel
@@ -26,12 +26,12 @@ from app.views.counting.counting_panel import CountingPanel
 from app.views.history.history_panel import HistoryPanel
 from app.views.labelling.labelling_panel import LabellingPanel
 from app.views.parts.curves_panel import CurvesPanel
-from app.views.pictures.eye_switch import EyeSwitch
+from app.views.pictures.camera_switch import CameraSwitch
 from app.views.pictures.overhead import OverheadView
 from app.views.pictures.picture import PictureView
 from app.views.playing.transport import TransportBar
 from app.views.recording.below_floor import BelowFloor
-from app.views.recording.eyes_room import EyesRoom
+from app.views.recording.image_room import ImageRoom
 from app.views.recording.pane_ring import PaneRing
 from app.views.reviewing.review_panel import ReviewPanel
 from app.views.scoring.score_panel import ScorePanel
@@ -50,9 +50,9 @@ class Workspace(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.left = PictureView(Eye.LEFT, self)
-        self.right = PictureView(Eye.RIGHT, self)
-        self.eye_switch = EyeSwitch(self)
+        self.left = PictureView(Side.LEFT, self)
+        self.right = PictureView(Side.RIGHT, self)
+        self.camera_switch = CameraSwitch(self)
         self.overhead = OverheadView(self)
         self.curves = CurvesPanel(self)
         self.counting = CountingPanel(self)
@@ -73,16 +73,16 @@ class Workspace(QWidget):
         self._ring = PaneRing(self)
 
     def _lay_out(self) -> None:
-        eyes = self._split("eyes", Qt.Orientation.Vertical, (self.left, self.right), (1, 1))
+        cameras = self._split("eyes", Qt.Orientation.Vertical, (self.left, self.right), (1, 1))
         below = BelowFloor(
             self.tr("Panels below the floor"), (self.curves, self.counting, self.score), self
         )
         below.setObjectName("below floor")
         parts = (self.overhead, below)
         floor = self._split("floor and panels", Qt.Orientation.Vertical, parts, (5, 6))
-        views = (eyes, floor, self._side())
+        views = (cameras, floor, self._side())
         top = self._split("top", Qt.Orientation.Horizontal, views, (9, 10, 6))
-        self._eyes_room = EyesRoom(top, eyes)
+        self._image_room = ImageRoom(top, cameras)
         upper = QWidget(self)
         column = _unspaced(upper)
         column.addWidget(top, 1)
@@ -132,13 +132,13 @@ class Workspace(QWidget):
         return panels
 
     def _transport_line(self) -> QFrame:
-        """Playback and, at its end, which eyes are shown: no picture is covered by a switch."""
+        """Playback and, at its end, which cameras are shown: no picture is covered by a switch."""
         line = QFrame(self)
         line.setProperty("bar", True)
         row = QHBoxLayout(line)
         row.setContentsMargins(0, 0, 12, 0)
         row.addWidget(self.transport, 1)
-        row.addWidget(self.eye_switch, 0, Qt.AlignmentFlag.AlignVCenter)
+        row.addWidget(self.camera_switch, 0, Qt.AlignmentFlag.AlignVCenter)
         return line
 
     def _split(
@@ -175,14 +175,14 @@ class Workspace(QWidget):
         self.differences.show_scene(scene)
         self._panels.setVisible(scene is None)
 
-    def show_eyes(self, mode: str, aspect: float, stereo: bool) -> None:
+    def show_cameras(self, mode: str, aspect: float, stereo: bool) -> None:
         """Lay out for "left", "both" or "anaglyph"; pictures are `aspect` times wider than high."""
         both = mode == "both" and stereo
         self.right.setVisible(both)
         self.left.set_alone(not stereo)
-        self._eyes_room.begin(aspect, 2 if both else 1)
-        self.eye_switch.show_scene(mode, stereo)
-        self.eye_switch.setVisible(stereo)
+        self._image_room.begin(aspect, 2 if both else 1)
+        self.camera_switch.show_scene(mode, stereo)
+        self.camera_switch.setVisible(stereo)
 
     def show_whole(self) -> None:
         """Show all of the pictures and of the floor, and keep doing so."""
@@ -219,7 +219,7 @@ class Workspace(QWidget):
 
     def remember(self, remembered: Remembered) -> None:
         """Keep how the parts are laid out."""
-        remembered.set_text("workspace/eyes moved", str(self._eyes_room.moved or ""))
+        remembered.set_text("workspace/eyes moved", str(self._image_room.moved or ""))
         for name, splitter in self._splitters.items():
             remembered.set_state(f"workspace/{name}", splitter.saveState())
         self.timeline.area.controls.remember(remembered)
@@ -231,7 +231,7 @@ class Workspace(QWidget):
             if state is not None:
                 splitter.restoreState(state)
         beside = remembered.text("workspace/eyes moved")
-        self._eyes_room.moved = {"1": 1, "2": 2}.get(beside, 0)
+        self._image_room.moved = {"1": 1, "2": 2}.get(beside, 0)
         self.timeline.area.controls.restore(remembered)
 
 

@@ -13,7 +13,7 @@ from app.presenters.counting.subject import SHOWN
 from app.presenters.document.document import Document
 from app.presenters.document.frame_state import FrameState, ViewOptions
 from app.presenters.i18n import tr
-from app.presenters.scenes import Eye
+from app.presenters.scenes import Side
 from app.presenters.scoring.score_scene import NO_TRUTH
 from app.presenters.scoring.scorer import ScoringPresenter
 from app.presenters.scoring.subject import Scored, ScoreSubject, worked_out
@@ -78,13 +78,13 @@ class Scoring(QObject):
 
     # drawing
 
-    def draw(self, instant: FrameState, pictured: ViewOptions, eyes: str) -> None:
+    def draw(self, instant: FrameState, pictured: ViewOptions, cameras: str) -> None:
         """Show an instant; what is missing for it is scored."""
         self._on = pictured.score or pictured.truth
         doing = tr("Scoring...") if self._ask() and self._search.busy else ""
         self._workspace.score.show_scene(self.presenter.scene(doing) if pictured.score else None)
         if self._on:
-            self._draw_truth(instant, pictured, eyes)
+            self._draw_truth(instant, pictured, cameras)
         else:
             self._show_nothing()
 
@@ -95,15 +95,15 @@ class Scoring(QObject):
             self._search.ask(subject)
         return subject is not None
 
-    def _draw_truth(self, instant: FrameState, pictured: ViewOptions, eyes: str) -> None:
+    def _draw_truth(self, instant: FrameState, pictured: ViewOptions, cameras: str) -> None:
         view, people = self._workspace, self.presenter.people
         shown = people is not None and pictured.truth
         left, floor = NO_TRUTH
         right = left
         if people is not None and shown:
-            left, floor = people.picture(Eye.LEFT, instant), people.floor(instant)
+            left, floor = people.picture(Side.LEFT, instant), people.floor(instant)
             left = replace(left, floor_tells=view.overhead.shows_floor)
-            right = people.picture(Eye.RIGHT, instant) if eyes == "both" else right
+            right = people.picture(Side.RIGHT, instant) if cameras == "both" else right
         view.left.show_truth(left)
         view.right.show_truth(right)
         view.overhead.show_truth(floor)

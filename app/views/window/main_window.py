@@ -110,7 +110,9 @@ class MainWindow(QMainWindow):
         self.welcome.open_asked.connect(self.files.ask_open)
         self.welcome.demo_asked.connect(self.files.open_demo)
         self.welcome.path_chosen.connect(self.files.open_path)
-        self.workspace.eye_switch.mode_chosen.connect(lambda mode: self.run_command(f"view.{mode}"))
+        self.workspace.camera_switch.mode_chosen.connect(
+            lambda mode: self.run_command(f"view.{mode}")
+        )
         self.workspace.curves.closed.connect(lambda: self.run_command("view.curves"))
         self.workspace.counting.closed.connect(lambda: self.run_command("view.counting"))
         self.workspace.counting.save_asked.connect(lambda: self.run_command("file.export_counts"))
@@ -204,7 +206,7 @@ class MainWindow(QMainWindow):
         on.add("detector.open" if self.files.detectors.choice.path else "detector.built_in")
         if self.controller is not None:
             pictured = self.controller.pictured
-            on.add(f"view.{self.controller.eyes}")
+            on.add(f"view.{self.controller.cameras}")
             if self.controller.tracking.following.on:
                 on.add("play.follow")
             if self.controller.labelling.suggests:

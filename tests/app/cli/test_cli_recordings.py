@@ -101,14 +101,14 @@ def test_a_broken_recording_is_one_line_and_status_1(
     assert "bug" not in err
 
 
-def test_eyes_of_different_size_are_told(
+def test_cameras_of_different_size_are_told(
     trackwright: Trackwright, recording: Path, tmp_path: Path
 ) -> None:
     other = render_recording(tmp_path / "other", "lobby", 0.5, 0, 3, size=(160, 120))
     (other / "right.mp4").replace(recording / "right.mp4")
     status, _, err = trackwright("info", recording)
     assert status == 1
-    assert "eyes differ in size" in err
+    assert "cameras differ in size" in err
 
 
 @pytest.mark.parametrize("name", ["nowhere", "empty"])

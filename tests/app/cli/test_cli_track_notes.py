@@ -60,13 +60,13 @@ def test_track_tells_what_is_odd_on_the_way(
     words += ["--height", "6.4", "--tilt", "60", "-o", tmp_path / "s.h5"]
     status, _, err = trackwright("track", *words)
     assert status == 0
-    told = "right: no distance for what moves: are the eyes swapped?"
+    told = "right: no distance for what moves: are the cameras swapped?"
     assert f"note: {told}\n" in err
     facts = json.loads(trackwright("info", tmp_path / "s.h5", "--json")[1])
     assert told in facts["runs"][0]["notes"]
 
 
-def test_a_wrong_height_is_told_once_and_not_as_swapped_eyes_or_learnt_background(
+def test_a_wrong_height_is_told_once_and_not_as_swapped_cameras_or_learnt_background(
     trackwright: Trackwright, footage: Path, tmp_path: Path
 ) -> None:
     words = ["track", footage, "--height", "24", "-o", tmp_path / "s.h5", "--frames", "0:40"]
@@ -77,17 +77,17 @@ def test_a_wrong_height_is_told_once_and_not_as_swapped_eyes_or_learnt_backgroun
     assert "background" not in err
 
 
-def test_two_eyes_without_calibration_say_what_is_not_used(
+def test_two_cameras_without_calibration_say_what_is_not_used(
     trackwright: Trackwright, footage: Path, tmp_path: Path
 ) -> None:
-    eyes = ["--left", footage / "left.mp4", "--right", footage / "right.mp4"]
-    asked = ["track", "-o", tmp_path / "s.h5", "--frames", "0:2", *eyes]
+    cameras = ["--left", footage / "left.mp4", "--right", footage / "right.mp4"]
+    asked = ["track", "-o", tmp_path / "s.h5", "--frames", "0:2", *cameras]
     err = trackwright(*asked, "--height", "6.4", "--tilt", "60")[2]
     assert (
-        "note: no calibration: three-part follows people by the left eye; the right eye, height "
-        "and tilt are not used\n"
+        "note: no calibration: three-part follows people by the left camera; the right camera, "
+        "height and tilt are not used\n"
     ) in err
-    assert "left eye; the right eye is not used\n" in trackwright(*asked)[2]
+    assert "left camera; the right camera is not used\n" in trackwright(*asked)[2]
     calibrated = trackwright(*asked, "--calibration", footage / "calibration.yaml")[2]
     assert "note: no height and tilt of the camera: three-part follows" in calibrated
     named = trackwright(*asked, "--tracker", "three-part")[2]

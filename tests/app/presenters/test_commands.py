@@ -112,10 +112,10 @@ def test_a_score_is_reported_while_a_tracker_works_but_for_the_tracks_it_finds()
     assert "file.export_report" not in _enabled(replace(now, busy=True))
 
 
-def test_the_only_camera_of_a_recording_is_not_called_the_left_eye():
+def test_the_only_camera_of_a_recording_is_not_called_the_left_camera():
     def title(now: CommandContext) -> str:
         return {i.command: i.title for i in command_items(now, frozenset())}["view.left"]
 
-    assert title(CommandContext(recording=True, stereo=True)) == "Left eye"
+    assert title(CommandContext(recording=True, stereo=True)) == "Left camera"
     assert title(CommandContext(recording=True)) == "Picture"
-    assert title(CommandContext()) == "Left eye"
+    assert title(CommandContext()) == "Left camera"

@@ -11,7 +11,7 @@ from app.presenters.pictures.overlays import (
     OverlayPainter,
     painted_overlays,
 )
-from app.presenters.scenes import Eye
+from app.presenters.scenes import Side
 from tracking.errors import CalibrationError
 from tracking.geometry import Rectification
 from tracking.people import Overlays
@@ -112,22 +112,22 @@ def test_what_is_laid_over_stays_the_same_array_and_particles_are_drawn_on_a_cop
     image = np.zeros((240, 320, 4), np.uint8)
     frame, instant = document.recording.read(CROWDED), document.instant(CROWDED)
     pictures = document.pictures
-    plain = pictures.scene(Eye.LEFT, frame, instant, ViewOptions(), PictureOverlay(image))
+    plain = pictures.scene(Side.LEFT, frame, instant, ViewOptions(), PictureOverlay(image))
     assert plain.overlay is image
     dotted = pictures.scene(
-        Eye.LEFT, frame, instant, ViewOptions(particles=True), PictureOverlay(image)
+        Side.LEFT, frame, instant, ViewOptions(particles=True), PictureOverlay(image)
     )
     assert dotted.overlay.any()
     assert not image.any()
 
 
-def test_an_anaglyph_has_the_left_eye_in_red_and_the_right_eye_in_green_and_blue():
+def test_an_anaglyph_has_the_left_camera_in_red_and_the_right_camera_in_green_and_blue():
     left, right = np.full((2, 2, 3), 200, np.uint8), np.full((2, 2, 3), 50, np.uint8)
     assert anaglyph_image(left, right)[0, 0].tolist() == [50, 50, 200]
 
 
 @pytest.mark.parametrize("shift", [3, -3, 0, 40])
-def test_the_right_eye_is_moved_and_what_one_eye_alone_has_is_black(shift):
+def test_the_right_camera_is_moved_and_what_one_camera_alone_has_is_black(shift):
     left, right = np.full((2, 9, 3), 200, np.uint8), np.zeros((2, 9, 3), np.uint8)
     right[:, 4] = 90
     both = anaglyph_image(left, right, shift)
@@ -140,7 +140,7 @@ def test_the_floor_in_the_middle_lies_in_the_plane_of_an_anaglyph(document):
     scene = document.pictures.anaglyph(
         document.recording.read(0), document.instant(0), ViewOptions(trails=False)
     )
-    assert scene.eye is Eye.BOTH
+    assert scene.side is Side.BOTH
     red, green = (scene.image[110:130, 120:200, channel].astype(float) for channel in (2, 1))
     apart = [np.abs(red[:, 8:-8] - np.roll(green, s, 1)[:, 8:-8]).mean() for s in range(-6, 7)]
     assert abs(int(np.argmin(apart)) - 6) <= 1
@@ -149,7 +149,7 @@ def test_the_floor_in_the_middle_lies_in_the_plane_of_an_anaglyph(document):
 def test_people_move_along_with_the_rectified_picture_of_an_anaglyph(turned, tiny_session):
     document = Document(turned, Session.open(tiny_session))
     frame, instant = turned.read(CROWDED), document.instant(CROWDED)
-    recorded = document.pictures.scene(Eye.LEFT, frame, instant, ViewOptions()).people
+    recorded = document.pictures.scene(Side.LEFT, frame, instant, ViewOptions()).people
     moved = document.pictures.anaglyph(frame, instant, ViewOptions()).people
     for before, after in zip(recorded, moved, strict=True):
         middle = np.array(

@@ -11,7 +11,7 @@ from app.presenters.document.session_tracks import SessionTracks
 from app.presenters.panels import track_card
 from app.presenters.pictures.extent import MARGIN_M
 from app.presenters.pictures.overhead import OverheadPresenter, relative_weights
-from app.presenters.scenes import Eye
+from app.presenters.scenes import Side
 from tracking.recording import open_recording
 from tracking.session import Session
 from tracking.tracks import Source, TrackLabel, TrackTable
@@ -27,9 +27,9 @@ def document(tiny_recording, tiny_session):
         document.session.close()
 
 
-def _scene(document, eye=Eye.LEFT, pictured=ViewOptions()):  # noqa: B008 - frozen
+def _scene(document, side=Side.LEFT, pictured=ViewOptions()):  # noqa: B008 - frozen
     frame = document.recording.read(CROWDED)
-    return document.pictures.scene(eye, frame, document.instant(CROWDED), pictured)
+    return document.pictures.scene(side, frame, document.instant(CROWDED), pictured)
 
 
 def test_everybody_of_the_frame_is_marked_in_their_colour_and_the_selected_one_last(document):
@@ -42,9 +42,9 @@ def test_everybody_of_the_frame_is_marked_in_their_colour_and_the_selected_one_l
     assert len({mark.colour for mark in people}) == len(people)
 
 
-def test_the_right_eye_has_the_same_people_shifted_by_their_disparity(document):
+def test_the_right_camera_has_the_same_people_shifted_by_their_disparity(document):
     left = {mark.track: mark for mark in _scene(document).people}
-    right = {mark.track: mark for mark in _scene(document, Eye.RIGHT).people}
+    right = {mark.track: mark for mark in _scene(document, Side.RIGHT).people}
     assert left.keys() == right.keys()
     rectification = document.recording.rectification
     for row in range(len(document.tracks.of_frame(CROWDED)["track"])):
@@ -56,12 +56,12 @@ def test_the_right_eye_has_the_same_people_shifted_by_their_disparity(document):
         assert left[track].box[1:] == pytest.approx(right[track].box[1:], abs=0.5)
 
 
-def test_a_previewed_swap_is_seen_in_both_eyes_and_from_above(document):
+def test_a_previewed_swap_is_seen_in_both_cameras_and_from_above(document):
     first, second = document.tracks.of_frame(CROWDED)["track"].tolist()[:2]
     document.correcting.pick(first)
     document.correcting.begin(EditKind.SWAP, CROWDED)
     document.correcting.pick(second)
-    left, right = (_scene(document, eye).preview for eye in (Eye.LEFT, Eye.RIGHT))
+    left, right = (_scene(document, side).preview for side in (Side.LEFT, Side.RIGHT))
     assert len(left) == len(right) == len(document.instant(CROWDED).preview) == 4
     for one, other in zip(left, right, strict=True):
         assert (one.colour, one.after) == (other.colour, other.after)
@@ -96,7 +96,7 @@ def test_the_floor_grid_is_made_once_and_lies_in_view(document):
 
 
 def test_a_frame_that_is_being_read_is_said(document):
-    scene = document.pictures.scene(Eye.LEFT, None, document.instant(0), ViewOptions())
+    scene = document.pictures.scene(Side.LEFT, None, document.instant(0), ViewOptions())
     assert scene.image is None
     assert scene.message == "Reading..."
 
@@ -126,7 +126,7 @@ def test_people_without_metres_are_left_out_of_the_floor_but_not_of_the_picture(
     instant = FrameState(50, SessionTracks(TrackTable(rows), None))
     assert [person.track for person in document.overhead.scene(instant).people] == [4]
     frame = document.recording.read(50)
-    marks = document.pictures.scene(Eye.LEFT, frame, instant, ViewOptions()).people
+    marks = document.pictures.scene(Side.LEFT, frame, instant, ViewOptions()).people
     assert [mark.track for mark in marks] == [4, 7]
 
 

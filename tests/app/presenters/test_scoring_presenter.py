@@ -11,7 +11,7 @@ from app.__main__ import run
 from app.cli.score_inputs import true_table
 from app.cli.tracks import truth_at
 from app.presenters.document.document import Document
-from app.presenters.scenes import Eye
+from app.presenters.scenes import Side
 from app.presenters.scoring.scorer import ScoringPresenter
 from app.presenters.scoring.subject import worked_out
 from app.presenters.scoring.truths import TruthKind, TruthSource
@@ -170,7 +170,7 @@ def test_people_who_are_missed_are_marked_on_picture_and_floor(presenter, docume
     misses = scored.errors.of_kind(ErrorKind.MISS)
     frame, who = int(misses.frame[0]), int(misses.truth[0])
     instant = document.instant(frame)
-    pictured = presenter.people.picture(Eye.LEFT, instant)
+    pictured = presenter.people.picture(Side.LEFT, instant)
     floored = presenter.people.floor(instant)
     for people in (pictured.people, floored.people):
         assert {one.label for one in people if one.wrong is ErrorKind.MISS} == {f"T{who}"}

@@ -83,7 +83,7 @@ def test_a_child_gives_the_very_run_that_tracking_in_this_process_gives(tiny_rec
         _assert_same_runs(_by_child(request_, recording), here)
 
 
-def test_bare_eyes_with_options_are_tracked_alike(tiny_recording, tmp_path):
+def test_bare_cameras_with_options_are_tracked_alike(tiny_recording, tmp_path):
     (tmp_path / "rig").mkdir()
     for name in ("left.mp4", "right.mp4", "calibration.yaml"):
         (tmp_path / "rig" / name).write_bytes((tiny_recording / name).read_bytes())
@@ -228,25 +228,25 @@ def test_what_to_go_on_from_is_the_same_after_its_way_through_a_line(request_, r
 
 
 def test_notes_are_the_same_on_the_other_side():
-    notes = ("Lobby: no distance for what moves: are the eyes swapped?", "\u00fc")
+    notes = ("Lobby: no distance for what moves: are the cameras swapped?", "\u00fc")
     assert unpacked_notes(packed_notes(notes)) == notes
 
 
 def test_what_there_is_to_tell_of_a_tracking_is_known_at_its_end(tiny_recording):
     with open_recording(tiny_recording) as recording:
         ground = recording.ground
-    eyes = OpenOptions(
+    cameras = OpenOptions(
         left=tiny_recording / "right.mp4",
         right=tiny_recording / "left.mp4",
         calibration=(tiny_recording / "calibration.yaml",),
         height_m=ground.height_m,
         tilt_deg=ground.tilt_deg,
     )
-    with open_recording(tiny_recording, eyes) as swapped:
+    with open_recording(tiny_recording, cameras) as swapped:
         process = TrackerProcess(TrackingRequest.of(swapped, TRACKER, None, 7, None))
         for _ in process.batches():
             assert process.notes == ()
-    assert "are the eyes swapped?" in process.notes[0]
+    assert "are the cameras swapped?" in process.notes[0]
 
 
 def test_a_child_sends_what_was_tracked_before_a_bug(request_, monkeypatch):

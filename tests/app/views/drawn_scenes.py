@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 
 from app.presenters.scenes import (
-    Eye,
     FloorPerson,
     Lane,
     OverheadScene,
     PersonMark,
     PictureScene,
+    Side,
     TimelineScene,
 )
 
@@ -33,7 +33,7 @@ def person(track: int, box: tuple[float, float, float, float], **changed: object
 
 def picture(*people: PersonMark, bgr: tuple[int, int, int] = (200, 200, 200)) -> PictureScene:
     """A plain picture of 320 x 240 pixels."""
-    return PictureScene(Eye.LEFT, 7, np.full((240, 320, 3), bgr, np.uint8), people)
+    return PictureScene(Side.LEFT, 7, np.full((240, 320, 3), bgr, np.uint8), people)
 
 
 def floor_person(track: int, at: tuple[float, float], **changed: object) -> FloorPerson:

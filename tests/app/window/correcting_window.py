@@ -25,7 +25,7 @@ LEFT = Qt.MouseButton.LeftButton
 def open_for_correcting(
     window: MainWindow, qtbot: QtBot, path: Path, frame: int = CROWDED
 ) -> RecordingController:
-    """The controller once the frame is shown in both eyes and the window has the keyboard."""
+    """The controller once the frame is shown in both cameras and the window has the keyboard."""
     window.files.open_path(path)
     qtbot.waitUntil(
         lambda: window.controller is not None and window.controller.playback.frame is not None
@@ -128,7 +128,7 @@ class Hands:
         return int(rows["track"][int(apart.min(axis=1).argmax())])
 
     def box_on(self, track: int, frame: int = CROWDED) -> QRectF:
-        """A person's box in the widget of the left eye."""
+        """A person's box in the widget of the left camera."""
         row = self.row(track, frame)
         box = QRectF(*(row[name] for name in ("left", "top", "width", "height")))
         return self.window.workspace.left.viewport.rect(box)

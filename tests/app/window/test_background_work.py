@@ -6,7 +6,7 @@ import shiboken6
 from patient import PATIENCE_S
 from PySide6.QtCore import QObject
 
-from app.background import FrameReader, Job, late_eye
+from app.background import FrameReader, Job, late_camera
 from app.views.widgets.progress_strip import ProgressStrip
 from app.views.widgets.work import Work
 from tracking.errors import CancelledError, OutputError, RecordingError
@@ -110,7 +110,7 @@ def reader(tiny_recording, no_threads_left):
         reader.close()
 
 
-def test_the_newest_request_is_answered_with_both_eyes_of_its_frame(reader, qtbot):
+def test_the_newest_request_is_answered_with_both_cameras_of_its_frame(reader, qtbot):
     answers = []
     reader.ready.connect(lambda ticket, frame: answers.append((ticket, frame)))
     for number in (3, 9, 27):
@@ -177,14 +177,14 @@ def test_a_reader_that_goes_while_it_reads_ends_in_silence(
     assert fell == []
 
 
-def test_playing_never_waits_for_the_search_for_a_late_eye(reader, qtbot, monkeypatch):
+def test_playing_never_waits_for_the_search_for_a_late_camera(reader, qtbot, monkeypatch):
     go = threading.Event()
 
     def slow(_recording, start):
         yield start
         go.wait(PATIENCE_S)
 
-    monkeypatch.setattr(late_eye, "lag_looks", slow)
+    monkeypatch.setattr(late_camera, "lag_looks", slow)
     reader.request(10)
     qtbot.waitUntil(lambda: reader.cached(20) is not None)
     with qtbot.waitSignal(reader.ready) as answer:
@@ -193,7 +193,7 @@ def test_playing_never_waits_for_the_search_for_a_late_eye(reader, qtbot, monkey
     go.set()
 
 
-def test_a_search_for_a_late_eye_ends_when_the_reader_is_closed(reader, qtbot, monkeypatch):
+def test_a_search_for_a_late_camera_ends_when_the_reader_is_closed(reader, qtbot, monkeypatch):
     looked = threading.Event()
 
     def endless(_recording, start):
@@ -201,21 +201,21 @@ def test_a_search_for_a_late_eye_ends_when_the_reader_is_closed(reader, qtbot, m
             yield start
             looked.set()
 
-    monkeypatch.setattr(late_eye, "lag_looks", endless)
+    monkeypatch.setattr(late_camera, "lag_looks", endless)
     reader.request(10)
     qtbot.waitUntil(looked.is_set)
     reader.close()
-    assert not any(thread.name == "late eye" for thread in threading.enumerate())
+    assert not any(thread.name == "late camera" for thread in threading.enumerate())
 
 
-def test_a_bug_in_the_search_for_a_late_eye_is_logged_and_frames_are_read_on(
+def test_a_bug_in_the_search_for_a_late_camera_is_logged_and_frames_are_read_on(
     reader, qtbot, monkeypatch, caplog
 ):
     def stumble(_recording, start):
         yield start
         raise ValueError("nobody expected this")
 
-    monkeypatch.setattr(late_eye, "lag_looks", stumble)
+    monkeypatch.setattr(late_camera, "lag_looks", stumble)
     reader.request(10)
     qtbot.waitUntil(lambda: "nobody expected this" in caplog.text)
     with qtbot.waitSignal(reader.ready) as answer:

@@ -324,18 +324,18 @@ def test_while_an_id_is_asked_for_other_keys_stay_shortcuts(window, controller, 
     press(Key.Key_Right)
     assert controller.playback.clock.frame == CROWDED + 1
     press(Key.Key_1)
-    assert controller.eyes == "both"  # 1 is typed, not taken for the left eye's key
+    assert controller.cameras == "both"  # 1 is typed, not taken for the left camera's key
     press(Key.Key_Backspace)
     press(Key.Key_Escape)
     assert controller.document.flow is None
     press(Key.Key_1)
-    assert controller.eyes == "left"
+    assert controller.cameras == "left"
 
 
 def test_an_edit_that_waits_leaves_the_pictures_as_large_as_they_were(
     window, controller, press, qtbot
 ):
-    controller.set_eyes("both")
+    controller.set_cameras("both")
     qtbot.wait(1)
     before = window.workspace.left.size(), window.workspace.overhead.size()
     press(Key.Key_Tab)

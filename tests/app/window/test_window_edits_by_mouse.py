@@ -11,7 +11,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QToolButton
 
 from app.presenters.correcting import EditScope
-from app.presenters.scenes import Eye
+from app.presenters.scenes import Side
 from tests.pace import pace
 from tracking.tracks import Source
 
@@ -57,7 +57,7 @@ def test_the_menu_of_every_view_is_about_who_was_clicked(hands, someone, where):
         lane = hands.lane_of(someone)
         hands.choose_in_menu(view.timeline.area, lane, "tracks.end_here")
     else:
-        hands.controller.set_eyes("both")
+        hands.controller.set_cameras("both")
         hands.qtbot.wait(5)
         people = view.right._scene.people
         mark = next(person for person in people if person.track == someone)
@@ -214,9 +214,9 @@ def test_a_box_is_drawn_for_a_new_person(hands):
     assert hands.controller.document.flow is None
 
 
-def test_a_person_dragged_over_the_floor_is_followed_in_both_eyes_until_dropped(hands, someone):
+def test_a_person_dragged_over_the_floor_is_followed_in_both_cameras_until_dropped(hands, someone):
     view = hands.window.workspace
-    hands.controller.set_eyes("both")
+    hands.controller.set_cameras("both")
     hands.qtbot.wait(5)
     before = _seen(view, someone)
     start, row = hands.place_on(someone), hands.row(someone, CROWDED)
@@ -239,10 +239,11 @@ def test_the_boxes_of_a_dragged_person_lie_on_one_epipolar_line(hands, someone):
     controller.dragging.drag_person(start["x"] + 0.4, start["y"] + 0.3)
     instant, pictures = controller.document.instant(CROWDED), controller.document.pictures
     frame, rectification = controller.playback.frame, controller.document.recording.rectification
-    eyes = [
-        pictures.scene(eye, frame, instant, controller.pictured) for eye in (Eye.LEFT, Eye.RIGHT)
+    cameras = [
+        pictures.scene(side, frame, instant, controller.pictured)
+        for side in (Side.LEFT, Side.RIGHT)
     ]
-    left, right = (next(one.box for one in eye.people if one.track == someone) for eye in eyes)
+    left, right = (next(one.box for one in side.people if one.track == someone) for side in cameras)
     assert rectification is not None
     assert rectification.identity
     assert [right[1], right[3]] == pytest.approx([left[1], left[3]], abs=0.01)  # the same rows
@@ -308,6 +309,6 @@ def test_a_click_is_answered_in_a_moment(hands, someone):
 
 
 def _seen(view, track: int) -> list[tuple[float, ...]]:
-    """A person's box in the left and the right eye."""
+    """A person's box in the left and the right camera."""
     scenes = view.left._scene, view.right._scene
     return [next(p.box for p in scene.people if p.track == track) for scene in scenes]

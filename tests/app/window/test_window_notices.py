@@ -93,7 +93,7 @@ def test_the_page_does_not_move_when_something_is_told(window, hands, qtbot):
 
 
 def test_what_is_told_hides_nobody(window, hands):
-    told = "People stand in the way of the camera: look after it.\nThe right eye is late."
+    told = "People stand in the way of the camera: look after it.\nThe right camera is late."
     for size in ((1280, 688), (1920, 1040)):
         window.resize(*size)
         window.notice.say(told, "Try again", lambda: None)

@@ -31,7 +31,7 @@ def overlay(window) -> np.ndarray | None:
 
 
 @pytest.mark.parametrize("key", [Key.Key_E, Key.Key_R])
-def test_a_key_lays_them_over_the_left_eye_and_takes_them_off(window, controller, press, key):
+def test_a_key_lays_them_over_the_left_camera_and_takes_them_off(window, controller, press, key):
     run = controller.document.session.corrected_run
     object.__setattr__(run, "tracker", "spheroid")
     object.__setattr__(run, "settings", {"paper": True})

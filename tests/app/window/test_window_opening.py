@@ -46,12 +46,12 @@ def test_what_was_told_as_a_session_was_tracked_is_said_once_and_goes_by_itself(
     window, qtbot, tiny_recording, tiny_run, tmp_path
 ):
     path = tmp_path / "noted.h5"
-    run = replace(tiny_run, notes=("tiny: the right eye was dark for 4 s.",))
+    run = replace(tiny_run, notes=("tiny: the right camera was dark for 4 s.",))
     with open_recording(tiny_recording) as recording:
         document_loader.keep_run(recording, run, path).close()
     window.files.open_path(path)
     qtbot.waitUntil(lambda: window.controller is not None)
-    assert "As it was tracked: tiny: the right eye was dark" in window.notice.text
+    assert "As it was tracked: tiny: the right camera was dark" in window.notice.text
     assert window.notice._passing.isActive()
     window.notice.hide()
     window.controller.draw()
@@ -308,7 +308,7 @@ def test_one_uncalibrated_camera_plays_and_is_tracked_in_parts(window, qtbot, ti
     said = window.workspace.timeline.findChild(TracksArea)._scene.message
     assert "Press Space" in said
     assert "The position of the floor is unknown" in window.workspace.overhead._scene.message
-    assert not window.workspace.eye_switch.isVisible()
+    assert not window.workspace.camera_switch.isVisible()
     window.run_command("play.toggle")
     assert controller.live.tracker == "three-part"
     qtbot.waitUntil(lambda: controller.live.done > 3)
@@ -318,14 +318,14 @@ def test_one_uncalibrated_camera_plays_and_is_tracked_in_parts(window, qtbot, ti
     assert controller.document.session.runs[0].tracker == "three-part"
 
 
-def test_one_camera_is_not_taken_for_the_users_choice_of_an_eye(window, qtbot, tiny_recording):
+def test_one_camera_is_not_taken_for_the_users_choice_of_a_camera(window, qtbot, tiny_recording):
     window.files.open_path(tiny_recording / "left.mp4")
     qtbot.waitUntil(lambda: _is_open(window))
-    assert window.controller.eyes == "left"
+    assert window.controller.cameras == "left"
     window.files.close()
     window.files.open_path(tiny_recording)
     qtbot.waitUntil(lambda: _is_open(window))
-    assert window.controller.eyes == "both"
+    assert window.controller.cameras == "both"
 
 
 def test_the_key_of_a_command_that_cannot_be_done_says_why(window, qtbot, tiny_recording):

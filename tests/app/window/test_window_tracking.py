@@ -155,9 +155,9 @@ def test_a_word_is_seen_beside_the_progress_of_the_tracker(opened, qtbot):
 
 
 def test_what_there_is_to_tell_of_a_tracking_is_shown_when_it_ends(opened, tiny_run):
-    opened.controller.live.notes = ("Lobby: are the eyes swapped?",)
+    opened.controller.live.notes = ("Lobby: are the cameras swapped?",)
     opened.controller.live.finished.emit(tiny_run)
-    assert "are the eyes swapped?" in opened.notice.text
+    assert "are the cameras swapped?" in opened.notice.text
     assert not opened.notice._passing.isActive()
 
 
@@ -176,7 +176,7 @@ def test_which_run_is_corrected_is_told_until_another_one_is(opened, tiny_run, q
     controller.document.take_session(Session.create(controller.document.recording, [tiny_run]))
     controller.document.begin_live()
     controller.live.ended = RunSummary.of(tiny_run, [tiny_run.tracks], tiny_run.frames)
-    controller.live.notes = ("Lobby: are the eyes swapped?",)
+    controller.live.notes = ("Lobby: are the cameras swapped?",)
     controller.tracking.add_run(tiny_run)
     opened.bring_up_to_date()
     assert "Kept as run 1, and its tracks are the ones to correct now" in opened.notice.text

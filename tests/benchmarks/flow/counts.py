@@ -21,7 +21,7 @@ STRETCH_S = 20.0
 """Sums are told for stretches of a recording, too."""
 
 SEEN = 0.1
-"""Share of a person that an eye needs to count it."""
+"""Share of a person that a camera needs to count it."""
 
 JITTER_M = 0.2
 """Who sways over a line has not passed."""

@@ -23,7 +23,7 @@ BELOW = CountingLine("below the camera", (0.0, -3.0), (0.0, 3.0))
 """Forward is from left to right."""
 
 TWO_EYES = "stereo-direction"
-"""To compare with, where both eyes are there."""
+"""To compare with, where both cameras are there."""
 
 PETS = "pets-s2l1-real"
 PETS_LINES = (

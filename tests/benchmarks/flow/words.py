@@ -44,7 +44,7 @@ PICTURE = """
 OVERHEAD = """
 ## Real footage
 
-The overhead recording (2.74 m, straight down, grey, hard shadows, one eye of two): four passages
+The overhead recording (2.74 m, straight down, grey, hard shadows, one camera of two): four passages
 below the camera, seen by eye. Somebody's feet stand at the picture's edge meanwhile.
 """
 

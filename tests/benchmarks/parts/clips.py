@@ -76,7 +76,7 @@ TUNED_CROUCHING = _clips("crouching", range(4151, 4153))
 
 
 def folder_of(clip: Clip, kept: Path | None = None) -> Path:
-    """The clip's recording of the left eye, rendered if it is not there yet.
+    """The clip's recording of the left camera, rendered if it is not there yet.
 
     Clips stand apart by what they were rendered with: none is left over from another rendering.
 
@@ -88,7 +88,7 @@ def folder_of(clip: Clip, kept: Path | None = None) -> Path:
     folder = above / rendering() / f"{clip.scene}-{clip.seed}"
     if not (folder / "truth_parts.csv").is_file():
         print(f"rendering {folder}", file=sys.stderr)
-        render_recording(folder, clip.spec, seed=clip.seed, fps=FPS, eyes=1)
+        render_recording(folder, clip.spec, seed=clip.seed, fps=FPS, cameras=1)
     return folder
 
 

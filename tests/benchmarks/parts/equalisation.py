@@ -76,7 +76,7 @@ def targets(clips: Sequence[Clip], images: int) -> Iterator[Target]:
     """Whole people in frames spread over the clips, as many as there are images."""
     shares = np.array_split(np.arange(images), len(clips))
     for clip, share in zip(clips, shares, strict=True):
-        scene = Scene(SCENES[clip.scene], seed=clip.seed, eyes=1)
+        scene = Scene(SCENES[clip.scene], seed=clip.seed, cameras=1)
         for target in np.linspace(0, scene.frames - 1, len(share) + 2)[1:-1].astype(int):
             yield _target(scene, int(target))
 

@@ -22,7 +22,7 @@ class Clips:
     Attributes:
         standing, walking, pairs: on the marks ([Waechter2013] tables 1 and 2).
         situations: [Waechter2013] table 3.
-        places: recorded with two eyes, so that one can be compared with both.
+        places: recorded with two cameras, so that one can be compared with both.
         peopled: begin with people in them.
         dimmed: a part of the light goes out.
         bumped: the camera is knocked.
@@ -59,7 +59,7 @@ def _clips(seeds: tuple[int, ...]) -> Clips:
 
 
 def _disturbed_clip(scene: str, seed: int, **disturbances: float) -> Clip:
-    return Clip(scene, seed, SECONDS, eyes=1, disturbances=Disturbances(**disturbances))
+    return Clip(scene, seed, SECONDS, cameras=1, disturbances=Disturbances(**disturbances))
 
 
 TUNED = _clips((5101,))

@@ -1,4 +1,4 @@
-"""One camera in other scenes and in real footage, beside two eyes on the same truth."""
+"""One camera in other scenes and in real footage, beside two cameras on the same truth."""
 
 from __future__ import annotations
 

@@ -53,7 +53,7 @@ half of the frames. People of whom less than three tenths are seen do not count.
 PLACES = """
 ## One camera beside two
 
-Scenes that are made for two eyes, {seconds:g} s each, with the left eye alone (`spheroid`,
+Scenes that are made for two cameras, {seconds:g} s each, with the left camera alone (`spheroid`,
 `three-part`) and with both (`stereo-direction`), on the same truth, matched on the floor within
 {radius:g} m. Here and on the real footage above one sees which of the two is the better default
 for one calibrated camera.

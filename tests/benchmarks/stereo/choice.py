@@ -1,4 +1,4 @@
-"""The trackers for two eyes as they come, beside each other: which to take."""
+"""The trackers for two cameras as they come, beside each other: which to take."""
 
 from __future__ import annotations
 

@@ -39,7 +39,7 @@ class Clips:
 
     @property
     def sound(self) -> tuple[Clip, ...]:
-        """Clips whose right eye is troubled afterwards."""
+        """Clips whose right camera is troubled afterwards."""
         return tuple(self.of_scene[scene][0] for scene in _ROBUSTNESS)
 
     def folders(self, kept: Path | None = None) -> dict[str, Path]:

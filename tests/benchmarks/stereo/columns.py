@@ -8,7 +8,7 @@ OURS = Variant("stereo-joint")
 """The default for stereo recordings."""
 
 AS_THEY_COME = (OURS.tracker, "stereo-direction", "stereo-colour")
-"""All trackers for two eyes."""
+"""All trackers for two cameras."""
 
 DISTANCE, COLOUR, DIRECTION, OWN = "distance", "distance + colour", "all three", "stereo-joint"
 CUES = (DISTANCE, COLOUR, DIRECTION)

@@ -26,10 +26,10 @@ class Disturbance:
 
     Attributes:
         name: in tables and of folders.
-        noise: standard deviation in both eyes, grey levels.
-        flicker: share of the light that comes and goes, at other instants in the other eye.
-        blurred_px: standard deviation by which the right eye is out of focus.
-        lower_px, turned_deg: by which the right eye is out of level.
+        noise: standard deviation in both cameras, grey levels.
+        flicker: share of the light that comes and goes, at other instants in the other camera.
+        blurred_px: standard deviation by which the right camera is out of focus.
+        lower_px, turned_deg: by which the right camera is out of level.
     """
 
     name: str
@@ -39,17 +39,17 @@ class Disturbance:
     lower_px: float = 0.0
     turned_deg: float = 0.0
 
-    def seen(self, picture: Image, frame: int, eye: int) -> Image:
-        """A picture as it is seen; eye: 0 left, 1 right."""
-        if eye and self.blurred_px:
+    def seen(self, picture: Image, frame: int, side: int) -> Image:
+        """A picture as it is seen; camera: 0 left, 1 right."""
+        if side and self.blurred_px:
             picture = np.asarray(cv2.GaussianBlur(picture, (0, 0), self.blurred_px), np.uint8)
-        if eye and (self.lower_px or self.turned_deg):
+        if side and (self.lower_px or self.turned_deg):
             picture = self._out_of_level(picture)
         if self.flicker:
-            light = 1 + self.flicker * np.sin(_FLICKER_RAD * frame + 0.7 * eye)
+            light = 1 + self.flicker * np.sin(_FLICKER_RAD * frame + 0.7 * side)
             picture = np.asarray(cv2.convertScaleAbs(picture, alpha=light), np.uint8)
         if self.noise:
-            random = np.random.default_rng((frame, eye))
+            random = np.random.default_rng((frame, side))
             grain = random.standard_normal(picture.shape, np.float32) * np.float32(self.noise)
             picture = np.rint((picture + grain).clip(0, 255)).astype(np.uint8)
         return picture
@@ -65,9 +65,9 @@ class Disturbance:
 
 DISTURBANCES = (
     Disturbance("noise of 6 grey levels", noise=6.0),
-    Disturbance("lamps flicker by 4 per cent, unlike in both eyes", flicker=0.04),
-    Disturbance("right eye out of focus by 1.2 px", blurred_px=1.2),
-    Disturbance("right eye 1 px lower and turned by 0.2 degrees", lower_px=1.0, turned_deg=0.2),
+    Disturbance("lamps flicker by 4 per cent, unlike in both cameras", flicker=0.04),
+    Disturbance("right camera out of focus by 1.2 px", blurred_px=1.2),
+    Disturbance("right camera 1 px lower and turned by 0.2 degrees", lower_px=1.0, turned_deg=0.2),
 )
 
 

@@ -1,4 +1,4 @@
-"""What light, a failing right eye and poor cameras do to our tracker."""
+"""What light, a failing right camera and poor cameras do to our tracker."""
 
 from __future__ import annotations
 

@@ -18,17 +18,17 @@ PICTURE = np.random.default_rng(3).integers(60, 180, (48, 64, 3)).astype(np.uint
 
 
 @pytest.mark.parametrize("disturbance", DISTURBANCES, ids=lambda one: one.name)
-def test_a_disturbance_is_the_same_each_time_and_spoils_the_eyes_it_names(
+def test_a_disturbance_is_the_same_each_time_and_spoils_the_cameras_it_names(
     disturbance: Disturbance,
 ) -> None:
-    left, right = (disturbance.seen(PICTURE, 5, eye) for eye in (0, 1))
+    left, right = (disturbance.seen(PICTURE, 5, side) for side in (0, 1))
     assert (right == disturbance.seen(PICTURE, 5, 1)).all()
     assert (right != PICTURE).any()
     both = bool(disturbance.noise or disturbance.flicker)
     assert bool((left != PICTURE).any()) == both
 
 
-def test_an_eye_that_is_lower_shows_the_same_in_another_row() -> None:
+def test_a_camera_that_is_lower_shows_the_same_in_another_row() -> None:
     seen = Disturbance("lower", lower_px=2.0).seen(PICTURE, 0, 1)
     assert (seen[2:] == PICTURE[:-2]).all()
 

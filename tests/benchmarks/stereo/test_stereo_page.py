@@ -1,4 +1,4 @@
-"""The page of the stereo trackers, made of figures, and recordings with a troubled right eye."""
+"""The page of the stereo trackers, made of figures, and recordings with a troubled right camera."""
 
 from __future__ import annotations
 
@@ -216,7 +216,7 @@ def test_a_tracker_that_is_ahead_in_everything_is_told_once() -> None:
     assert "ahead in everything" in said
 
 
-def test_every_tracker_for_two_eyes_is_compared_as_it_comes() -> None:
+def test_every_tracker_for_two_cameras_is_compared_as_it_comes() -> None:
     assert {spec.name for spec in TRACKERS.values() if spec.needs_stereo} == set(AS_THEY_COME)
 
 
@@ -334,7 +334,7 @@ def test_a_tracker_of_others_that_could_not_be_measured_says_why() -> None:
     assert "| stereo-joint, with colours, finished | 5 | 0.900 |" in page
 
 
-def test_a_troubled_right_eye_shows_other_pictures_and_the_left_its_own(tmp_path: Path) -> None:
+def test_a_troubled_right_camera_shows_other_pictures_and_the_left_its_own(tmp_path: Path) -> None:
     sound = render_recording(tmp_path / "clip", "lobby", 0.5, 1, 6001, size=(64, 48))
     late = troubled(sound, Trouble("late", lag=2))
     dark = troubled(sound, Trouble("dark", dark=True, start_s=0.2, end_s=0.4))
@@ -351,7 +351,7 @@ def _brightest(recording: Recording, frame: int) -> int:
     return int(right.max())
 
 
-def test_a_late_eye_is_late_by_its_lag_and_a_still_one_keeps_its_last_picture() -> None:
+def test_a_late_camera_is_late_by_its_lag_and_a_still_one_keeps_its_last_picture() -> None:
     assert [Trouble("late", lag=2).shown(n, 20.0) for n in (0, 1, 2, 9)] == [0, 0, 0, 7]
     still = Trouble("still", still=True, start_s=1.0, end_s=2.0)
     assert [still.shown(n, 20.0) for n in (19, 20, 39, 40)] == [19, 19, 19, 40]

@@ -140,14 +140,14 @@ def _tracked(
     perception.learn(background_samples(recording))
     steps = [KeptSteps() for _ in variants]
     seeing, following = _Stopwatch(), [_Stopwatch() for _ in variants]
-    eyes, instants = perception.eyes, Instants(recording)
-    if eyes is not None:
-        begin_pairing(eyes, instants, 0)
+    pairing, instants = perception.stereo_watch, Instants(recording)
+    if pairing is not None:
+        begin_pairing(pairing, instants, 0)
     for frame in instants.frames(0, recording.frame_count):
         with seeing:
             seen = perception.observe(frame)
-        if eyes is not None:
-            instants.lag = eyes.pairing
+        if pairing is not None:
+            instants.lag = pairing.pairing
         for (_, tracker), own, watch in zip(built, steps, following, strict=True):
             with watch:
                 step = tracker.step(seen)

@@ -1,4 +1,4 @@
-"""Recordings whose right eye fails or lags, made of sound ones."""
+"""Recordings whose right camera fails or lags, made of sound ones."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _RIGHT = "right.mp4"
 
 @dataclass(frozen=True, slots=True)
 class Trouble:
-    """What is wrong with the right eye: it is late all along, or fails from one second to another.
+    """A fault of the right camera: it is late throughout, or fails for some seconds.
 
     Attributes:
         name: in tables and of folders.
@@ -38,7 +38,7 @@ class Trouble:
     end_s: float = np.inf
 
     def shown(self, number: int, fps: float) -> int:
-        """Which of the right eye's pictures is shown in a frame; -1: none."""
+        """Which of the right camera's pictures is shown in a frame; -1: none."""
         failing = self.start_s <= number / fps < self.end_s
         if failing and self.dark:
             return -1
@@ -48,13 +48,13 @@ class Trouble:
 
 
 TROUBLES = (
-    Trouble("right eye two frames late", lag=2),
-    Trouble("right eye twelve frames late", lag=12),
-    Trouble("right eye eight frames ahead", lag=-8),
-    Trouble("right eye dark for four seconds", dark=True, start_s=12.0, end_s=16.0),
-    Trouble("right eye stands still for four seconds", still=True, start_s=12.0, end_s=16.0),
+    Trouble("right camera two frames late", lag=2),
+    Trouble("right camera twelve frames late", lag=12),
+    Trouble("right camera eight frames ahead", lag=-8),
+    Trouble("right camera dark for four seconds", dark=True, start_s=12.0, end_s=16.0),
+    Trouble("right camera stands still for four seconds", still=True, start_s=12.0, end_s=16.0),
     Trouble(
-        "right eye twelve frames late, and still for four seconds",
+        "right camera twelve frames late, and still for four seconds",
         lag=12,
         still=True,
         start_s=12.0,
@@ -64,7 +64,7 @@ TROUBLES = (
 
 
 def troubled(folder: Path, trouble: Trouble) -> Path:
-    """A copy of a rendered recording whose right eye is troubled, made once, beside it."""
+    """A copy of a rendered recording whose right camera is troubled, made once, beside it."""
     made = beside(folder, trouble, Path(__file__))
     if made.is_dir():
         return made
@@ -84,7 +84,7 @@ def _write(path: Path, recording: Recording, trouble: Trouble) -> None:
 
 
 def _pictures(recording: Recording, trouble: Trouble) -> Iterator[Image]:
-    """What the right eye shows, frame by frame."""
+    """What the right camera shows, frame by frame."""
     dark = np.zeros((recording.size[1], recording.size[0], 3), np.uint8)
     last, picture = -1, dark
     for frame in range(recording.frame_count):

@@ -8,7 +8,7 @@ from tests.benchmarks.stereo.clips import FIRST_FRESH
 INTRODUCTION = f"""
 # Results: stereo trackers
 
-How well people are followed by two eyes, measured and written by one command:
+How well people are followed by two cameras, measured and written by one command:
 
     python -m tests.benchmarks.stereo --report
 
@@ -95,9 +95,9 @@ longer than anybody is waited for).
 TRACKERS = """
 ## Which tracker to take
 
-All trackers for two eyes as they come, at their defaults, on the fresh clips (seeds {seeds}). Rows
-match by box, at an overlap of one half; misses and false alarms are in per cent of the boxes of the
-truth. The error is the distance on the floor. The time is processor time of following alone,
+All trackers for two cameras as they come, at their defaults, on the fresh clips (seeds {seeds}).
+Rows match by box, at an overlap of one half; misses and false alarms are in per cent of the boxes
+of the truth. The error is the distance on the floor. The time is processor time of following alone,
 finishing the run included, on the machine that measured all of it; finding the people, which is the
 same for all three, took {seeing_ms:.1f} ms a frame there. How the trackers for one camera do is
 told on [pages of their own](../results.md).
@@ -154,7 +154,7 @@ KINDS = {
 REAL = """
 ## Real footage
 
-The overhead recording (two eyes 7.4 cm apart, 2.74 m, straight down, grey, hard shadows and sun
+The overhead recording (two cameras 7.4 cm apart, 2.74 m, straight down, grey, hard shadows and sun
 flecks, 627 frames; the exposure settles until about frame 60): four people pass, one after the
 other. When they do was seen by eye, so the first and last frames are not exact; people are only
 partly in the picture then.
@@ -189,11 +189,11 @@ grey everybody else's.
 """
 
 ROBUSTNESS = """
-## Light that changes, a right eye that fails or lags, poor cameras
+## Light that changes, a right camera that fails or lags, poor cameras
 
-A part of the light goes out within a second (clips of 15 s), or the right eye of a clip of 30 s is
-late or ahead by frames throughout, dark, or shows one picture for four seconds from the twelfth
-on; or, throughout, both eyes are noisy or see lamps flicker, or the right one is out of focus or
+A part of the light goes out within a second (clips of 15 s), or the right camera of a clip of 30 s
+is late or ahead by frames throughout, dark, or shows one picture for four seconds from the twelfth
+on; or, throughout, both cameras are noisy or see lamps flicker, or the right one is out of focus or
 not level with the left one. "Longest alone" is the longest stretch in which a track stands where
 nobody is within a metre. Rows match by box; the clips are the first of those measured often.
 """

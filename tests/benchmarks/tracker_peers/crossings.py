@@ -59,14 +59,14 @@ def crossing_clip(folder: Path, seed: int, frames: int = FRAMES) -> Clip:
 
 
 def _write_recording(folder: Path, frames: int) -> None:
-    """Two eyes without anything to see over a floor: what trackers ask of a recording."""
+    """Two cameras without anything to see over a floor: what trackers ask of a recording."""
     if (folder / "recording.toml").is_file():
         return
     _, black = cv2.imencode(".png", np.zeros((480, 640), np.uint8))
-    for eye in ("left", "right"):
-        (folder / eye).mkdir(parents=True, exist_ok=True)
+    for camera in ("left", "right"):
+        (folder / camera).mkdir(parents=True, exist_ok=True)
         for frame in range(frames):
-            (folder / eye / f"{frame:04}.png").write_bytes(black.tobytes())
+            (folder / camera / f"{frame:04}.png").write_bytes(black.tobytes())
     rig = StereoCalibration(_CAMERA, _CAMERA, np.eye(3), np.array([-0.12, 0.0, 0.0]))
     write_calibration(folder / "rig.yaml", rig)
     manifest = Manifest(

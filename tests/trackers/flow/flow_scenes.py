@@ -89,5 +89,5 @@ def tracked(
 
 
 def frame_of(number: int, picture: Picture) -> StereoFrame:
-    """A frame of one eye."""
+    """A frame of one camera."""
     return StereoFrame(number, number / FPS, picture, None)

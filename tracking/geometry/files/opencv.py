@@ -38,9 +38,9 @@ def calibration_of_opencv(
     )
 
 
-def _camera(values: Mapping[str, Any], eye: str, where: Path, size: tuple[int, int]) -> Camera:
-    distortion = _matrix(values, f"D{eye}", where) if f"D{eye}" in values else np.zeros(0)
-    return Camera(_matrix(values, f"M{eye}", where), distortion, *size)
+def _camera(values: Mapping[str, Any], side: str, where: Path, size: tuple[int, int]) -> Camera:
+    distortion = _matrix(values, f"D{side}", where) if f"D{side}" in values else np.zeros(0)
+    return Camera(_matrix(values, f"M{side}", where), distortion, *size)
 
 
 def _matrix(values: Mapping[str, Any], name: str, where: Path) -> Floats:

@@ -25,10 +25,10 @@ def is_ros(values: Mapping[str, Any]) -> bool:
 def calibration_of_ros(
     files: Sequence[tuple[Path, Mapping[str, Any]]], size: tuple[int, int] | None
 ) -> StereoCalibration:
-    """The calibration of one camera_info, or of the left and the right eye's.
+    """The calibration of one camera_info, or of the left and the right camera's.
 
-    Each eye's rectification_matrix turns it into common rectified axes, in which the right eye
-    stands at -Tx / fx of its projection_matrix. R and T follow from that.
+    Each camera's rectification_matrix turns it into common rectified axes, in which the right
+    camera stands at -Tx / fx of its projection_matrix. R and T follow from that.
     """
     cameras = [_camera(where, values, size) for where, values in files]
     if len(cameras) == 1:

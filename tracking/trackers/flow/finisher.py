@@ -27,7 +27,7 @@ _LEAST_LED_S = 1.0
 _LEAST_M_S, _LEAST_WAY_M = 0.5, 0.8
 """Who was followed for less, or is slower, or has come less far, leads nowhere."""
 _MEMORY_S = 0.25
-"""Places seen err for longer than those of two eyes do: more of them make a path."""
+"""Places seen err for longer than those of two cameras do: more of them make a path."""
 _CHEST_M = 1.2
 
 

@@ -46,8 +46,8 @@ class FlowPerception:
         foreground: settings; None for the usual ones.
     """
 
-    eyes: None = None
-    """It looks with one eye."""
+    stereo_watch: None = None
+    """It looks with one camera."""
 
     def __init__(self, fps: float, foreground: ForegroundSettings | None = None) -> None:
         self._background = BackgroundModel(fps, foreground)
@@ -83,5 +83,5 @@ class FlowPerception:
         return mask
 
 
-def _overlays(mask: Mask, eye: Image) -> Overlays:
-    return Overlays(double(_LAID[mask], (eye.shape[1], eye.shape[0])), None)
+def _overlays(mask: Mask, image: Image) -> Overlays:
+    return Overlays(double(_LAID[mask], (image.shape[1], image.shape[0])), None)

@@ -84,9 +84,9 @@ def _strips(flat: FlatView, xy: Floats, z_m: float, half_m: float) -> Strips:
         xy[..., 0] * row[0] + xy[..., 1] * row[1] + (z_m * row[2] + row[3]) for row in matrix
     )
     depth = np.where(depth > 1e-6, depth, np.nan)
-    eye = np.asarray(flat.eye)
-    away2 = (xy[..., 0] - eye[0]) ** 2 + (xy[..., 1] - eye[1]) ** 2
-    down = eye[2] ** 2 / (away2 + eye[2] ** 2)
+    camera_position = np.asarray(flat.camera_position)
+    away2 = (xy[..., 0] - camera_position[0]) ** 2 + (xy[..., 1] - camera_position[1]) ** 2
+    down = camera_position[2] ** 2 / (away2 + camera_position[2] ** 2)
     focal_px = float(np.linalg.norm(np.cross(matrix[0, :3], matrix[2, :3])))
     px_per_m = focal_px / depth
     along = px_per_m * np.sqrt(half_m**2 * (1.0 - down) + _RADIUS_M**2 * down)
@@ -132,7 +132,9 @@ def _whose(flat: FlatView, shape: tuple[int, ...], own: Ellipses, axes: Floats) 
     whose = np.zeros(shape[:2], np.uint16)
     outlines = np.stack((own.polygons(_CORNERS), foot_zones(flat, axes).polygons(_CORNERS)), axis=1)
     corners = np.rint(np.clip(np.nan_to_num(outlines), -_FAR_PX, _FAR_PX)).astype(np.int32)
-    far_first = np.argsort(-np.hypot(*(axes - np.asarray(flat.eye)[:2]).T), kind="stable")
+    far_first = np.argsort(
+        -np.hypot(*(axes - np.asarray(flat.camera_position)[:2]).T), kind="stable"
+    )
     for row in far_first.tolist():
         for corner, outline in zip(corners[row], outlines[row], strict=True):
             if np.isfinite(outline).all():

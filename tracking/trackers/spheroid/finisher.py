@@ -12,7 +12,7 @@ from tracking.tracks.run import Run
 def finish_run(run: Run, view: View, fps: float, given: Columns | None = None) -> Run:
     """The run with one id for each person, smoothed from both ends; see `link_run`.
 
-    Beyond [Waechter2013]: behind pillars and other people somebody seen by one eye is lost and
+    Beyond [Waechter2013]: behind pillars and other people somebody seen by one camera is lost and
     found again under a new id, and who meets somebody may be taken for them. Runs made as published
     keep the ids they were given.
 

@@ -54,12 +54,12 @@ class FloorCells:
 
 def _net(flat: FlatView, height_m: float) -> Floats:
     """(n, 2) m, rings round the point below the camera."""
-    eye_m = float(flat.eye[2])
+    camera_m = float(flat.camera_position[2])
     reach = [0.0]
     focal_px = float(np.linalg.norm(np.cross(flat.projection[0, :3], flat.projection[2, :3])))
-    farthest = min(_FARTHEST_M, float(np.sqrt(_COARSEST_M * eye_m * focal_px)))
+    farthest = min(_FARTHEST_M, float(np.sqrt(_COARSEST_M * camera_m * focal_px)))
     while reach[-1] < farthest:
-        reach.append(reach[-1] + max(_ACROSS_M, _ALONG * height_m * reach[-1] / eye_m))
+        reach.append(reach[-1] + max(_ACROSS_M, _ALONG * height_m * reach[-1] / camera_m))
     bearing = _bearings(flat)
     rings = []
     for radius in reach:

@@ -60,7 +60,7 @@ def _is_ghost(
     shrunk = np.rint((recorded + 0.5) / flat.shrink - 0.5).astype(np.intp)
     limit = np.array(seen.picture.shape[1::-1]) - 2
     u, v = np.clip(np.nan_to_num(shrunk), 1, limit).T.astype(np.intp)
-    now, usual = (_edges(eye, u, v) for eye in (seen.picture, seen.background))
+    now, usual = (_edges(image, u, v) for image in (seen.picture, seen.background))
     return usual > _STRONGER * now
 
 

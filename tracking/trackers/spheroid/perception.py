@@ -60,7 +60,7 @@ class Bodies:
 
 
 class SpheroidPerception:
-    """Turns pictures of one fixed camera, or of the left eye of two, into flat ramp pictures.
+    """Turns pictures of one fixed camera, or of the left camera of two, into flat ramp pictures.
 
     People are not looked for here: hypotheses of where they are explain the whole picture.
 
@@ -69,8 +69,8 @@ class SpheroidPerception:
         foreground, ramp: settings; None for the usual ones.
     """
 
-    eyes: None = None
-    """It looks with one eye."""
+    stereo_watch: None = None
+    """It looks with one camera."""
 
     def __init__(
         self,
@@ -157,15 +157,15 @@ class SpheroidPerception:
             mask = np.asarray(cv2.dilate(kept, _PROTECTED), np.uint8)
         self._background.update(self._last, mask)
 
-    def _working(self, eye: Image) -> Image:
-        """The eye at the working scale."""
-        return shrunk(eye, self.flat.shrink)
+    def _working(self, image: Image) -> Image:
+        """The camera at the working scale."""
+        return shrunk(image, self.flat.shrink)
 
-    def _overlays(self, mask: Picture, weight: Picture, eye: Image) -> Overlays:
+    def _overlays(self, mask: Picture, weight: Picture, image: Image) -> Overlays:
         shown = mask.copy()
         shown[(weight < _SHADOW) & (mask > 0)] = 127
-        if shown.shape != eye.shape[:2]:
-            size = (eye.shape[1], eye.shape[0])
+        if shown.shape != image.shape[:2]:
+            size = (image.shape[1], image.shape[0])
             shown = np.asarray(cv2.resize(shown, size, interpolation=cv2.INTER_NEAREST), np.uint8)
         return Overlays(shown, None)
 

@@ -18,7 +18,7 @@ from tracking.trackers.spheroid.tracker import SpheroidTracker
 def build_spheroid(
     recording: Recording, settings: SpheroidSettings, seed: int
 ) -> tuple[SpheroidPerception, SpheroidTracker]:
-    """Perception and tracker at their start; of a stereo recording the left eye is looked at.
+    """Perception and tracker at their start; of a stereo recording the left camera is looked at.
 
     Raises:
         CalibrationError: the recording has not what metres on the floor need.

@@ -21,8 +21,8 @@ def seen_steeply(people: Followed, flat: FlatView, slope: float = 1.0) -> Flags:
 
 def steep_places(xy: NDArray[np.float64], flat: FlatView, slope: float = 1.0) -> Flags:
     """(n,) whether the camera looks down so on places xy (n, 2) m of the floor."""
-    eye = np.asarray(flat.eye)
-    return np.asarray(slope * np.hypot(*(xy - eye[:2]).T) < eye[2])
+    camera_position = np.asarray(flat.camera_position)
+    return np.asarray(slope * np.hypot(*(xy - camera_position[:2]).T) < camera_position[2])
 
 
 def headless(people: Followed, flat: FlatView) -> Flags:
@@ -38,7 +38,7 @@ def near_side_hidden(people: Followed, outlines: Ellipses, flat: FlatView) -> Fl
     Args:
         outlines: (people) their silhouettes.
     """
-    towards = flat.eye[:2] - people.xy
+    towards = flat.camera_position[:2] - people.xy
     away_m = np.maximum(np.hypot(*towards.T), 1e-6)
     before = people.xy + towards * np.minimum(_BEFORE_M / away_m, 1.0)[:, None]
     u, v = flat.flat_from_world(np.column_stack((before, np.zeros(len(people))))).T

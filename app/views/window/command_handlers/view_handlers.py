@@ -61,9 +61,9 @@ def _toggle_truth(controller: RecordingController) -> None:
 
 
 VIEWING: dict[str, RecordingHandler] = {
-    "view.left": lambda controller: controller.set_eyes("left"),
-    "view.both": lambda controller: controller.set_eyes("both"),
-    "view.anaglyph": lambda controller: controller.set_eyes("anaglyph"),
+    "view.left": lambda controller: controller.set_cameras("left"),
+    "view.both": lambda controller: controller.set_cameras("both"),
+    "view.anaglyph": lambda controller: controller.set_cameras("anaglyph"),
     "view.whole": lambda controller: controller.window_page.show_whole(),
     "view.grid": _toggle("grid"),
     "view.particles": _toggle("particles"),

@@ -5,7 +5,7 @@ from drawn_scenes import picture
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-from app.presenters.scenes import Eye
+from app.presenters.scenes import Side
 from app.views.labelling.shapes import ShapesLayer
 from app.views.pictures.picture import PictureView
 
@@ -17,7 +17,7 @@ LEFT = Qt.MouseButton.LeftButton
 
 @pytest.fixture
 def layer(qtbot, dark):
-    view = PictureView(Eye.LEFT)
+    view = PictureView(Side.LEFT)
     qtbot.addWidget(view)
     view.resize(300, 240)
     view.show_scene(picture())

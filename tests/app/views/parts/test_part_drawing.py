@@ -14,7 +14,7 @@ from PySide6.QtGui import QImage, QPainter
 
 from app.presenters.parts.part_curve import LaneScore, PartCurve
 from app.presenters.parts.parts_scene import CardLine, PartBox, PartCard, PicturedParts, Verdict
-from app.presenters.scenes import Eye
+from app.presenters.scenes import Side
 from app.views.look.theme import contrast, current_theme
 from app.views.parts.cards import leaders
 from app.views.pictures import box_names
@@ -40,7 +40,7 @@ def pixels(image: QImage) -> np.ndarray:
 def test_even_light_particles_are_seen_on_any_clothes_from_far_and_near(
     qtbot, dark, drawn, ground, close
 ):
-    view = PictureView(Eye.LEFT)
+    view = PictureView(Side.LEFT)
     qtbot.addWidget(view)
     view.resize(300, 240)
     view.show_scene(picture(bgr=ground))
@@ -63,7 +63,7 @@ def test_in_a_crowd_parts_of_one_hide_no_number_of_another(qtbot, dark, drawn, m
     plates = []
     draw = box_names.draw_plate
     monkeypatch.setattr(box_names, "draw_plate", lambda *it: (plates.append(it[1]), draw(*it)))
-    view = PictureView(Eye.LEFT)
+    view = PictureView(Side.LEFT)
     qtbot.addWidget(view)
     view.resize(640, 480)
     view.show_scene(picture(person(8, (100, 80, 60, 100), colour=PURPLE)))
@@ -82,7 +82,7 @@ def test_in_a_crowd_parts_of_one_hide_no_number_of_another(qtbot, dark, drawn, m
 def test_cards_of_others_are_left_out_of_a_low_picture(qtbot, dark, monkeypatch):
     shown = []
     monkeypatch.setattr(picture_view, "draw_cards", lambda _, cards, *__: shown.append(cards))
-    view = PictureView(Eye.LEFT)
+    view = PictureView(Side.LEFT)
     qtbot.addWidget(view)
     view.show_scene(picture())
     line = CardLine(0, "head: on", Verdict.ON, (10.0, 10.0, 8.0, 8.0))

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from PySide6.QtCore import QEvent, QRectF
 from PySide6.QtWidgets import QApplication
 
-from app.presenters.scenes import Eye
+from app.presenters.scenes import Side
 from app.views.look.theme import scaled_font
 from app.views.pictures import box_names
 from app.views.pictures.picture import PictureView
@@ -24,7 +24,7 @@ BOXES = st.tuples(
 
 @pytest.fixture
 def view(qtbot, dark):
-    widget = PictureView(Eye.LEFT)
+    widget = PictureView(Side.LEFT)
     qtbot.addWidget(widget)
     widget.resize(640, 480)
     widget.show_scene(picture())
@@ -244,6 +244,6 @@ def test_a_name_makes_way_for_a_message_about_the_same_people(view, plates):
     drawn = plates(person(1, (140, 234, 40, 5)))  # low down, where there is no other place
     assert drawn
     drawn.clear()
-    view.show_scene(replace(view._scene, message="Frame 128 of this eye: the same instant"))
+    view.show_scene(replace(view._scene, message="Frame 128 of this camera: the same instant"))
     view.grab()
     assert not drawn

@@ -1,4 +1,4 @@
-"""An eye's name, its message and its legend hide nothing of each other, however narrow the eye."""
+"""An image's name, message and legend do not cover each other, however narrow it is."""
 
 from __future__ import annotations
 
@@ -27,18 +27,18 @@ SIZES = ((900, 600), (480, 360), (290, 217))
 
 @pytest.fixture
 def view(qtbot, dark):
-    widget = PictureView(picture().eye)
+    widget = PictureView(picture().side)
     qtbot.addWidget(widget)
     return widget
 
 
 @pytest.fixture
 def looks(view):
-    """Draws an eye of this name, message and legend: (height, width, 4)."""
+    """Draws a camera of this name, message and legend: (height, width, 4)."""
 
     def drawn(name="", said="", legend=(), people=()):
         view.show_scene(replace(picture(*people), message=said, legend=legend))
-        view._eye_name = name
+        view._camera_name = name
         shot = view.grab().toImage().convertToFormat(QImage.Format.Format_RGB32)
         return np.array(shot.constBits()).reshape(shot.height(), shot.width(), 4).copy()
 
@@ -52,8 +52,8 @@ def inked(looks):
 
 
 @pytest.mark.parametrize("size", SIZES)
-@pytest.mark.parametrize("name", ["Right eye", "Both eyes, for red and cyan glasses"])
-@pytest.mark.parametrize("said", ["Frame 128 of this eye: the same instant", SAID])
+@pytest.mark.parametrize("name", ["Right camera", "Both cameras, for red and cyan glasses"])
+@pytest.mark.parametrize("said", ["Frame 128 of this camera: the same instant", SAID])
 def test_none_of_them_hides_another(view, inked, size, name, said):
     view.resize(*size)
     alone = [inked(name), inked("", said), inked(legend=LEGEND)]
@@ -62,15 +62,15 @@ def test_none_of_them_hides_another(view, inked, size, name, said):
 
 def test_a_picture_too_low_for_all_has_name_and_message(view, inked):
     view.resize(*LOW)
-    both = inked("Right eye", SAID)
-    assert both.sum() > 0.98 * (inked("Right eye").sum() + inked("", SAID).sum())
-    assert (inked("Right eye", SAID, LEGEND) == both).all()
+    both = inked("Right camera", SAID)
+    assert both.sum() > 0.98 * (inked("Right camera").sum() + inked("", SAID).sum())
+    assert (inked("Right camera", SAID, LEGEND) == both).all()
 
 
 @pytest.mark.parametrize("size", [*SIZES, LOW])
 def test_a_message_wider_than_the_picture_goes_on_below(view, inked, size):
     view.resize(*size)
-    for ink in (inked("", SAID), inked("Both eyes, for red and cyan glasses")):
+    for ink in (inked("", SAID), inked("Both cameras, for red and cyan glasses")):
         assert ink.any()
         assert not ink[:, :4].any()
         assert not ink[:, -4:].any()
@@ -80,7 +80,7 @@ def _words(view):
     """Where name, message and legend stand beside the people who are shown."""
     metrics = QFontMetricsF(scaled_font(view.font(), 0.92))
     people = [view.viewport.rect(QRectF(*one.box)) for one in view._scene.people]
-    return lay_out(metrics, QRectF(view.rect()), "Right eye", SAID, LEGEND, people).taken
+    return lay_out(metrics, QRectF(view.rect()), "Right camera", SAID, LEGEND, people).taken
 
 
 def test_names_of_people_are_under_none_of_them(view, looks, monkeypatch):
@@ -92,7 +92,7 @@ def test_names_of_people_are_under_none_of_them(view, looks, monkeypatch):
         for row in range(2)
         for n in range(1, 8)
     ]
-    looks("Right eye", SAID, LEGEND, two_rows)
+    looks("Right camera", SAID, LEGEND, two_rows)
     assert len(plates) > 8
     assert len(_words(view)) == 3
     assert not any(plate.intersects(words) for plate in plates for words in _words(view))
@@ -103,7 +103,7 @@ def test_the_number_of_who_is_selected_is_under_none_of_them(view, looks, monkey
     view.resize(*size)
     plates = []
     monkeypatch.setattr(box_names, "draw_plate", lambda _, rect, *__: plates.append(rect))
-    looks("Right eye", SAID, LEGEND, [person(1, (120, 150, 40, 90), selected=True)])
+    looks("Right camera", SAID, LEGEND, [person(1, (120, 150, 40, 90), selected=True)])
     assert not any(plates[0].intersects(words) for words in _words(view))
 
 
@@ -111,13 +111,13 @@ def test_the_legend_of_a_picture_goes_where_it_hides_nobody(view):
     view.resize(480, 360)
     metrics = QFontMetricsF(scaled_font(view.font(), 0.92))
     area = QRectF(view.rect())
-    alone = lay_out(metrics, area, "Right eye", "", LEGEND).legend
+    alone = lay_out(metrics, area, "Right camera", "", LEGEND).legend
     below = QRectF(alone.left(), alone.top() - 40, 30, 100)
-    moved = lay_out(metrics, area, "Right eye", "", LEGEND, [below]).legend
+    moved = lay_out(metrics, area, "Right camera", "", LEGEND, [below]).legend
     assert not moved.isEmpty()
     assert moved != alone
     assert not moved.intersects(below)
     corner = QRectF(0, 0, 60, 60)
-    again = lay_out(metrics, area, "Right eye", "", LEGEND, [below, corner]).legend
+    again = lay_out(metrics, area, "Right camera", "", LEGEND, [below, corner]).legend
     assert not any(again.intersects(one) for one in (below, corner))
-    assert lay_out(metrics, area, "Right eye", "", LEGEND, [corner]).legend == alone
+    assert lay_out(metrics, area, "Right camera", "", LEGEND, [corner]).legend == alone

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QColor, QFont, QFontMetricsF
 
-from app.presenters.scenes import Eye
+from app.presenters.scenes import Side
 from app.views.look.theme import contrast, ink_on
 from app.views.pictures import box_names
 from app.views.pictures.name_plates import place_plates, plate_rect, plate_text
@@ -48,7 +48,7 @@ def test_where_there_is_no_room_plates_overlap_rather_than_vanish():
 
 
 def test_a_crowd_at_one_spot_has_a_plate_each(qtbot, dark, drawn):
-    view = PictureView(Eye.LEFT)
+    view = PictureView(Side.LEFT)
     qtbot.addWidget(view)
     view.resize(640, 480)
     crowd = [person(track, (150, 100, 30, 90), label=f"{track} name") for track in range(1, 6)]
@@ -82,7 +82,7 @@ def test_a_long_name_is_cut_at_its_end_and_a_short_one_is_not():
 def test_who_is_out_of_sight_has_no_plate_at_the_edge(qtbot, monkeypatch):
     drawn = []
     monkeypatch.setattr(box_names, "draw_plate", lambda *it: drawn.append(it[2]))
-    view = PictureView(Eye.LEFT)
+    view = PictureView(Side.LEFT)
     qtbot.addWidget(view)
     view.resize(640, 480)
     view.show_scene(picture(person(1, (10, 10, 20, 60)), person(2, (250, 150, 20, 60))))

@@ -8,7 +8,7 @@ from drawn_scenes import BLUE, RED, person, picture
 from PySide6.QtCore import QPoint, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor
 
-from app.presenters.scenes import Eye, LegendEntry, PictureScene, PreviewTrail
+from app.presenters.scenes import LegendEntry, PictureScene, PreviewTrail, Side
 from app.presenters.scoring.score_scene import PicturedTruth
 from app.views.pictures.picture import PictureView
 
@@ -17,7 +17,7 @@ LEFT = Qt.MouseButton.LeftButton
 
 @pytest.fixture
 def view(qtbot, theme):
-    widget = PictureView(Eye.LEFT)
+    widget = PictureView(Side.LEFT)
     qtbot.addWidget(widget)
     widget.resize(640, 480)
     widget.show_scene(picture())
@@ -78,7 +78,7 @@ def test_overlays_lie_over_the_picture(view, drawn, near):
     overlay = np.zeros((240, 320, 4), np.uint8)
     overlay[100:140, 100:140] = (0, 255, 0, 255)
     scene = picture()
-    view.show_scene(PictureScene(Eye.LEFT, 7, scene.image, overlay=overlay))
+    view.show_scene(PictureScene(Side.LEFT, 7, scene.image, overlay=overlay))
     shot = drawn(view)
     assert near(shot.pixelColor(on_widget(view, 120, 120)), QColor(0, 255, 0))
     assert near(shot.pixelColor(on_widget(view, 200, 120)), QColor(200, 200, 200))
@@ -87,7 +87,7 @@ def test_overlays_lie_over_the_picture(view, drawn, near):
 def test_the_floor_grid_is_drawn_and_points_behind_the_camera_are_not(view, drawn):
     grid = np.array([[[0.0, 120.0], [319.0, 120.0]], [[np.nan, 0.0], [10.0, 10.0]]])
     dark = np.zeros((240, 320, 3), np.uint8)
-    view.show_scene(PictureScene(Eye.LEFT, 7, dark, grid=grid))
+    view.show_scene(PictureScene(Side.LEFT, 7, dark, grid=grid))
     rows = [drawn(view).pixelColor(320, y).lightness() for y in range(200, 280)]
     assert max(rows) > 40
     assert np.median(rows) == 0
@@ -97,7 +97,7 @@ def test_the_floor_grid_ends_where_the_picture_does(view, drawn):
     view.resize(640, 800)
     before = drawn(view)
     grid = np.array([[[160.0, -200.0], [160.0, 500.0]]])
-    view.show_scene(PictureScene(Eye.LEFT, 7, picture().image, grid=grid))
+    view.show_scene(PictureScene(Side.LEFT, 7, picture().image, grid=grid))
     after, x = drawn(view), on_widget(view, 160, 120).x()
     changed = {
         y
@@ -114,7 +114,7 @@ def test_the_floor_grid_ends_where_the_picture_does(view, drawn):
 def test_an_edit_preview_shows_the_trail_before_wider_than_after(view, drawn, near):
     points = np.array([[50.0, 120.0], [270.0, 120.0]])
     trails = (PreviewTrail(points, RED, after=False), PreviewTrail(points, BLUE, after=True))
-    view.show_scene(PictureScene(Eye.LEFT, 7, picture().image, preview=trails))
+    view.show_scene(PictureScene(Side.LEFT, 7, picture().image, preview=trails))
     shot, middle = drawn(view), on_widget(view, 160, 120)
     assert near(shot.pixelColor(middle), QColor(*BLUE))
     below = [shot.pixelColor(middle + QPoint(dx, 3)) for dx in range(12)]
@@ -122,9 +122,9 @@ def test_an_edit_preview_shows_the_trail_before_wider_than_after(view, drawn, ne
 
 
 def test_without_a_picture_the_message_is_said(view, drawn):
-    view.show_scene(PictureScene(Eye.LEFT, 7, None))
+    view.show_scene(PictureScene(Side.LEFT, 7, None))
     blank = drawn(view)
-    view.show_scene(PictureScene(Eye.LEFT, 7, None, message="Reading frame 7"))
+    view.show_scene(PictureScene(Side.LEFT, 7, None, message="Reading frame 7"))
     assert drawn(view) != blank
 
 
@@ -272,16 +272,16 @@ def test_people_are_named_under_the_cursor(view):
     assert view.name_at(view.viewport.point(300, 230)) == ""
 
 
-def test_the_eye_is_told_to_screen_readers(view):
-    view.show_scene(PictureScene(Eye.RIGHT, 7, None))
-    assert view.accessibleName() == "Right eye"
+def test_the_camera_is_told_to_screen_readers(view):
+    view.show_scene(PictureScene(Side.RIGHT, 7, None))
+    assert view.accessibleName() == "Right camera"
 
 
-def test_the_one_camera_of_a_recording_is_not_called_an_eye(view):
+def test_the_one_camera_of_a_recording_is_not_called_a_camera(view):
     view.set_alone(True)
     assert view.accessibleName() == "Picture"
     view.set_alone(False)
-    assert view.accessibleName() == "Left eye"
+    assert view.accessibleName() == "Left camera"
 
 
 def test_a_low_picture_explains_the_truth_where_no_floor_does(view, drawn):

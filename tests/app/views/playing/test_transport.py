@@ -5,7 +5,7 @@ from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtWidgets import QLabel, QToolButton
 
 from app.presenters.scenes import TransportScene
-from app.views.pictures.eye_switch import EyeSwitch
+from app.views.pictures.camera_switch import CameraSwitch
 from app.views.playing.transport import TransportBar, clock_text
 from app.views.widgets.progress_strip import ProgressStrip
 
@@ -135,16 +135,16 @@ def test_every_button_has_a_name(bar):
     assert all(one.accessibleName() for one in bar.findChildren(QToolButton))
 
 
-def test_the_eye_switch_tells_the_eyes_chosen(qtbot, dark, heard):
-    switch = EyeSwitch()
+def test_the_camera_switch_tells_the_cameras_chosen(qtbot, dark, heard):
+    switch = CameraSwitch()
     qtbot.addWidget(switch)
     chosen = heard(switch.mode_chosen)
     qtbot.mouseClick(button(switch, "Show: Both"), LEFT)
     assert chosen == ["both"]
 
 
-def test_a_recording_of_one_camera_has_only_one_eye_to_show(qtbot, dark):
-    switch = EyeSwitch()
+def test_a_recording_of_one_camera_has_only_one_camera_to_show(qtbot, dark):
+    switch = CameraSwitch()
     qtbot.addWidget(switch)
     switch.show_scene("left", stereo=False)
     assert button(switch, "Show: Left").isEnabled()

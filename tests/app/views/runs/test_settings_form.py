@@ -154,13 +154,15 @@ def test_a_tracker_that_does_not_suit_the_recording_is_listed_with_the_reason(
     qtbot, tiny_recording
 ):
     left = tiny_recording / "left.mp4"
-    with open_recording(left if left.exists() else next(tiny_recording.glob("left*"))) as one_eye:
-        dialog = TrackDialog(one_eye, best_tracker(one_eye))
+    with open_recording(
+        left if left.exists() else next(tiny_recording.glob("left*"))
+    ) as one_camera:
+        dialog = TrackDialog(one_camera, best_tracker(one_camera))
         qtbot.addWidget(dialog)
         row = dialog._names.index("stereo-joint")
         assert not dialog._choice.model().item(row).isEnabled()
         assert "needs two" in dialog._choice.itemData(row, Qt.ItemDataRole.ToolTipRole)
-        assert dialog.answer()[0] == best_tracker(one_eye)
+        assert dialog.answer()[0] == best_tracker(one_camera)
         assert "best for this recording" in dialog._title.text()
 
 

@@ -1,4 +1,4 @@
-"""What moves in each row of two eyes, and by how much one is late."""
+"""What moves in each row of two cameras, and by how much one is late."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.recording.eyes import MOST_LAG
+from tracking.recording.image_pairs import MOST_LAG
 
 Picture = NDArray[np.uint8]
 Floats = NDArray[np.float64]
@@ -19,39 +19,39 @@ _WIDE_PX = 160
 _MOVED = 12
 """Grey levels by which what moves changes from one frame to the next."""
 _POOLED = 2
-"""Rows taken together: what moves is drawn a little otherwise in the other eye."""
+"""Rows taken together: what moves is drawn a little otherwise in the other camera."""
 _MOVING, _STILL = 20, 0.02
-"""Places that move in one eye at the least, and the share of them that may move in a still one."""
+"""Fewest moving places in one camera, and the share of them that may move in a still one."""
 MOST_HELD = 2
 """Encoders, and cables, repeat one picture or two."""
 _RECENT_S, _RECENT_FRAMES, _MOST_RECENT_FRAMES = 0.8, 16, 96
-"""How much movement tells whether eyes agree, and in frames: fewer correlate by chance, more take
-long where a recording says that it has thousands a second."""
+"""Movement that tells whether the cameras agree, in seconds and in frames: fewer correlate by
+chance, more take long where a recording has thousands a second."""
 _MOST_LAG_S, _MOST_LAG_FRAMES = 0.5, 15
-"""By how much an eye may be late and found to be, and in frames at the least."""
+"""By how much a camera may be late and found to be, and in frames at the least."""
 _NEAR = 0.2
-"""Eyes that agree are most alike without a lag, compared with lags of up to this share of the
+"""Cameras that agree are most alike without a lag, compared with lags of up to this share of the
 recent frames; more frames than that apart, so short a time is alike by chance."""
 _ALIKE, _BETTER = 0.4, 0.04
-"""Correlation of the two eyes' movement at their lag, and how much less it is at any other."""
+"""Correlation of the two cameras' movement at their lag, and how much less it is at any other."""
 _BY_CHANCE, _UNLIKE = 0.2, 0.35
-"""Correlations that eyes without anything in common reach, and below which they are told unlike."""
+"""Correlation that cameras without anything in common reach; below it they are unlike."""
 _LEAST_MOVEMENT = 120.0
 """Places, a frame, that must move on average for a lag to be told: fewer may be an encoder's."""
 
 Stretch = tuple[Floats, Floats]
-"""What moves in rows of the left and the right eye, each (frames, rows), frame by frame."""
+"""What moves in rows of the left and the right camera, each (frames, rows), frame by frame."""
 
 
-class EyeMovement:
-    """The movement of both eyes in the last frames.
+class MotionAgreement:
+    """The movement of both cameras in the last frames.
 
     Rows of rectified pictures show the same things left and right, so how much moves in each row,
-    frame by frame, is alike in both eyes, however far away it is: an eye that lags shows the same
-    movement, late.
+    frame by frame, is alike in both cameras, however far away it is: a camera that lags shows the
+    same movement, late.
 
     Attributes:
-        recent: frames of movement that tell whether eyes agree.
+        recent: frames of movement that tell whether cameras agree.
         most_lag: the largest lag that is looked for, in frames.
         span: frames of movement that are kept, and needed to tell a lag.
     """
@@ -73,17 +73,17 @@ class EyeMovement:
         """Frames of movement that are known, one behind the other."""
         return len(self._rows[0])
 
-    def add(self, eyes: tuple[Picture, Picture]) -> tuple[int, int]:
-        """Take in the next frame, of `thinned` eyes; how much moves in each since the last.
+    def add(self, images: tuple[Picture, Picture]) -> tuple[int, int]:
+        """Take in the next frame, of `thinned` cameras; how much moves in each since the last.
 
-        Where one eye shows its last picture once more, its movement is missing in one frame and
-        double in the next, unlike the other's: both eyes' is taken from the frames around then,
+        Where one camera shows its last picture once more, its movement is missing in one frame and
+        double in the next, unlike the other's: both cameras' is taken from the frames around then,
         and spread evenly over them, so that rows stay as far apart as frames are.
         """
         if self._before is None:
-            self._before = eyes
+            self._before = images
             return 0, 0
-        moving = [_moving(*pair) for pair in zip(eyes, self._before, strict=True)]
+        moving = [_moving(*pair) for pair in zip(images, self._before, strict=True)]
         left, right = (int(rows.sum()) for rows in moving)
         if self._held < MOST_HELD and (
             self._repeats(0, left, right) or self._repeats(1, right, left)
@@ -93,16 +93,16 @@ class EyeMovement:
         shared = 1 + self._held
         for rows, now in zip(self._rows, moving, strict=True):
             rows.extend([now / shared] * shared)
-        self._held, self._before = 0, eyes
+        self._held, self._before = 0, images
         return left, right
 
-    def _repeats(self, eye: int, moved: int, other: int) -> bool:
-        """Whether an eye shows its last picture once more.
+    def _repeats(self, image: int, moved: int, other: int) -> bool:
+        """Whether a camera shows its last picture once more.
 
-        Not where it stood still before: in eyes that are late somebody begins to move in one
+        Not where it stood still before: in cameras that are late somebody begins to move in one
         before the other, which is what tells by how much.
         """
-        rows = self._rows[eye]
+        rows = self._rows[image]
         return bool(rows) and rows[-1].sum() >= _MOVING and stands_still(moved, other)
 
     def keep(self, frames: int) -> None:
@@ -125,7 +125,7 @@ class EyeMovement:
         return not _moves([self._last(self.span)])
 
     def agrees(self) -> bool:
-        """Whether nothing in the recent movement speaks against that no eye is late."""
+        """Whether nothing in the recent movement speaks against that no camera is late."""
         recent = self._last(self.recent)
         if len(self) < self.recent or not _moves([recent]):
             return True
@@ -134,7 +134,7 @@ class EyeMovement:
         return alike[near] >= max(*alike, _BY_CHANCE)
 
     def is_unlike(self) -> bool:
-        """Whether eyes moved recently, but not at all alike."""
+        """Whether cameras moved recently, but not at all alike."""
         recent = self._last(self.recent)
         return len(self) >= self.recent and _moves([recent]) and _alike([recent], 0) < _UNLIKE
 
@@ -143,35 +143,35 @@ class EyeMovement:
         return left, right
 
 
-def stands_still(eye: int, other: int) -> bool:
-    """Whether an eye shows its last picture still, while the other one moves in so many places."""
-    return other >= _MOVING and eye <= _STILL * other
+def stands_still(image: int, other: int) -> bool:
+    """Whether a camera repeats its last image while the other moves in so many places."""
+    return other >= _MOVING and image <= _STILL * other
 
 
-def _moving(eye: Picture, earlier: Picture) -> Floats:
+def _moving(image: Picture, earlier: Picture) -> Floats:
     """(rows,) how much moves in rows taken together, from one picture to the next."""
-    changed = cv2.absdiff(eye, _in_light_of(eye, earlier))
+    changed = cv2.absdiff(image, _in_light_of(image, earlier))
     moved = cv2.threshold(changed, _MOVED, 1, cv2.THRESH_BINARY)[1]
     rows = cv2.reduce(moved, 1, cv2.REDUCE_SUM, dtype=cv2.CV_32S).ravel()
     whole = len(rows) // _POOLED * _POOLED
     return np.asarray(rows[:whole].reshape(-1, _POOLED).sum(axis=1), np.float64)
 
 
-def _in_light_of(eye: Picture, earlier: Picture) -> Picture:
+def _in_light_of(image: Picture, earlier: Picture) -> Picture:
     """An earlier picture as bright as the present one: lamps that flicker move nothing."""
-    now, before = cv2.mean(eye)[0], cv2.mean(earlier)[0]
+    now, before = cv2.mean(image)[0], cv2.mean(earlier)[0]
     return np.asarray(cv2.convertScaleAbs(earlier, alpha=now / max(before, 1.0)), np.uint8)
 
 
-def thinned(eye: Picture) -> Picture:
-    """Of a rectified eye (height, width, 3) what is compared: one channel of a few pixels."""
-    return mean_of_four(eye[..., 1], thinning_px(eye.shape[1]))
+def thinned(image: Picture) -> Picture:
+    """Of a rectified camera (height, width, 3) what is compared: one channel of a few pixels."""
+    return mean_of_four(image[..., 1], thinning_px(image.shape[1]))
 
 
 def mean_of_four(channel: Picture, step: int) -> Picture:
     """(height // step, width // step) of (height, width), each the mean of four pixels.
 
-    A sensor's noise, alike in no two eyes, would be movement otherwise. Where every pixel is
+    A sensor's noise, alike in no two cameras, would be movement otherwise. Where every pixel is
     compared, the four overlap those of the next one, and edges are drawn out.
     """
     rows, columns = (side // step * step for side in channel.shape)
@@ -194,7 +194,7 @@ def beside_px(step: int) -> int:
 
 
 def late_by(stretches: Sequence[Stretch], most_lag: int) -> int | None:
-    """Frames by which the right eye is late; negative: the left one. None: it cannot be told.
+    """Frames by which the right camera is late; negative: the left one. None: it cannot be told.
 
     A larger lag makes the largest one looked for the best of all: that one is not believed.
 
@@ -213,15 +213,15 @@ def late_by(stretches: Sequence[Stretch], most_lag: int) -> int | None:
 
 
 def _moves(stretches: Sequence[Stretch]) -> bool:
-    """Whether enough moves in both eyes."""
+    """Whether enough moves in both cameras."""
     return all(
-        np.mean([rows.sum(axis=1).mean() for rows in eye]) >= _LEAST_MOVEMENT
-        for eye in zip(*stretches, strict=True)
+        np.mean([rows.sum(axis=1).mean() for rows in image]) >= _LEAST_MOVEMENT
+        for image in zip(*stretches, strict=True)
     )
 
 
 def _alike(stretches: Sequence[Stretch], lag: int) -> float:
-    """Correlation over time of what moves in each row, the right eye being late by `lag`."""
+    """Correlation over time of what moves in each row, the right camera being late by `lag`."""
     together = lefts = rights = 0.0
     for left, right in stretches:
         count = len(left) - abs(lag)

@@ -1,4 +1,4 @@
-"""Both eyes of a recording, from two sources, one, or one that holds both."""
+"""Both cameras of a recording, from two sources, one, or one that holds both."""
 
 from __future__ import annotations
 
@@ -11,18 +11,18 @@ from numpy.typing import NDArray
 
 from tracking.errors import RecordingError
 from tracking.recording.frame import Image
-from tracking.recording.frame_pairs import pair_eyes
+from tracking.recording.frame_pairs import pair_frames
 from tracking.recording.pictures import PictureSource
 
 Layout = Literal["side-by-side", "top-bottom"]
 Side = Literal["left", "right"]
 ImagePair = tuple[Image, Image | None]
 MOST_LAG = 60
-"""Frames by which an eye may be late at the most: of pictures that hold both eyes, so many halves
-wait in memory."""
+"""Frames by which a camera may be late at the most: of pictures that hold both cameras, so many
+halves wait in memory."""
 
 
-class Eyes(Protocol):
+class ImagePairs(Protocol):
     """Pairs of pictures by number."""
 
     @property
@@ -31,11 +31,11 @@ class Eyes(Protocol):
 
     @property
     def size(self) -> tuple[int, int]:
-        """Width and height of one eye's pictures in px."""
+        """Width and height of one camera's pictures in px."""
 
     @property
     def is_stereo(self) -> bool:
-        """Whether there is a right eye."""
+        """Whether there is a right camera."""
 
     @property
     def sources(self) -> tuple[PictureSource, ...]:
@@ -46,7 +46,7 @@ class Eyes(Protocol):
         """Oddities of the pairing, in words."""
 
     def read(self, number: int, right_number: int) -> ImagePair:
-        """The left picture of one pair and the right one of another; None with one eye."""
+        """The left picture of one pair and the right one of another; None with one camera."""
 
     def pairs(self, start: int, stop: int, lag: int = 0) -> Iterator[ImagePair]:
         """Left pictures start to stop (half-open) in order, each with a right one.
@@ -56,8 +56,8 @@ class Eyes(Protocol):
         """
 
 
-class OneEye:
-    """A monocular recording; see `Eyes`."""
+class OneCamera:
+    """A monocular recording; see `ImagePairs`."""
 
     def __init__(self, source: PictureSource) -> None:
         self.sources: tuple[PictureSource, ...] = (source,)
@@ -66,7 +66,7 @@ class OneEye:
         self.is_stereo = False
         self.notes: tuple[str, ...] = ()
 
-    def read(self, number: int, right_number: int) -> ImagePair:  # noqa: ARG002 - as all eyes
+    def read(self, number: int, right_number: int) -> ImagePair:  # noqa: ARG002 - as all pairs
         """One picture, and no right one."""
         return self.sources[0].read(number), None
 
@@ -76,20 +76,20 @@ class OneEye:
             yield image, None
 
 
-class TwoEyes:
-    """A source for each eye; see `Eyes`.
+class TwoSources:
+    """A source for each camera; see `ImagePairs`.
 
     Raises:
-        RecordingError: the eyes differ in size.
+        RecordingError: the cameras differ in size.
     """
 
     def __init__(self, left: PictureSource, right: PictureSource) -> None:
         if left.size != right.size:
             raise RecordingError(
-                f"the eyes differ in size: {left.name} is {left.size[0]} x {left.size[1]} px, "
+                f"the cameras differ in size: {left.name} is {left.size[0]} x {left.size[1]} px, "
                 f"{right.name} {right.size[0]} x {right.size[1]}; give two of one size"
             )
-        pairing = pair_eyes(left, right)
+        pairing = pair_frames(left, right)
         self.sources: tuple[PictureSource, ...] = (left, right)
         self.is_stereo = True
         self.frame_count = len(pairing.right)
@@ -98,7 +98,7 @@ class TwoEyes:
         self._right_number = pairing.right
 
     def read(self, number: int, right_number: int) -> ImagePair:
-        """One picture of each eye."""
+        """One picture of each camera."""
         left, right = self.sources
         return left.read(number), right.read(int(self._right_number[right_number]))
 
@@ -117,8 +117,8 @@ class TwoEyes:
             yield left, right
 
 
-class SplitEyes:
-    """One source whose pictures hold both eyes; see `Eyes`.
+class SplitSource:
+    """One source whose pictures hold both cameras; see `ImagePairs`.
 
     Raises:
         RecordingError: the picture cannot be halved.
@@ -129,7 +129,7 @@ class SplitEyes:
         self._beside = layout == "side-by-side"
         self._left_first = first == "left"
         if (width if self._beside else height) < 2:
-            raise RecordingError(f"{source.name}: {width} x {height} px cannot hold both eyes")
+            raise RecordingError(f"{source.name}: {width} x {height} px cannot hold both cameras")
         self.sources: tuple[PictureSource, ...] = (source,)
         self.is_stereo = True
         self.frame_count = source.frame_count
@@ -137,14 +137,14 @@ class SplitEyes:
         self.notes: tuple[str, ...] = ()
 
     def read(self, number: int, right_number: int) -> ImagePair:
-        """One picture, cut into its eyes; or each eye of another one."""
+        """One picture, cut into its cameras; or each camera of another one."""
         left, right = self._cut(self.sources[0].read(number))
         if right_number != number:
             right = self._cut(self.sources[0].read(right_number))[1]
         return left, right
 
     def pairs(self, start: int, stop: int, lag: int = 0) -> Iterator[ImagePair]:
-        """Pictures start to stop in order, cut into their eyes; of a late eye's, one waits."""
+        """Images start to stop in order, cut in two; of a late camera's, one waits."""
         if stop <= start:
             return
         partners = _partners(start, stop, lag, self.frame_count)

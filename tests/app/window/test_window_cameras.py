@@ -1,4 +1,4 @@
-"""Room for the eyes: their pictures fill it, the floor has the rest."""
+"""Room for the cameras: their pictures fill it, the floor has the rest."""
 
 import pytest
 from correcting_window import open_for_correcting
@@ -27,13 +27,13 @@ def test_nothing_is_empty_beside_both_pictures_at_any_size(space, window, qtbot)
         qtbot.waitUntil(lambda: max(_empty_px(space.left), _empty_px(space.right)) < 4)
 
 
-def test_one_eye_fills_the_height_where_two_fifths_are_left_for_the_floor(space, window, qtbot):
+def test_one_camera_fills_the_height_where_two_fifths_are_left_for_the_floor(space, window, qtbot):
     fitted = space.left.width()
     window.run_command("view.left")
     filled = space.height() / 2
     qtbot.waitUntil(lambda: filled < space.left.height() < _shown_px(space.left) + 4)
-    eyes, floor, _ = space._splitters["top"].sizes()
-    assert floor >= 0.4 * (eyes + floor) - 1
+    cameras, floor, _ = space._splitters["top"].sizes()
+    assert floor >= 0.4 * (cameras + floor) - 1
     window.run_command("view.both")
     qtbot.waitUntil(lambda: abs(space.left.width() - fitted) < 2)
 
@@ -43,7 +43,7 @@ def _shown_px(view):
     return view.viewport.scale * view.content().height()
 
 
-def test_a_border_moved_beside_one_eye_stays_until_both_are_shown(space, window, qtbot):
+def test_a_border_moved_beside_one_camera_stays_until_both_are_shown(space, window, qtbot):
     fitted = space.left.width()
     window.run_command("view.left")
     space._splitters["top"].moveSplitter(300, 1)
@@ -77,13 +77,13 @@ def test_a_border_the_user_moved_is_there_at_the_next_start(
     space.remember(remembered)
     space._splitters["top"].setSizes([900, 100, 200])
     space.restore(remembered)
-    space.show_eyes("both", 4 / 3, stereo=True)
+    space.show_cameras("both", 4 / 3, stereo=True)
     assert space._splitters["top"].sizes() == sizes
 
 
 @pytest.fixture
 def started_again(space, window, qtbot, tmp_path):
-    """The next start, after the border was moved beside one eye; what shows so many eyes in it."""
+    """The next start after the border was moved beside one image; shows that many images."""
     window.run_command("view.left")
     space._splitters["top"].moveSplitter(300, 1)
     remembered = Remembered(QSettings(str(tmp_path / "kept.ini"), QSettings.Format.IniFormat))
@@ -94,19 +94,19 @@ def started_again(space, window, qtbot, tmp_path):
     again.restore(remembered)
     again.show()
 
-    def shown(eyes):
-        again.show_eyes(eyes, 4 / 3, stereo=True)
+    def shown(cameras):
+        again.show_cameras(cameras, 4 / 3, stereo=True)
         qtbot.wait(20)
         return again.left
 
     return shown
 
 
-def test_a_border_moved_beside_one_eye_is_there_for_one_at_the_next_start(started_again):
+def test_a_border_moved_beside_one_camera_is_there_for_one_at_the_next_start(started_again):
     assert abs(started_again("left").width() - 300) < 3
 
 
-def test_a_border_moved_beside_one_eye_is_not_kept_for_both_at_the_next_start(started_again):
+def test_a_border_moved_beside_one_camera_is_not_kept_for_both_at_the_next_start(started_again):
     left = started_again("both")
     assert abs(left.width() - 4 / 3 * left.height()) < 3
 
@@ -119,7 +119,7 @@ def test_a_border_the_user_moved_stays_where_it_is(space, window, qtbot):
     assert space.left.width() > 450
 
 
-def test_the_border_of_the_panels_at_the_side_is_none_of_the_eyes(space, window, qtbot):
+def test_the_border_of_the_panels_at_the_side_is_none_of_the_cameras(space, window, qtbot):
     top = space._splitters["top"]
     top.moveSplitter(top.width() - 400, 2)
-    assert not space._eyes_room.moved
+    assert not space._image_room.moved

@@ -1,4 +1,4 @@
-"""The window shows both pictures of an instant where an eye is late."""
+"""The window shows both pictures of an instant where a camera is late."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from app.background import FrameReader, OverlayMaker
 from app.presenters.document.document import Document
 from app.presenters.document.frame_state import ViewOptions
 from app.presenters.pictures.overlays import Kinds
-from app.presenters.scenes import Eye
+from app.presenters.scenes import Side
 from tests.benchmarks.stereo.troubles import Trouble, troubled
 from tracking.recording import Instants, Recording, StereoFrame, open_recording
 from tracking.session import Session
@@ -84,17 +84,17 @@ def test_the_right_picture_says_which_frame_it_is(recording, tiny_session):
     for number in (20, recording.frame_count - 1):
         instant = document.instant(number)
         frame = instants.read(number)
-        eyes = (Eye.LEFT, Eye.RIGHT)
-        scenes = [document.pictures.scene(e, frame, instant, ViewOptions()) for e in eyes]
+        cameras = (Side.LEFT, Side.RIGHT)
+        scenes = [document.pictures.scene(e, frame, instant, ViewOptions()) for e in cameras]
         said.append([scene.message for scene in scenes])
     document.session.close()
-    assert said[0] == ["", "Frame 26 of this eye: the same instant"]
+    assert said[0] == ["", "Frame 26 of this camera: the same instant"]
     assert said[1] == ["", "Nothing was recorded at this instant: another frame is shown"]
 
 
 @pytest.fixture
 def maker(no_threads_left: None) -> Iterator[OverlayMaker]:
-    """Paints by how much the right eye was late; ended however a test ends."""
+    """Paints by how much the right camera was late; ended however a test ends."""
 
     def paint(frame: StereoFrame, _kinds: Kinds) -> np.ndarray:
         return np.full((2, 2, 4), frame.right_lag, np.uint8)

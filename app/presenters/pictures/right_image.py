@@ -1,4 +1,4 @@
-"""The right eye's view of the boxes drawn in the left one."""
+"""The right camera's view of the boxes drawn in the left one."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ _MIDDLE_M = 0.85
 """Height of a person's middle: its range stands for the whole box."""
 
 
-def boxes_in_right_eye(
+def boxes_in_right_image(
     rectification: Rectification, boxes: NDArray[np.float64], floor: NDArray[np.float64]
 ) -> NDArray[np.float64]:
-    """Boxes (n, 4) of the left eye as the right eye sees them, in its pixels as recorded.
+    """Boxes (n, 4) of the left camera as the right camera sees them, in its pixels as recorded.
 
     Each box is moved along the rectified rows by the disparity at its person's range. NaN where
     the place on the floor (n, 2) metres is unknown.

@@ -1,4 +1,4 @@
-"""Which eyes are shown: left, both, or both in one red-cyan picture."""
+"""Which cameras are shown: left, both, or both in one red-cyan picture."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QButtonGroup, QFrame, QHBoxLayout, QToolButton, QWidget
 
 
-class EyeSwitch(QFrame):
+class CameraSwitch(QFrame):
     """Three joined buttons.
 
     Signals:
@@ -18,7 +18,7 @@ class EyeSwitch(QFrame):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setProperty("track", True)
-        self.setAccessibleName(self.tr("Eyes shown"))
+        self.setAccessibleName(self.tr("Cameras shown"))
         row = QHBoxLayout(self)
         row.setContentsMargins(2, 2, 2, 2)
         row.setSpacing(2)
@@ -33,7 +33,7 @@ class EyeSwitch(QFrame):
         self.show_scene("left")
 
     def show_scene(self, mode: str, stereo: bool = True) -> None:
-        """Show which mode is on; a monocular recording has only the left eye."""
+        """Show which mode is on; a monocular recording has only the left camera."""
         self._buttons[mode].setChecked(True)
         for name in ("both", "anaglyph"):
             self._buttons[name].setEnabled(stereo)

@@ -1,4 +1,4 @@
-"""People of a stereo recording by its left eye alone, while the right one fails."""
+"""People of a stereo recording by its left camera alone, while the right one fails."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ _FARTHEST_M = 25.0
 
 @dataclass(frozen=True, slots=True, eq=False)
 class RectifiedView(View):
-    """The left eye as it looks after rectification.
+    """The left camera as it looks after rectification.
 
     Attributes:
         turned: rotation (3, 3) and translation (3,) from its axes into the world.
@@ -41,7 +41,7 @@ class RectifiedView(View):
         return self.turned
 
 
-class OneEye:
+class OneCamera:
     """Finds people as in recordings of one camera: silhouettes on the floor, no range.
 
     Args:
@@ -61,7 +61,7 @@ class OneEye:
         self._settings = settings
 
     def find(self, left: Subtraction, shadow: Mask) -> Detections:
-        """The people in the left eye's foreground.
+        """The people in the left camera's foreground.
 
         Args:
             left: of this frame. shadow: (height, width) of `ShadowRemover`.
@@ -78,6 +78,6 @@ class OneEye:
 
 
 def _on_the_floor(people: Detections) -> NDArray[np.bool_]:
-    """(n,) who stands somewhere near; at the horizon one eye places nobody."""
+    """(n,) who stands somewhere near; at the horizon one camera places nobody."""
     away = np.hypot(people.position[:, 0], people.position[:, 1])
     return np.asarray(np.nan_to_num(away, nan=np.inf) < _FARTHEST_M, np.bool_)

@@ -1,4 +1,4 @@
-"""How wide the pictures of the eyes are: no wider than they fill."""
+"""How wide the pictures of the cameras are: no wider than they fill."""
 
 from __future__ import annotations
 
@@ -6,25 +6,26 @@ from PySide6.QtCore import QEvent, QObject, QTimer
 from PySide6.QtWidgets import QSplitter
 
 _LEAST_FLOOR = 0.4
-"""Of what eyes and floor have together the floor keeps so much, however wide the pictures are."""
-_EYES_END = 1
-"""Number of the border between eyes and floor."""
+"""Least share of the width of images and floor that the floor keeps."""
+_IMAGES_END = 1
+"""Number of the border between images and floor."""
 
 
-class EyesRoom(QObject):
+class ImageRoom(QObject):
     """Gives pictures the width that their height fills, and the floor the rest.
 
-    Both eyes stand one above the other. Where the user moves the border, it stays there, whatever
-    is opened, until the eyes that are shown change: also from one start to the next.
+    Both cameras stand one above the other. Where the user moves the border, it stays there,
+    whatever
+    is opened, until the cameras that are shown change: also from one start to the next.
 
     Attributes:
-        moved: beside how many eyes the user moved the border; 0: it is where it fits.
+        moved: beside how many cameras the user moved the border; 0: it is where it fits.
     """
 
-    def __init__(self, top: QSplitter, eyes: QSplitter) -> None:
-        """`top` holds the eyes, the floor, and what stands at the side; `eyes` the pictures."""
+    def __init__(self, top: QSplitter, cameras: QSplitter) -> None:
+        """`top` holds the images, the floor and the side panels; `cameras` the images."""
         super().__init__(top)
-        self._top, self._eyes = top, eyes
+        self._top, self._cameras = top, cameras
         self._aspect = 0.0  # 0: the room is as the user left it
         self._count = 0
         self.moved = 0
@@ -49,17 +50,17 @@ class EyesRoom(QObject):
 
     def _fit(self) -> None:
         if self._aspect:
-            between = self._eyes.handleWidth() * (self._count - 1)
+            between = self._cameras.handleWidth() * (self._count - 1)
             each = (self._top.height() - between) / self._count
             most = (1 - _LEAST_FLOOR) * sum(self._top.sizes()[:2])
             self._give(round(min(self._aspect * each, most)))
 
     def _give(self, width: int) -> None:
-        eyes, floor, side = self._top.sizes()
-        if width > 0 and eyes + floor > width:
-            self._top.setSizes([width, eyes + floor - width, side])
+        cameras, floor, side = self._top.sizes()
+        if width > 0 and cameras + floor > width:
+            self._top.setSizes([width, cameras + floor - width, side])
 
     def _leave_it(self, _: int, border: int) -> None:
-        """The user moved a border; the one between eyes and floor is where they want it."""
-        if border == _EYES_END:
+        """The user moved a border; the one between cameras and floor is where they want it."""
+        if border == _IMAGES_END:
             self._aspect, self.moved = 0.0, self._count

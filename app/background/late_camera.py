@@ -1,4 +1,4 @@
-"""Looking, off the GUI thread and beside playing, by how much an eye is late."""
+"""Looking, off the GUI thread and beside playing, by how much a camera is late."""
 
 from __future__ import annotations
 
@@ -18,8 +18,9 @@ class LagSearch:
     It reads with decoders of its own: those that play stay where they are.
 
     Args:
-        recording: where the pictures come from; nothing is looked for in one of a single eye.
-        found: is told by how many frames the right eye is late, where that is known; in the thread.
+        recording: where the pictures come from; nothing is looked for in one of a single camera.
+        found: is told by how many frames the right camera is late, where that is known; in the
+            thread.
     """
 
     def __init__(self, recording: Recording, found: Callable[[int], None]) -> None:
@@ -33,7 +34,7 @@ class LagSearch:
         begun = self._thread is not None or self._closed.is_set()
         if self._recording.is_stereo and not begun:
             self._thread = threading.Thread(
-                target=self._run, args=(frame,), name="late eye", daemon=True
+                target=self._run, args=(frame,), name="late camera", daemon=True
             )
             self._thread.start()
 
@@ -50,7 +51,7 @@ class LagSearch:
         try:
             lag = self._look(start)
         except Exception:  # who asks for the frame that cannot be read is told
-            _log.warning("whether an eye is late is not known", exc_info=True)
+            _log.warning("whether a camera is late is not known", exc_info=True)
         else:
             if lag is not None:
                 self._found(lag)

@@ -1,19 +1,19 @@
-"""Whether the right eye sees what the left one sees, and at the same instant."""
+"""Whether the right camera sees what the left one sees, and at the same instant."""
 
 from __future__ import annotations
 
 import cv2
 import numpy as np
 
-from tracking.people.eye_movement import (
-    EyeMovement,
+from tracking.people.motion_agreement import (
     Floats,
+    MotionAgreement,
     Picture,
     late_by,
     stands_still,
     thinned,
 )
-from tracking.recording.eyes import MOST_LAG
+from tracking.recording.image_pairs import MOST_LAG
 
 _TILE = 20
 """Side of the squares, of thinned pixels, that are looked at for whether they show anything."""
@@ -22,7 +22,7 @@ _STRUCTURED, _FLAT = 4.0, 1.5
 _FEWEST_TILES, _LOST = 6, 0.25
 """Of at least so many tiles that show something left, this share must show nothing right."""
 _FROZEN_FRAMES = 3
-"""Frames on end without movement after which an eye is frozen: encoders repeat one or two."""
+"""Frames on end without movement after which a camera is frozen: encoders repeat one or two."""
 _EVERY_S = 0.25
 """How often a lag is looked for."""
 _ONE_FAILURE_S = 1.0
@@ -32,20 +32,20 @@ _MOST_TOLD = 5
 _LOOKS = 2
 """So many looks on end must find the same lag, or that there is none."""
 _MUCH_WORSE = "which is far worse: more people are lost, or take each other's ids"
-"""What one eye is worth, for the user."""
+"""What one camera is worth, for the user."""
 
 
-class EyesWatch:
-    """Follows how the two eyes agree, frame by frame.
+class StereoWatch:
+    """Follows how the two cameras agree, frame by frame.
 
-    An eye that fails shows nothing where the other one does (it is black or flat, all of it or a
-    part), or does not move while the other one does. An eye that lags shows the same movement,
-    late (`EyeMovement`). Who reads the frames pairs pictures of one instant by `lag`; what is left
-    between the pictures of a pair says whether that is still right.
+    A camera that fails shows nothing where the other one does (it is black or flat, all of it or a
+    part), or does not move while the other one does. A camera that lags shows the same movement,
+    late (`MotionAgreement`). Who reads the frames pairs pictures of one instant by `lag`; what is
+    left between the pictures of a pair says whether that is still right.
 
     Attributes:
-        failing: whether the right eye is of no use in the last frame looked at.
-        lag: frames by which the right eye is late; negative: the left one is; None: by so many
+        failing: whether the right camera is of no use in the last frame looked at.
+        lag: frames by which the right camera is late; negative: the left one is; None: by so many
             that nobody knows.
         pairing: the lag by which the next frames are to be paired; while `lag` is unknown the last
             one known, or 0 where recording.toml told one that the footage does not show.
@@ -60,7 +60,7 @@ class EyesWatch:
         self._told: int | None = None
         self._every = max(1, round(_EVERY_S * fps))
         self._gap = max(1, round(_ONE_FAILURE_S * fps))
-        self._movement = EyeMovement(fps)
+        self._movement = MotionAgreement(fps)
         self._last = -1
         self._paired = 0
         self._frozen = self._count = self._found = self._looks = self._unlike = 0
@@ -72,7 +72,7 @@ class EyesWatch:
         self.lag = self.pairing = lag
         self._told = told
         if told is not None:
-            self._movement = EyeMovement(self._fps, told)
+            self._movement = MotionAgreement(self._fps, told)
         if lag and lag == told:
             self._lagged.append(f"{_late(lag)}, as recording.toml says: pictures are paired so")
         elif lag != (told or 0):
@@ -97,10 +97,10 @@ class EyesWatch:
         if frame != self._last + 1:
             self._movement.begin()
         self._last = frame
-        eyes = thinned(left), thinned(right)
-        moved = self._movement.add(eyes)
+        images = thinned(left), thinned(right)
+        moved = self._movement.add(images)
         self._frozen = self._frozen + 1 if stands_still(moved[1], moved[0]) else 0
-        self.failing = self._frozen >= _FROZEN_FRAMES or _lost(*eyes)
+        self.failing = self._frozen >= _FROZEN_FRAMES or _lost(*images)
         if self.failing:
             self._took_failure(frame)
             return
@@ -109,10 +109,10 @@ class EyesWatch:
             self._look_for_lag(frame)
 
     def told(self) -> tuple[str, ...]:
-        """What the user should know, a line each; nothing while both eyes are well."""
+        """What the user should know, a line each; nothing while both cameras are well."""
         failed = [
-            f"the right eye shows nothing new in frames {first} to {last}: people are followed by "
-            f"the left eye alone there, {_MUCH_WORSE}; look after the camera or its cable"
+            f"the right camera shows nothing new in frames {first} to {last}: people are followed "
+            f"by the left camera alone there, {_MUCH_WORSE}; look after the camera or its cable"
             for first, last in self._failed
         ]
         return (*_first_few(failed), *_first_few(self._lagged))
@@ -132,7 +132,7 @@ class EyesWatch:
             self._failed.append((frame, frame))
 
     def _look_for_lag(self, frame: int) -> None:
-        """Where the eyes do not agree as they are paired, whether another lag explains them."""
+        """Where the cameras do not agree as they are paired, whether another lag explains them."""
         if self.lag == self._paired and self._movement.agrees():
             self._looks = self._unlike = 0
             return
@@ -167,11 +167,11 @@ def _told_late(frame: int, lag: int | None) -> str:
     """What is told of a lag that was found at a frame."""
     if lag is None:
         return (
-            f"from frame {frame} on the eyes do not show the same instant, and by how much either "
-            f"is late is unknown: people are followed by the left eye alone, {_MUCH_WORSE}"
+            f"from frame {frame} on the cameras do not show the same instant, and the lag is "
+            f"unknown: people are followed by the left camera alone, {_MUCH_WORSE}"
         )
     if lag == 0:
-        return f"from frame {frame} on both eyes show the same instant"
+        return f"from frame {frame} on both cameras show the same instant"
     return (
         f"{_late(lag)}, found at frame {frame}: pictures of the same instant are paired from "
         "there; distances shortly before may be wrong"
@@ -180,9 +180,9 @@ def _told_late(frame: int, lag: int | None) -> str:
 
 def _late(lag: int) -> str:
     if lag == 0:
-        return "neither eye is late"
-    eye, by = "right" if lag > 0 else "left", "1 frame" if abs(lag) == 1 else f"{abs(lag)} frames"
-    return f"the {eye} eye is {by} late"
+        return "neither camera is late"
+    side, by = "right" if lag > 0 else "left", "1 frame" if abs(lag) == 1 else f"{abs(lag)} frames"
+    return f"the {side} camera is {by} late"
 
 
 def _first_few(lines: list[str]) -> list[str]:
@@ -192,7 +192,7 @@ def _first_few(lines: list[str]) -> list[str]:
 
 
 def shows_nothing(left: Picture, right: Picture) -> bool:
-    """Whether the right eye, or a part of it, is black or flat where the left one is not.
+    """Whether the right camera, or a part of it, is black or flat where the left one is not.
 
     Args:
         left, right: (height, width, 3) uint8, rectified.
@@ -209,12 +209,12 @@ def _lost(left: Picture, right: Picture) -> bool:
     return bool(there.sum() >= _FEWEST_TILES and (there & here).sum() > _LOST * there.sum())
 
 
-def _deviation(eye: Picture) -> Floats:
+def _deviation(image: Picture) -> Floats:
     """Standard deviation of brightness in each tile."""
-    rows, columns = (side // _TILE for side in eye.shape)
+    rows, columns = (side // _TILE for side in image.shape)
     if rows == 0 or columns == 0:
         return np.zeros((1, 1))
-    light = eye[: rows * _TILE, : columns * _TILE].astype(np.float32)
+    light = image[: rows * _TILE, : columns * _TILE].astype(np.float32)
     mean, squared = (
         cv2.resize(values, (columns, rows), interpolation=cv2.INTER_AREA)
         for values in (light, light * light)
