@@ -1,12 +1,25 @@
-"""Documents a reader opens: their links lead somewhere, and README stays short."""
+"""The documents: links lead somewhere, nothing is left out, and the guides work as written."""
 
 from __future__ import annotations
 
 import re
+import sys
 from pathlib import Path
+from types import ModuleType
+from typing import Any
 from urllib.parse import unquote
 
+import numpy as np
 import pytest
+from typer.main import get_command
+
+from app.cli.commands.program import program
+from tests.editing.tables_of_people import bytes_of, table_of
+from tests.trackers.people_of_three_blocks import RED_BLUE, Blocks, observations, walking
+from tracking.editing import apply_change
+from tracking.formats import FORMATS, Exported, Filmed, no_progress
+from tracking.trackers import TRACKERS
+from tracking.tracks import Labels, TrackTable
 
 ROOT = Path(__file__).parents[1]
 DOCUMENTS = sorted(
@@ -60,3 +73,65 @@ def _anchors(document: Path) -> set[str]:
     text = _FENCE.sub("", document.read_text(encoding="utf-8"))
     headings = re.findall(r"^#+ (.+)$", text, re.MULTILINE)
     return {re.sub(r"[^\w\- ]", "", one.lower()).replace(" ", "-") for one in headings}
+
+
+def test_every_format_has_a_row_in_the_page_of_formats() -> None:
+    page = (ROOT / "docs" / "formats.md").read_text(encoding="utf-8")
+    assert [name for name in FORMATS if f"\n| `{name}` |" not in page] == []
+
+
+def test_every_tracker_and_command_has_a_row_in_its_page() -> None:
+    trackers = (ROOT / "docs" / "trackers.md").read_text(encoding="utf-8")
+    assert [name for name in TRACKERS if f"`{name}`" not in trackers] == []
+    commands = (ROOT / "docs" / "commands.md").read_text(encoding="utf-8")
+    names = get_command(program).commands  # type: ignore[attr-defined] # a group
+    assert [name for name in names if not re.search(rf"\n\| `{name}\b", commands)] == []
+
+
+@pytest.mark.parametrize("name", ["CONTRIBUTING.md"])
+def test_every_module_that_is_named_exists(name: str) -> None:
+    text = (ROOT / name).read_text(encoding="utf-8")
+    named = set(re.findall(r"`((?:app|tracking|tests)/[\w/]+\.py)`", text))
+    assert named
+    assert [path for path in sorted(named) if not (ROOT / path).is_file()] == []
+
+
+def test_the_tracker_of_the_guide_keeps_ids() -> None:
+    guide = _module("tracking/trackers/overlap.py")
+    people = (Blocks(walking((20, 40), (1, 0)), RED_BLUE),)
+    tracker = guide["OverlapTracker"](guide["OverlapSettings"]())
+    found = [tracker.step(one).tracks["track"].tolist() for one in observations(people, 5)]
+    assert found == [[1]] * 5
+
+
+def test_the_format_of_the_guide_reads_what_it_writes(tmp_path: Path) -> None:
+    kind = _module("tracking/formats/eth_ucy.py")["ETH_UCY"]
+    table = table_of({7: [(3, 5)]})
+    kind.write(tmp_path / "out.txt", Exported.of_table(table), no_progress)
+    back = kind.read(tmp_path / "out.txt", Filmed()).columns
+    standing = np.isfinite(table.columns()["x"])
+    np.testing.assert_array_equal(back["frame"], table.columns()["frame"][standing])
+    np.testing.assert_array_equal(back["x"], table.columns()["x"][standing])
+
+
+def test_the_edit_of_the_guide_can_be_undone() -> None:
+    plan = _module("tracking/editing/boxes/confirmation.py")["plan_confirm"]
+    rows = table_of({1: [(0, 4)]}).columns()
+    table = TrackTable({**rows, "predicted": np.ones(4, bool)})
+    before = bytes_of(table)
+    change = plan(table, [1], 1, 3)
+    apply_change(table, Labels(), change)
+    assert table.of_track(1)["predicted"].tolist() == [True, False, False, True]
+    apply_change(table, Labels(), change.inverse)
+    assert bytes_of(table) == before
+
+
+def _module(path: str) -> dict[str, Any]:
+    """What a module that CONTRIBUTING.md shows complete defines."""
+    text = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
+    _, _, shown = text.partition(f"<code>{path}</code>, complete")
+    code = shown.partition("```python\n")[2].partition("\n```")[0]
+    module = ModuleType(path)
+    sys.modules[path] = module  # where dataclasses look for the module of a class
+    exec(compile(code, path, "exec"), module.__dict__)
+    return module.__dict__
