@@ -21,18 +21,20 @@ from tracking.tracks.labels import CountingLine, Region
 class CountSettings:
     """How people are counted; see `passages` for the jitter."""
 
-    step_s: float = setting(PAPER_STEP_S, "s", (0.001, 3600.0), "How long a step of time is.")
+    step_s: float = setting(
+        PAPER_STEP_S, "s", (0.001, 3600.0), "Length of a time step; higher: fewer, longer steps"
+    )
     jitter_m: float = setting(
         0.0,
         "m",
         (0.0, 5.0),
-        "Passing to and fro within this distance of a line on the floor is no passage.",
+        "Ignore re-crossings within this distance of a line on the floor; higher: fewer passages",
     )
     jitter_px: float = setting(
         0.0,
         "px",
         (0.0, 500.0),
-        "Passing to and fro within this distance of a line in the picture is no passage.",
+        "Ignore re-crossings within this distance of a line in the image; higher: fewer passages",
     )
 
 

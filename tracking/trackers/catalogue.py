@@ -74,7 +74,7 @@ class TrackerSpec:
 _BUILT = (
     TrackerSpec(
         name="stereo-joint",
-        title="Two cameras: everybody's best explanation at once, by place, colours and direction",
+        title="Two cameras: joint assignment of all tracks by position, appearance and direction",
         paper="",
         needs_stereo=True,
         needs_calibration=True,
@@ -84,7 +84,7 @@ _BUILT = (
     ),
     TrackerSpec(
         name="stereo-direction",
-        title="Particle filter on subtraction stereo: distance, colour and walking direction",
+        title="Two cameras: particle filter with distance, colour and walking direction",
         paper="Kawashita2014",
         needs_stereo=True,
         needs_calibration=True,
@@ -94,7 +94,7 @@ _BUILT = (
     ),
     TrackerSpec(
         name="stereo-colour",
-        title="Particle filter on subtraction stereo: distance and colour",
+        title="Two cameras: particle filter with distance and colour",
         paper="Kawashita2012",
         needs_stereo=True,
         needs_calibration=True,
@@ -104,7 +104,7 @@ _BUILT = (
     ),
     TrackerSpec(
         name="spheroid",
-        title="One calibrated camera: a particle filter on the floor, judged by silhouettes",
+        title="One calibrated camera: particle filter on the floor, weighted by silhouettes",
         paper="Waechter2013",
         needs_stereo=False,
         needs_calibration=True,
@@ -114,7 +114,7 @@ _BUILT = (
     ),
     TrackerSpec(
         name="three-part",
-        title="One camera: a particle filter each for head, torso and hip-leg, failures adjusted",
+        title="One camera: one particle filter each for head, torso and hip-leg, with adjustment",
         paper="ZhaoLee2009",
         needs_stereo=False,
         needs_calibration=False,
@@ -124,7 +124,7 @@ _BUILT = (
     ),
     TrackerSpec(
         name="three-part-joint",
-        title="One camera: one particle filter for all three parts, impossible poses left out",
+        title="One camera: one particle filter for head, torso and hip-leg together",
         paper="ZhaoLee2009",
         needs_stereo=False,
         needs_calibration=False,
@@ -134,7 +134,7 @@ _BUILT = (
     ),
     TrackerSpec(
         name="whole-body",
-        title="One camera: a particle filter for the whole person, to compare with",
+        title="One camera: particle filter for the whole body, for comparison",
         paper="ZhaoLee2009",
         needs_stereo=False,
         needs_calibration=False,
@@ -143,7 +143,7 @@ _BUILT = (
     ),
     TrackerSpec(
         name="flow",
-        title="One camera: bundles of tracklets, for counting a flow of people",
+        title="One calibrated camera: tracklets clustered into people, for counting",
         paper="Yoneji2013",
         needs_stereo=False,
         needs_calibration=True,

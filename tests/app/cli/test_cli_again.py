@@ -130,6 +130,22 @@ def test_a_run_made_again_knows_the_tracks_after_reopening(
         assert opened.runs[1].known_tracks > 0
 
 
+def test_settings_that_had_other_names_in_the_sessions_version_are_taken_over(
+    trackwright: Trackwright, footage: Path, tiny_run: Run, tmp_path: Path
+) -> None:
+    path, out = tmp_path / "old.h5", tmp_path / "again.h5"
+    settings = {"agility": 2.0, "remember_s": 3.0, "particles": 100}
+    with open_recording(footage) as recording:
+        old = replace(tiny_run, tracker="stereo-joint", settings=settings)
+        Session.create(recording, [old], path).close()
+    words = ["--from", "50", "--until", "55", "-o", out, "--set", "coast_s=4"]
+    assert trackwright("track", footage, "--again", path, *words)[0] == 0
+    with closing(Session.open(out)) as session:
+        named = {name: session.runs[1].settings[name] for name in ("process_noise", "coast_s")}
+        assert named == {"process_noise": 2.0, "coast_s": 4.0}
+        assert "agility" not in session.runs[1].settings
+
+
 @pytest.mark.parametrize(
     ("words", "reason"),
     [

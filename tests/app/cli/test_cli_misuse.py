@@ -13,6 +13,7 @@ SYNTH = ("synth", "OUT")
 MISUSES = [
     *[(*TRACK, *words) for words in (
         ("--tracker", "nonsense"), ("--set", "nonsense=1"), ("--set", "nonsense"),
+        ("--tracker", "stereo-joint", "--set", "agility=1"),
         ("--tracker", "spheroid", "--set", "smooth=perhaps"),
         ("--set", "smooth=1", "--set", "smooth=1"),
         ("--tracker", "three-part", "--detector", "none.h5"),
