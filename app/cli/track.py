@@ -208,8 +208,14 @@ def refuse_to_lose(out: Path, *, force: bool) -> None:
     A session nobody has worked on may be replaced: tracking again brings it back.
 
     Raises:
-        OutputError: another file, or a session with somebody's work in it.
+        OutputError: another file, or a session with somebody's work in it; a link to anything
+            but a session, even with `force`.
     """
+    if out.is_symlink() and not (out.is_file() and is_session(out)):
+        raise OutputError(
+            f"cannot write {out}: it is a link that leads to no session",
+            "name the file it leads to, or remove the link",
+        )
     if force or not out.exists():
         return
     if lost := _lost_with(out):

@@ -110,8 +110,8 @@ GOOD = ("yard", "1", "3", "0", "1", "", "", "label", *("1.5",) * 36)
         ("part", "3", "part is not 0"),
         ("label", "2", "label is not 1"),
         ("source", "guess", "source is not one of"),
-        ("frame", "1.5", "invalid literal"),
-        ("head_x", "far", "could not convert"),
+        ("frame", "1.5", "frame is '1.5', not a whole number"),
+        ("head_x", "far", "head_x is 'far', not a number"),
         ("head_x", "nan", "not a finite number"),
     ],
 )

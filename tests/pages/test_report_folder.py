@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 from pathlib import Path
 
 import pytest
@@ -67,3 +68,15 @@ def test_a_file_is_no_folder_for_a_report(tmp_path: Path) -> None:
     (tmp_path / "notes").write_text("x")
     with pytest.raises(OutputError, match="notes: Not a directory; choose another"):
         write_report_folder(tmp_path / "notes", _files("x"), KIND)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="links and pipes of POSIX")
+def test_a_pipe_or_a_link_in_the_place_of_a_page_is_no_earlier_report(tmp_path: Path) -> None:
+    write_report_folder(tmp_path / "real", _files("first"), KIND)
+    for name in ("pipe", "link"):
+        (tmp_path / name).mkdir()
+    os.mkfifo(tmp_path / "pipe" / "report.html")
+    (tmp_path / "link" / "report.html").symlink_to(tmp_path / "real" / "report.html")
+    for name in ("pipe", "link"):
+        with pytest.raises(OutputError, match=r"report\.html, which is no earlier report"):
+            write_report_folder(tmp_path / name, _files("second"), KIND)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import shutil
 import subprocess
@@ -10,6 +11,7 @@ import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
 
 import pytest
 from made_up_sessions import make_session, state_of
@@ -76,8 +78,25 @@ def test_a_folder_that_is_back_is_gone_on_with(
     session: Session, disk: Path, tmp_path: Path
 ) -> None:
     disk.rename(tmp_path / "away")
-    refused(session, OutputError, "out of reach: its folder has vanished")
+    refused(session, OutputError, "out of reach: its folder has vanished or is locked")
     (tmp_path / "away").rename(disk)
+    goes_on(session, tmp_path)
+
+
+def test_a_folder_that_cannot_be_looked_into_is_out_of_reach_until_it_can(
+    session: Session, disk: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    real = os.stat
+
+    def locked(path: object, *args: Any, **more: Any) -> os.stat_result:
+        if isinstance(path, str | Path) and Path(path).is_relative_to(disk):
+            raise PermissionError(errno.EACCES, "Permission denied", str(path))
+        return real(path, *args, **more)
+
+    with monkeypatch.context() as patched:
+        patched.setattr(os, "stat", locked)
+        with pytest.raises(OutputError, match="out of reach: its folder has vanished or is locked"):
+            edit(session, 15)
     goes_on(session, tmp_path)
 
 

@@ -108,7 +108,7 @@ def _read_csv(path: Path) -> Samples:
     lines, features = array("q"), array("d")
     for line, values in rows:
         try:
-            features.extend(float(values[name]) for name in FEATURE_NAMES)
+            features.extend(_number(name, values[name], float) for name in FEATURE_NAMES)
             for name, value in zip(names, _named(values), strict=True):
                 columns[name].append(value)
         except ValueError as error:
@@ -124,11 +124,20 @@ def _read_csv(path: Path) -> Samples:
 def _named(values: Mapping[str, str]) -> Iterator[Any]:
     """A row's values by `SAMPLE_COLUMNS` and `SHARED`. Raises ValueError."""
     for name in SAMPLE_COLUMNS:
-        yield values[name] if name in TEXTS else int(values[name])
+        yield values[name] if name in TEXTS else _number(name, values[name], int)
     for name in SHARED:
         text, besides = values.get(name, ""), BESIDES[name]
         number = float if besides.dtype.kind == "f" else int
-        yield number(text) if text else besides.unknown
+        yield _number(name, text, number) if text else besides.unknown
+
+
+def _number(column: str, text: str, kind: type[int] | type[float]) -> int | float:
+    """A cell's number. Raises ValueError, which names the column."""
+    try:
+        return kind(text)
+    except ValueError:
+        what = "a whole number" if kind is int else "a number"
+        raise ValueError(f"{column} is {text!r}, not {what}") from None
 
 
 def _check_is_no_other_table(path: Path) -> None:

@@ -9,6 +9,7 @@ from pathlib import Path
 
 from tracking.atomic_output import replacing
 from tracking.errors import OutputError
+from tracking.owned_files import SAFE_FLAGS
 from tracking.pages.page import is_page
 
 _HEAD_BYTES = 2048
@@ -94,7 +95,7 @@ def _is_left_over(name: str, known: Iterable[str]) -> bool:
 
 def _head(path: Path) -> str:
     try:
-        with path.open("rb") as stream:
+        with os.fdopen(os.open(path, os.O_RDONLY | SAFE_FLAGS), "rb") as stream:
             return stream.read(_HEAD_BYTES).decode("utf-8", "replace")
     except OSError:
         return ""

@@ -55,7 +55,7 @@ class PeopleFinder:
         self._boxes = BodyBoxes(rectification, ground, lines.shrink, settings)
         self._lines = lines
         self._rays = np.ascontiguousarray(lines.rays[::STEP, ::STEP])
-        self._side = lines.centre[:2].astype(np.float32)
+        self._camera_xy = lines.centre[:2].astype(np.float32)
         self._settings = settings
 
     def points(self, disparity: NDArray[np.float32]) -> SurfacePoints:
@@ -85,15 +85,15 @@ class PeopleFinder:
         settings = self._settings
         certain = (body == _CERTAIN).view(np.uint8) * np.uint8(255)
         high = points.world[:, 2] > settings.min_point_height_m
-        places = find_people(points.chosen(np.flatnonzero(high)), self._side, settings)
-        owner = assign_points(places, points, self._side, settings)
-        told = told_by_heads(places, owner, points, self._side, settings)
+        places = find_people(points.chosen(np.flatnonzero(high)), self._camera_xy, settings)
+        owner = assign_points(places, points, self._camera_xy, settings)
+        told = told_by_heads(places, owner, points, self._camera_xy, settings)
         if len(places) < len(told) <= _MOST_PEOPLE:
-            places, owner = told, assign_points(told, points, self._side, settings)
+            places, owner = told, assign_points(told, points, self._camera_xy, settings)
         # What lies on the floor and looks like shadow is nobody's foot.
         owner[~high & (certain.ravel().take(points.pixel) == 0)] = -1
         owner = without_seams(owner, points, certain.shape)
-        extent = measure(len(places), owner, points, self._side, certain.shape[1])
+        extent = measure(len(places), owner, points, self._camera_xy, certain.shape[1])
         real = self._are_people(extent)
         owner = _renumbered(owner, real)
         labels = paint(owner, points, certain)
@@ -119,7 +119,7 @@ class PeopleFinder:
     ) -> Detections:
         settings = self._settings
         boxes = region_boxes(labels, len(places))
-        hidden, truncated = hidden_sides(labels, boxes, extent.middle[:, :2] - self._side)
+        hidden, truncated = hidden_sides(labels, boxes, extent.middle[:, :2] - self._camera_xy)
         if self.scene is not None:
             hidden |= behind_things(boxes, self.scene, self._nearer_than(extent))
         position = axis_positions(places, extent, hidden, self._lines, settings)

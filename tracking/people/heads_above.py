@@ -48,7 +48,7 @@ def told_by_heads(
 
     Args:
         places: (n, 2) m. owner: whose each point is, of `assign_points`.
-        points: of the frame. camera: (2,) m, the floor point below the camera.
+        points: of the frame. camera_xy: (2,) m, the floor point below the camera.
         settings: of people.
     """
     found = [places[k : k + 1] for k in range(len(places))]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import os
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
@@ -75,10 +76,10 @@ class Store:
         self.others_aside = None
         if self._is_in_place():
             return True
-        if not self._path.is_file():
+        if not os.path.isfile(self._path):  # noqa: PTH113 - Path.is_file raises if locked
             raise OutputError(
-                f"{self._path} is out of reach: its folder has vanished. Nothing was changed. "
-                "Connect its disk again, or put the folder back, and go on"
+                f"{self._path} is out of reach: its folder has vanished or is locked. Nothing was "
+                "changed. Connect its disk again, put the folder back or unlock it, and go on"
             )
         if not self._lock.is_in_place:
             self._lock_again(is_own)

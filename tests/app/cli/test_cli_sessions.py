@@ -324,6 +324,21 @@ def test_no_command_writes_through_a_link_or_into_a_pipe(
     assert (victim.read_text(), link.is_symlink(), pipe.is_fifo()) == ("precious", True, True)
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="links of POSIX")
+def test_track_writes_through_a_link_to_a_session_only(
+    trackwright: Trackwright, footage: Path, tmp_path: Path
+) -> None:
+    (tmp_path / "victim.txt").write_text("precious")
+    for leads_to in ("victim.txt", "nowhere.h5"):
+        link = tmp_path / f"to-{Path(leads_to).stem}.h5"
+        link.symlink_to(tmp_path / leads_to)
+        status, out, err = trackwright("track", footage, "--force", "-o", link)
+        assert (status, out, err.count("\n")) == (1, "", 1)
+        assert "it is a link that leads to no session; name the file it leads to" in err
+    assert (tmp_path / "victim.txt").read_text() == "precious"
+    assert not (tmp_path / "nowhere.h5").exists()
+
+
 def test_an_export_replaces_text_and_no_video(
     trackwright: Trackwright, session: Path, footage: Path, tmp_path: Path
 ) -> None:
