@@ -47,8 +47,8 @@ class Bench:
         self._target.setDevicePixelRatio(ratio)
 
     def scene(self) -> TimelineScene:
-        instant = FrameState(self.frame, self.tracks, selected=self.selected)
-        return self.presenter.scene(self.frame, instant, (), None)
+        state = FrameState(self.frame, self.tracks, selected=self.selected)
+        return self.presenter.scene(self.frame, state, (), None)
 
     def show(self) -> None:
         """Show and paint what there is to see by now."""

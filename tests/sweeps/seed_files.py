@@ -121,7 +121,7 @@ def of_recordings(kit: Path) -> dict[str, Kind]:
         picture.unlink()
     two = ("--frames", "0:2", "-o", "W/out.h5")
     shown = (*_INFO, ("track", "W/rec", *two))
-    pictured = tuple((*words, "--fps", "8") for words in shown)
+    view_options = tuple((*words, "--fps", "8") for words in shown)
     parts = ("track", "K/stereo/rec", "--tracker", "three-part", *two)
     (kit / "detector").mkdir()
     shutil.copy(_RESOURCES / "part_failures.h5", kit / "detector" / "d.h5")
@@ -133,8 +133,8 @@ def of_recordings(kit: Path) -> dict[str, Kind]:
         "calibration.xml": Kind("xml", "rec/calibration.xml", _INFO, text=True),
         "calib.txt": Kind("kitti", "rec/calib.txt", _INFO, text=True),
         "camera_info.yaml": Kind("ros", "rec/right.yaml", _INFO, text=True),
-        "png": Kind("pictures", "rec/000000.png", pictured),
-        "jpeg": Kind("jpegs", "rec/000001.jpg", pictured),
+        "png": Kind("pictures", "rec/000000.png", view_options),
+        "jpeg": Kind("jpegs", "rec/000001.jpg", view_options),
         "video": Kind("stereo", "rec/left.mp4", shown),
         "settings": Kind(
             "settings", "settings.ini", ((WINDOW, "W/settings.ini"),), text=True, slow=True

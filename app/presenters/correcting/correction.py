@@ -48,7 +48,7 @@ class Correcting:
     def __init__(
         self,
         selection: Selection,
-        footing: RecordingGeometry,
+        geometry: RecordingGeometry,
         ground: Callable[[], EditContext | None],
     ) -> None:
         """`ground` gives what edits are planned on; None while nothing can be corrected."""
@@ -59,7 +59,7 @@ class Correcting:
         self.item_looked_at: Callable[[], ReviewItem | None] = _no_item
         self._let_go: tuple[int, ...] = ()
         self._selection = selection
-        self._footing = footing
+        self._geometry = geometry
         self._ground = ground
 
     @property
@@ -99,10 +99,10 @@ class Correcting:
             kind,
             everybody[0],
             frame,
-            self._footing.fps,
+            self._geometry.fps,
             scope=scope,
             marked=self.marked,
-            has_floor=self._footing.view is not None,
+            has_floor=self._geometry.view is not None,
         )
         if kind in OF_SEVERAL:
             flow = replace(flow, also=everybody[1:])
@@ -114,7 +114,7 @@ class Correcting:
     def _others(self, flow: EditFlow, on: EditContext, frame: int) -> tuple[int, ...]:
         """Who may be the second person, the likeliest first."""
         if flow.kind is EditKind.MERGE:
-            return followers_first(on.table, flow.track, self._footing.fps)
+            return followers_first(on.table, flow.track, self._geometry.fps)
         return nearest_first(on.table, flow.track, frame)
 
     def _go_to_gap(self, step: int) -> None:
@@ -199,7 +199,7 @@ class Correcting:
             return flow.with_other(other)
         # A frame that was proposed for somebody else says nothing of where the user looks.
         near = flow.cut if not flow.proposed or self.begun_at is None else self.begun_at
-        two, fps = {flow.track, other}, self._footing.fps
+        two, fps = {flow.track, other}, self._geometry.fps
         one = self.item_looked_at()
         if one is None or not two.issuperset(one.tracks) or not is_near(one, near, fps):
             return flow.with_other(other, changed_over(on, flow.track, other, near))
@@ -232,7 +232,7 @@ class Correcting:
         if self.flow is None or not self.flow.places or self.flow.kind is EditKind.FLOOR:
             self.begin(EditKind.MOVE, frame)
         if self.flow is not None:
-            self.change(replace(self.flow, box=self._footing.kept_inside(box)))
+            self.change(replace(self.flow, box=self._geometry.kept_inside(box)))
 
     def put_place(self, place: Place, frame: int) -> None:
         """The selected person is dragged over the floor."""
@@ -255,7 +255,7 @@ class Correcting:
             across, along = right * steps * _BOX_STEP_PX, down * steps * _BOX_STEP_PX
             moved = (left + across, top + along, width, height)
             grown = (left, top, width + across, height + along)
-            self.change(replace(flow, box=self._footing.kept_inside(grown if resize else moved)))
+            self.change(replace(flow, box=self._geometry.kept_inside(grown if resize else moved)))
 
     # the range
 
@@ -263,7 +263,7 @@ class Correcting:
         """[ and ]: set where the range starts or stops; the other end stays on its side."""
         first, last = self.marked or (None, None)
         if start is not None:
-            end = last if last is not None and last > start else self._footing.frame_count
+            end = last if last is not None and last > start else self._geometry.frame_count
             self.marked = start, end
         elif stop is not None:
             self.marked = (first if first is not None and first < stop else 0), stop

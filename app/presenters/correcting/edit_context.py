@@ -15,12 +15,12 @@ class EditContext:
 
     Attributes:
         table, labels: of the session, or empty ones where there is none yet.
-        footing: of the recording. signals: what the run noticed of its rows; None: nothing.
+        geometry: of the recording. signals: what the run noticed of its rows; None: nothing.
         colours: of the tracks.
     """
 
     table: TrackTable
     labels: Labels
-    footing: RecordingGeometry
+    geometry: RecordingGeometry
     signals: Columns | None = None
     colours: TrackColours = field(default_factory=TrackColours)

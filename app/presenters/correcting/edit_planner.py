@@ -85,7 +85,7 @@ def _split(flow: EditFlow, on: EditContext) -> Change:
 
 
 def _merge(flow: EditFlow, on: EditContext) -> Change:
-    footing, others = on.footing, flow.also or (flow.other,)
+    geometry, others = on.geometry, flow.also or (flow.other,)
     return plan_merge_tracks(
         on.table,
         flow.track,
@@ -93,8 +93,8 @@ def _merge(flow: EditFlow, on: EditContext) -> Change:
         _KEEPS[flow.way],
         on.labels,
         fill=flow.fill is Fill.FILL,
-        view=footing.view,
-        fps=footing.fps,
+        view=geometry.view,
+        fps=geometry.fps,
     )
 
 
@@ -111,7 +111,7 @@ def _delete(flow: EditFlow, on: EditContext) -> Change:
 def _draw(flow: EditFlow, on: EditContext) -> Change:
     if flow.box is None:
         raise EditError(tr("Draw the box: drag from one of its corners to the opposite one"))
-    view, fps = on.footing.view, on.footing.fps
+    view, fps = on.geometry.view, on.geometry.fps
     if not flow.track:
         return plan_new_track(on.table, flow.cut, flow.box, view=view)
     return plan_draw_box(
@@ -130,20 +130,20 @@ def _move(flow: EditFlow, on: EditContext) -> Change:
     made = len(row["frame"]) and row["source"][0] == Source.PERSON
     if flow.box is None or (made and box_of(row) == flow.box):
         raise EditError(tr("Move the box with the arrow keys, or drag it or its handles"))
-    footing = on.footing
+    geometry = on.geometry
     return plan_move_box(
-        on.table, flow.track, flow.cut, flow.box, view=footing.view, fps=footing.fps
+        on.table, flow.track, flow.cut, flow.box, view=geometry.view, fps=geometry.fps
     )
 
 
 def _drag(flow: EditFlow, on: EditContext) -> Change:
-    if on.footing.view is None:
+    if on.geometry.view is None:
         raise EditError(tr("The recording does not say where the floor is: move the box instead"))
     if flow.place is None:
         raise EditError(
             tr("Move the person with the arrow keys, or drag them in the overhead view")
         )
-    view, fps = on.footing.view, on.footing.fps
+    view, fps = on.geometry.view, on.geometry.fps
     return plan_drag(on.table, flow.track, flow.cut, flow.place, view, fps=fps)
 
 
@@ -151,27 +151,27 @@ def _interpolate(flow: EditFlow, on: EditContext) -> Change:
     start, end = flow.cut, flow.end
     if flow.scope is EditScope.BETWEEN:
         start, end = stretch_between_keyframes(on.table, flow.track, flow.cut)
-    how, footing = _HOWS[flow.way], on.footing
+    how, geometry = _HOWS[flow.way], on.geometry
     return plan_interpolate(
-        on.table, flow.track, start, end, how, view=footing.view, fps=footing.fps
+        on.table, flow.track, start, end, how, view=geometry.view, fps=geometry.fps
     )
 
 
 def _fill(flow: EditFlow, on: EditContext) -> Change:
-    frame, footing = gap_near(on.table, flow.track, flow.cut), on.footing
+    frame, geometry = gap_near(on.table, flow.track, flow.cut), on.geometry
     if frame is None:
         said = tr("Track {track} has no gap between its first and last frame", track=flow.track)
         raise EditError(said)
     how = _HOWS[flow.way]
-    return plan_fill_gap(on.table, flow.track, frame, how, view=footing.view, fps=footing.fps)
+    return plan_fill_gap(on.table, flow.track, frame, how, view=geometry.view, fps=geometry.fps)
 
 
 def _fill_all(flow: EditFlow, on: EditContext) -> Change:
-    footing, seconds = on.footing, flow.longest.seconds
-    longest = round(seconds * footing.fps) if np.isfinite(seconds) else footing.frame_count
+    geometry, seconds = on.geometry, flow.longest.seconds
+    longest = round(seconds * geometry.fps) if np.isfinite(seconds) else geometry.frame_count
     how = _HOWS[flow.way]
     return plan_fill_gaps(
-        on.table, flow.everybody, longest, how, view=footing.view, fps=footing.fps
+        on.table, flow.everybody, longest, how, view=geometry.view, fps=geometry.fps
     )
 
 
@@ -180,14 +180,16 @@ def _keyframe(flow: EditFlow, on: EditContext) -> Change:
 
 
 def _no_keyframe(flow: EditFlow, on: EditContext) -> Change:
-    footing = on.footing
-    return plan_delete_keyframe(on.table, flow.track, flow.cut, view=footing.view, fps=footing.fps)
+    geometry = on.geometry
+    return plan_delete_keyframe(
+        on.table, flow.track, flow.cut, view=geometry.view, fps=geometry.fps
+    )
 
 
 def _thin(flow: EditFlow, on: EditContext) -> Change:
     start, end = _bounded(flow, on)
-    footing = on.footing
-    return plan_thin(on.table, flow.track, start, end, view=footing.view, fps=footing.fps)
+    geometry = on.geometry
+    return plan_thin(on.table, flow.track, start, end, view=geometry.view, fps=geometry.fps)
 
 
 def _occlude(flow: EditFlow, on: EditContext) -> Change:

@@ -103,7 +103,7 @@ def _why(flow: EditFlow, number: int, on: EditContext) -> str:
 
 
 def _details(flow: EditFlow, change: Change, on: EditContext) -> tuple[str, ...]:
-    lines, fps = [], on.footing.fps
+    lines, fps = [], on.geometry.fps
     when = time_text(flow.cut / fps)
     if flow.proposed and flow.cut_number >= 0:
         why = _why(flow, flow.cut_number, on)

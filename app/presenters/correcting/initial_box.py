@@ -14,8 +14,8 @@ from tracking.tracks import Box
 def begun_box(flow: EditFlow, on: EditContext) -> Box:
     """The box of the person in the frame or where they stand nearest to it; else a usual one."""
     row = nearest_row(on.table, flow.track, flow.cut)
-    box = box_of(row) if row is not None else on.footing.first_box()
-    return box if np.isfinite(box).all() and min(box[2:]) > 0 else on.footing.first_box()
+    box = box_of(row) if row is not None else on.geometry.first_box()
+    return box if np.isfinite(box).all() and min(box[2:]) > 0 else on.geometry.first_box()
 
 
 def begun_place(flow: EditFlow, on: EditContext) -> Place | None:

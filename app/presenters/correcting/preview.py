@@ -61,7 +61,7 @@ def planned_edit(flow: EditFlow, on: EditContext, problem: str = "") -> PlannedE
 
 def shown_edit(flow: EditFlow, on: EditContext, change: Change, problem: str = "") -> PlannedEdit:
     """An edit whose change is known already, shown around its cut."""
-    around = round(AROUND_S * on.footing.fps)
+    around = round(AROUND_S * on.geometry.fps)
     window = max(0, flow.cut - around), flow.cut + around
     before = _rows_of(on, change, window)
     after = changed_rows(before, change, window)

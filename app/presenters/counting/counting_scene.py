@@ -77,7 +77,7 @@ class CountingScene:
         jitters: which of the two distances matter, on the floor and in the picture.
         plots: of the one that is picked.
         counts: all steps, for the table; None while there are none.
-        frame, frame_count, fps: of the instant and the recording.
+        frame, frame_count, fps: of the frame and the recording.
         doing: said while it counts. message: what to do where there is nothing to count.
     """
 

@@ -105,22 +105,22 @@ class CountingPresenter:
 
     # what the views show
 
-    def said_of(self, instant: FrameState, tool: Tool, number: int) -> str:
+    def said_of(self, state: FrameState, tool: Tool, number: int) -> str:
         """What stands behind the name of a line or a region in a frame; "": nothing yet."""
         if tool is Tool.LINES:
-            so_far = self._so_far(number, instant.frame)
+            so_far = self._so_far(number, state.frame)
             if so_far is None:
                 return ""
             return tr("{ahead} forward, {back} backward", ahead=so_far[0], back=so_far[1])
         regions = self.labels.regions
         if tool is not Tool.REGIONS or number >= len(regions):
             return ""
-        return self._inside_text(regions[number], instant)
+        return self._inside_text(regions[number], state)
 
-    def scene(self, instant: FrameState, doing: str) -> CountingScene:
+    def scene(self, state: FrameState, doing: str) -> CountingScene:
         """The panel."""
         document, choice = self._document, self.choice
-        rows = (*self._line_rows(instant), *self._region_rows(instant))
+        rows = (*self._line_rows(state), *self._region_rows(state))
         picked = self._picked(rows)
         return CountingScene(
             rows=rows,
@@ -134,7 +134,7 @@ class CountingPresenter:
             jitters=self._jitters,
             plots=self._plots_of(rows, picked),
             counts=self._shown.counts if self._shown is not None else None,
-            frame=instant.frame,
+            frame=state.frame,
             frame_count=document.recording.frame_count,
             fps=document.recording.fps,
             doing=doing,
@@ -163,9 +163,9 @@ class CountingPresenter:
 
     # rows
 
-    def _line_rows(self, instant: FrameState) -> list[TallyRow]:
+    def _line_rows(self, state: FrameState) -> list[TallyRow]:
         return [
-            self._line_row(number, line, instant.frame)
+            self._line_row(number, line, state.frame)
             for number, line in enumerate(self.labels.lines)
         ]
 
@@ -191,16 +191,16 @@ class CountingPresenter:
         )
         return TallyRow(line.name, True, LINE_COLOUR, (*cells, "", "", ""), hint)
 
-    def _region_rows(self, instant: FrameState) -> list[TallyRow]:
+    def _region_rows(self, state: FrameState) -> list[TallyRow]:
         return [
-            self._region_row(number, region, instant)
+            self._region_row(number, region, state)
             for number, region in enumerate(self.labels.regions)
         ]
 
-    def _region_row(self, number: int, region: Region, instant: FrameState) -> TallyRow:
-        people = people_inside(region, self._rows(instant))
+    def _region_row(self, number: int, region: Region, state: FrameState) -> TallyRow:
+        people = people_inside(region, self._rows(state))
         density = float(density_of(region, np.array([people]))[0])
-        speed = self._speed(number, instant.frame)
+        speed = self._speed(number, state.frame)
         cells = ("", "", str(people), _text(density, "{:.2f}"), _text(speed, "{:.2f}"))
         steps = self._person_steps(number)
         hint = tr("{name}: {people} inside now", name=region.name, people=people)
@@ -209,8 +209,8 @@ class CountingPresenter:
             hint = f"{hint}; {said}"
         return TallyRow(region.name, False, REGION_COLOUR, cells, hint)
 
-    def _inside_text(self, region: Region, instant: FrameState) -> str:
-        people = people_inside(region, self._rows(instant))
+    def _inside_text(self, region: Region, state: FrameState) -> str:
+        people = people_inside(region, self._rows(state))
         density = float(density_of(region, np.array([people]))[0])
         inside = tr("{people} inside", people=people)
         return f"{inside}, {density:.2f}/m²" if math.isfinite(density) else inside
@@ -258,16 +258,16 @@ class CountingPresenter:
     @property
     def _jitters(self) -> tuple[bool, bool]:
         """Whether there are lines on the floor, or none at all; and whether some in the picture."""
-        pictured = [line.in_picture for line in self.labels.lines]
-        return not all(pictured) or not pictured, any(pictured)
+        in_picture = [line.in_picture for line in self.labels.lines]
+        return not all(in_picture) or not in_picture, any(in_picture)
 
-    def _rows(self, instant: FrameState) -> Columns:
+    def _rows(self, state: FrameState) -> Columns:
         """The rows of the frame of those who are counted."""
         session, whose = self._document.session, self.whose
         if whose == SHOWN or session is None:
-            return instant.tracks.of_frame(instant.frame)
+            return state.tracks.of_frame(state.frame)
         tracks = session.runs[whose].tracks
-        rows = between(tracks["frame"], instant.frame, instant.frame + 1)
+        rows = between(tracks["frame"], state.frame, state.frame + 1)
         return {name: column[rows] for name, column in tracks.items()}
 
     # plots

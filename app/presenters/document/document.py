@@ -49,15 +49,15 @@ class Document:
     def __init__(self, recording: Recording, session: Session | None = None) -> None:
         self.recording = recording
         self.selection = Selection()
-        self._showing = TrackSource(session)
+        self._track_source = TrackSource(session)
         self._author = ""
-        self._footing = RecordingGeometry.of(recording)
-        self.correcting = Correcting(self.selection, self._footing, self._ground)
+        self._geometry = RecordingGeometry.of(recording)
+        self.correcting = Correcting(self.selection, self._geometry, self._ground)
         self.pictures = PicturePresenter(recording)
         self.overhead = OverheadPresenter(recording)
         self._timeline = TimelinePresenter(recording.frame_count, recording.fps)
-        self._instants = FrameStateBuilder(
-            self._showing, self.selection, self.correcting, self.pictures
+        self._frame_states = FrameStateBuilder(
+            self._track_source, self.selection, self.correcting, self.pictures
         )
         self.settle: Settle | None = None
         self.edited: tuple[int, ...] = ()
@@ -69,36 +69,36 @@ class Document:
     @property
     def session(self) -> Session | None:
         """None: nothing has been tracked yet."""
-        return self._showing.session
+        return self._track_source.session
 
     @property
     def tracks(self) -> WholeTracks:
         """The tracks that are shown."""
-        return self._showing.tracks
+        return self._track_source.tracks
 
     @property
     def is_live(self) -> bool:
         """Whether the tracks of a tracker at work are shown, not those of the session."""
-        return self._showing.is_live
+        return self._track_source.is_live
 
     @property
     def at_work(self) -> bool:
         """Whether a tracker is at work, whoever is shown."""
-        return self._showing.at_work
+        return self._track_source.at_work
 
     def made_by(self, frame: int) -> MadeBy | None:
         """What made the tracks that are shown in a frame."""
-        return self._showing.made_by(frame)
+        return self._track_source.made_by(frame)
 
     @property
     def unread(self) -> SessionError | None:
         """Why particles of the session are not shown; None: they are, or it has none."""
-        return self._showing.unread
+        return self._track_source.unread
 
     @property
     def tracked_until(self) -> int:
         """One past the last frame a tracker at work has been through."""
-        return self._showing.tracked_until
+        return self._track_source.tracked_until
 
     @property
     def busiest_frame(self) -> int:
@@ -127,13 +127,13 @@ class Document:
         """
         self.correcting.leave()
         self.selection.choose(0)
-        self._showing.begin_live(continues_at, at_work, kept)
+        self._track_source.begin_live(continues_at, at_work, kept)
         self._retake()
 
     def take_live(self, results: Iterable[StepResult]) -> None:
         """Take further results of the tracker at work, in order."""
         found = tuple(results)
-        self._showing.extend(found)
+        self._track_source.extend(found)
         if self.is_live:
             for result in found:
                 self.overhead.take_more(result.tracks)
@@ -142,14 +142,14 @@ class Document:
     @property
     def shows_further_run(self) -> bool:
         """Whether people of a run beside the session are shown, until somebody looks away."""
-        return self.is_live and self._showing.can_look_away
+        return self.is_live and self._track_source.can_look_away
 
     def show_live(self, on: bool) -> bool:
         """Show what a further run finds, or the session's tracks meanwhile; whether that changes.
 
         The session's can be corrected while they are shown, and stay so while an edit waits.
         """
-        changed = (self.flow is None or not on) and self._showing.show_live(on)
+        changed = (self.flow is None or not on) and self._track_source.show_live(on)
         if changed:
             self.correcting.leave()
             self.selection.choose(0)
@@ -164,14 +164,14 @@ class Document:
 
     def take_session(self, session: Session) -> None:
         """Show a session from now on."""
-        self._showing.take_session(session)
+        self._track_source.take_session(session)
         self.sign(self._author)
         self._marks, self._history = EditMarks(), HistoryList()
         self._retake()
 
     def rest(self) -> None:
         """The tracker is done; what it found stays shown until it is kept."""
-        self._showing.end_live()
+        self._track_source.end_live()
 
     def end_live(self) -> None:
         """The tracker is done, or failed: show the session again, if there is one."""
@@ -191,9 +191,9 @@ class Document:
 
     # what the views show
 
-    def instant(self, frame: int) -> FrameState:
+    def frame_state(self, frame: int) -> FrameState:
         """The frame as the pictures and the floor show it: with what is compared, too."""
-        return self._instants.compared(frame, self.comparison)
+        return self._frame_states.compared(frame, self.comparison)
 
     def timeline(
         self,
@@ -202,14 +202,14 @@ class Document:
         loaded: tuple[tuple[int, int], ...] = (),
         no_lanes: str = "",
     ) -> TimelineScene:
-        """The timeline with its playhead; lanes are those of `frame`'s instant.
+        """The timeline with its playhead; lanes are those of `frame`.
 
         `loaded` are the half-open ranges of frames at hand; `no_lanes` is said without lanes.
         """
         cut = self.flow.cut if self.flow is not None and self.flow.has_cut else None
         marked = self.correcting.range_shown
-        instant = self._instants.corrected(frame)
-        return self._timeline.scene(playhead, instant, loaded, cut, no_lanes, marked)
+        state = self._frame_states.corrected(frame)
+        return self._timeline.scene(playhead, state, loaded, cut, no_lanes, marked)
 
     def take_review_items(self, review_items: Sequence[TimelineMark]) -> None:
         """Mark on the timeline what may be wrong, instead of what was marked before."""
@@ -232,7 +232,7 @@ class Document:
 
     def label(self, track: int) -> TrackLabel:
         """What people said of a track; nothing of those a tracker at work has numbered anew."""
-        return self._showing.label(track)
+        return self._track_source.label(track)
 
     # correcting
 
@@ -253,7 +253,7 @@ class Document:
 
     def _ground(self) -> EditContext | None:
         """What edits are planned on; None: they cannot be planned now."""
-        return self._showing.ground(self._footing)
+        return self._track_source.ground(self._geometry)
 
     def confirm_edit(self) -> Change | None:
         """Do the edit that waits; None where it is not ready. Who is new by it is selected then.
@@ -324,25 +324,25 @@ class Document:
 
     def colour_of(self, track: int) -> Colour:
         """The colour a track has in all views."""
-        return self._showing.colours.of(track)
+        return self._track_source.colours.of(track)
 
     @property
     def colours_watched(self) -> TrackColours | None:
         """Colours in which the people of a tracker were seen, until its run is kept."""
-        return self._showing.colours_watched
+        return self._track_source.colours_watched
 
     @property
     def colours_due(self) -> ColoursDue | None:
         """Colours of tracks that are to be made still; None: all are there."""
-        return self._showing.own.due
+        return self._track_source.own.due
 
     def forget_colours(self, due: ColoursDue) -> None:
         """They could not be made, and are due no more."""
-        self._showing.own.forget(due)
+        self._track_source.own.forget(due)
 
     def take_colours(self, due: ColoursDue, made: TrackColours) -> bool:
         """Show colours that were due; False where others are by now."""
-        taken = self._showing.take_colours(due, made)
+        taken = self._track_source.take_colours(due, made)
         if taken:
             self._timeline.colour_anew()
         return taken
@@ -350,9 +350,9 @@ class Document:
     @property
     def in_the_way(self) -> str:
         """What is to be done before tracks can be corrected, as a tracker's are shown; "" none."""
-        if not (self.is_live and self._showing.at_work):
+        if not (self.is_live and self._track_source.at_work):
             return ""
-        if self._showing.can_look_away:
+        if self._track_source.can_look_away:
             return tr("move the playhead to your own tracks, or stop tracking first, then correct")
         return tr("stop tracking first, then correct")
 
@@ -363,7 +363,7 @@ class Document:
 
     def refuse_at_work(self) -> None:
         """Raises EditError while a tracker is at work, whoever is shown."""
-        if self._showing.at_work:
+        if self._track_source.at_work:
             raise EditError(tr("Not changed: stop tracking first"))
 
     def _take_changed(self, change: Change) -> None:
@@ -374,7 +374,7 @@ class Document:
         frames = change.before.rows["frame"], change.after.rows["frame"]
         marks = self._marks.of(self.session.history)
         self.overhead.take_more(change.after.rows)
-        self._showing.meet(change)
+        self._track_source.meet(change)
         self.edited = change.tracks
         self._timeline.take_changed(self.edited, self.tracks, frames, marks)
         self._timeline.take_reviewed(self.session.labels.reviewed)

@@ -42,7 +42,7 @@ class ViewOptions:
 
     @property
     def lasting(self) -> str:
-        """What holds for the next recording, too, for :func:`pictured_from`."""
+        """What holds for the next recording, too, for :func:`parse_view_options`."""
         return " ".join(f"{'+' if getattr(self, name) else '-'}{name}" for name in _LASTING)
 
     @property
@@ -63,7 +63,7 @@ _LASTING = (
 """Panels, and what is worked out on request, are asked for anew in each recording."""
 
 
-def pictured_from(lasting: str) -> ViewOptions:
+def parse_view_options(lasting: str) -> ViewOptions:
     """The choice as it was left; whatever a damaged file says instead is forgotten."""
     said = {word[1:]: word[0] == "+" for word in lasting.split() if word[0] in "+-"}
     return ViewOptions(**{name: said[name] for name in _LASTING if name in said})
@@ -71,7 +71,7 @@ def pictured_from(lasting: str) -> ViewOptions:
 
 @dataclass(frozen=True, slots=True)
 class PictureOverlay:
-    """What of foreground, subtraction stereo or the ramp lies over the left picture at an instant.
+    """What of foreground, subtraction stereo or the ramp lies over the left picture of a frame.
 
     Attributes:
         image: (height, width, 4) uint8 RGBA; None while it is being made.
@@ -88,7 +88,7 @@ NO_OVERLAY = PictureOverlay()
 
 @dataclass(frozen=True, slots=True)
 class FrameState:
-    """One instant as all views show it.
+    """One frame as all views show it.
 
     Attributes:
         frame: number. tracks: where people come from. names: of tracks that have one.

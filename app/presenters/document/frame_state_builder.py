@@ -1,4 +1,4 @@
-"""An instant as the views show it: as it is, as an edit would make it, and compared."""
+"""A frame as the views show it: as it is, as an edit would make it, and compared."""
 
 from __future__ import annotations
 
@@ -17,16 +17,16 @@ from tracking.editing import Change
 
 
 class FrameStateBuilder:
-    """Makes the instants of one recording from what is shown, selected and being corrected."""
+    """Builds the frame states of one recording from what is shown, selected and being corrected."""
 
     def __init__(
         self,
-        showing: TrackSource,
+        track_source: TrackSource,
         selection: Selection,
         correcting: Correcting,
         pictures: PicturePresenter,
     ) -> None:
-        self._showing, self._selection = showing, selection
+        self._track_source, self._selection = track_source, selection
         self._correcting, self._pictures = correcting, pictures
 
     def corrected(self, frame: int) -> FrameState:
@@ -34,19 +34,19 @@ class FrameStateBuilder:
         planned, flow = self._correcting.planned, self._correcting.flow
         change = planned.change if planned is not None else None
         shown = planned is not None and change is not None
-        tracks: TrackReader = self._showing.tracks
-        in_picture, colours = self._pictures.left_foot_points, self._showing.colours
+        tracks: TrackReader = self._track_source.tracks
+        in_picture, colours = self._pictures.left_foot_points, self._track_source.colours
         if change:
-            tracks = PreviewedTracks(self._showing.tracks, change)
-            colours = self._showing.colours_after(change, tracks)
+            tracks = PreviewedTracks(self._track_source.tracks, change)
+            colours = self._track_source.colours_after(change, tracks)
         return FrameState(
             frame=frame,
             tracks=tracks,
-            names=self._showing.names,
+            names=self._track_source.names,
             selected=self._selection.track,
             other=flow.other if flow is not None else 0,
             also=self._emphasised(change),
-            run=self._showing.made_by(frame),
+            run=self._track_source.made_by(frame),
             preview=preview_trails(planned, floor_points, colours.of) if planned and shown else (),
             picture_preview=preview_trails(planned, in_picture, colours.of)
             if planned and shown
@@ -63,21 +63,21 @@ class FrameStateBuilder:
 
         Where two runs are compared, its people are those of the one that is drawn solid.
         """
-        instant, planned = self.corrected(frame), self._correcting.planned
+        state, planned = self.corrected(frame), self._correcting.planned
         if comparison is None or (planned is not None and planned.change is not None):
-            return instant
+            return state
         if comparison.solid is not None:
             asked = comparison.current
-            instant = FrameState(
+            state = FrameState(
                 frame,
                 comparison.solid,
                 selected=asked.track if asked is not None else 0,
                 other=asked.other if asked is not None else 0,
                 run=comparison.base_run,
-                colours=instant.colours,
+                colours=state.colours,
             )
         return replace(
-            instant,
+            state,
             preview=comparison.trails(frame, floor_points),
             picture_preview=comparison.trails(frame, self._pictures.left_foot_points),
         )

@@ -80,16 +80,16 @@ class TrackSource:
             return TrackLabel()
         return self.session.labels.of_track(track)
 
-    def ground(self, footing: RecordingGeometry) -> EditContext | None:
+    def ground(self, geometry: RecordingGeometry) -> EditContext | None:
         """What edits are planned on; nothing yet where there is no session; None: not now."""
         session = self.session
         if session is None:
-            return None if self.tracks.ids else EditContext(TrackTable(), Labels(), footing)
+            return None if self.tracks.ids else EditContext(TrackTable(), Labels(), geometry)
         if self.is_live or session.read_only:
             return None
         run = session.corrected_run
         signals = run.signals if run is not None else None
-        return EditContext(session.tracks, session.labels, footing, signals, self.colours)
+        return EditContext(session.tracks, session.labels, geometry, signals, self.colours)
 
     def made_by(self, frame: int) -> MadeBy | None:
         """What made the tracks that are shown in a frame; None: nothing is known of that."""

@@ -19,24 +19,24 @@ from app.presenters.pictures.overhead import relative_weights
 from tracking.tracks import PART_NAMES, Box, Columns
 
 
-def pictured_boxes(instant: FrameState, part: int) -> tuple[PartBox, ...]:
+def part_boxes(state: FrameState, part: int) -> tuple[PartBox, ...]:
     """The parts' rectangles in a frame, those of the selected person last."""
-    rows = instant.tracks.parts(instant.frame)
-    boxes = [_box(rows, row, instant, part) for row in range(len(rows["track"]))]
+    rows = state.tracks.parts(state.frame)
+    boxes = [_box(rows, row, state, part) for row in range(len(rows["track"]))]
     return tuple(sorted((box for box in boxes if box), key=lambda one: (one.selected, one.chosen)))
 
 
-def with_particles(parts: PicturedParts, instant: FrameState, part: int) -> PicturedParts:
+def with_particles(parts: PicturedParts, state: FrameState, part: int) -> PicturedParts:
     """The rectangles with the particles of one part of the selected person."""
-    cloud = instant.tracks.part_particles(instant.frame)
-    mine = (cloud["track"] == instant.selected) & (cloud["part"] == part)
+    cloud = state.tracks.part_particles(state.frame)
+    mine = (cloud["track"] == state.selected) & (cloud["part"] == part)
     own = {name: column[mine] for name, column in cloud.items()}
     places = np.column_stack((own["u"], own["v"])).astype(np.float64)
-    colour = instant.colours.of(instant.selected)
+    colour = state.colours.of(state.selected)
     return replace(parts, particles=places, weights=relative_weights(own), colour=colour)
 
 
-def _box(rows: Columns, row: int, instant: FrameState, part: int) -> PartBox | None:
+def _box(rows: Columns, row: int, state: FrameState, part: int) -> PartBox | None:
     centre_u, centre_v, width, height, score = (
         float(rows[name][row]) for name in ("cx", "cy", "width", "height", "score")
     )
@@ -45,9 +45,9 @@ def _box(rows: Columns, row: int, instant: FrameState, part: int) -> PartBox | N
     track, own = int(rows["track"][row]), int(rows["part"][row])
     box: Box = (centre_u - width / 2, centre_v - height / 2, width, height)
     failed, occluded = bool(rows["failed"][row]), bool(rows["occluded"][row])
-    selected = track == instant.selected
+    selected = track == state.selected
     text = verdict_text(own, failed, occluded, score)
-    colour = instant.colours.of(track)
+    colour = state.colours.of(track)
     chosen = selected and own == part
     scored = not occluded and math.isfinite(score) and not by_rule(failed, score)
     return PartBox(track, own, box, colour, failed, occluded, text, selected, chosen, scored)
@@ -97,22 +97,20 @@ def _curve(rows: Columns, part: int) -> PartCurve:
 
 
 def curves_scene(
-    instant: FrameState, curves: tuple[PartCurve, ...], part: int, frame_count: int, fps: float
+    state: FrameState, curves: tuple[PartCurve, ...], part: int, frame_count: int, fps: float
 ) -> CurvesScene:
     """The plots of the selected person at a frame, or what to do where there are none."""
-    chosen = instant.selected
+    chosen = state.selected
     if not chosen or not curves:
-        return CurvesScene(tr("Parts over time"), message=_nothing(instant, bool(curves)))
+        return CurvesScene(tr("Parts over time"), message=_nothing(state, bool(curves)))
     names = tuple(part_name(one) for one in range(len(PART_NAMES)))
-    said = tuple(
-        _said(name, curve, instant.frame) for name, curve in zip(names, curves, strict=True)
-    )
-    title = tr("Parts of {who} over time", who=instant.label(chosen))
-    return CurvesScene(title, curves, names, part, instant.frame, frame_count, fps, said)
+    said = tuple(_said(name, curve, state.frame) for name, curve in zip(names, curves, strict=True))
+    title = tr("Parts of {who} over time", who=state.label(chosen))
+    return CurvesScene(title, curves, names, part, state.frame, frame_count, fps, said)
 
 
-def _nothing(instant: FrameState, some: bool) -> str:
-    if instant.selected or some:
+def _nothing(state: FrameState, some: bool) -> str:
+    if state.selected or some:
         return tr(
             "No parts were tracked of this person: track with three-part (Ctrl+T) to see head, "
             "torso and hip-leg here."

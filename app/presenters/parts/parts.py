@@ -15,7 +15,7 @@ from app.presenters.parts.part_curve import LaneScore, PartCurve
 from app.presenters.parts.part_views import (
     curves_of,
     curves_scene,
-    pictured_boxes,
+    part_boxes,
     with_particles,
 )
 from app.presenters.parts.parts_scene import (
@@ -70,8 +70,8 @@ class PartsPresenter:
 
     def picture(
         self,
-        instant: FrameState,
-        pictured: ViewOptions,
+        state: FrameState,
+        view_options: ViewOptions,
         labels: PictureLabels = _NO_LABELS,
         suggested: Suggested | None = None,
     ) -> PicturedParts:
@@ -82,22 +82,22 @@ class PartsPresenter:
         """
         labelling = any(one.asked for one in labels.parts)
         boxes: tuple[PartBox, ...] = ()
-        if pictured.parts or labelling:
-            boxes = pictured_boxes(instant, self._chosen())
-        cards = cards_of(boxes, labels.parts, instant.selected, instant.colours.of, suggested)
+        if view_options.parts or labelling:
+            boxes = part_boxes(state, self._chosen())
+        cards = cards_of(boxes, labels.parts, state.selected, state.colours.of, suggested)
         if labelling:
-            shown = (box for box in boxes if pictured.parts and not box.selected)
+            shown = (box for box in boxes if view_options.parts and not box.selected)
             boxes = tuple(shown)
         parts = PicturedParts(boxes, cards)
-        if not pictured.part_particles or not instant.selected:
+        if not view_options.part_particles or not state.selected:
             return parts
-        return with_particles(parts, instant, self._chosen())
+        return with_particles(parts, state, self._chosen())
 
-    def curves(self, instant: FrameState) -> CurvesScene:
+    def curves(self, state: FrameState) -> CurvesScene:
         """The plots of the selected person."""
         recording, curves = self._document.recording, self._curves_now()
         part = self._chosen()
-        return curves_scene(instant, curves, part, recording.frame_count, recording.fps)
+        return curves_scene(state, curves, part, recording.frame_count, recording.fps)
 
     def score(self) -> LaneScore | None:
         """How the chosen part of the selected person went; None where it was not tracked.

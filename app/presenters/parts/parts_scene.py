@@ -91,7 +91,7 @@ class PartCard:
 
 @dataclass(frozen=True, slots=True)
 class PicturedParts:
-    """All parts in the left camera at an instant.
+    """All parts in the left camera in one frame.
 
     Attributes:
         boxes: those of the selected person last. cards: what is said of them, selected first.

@@ -48,7 +48,11 @@ class BodyPainter:
         self._view = view
 
     def over(
-        self, instant: FrameState, pictured: ViewOptions, below: Rgba | None, shape: tuple[int, ...]
+        self,
+        state: FrameState,
+        view_options: ViewOptions,
+        below: Rgba | None,
+        shape: tuple[int, ...],
     ) -> Rgba:
         """What is asked for over what lies over the left picture already, if anything does.
 
@@ -56,51 +60,51 @@ class BodyPainter:
             below: (height, width, 4) RGBA, as the result is. shape: of the picture.
         """
         layer = np.zeros((*shape[:2], 4), np.uint8)
-        self._paint(instant, pictured, layer)
+        self._paint(state, view_options, layer)
         layer = _straight(layer)
         return layer if below is None else _laid_over(layer, below)
 
-    def _paint(self, instant: FrameState, pictured: ViewOptions, below: Rgba) -> None:
+    def _paint(self, state: FrameState, view_options: ViewOptions, below: Rgba) -> None:
         """Paint what is asked for; colours are multiplied by their opacity, see `_ink`."""
-        if self._view is not None and pictured.evaluation and _has_regions(instant.run):
-            self._paint_region(self._view, instant, below)
-        if self._view is not None and pictured.outlines:
-            self._paint_outlines(self._view, instant, below)
-        if pictured.tracklets:
-            _paint_tracklets(instant, below)
-            if self._view is not None and _has_kernels(instant):
-                self._paint_kernel(self._view, instant, below)
+        if self._view is not None and view_options.evaluation and _has_regions(state.run):
+            self._paint_region(self._view, state, below)
+        if self._view is not None and view_options.outlines:
+            self._paint_outlines(self._view, state, below)
+        if view_options.tracklets:
+            _paint_tracklets(state, below)
+            if self._view is not None and _has_kernels(state):
+                self._paint_kernel(self._view, state, below)
 
-    def _paint_outlines(self, view: View, instant: FrameState, below: Rgba) -> None:
+    def _paint_outlines(self, view: View, state: FrameState, below: Rgba) -> None:
         """Of the selected person's particles, or of everybody's; the heavier the clearer."""
-        particles = instant.tracks.particles(instant.frame)
+        particles = state.tracks.particles(state.frame)
         weights = relative_weights(particles)
         rows = np.arange(len(weights))
-        if instant.selected:
-            rows = rows[particles["track"] == instant.selected]
+        if state.selected:
+            rows = rows[particles["track"] == state.selected]
         if len(rows) > _MOST_OUTLINES:
             rows = rows[np.argsort(weights[rows], kind="stable")[-_MOST_OUTLINES:]]
-        settings = settings_of(instant.run, "spheroid", SpheroidSettings)
+        settings = settings_of(state.run, "spheroid", SpheroidSettings)
         tracks = particles["track"][rows]
-        tall = _heights(instant, tracks, settings)
+        tall = _heights(state, tracks, settings)
         xy = np.column_stack((particles["x"][rows], particles["y"][rows])).astype(np.float64)
         drawn = outlines(view, xy, tall, settings.radius_m, _POINTS)
-        _stroke(below, drawn, instant.colours.of_all(tracks), weights[rows])
+        _stroke(below, drawn, state.colours.of_all(tracks), weights[rows])
 
-    def _paint_region(self, view: View, instant: FrameState, below: Rgba) -> None:
+    def _paint_region(self, view: View, state: FrameState, below: Rgba) -> None:
         """Where a hypothesis at the selected person's place is judged, less what others cover.
 
         As published ([Waechter2013] eq. 2): only runs with the setting `paper` have one.
         """
-        rows = instant.tracks.of_frame(instant.frame)
+        rows = state.tracks.of_frame(state.frame)
         xy = np.column_stack((rows["x"], rows["y"])).astype(np.float64)
         known = np.isfinite(xy).all(axis=1)
-        own = known & (rows["track"] == instant.selected)
+        own = known & (rows["track"] == state.selected)
         others = known & ~own
         if not own.any():
             return
-        settings = settings_of(instant.run, "spheroid", SpheroidSettings)
-        tall = _heights(instant, rows["track"], settings)
+        settings = settings_of(state.run, "spheroid", SpheroidSettings)
+        tall = _heights(state, rows["track"], settings)
         region = region_of_evaluation(
             view,
             xy[own][0],
@@ -118,14 +122,14 @@ class BodyPainter:
         edge = _ink(_REGION_COLOUR, _EDGE_ALPHA)
         cv2.polylines(below, _fixed(region.outline[None]), True, edge, 2, cv2.LINE_AA, _SUBPIXEL)
 
-    def _paint_kernel(self, view: View, instant: FrameState, below: Rgba) -> None:
+    def _paint_kernel(self, view: View, state: FrameState, below: Rgba) -> None:
         """The rectangle in which mean shift gathers tracklets round the selected person's middle.
 
         A run that holds tracklets gathers so only those that are nobody's yet.
         """
-        clusters = settings_of(instant.run, "flow", FlowSettings).clusters
-        rows = instant.tracks.of_frame(instant.frame)
-        own = rows["track"] == instant.selected
+        clusters = settings_of(state.run, "flow", FlowSettings).clusters
+        rows = state.tracks.of_frame(state.frame)
+        own = rows["track"] == state.selected
         if not own.any():
             return
         middle = np.array([[rows["x"][own][0], rows["y"][own][0], clusters.centre_m]])
@@ -138,37 +142,37 @@ class BodyPainter:
             cv2.polylines(below, _fixed(corners), True, shade, width, cv2.LINE_AA, _SUBPIXEL)
 
 
-def legend_of(instant: FrameState, pictured: ViewOptions) -> tuple[LegendEntry, ...]:
+def legend_of(state: FrameState, view_options: ViewOptions) -> tuple[LegendEntry, ...]:
     """What is laid over the picture, as far as it is seen in the frame."""
     said = {
         "outlines": (_LIGHT, tr("hypotheses: the clearer, the likelier")),
         "evaluation": (_REGION_COLOUR, tr("region of evaluation")),
         "tracklets": (_LIGHT, tr("tracklets: the dot is this frame; faint ones are nobody's")),
     }
-    asked = {name: getattr(pictured, name) for name in said}
-    entries = [LegendEntry(*said[name]) for name in said if asked[name] and _seen(instant, name)]
-    if asked["tracklets"] and instant.selected and _has_kernels(instant):
+    asked = {name: getattr(view_options, name) for name in said}
+    entries = [LegendEntry(*said[name]) for name in said if asked[name] and _seen(state, name)]
+    if asked["tracklets"] and state.selected and _has_kernels(state):
         entries.append(LegendEntry((255, 255, 255), tr("kernel: whose tracklets are gathered")))
     return tuple(entries)
 
 
-def _seen(instant: FrameState, name: str) -> bool:
-    return not why_nothing(instant, name)
+def _seen(state: FrameState, name: str) -> bool:
+    return not why_nothing(state, name)
 
 
-def why_nothing(instant: FrameState, name: str) -> str:
+def why_nothing(state: FrameState, name: str) -> str:
     """What to do where something that was asked for is not seen in the frame; "": it is."""
-    tracks, frame = instant.tracks, instant.frame
+    tracks, frame = state.tracks, state.frame
     if name == "tracklets" and not len(tracks.tracklets(frame)["track"]):
         return tr("No points are followed here: track with flow (Ctrl+T) to see tracklets")
     if name == "outlines" and not len(tracks.particles(frame)["track"]):
         return tr("No hypotheses here: track with spheroid, or two cameras (Ctrl+T), to see them")
-    if name == "evaluation" and not _has_regions(instant.run):
+    if name == "evaluation" and not _has_regions(state.run):
         return tr(
             "No region of evaluation here: only spheroid with its setting 'paper' has one; track "
             "with that (Ctrl+T) to see it"
         )
-    if name == "evaluation" and not instant.selected:
+    if name == "evaluation" and not state.selected:
         return tr("Click a person to see the region in which their hypotheses are judged")
     return ""
 
@@ -180,16 +184,16 @@ def _has_regions(run: MadeBy | None) -> bool:
     return settings_of(run, "spheroid", SpheroidSettings).paper
 
 
-def _has_kernels(instant: FrameState) -> bool:
+def _has_kernels(state: FrameState) -> bool:
     """Whether tracklets are gathered by mean shift here."""
-    if instant.run is None:
-        return bool(len(instant.tracks.tracklets(instant.frame)["track"]))
-    return instant.run.tracker == "flow"
+    if state.run is None:
+        return bool(len(state.tracks.tracklets(state.frame)["track"]))
+    return state.run.tracker == "flow"
 
 
-def _heights(instant: FrameState, tracks: NDArray[np.int32], settings: SpheroidSettings) -> Floats:
+def _heights(state: FrameState, tracks: NDArray[np.int32], settings: SpheroidSettings) -> Floats:
     """(n,) m of the bodies of tracks (n,): as estimated, else as newcomers'."""
-    rows = instant.tracks.signals(instant.frame)
+    rows = state.tracks.signals(state.frame)
     known = np.isfinite(rows["height_m"])
     estimated = dict(
         zip(rows["track"][known].tolist(), rows["height_m"][known].tolist(), strict=True)
@@ -197,11 +201,11 @@ def _heights(instant: FrameState, tracks: NDArray[np.int32], settings: SpheroidS
     return np.array([estimated.get(track, settings.newcomer_m) for track in tracks.tolist()])
 
 
-def _paint_tracklets(instant: FrameState, below: Rgba) -> None:
+def _paint_tracklets(state: FrameState, below: Rgba) -> None:
     """Last positions as strokes in their person's colour, a dot where each point is now."""
-    rows = instant.tracks.tracklets(instant.frame)
+    rows = state.tracks.tracklets(state.frame)
     ways = _ways(rows)
-    colours = instant.colours.of_all(rows["track"])
+    colours = state.colours.of_all(rows["track"])
     weights = np.where(rows["track"] > 0, 1.0, 0.3).astype(np.float32)
     _stroke(below, ways, colours, weights, closed=False)
     alpha = _alpha(weights)

@@ -55,42 +55,42 @@ class OverheadPresenter:
         """Left, bottom, right and top of the floor worth showing, m."""
         return self._bounds
 
-    def scene(self, instant: FrameState) -> OverheadScene:
-        """The floor at the instant."""
-        particles = instant.tracks.particles(instant.frame)
-        measured = instant.tracks.detections(instant.frame)
+    def scene(self, state: FrameState) -> OverheadScene:
+        """The floor in the frame."""
+        particles = state.tracks.particles(state.frame)
+        measured = state.tracks.detections(state.frame)
         return OverheadScene(
-            frame=instant.frame,
+            frame=state.frame,
             particles=np.column_stack((particles["x"], particles["y"])).astype(np.float32),
-            particle_colours=instant.colours.of_all(particles["track"]),
+            particle_colours=state.colours.of_all(particles["track"]),
             particle_weights=relative_weights(particles),
             measured=floor_points(measured),
-            people=self._people(instant),
+            people=self._people(state),
             field_of_view=self._field_of_view,
             camera=_CAMERA,
             bounds=self._bounds,
-            preview=instant.preview,
+            preview=state.preview,
             message=self._message,
             looks_down=self._looks_down,
-            ghosts=_ghosts(instant),
-            movable=instant.movable and not instant.waits,
+            ghosts=_ghosts(state),
+            movable=state.movable and not state.waits,
         )
 
-    def _people(self, instant: FrameState) -> tuple[FloorPerson, ...]:
-        recent = instant.tracks.recent(instant.frame, self._trail_frames)
+    def _people(self, state: FrameState) -> tuple[FloorPerson, ...]:
+        recent = state.tracks.recent(state.frame, self._trail_frames)
         trails = trails_by_track(recent, floor_points(recent))
-        people = _floor_people(instant.tracks.of_frame(instant.frame), instant, trails)
+        people = _floor_people(state.tracks.of_frame(state.frame), state, trails)
         return tuple(sorted(people, key=lambda person: person.selected))
 
 
-def _ghosts(instant: FrameState) -> tuple[FloorPerson, ...]:
+def _ghosts(state: FrameState) -> tuple[FloorPerson, ...]:
     """People where they are before an edit that waits, as far as it moves or takes them out."""
-    rows = instant.replaced
-    return () if rows is None else tuple(_floor_people(rows, instant, {}))
+    rows = state.replaced
+    return () if rows is None else tuple(_floor_people(rows, state, {}))
 
 
 def _floor_people(
-    rows: Columns, instant: FrameState, trails: Mapping[int, Floats]
+    rows: Columns, state: FrameState, trails: Mapping[int, Floats]
 ) -> Iterator[FloorPerson]:
     """Whoever of the rows has a known place."""
     names = ("track", "x", "y", "vx", "vy", "predicted")
@@ -98,11 +98,11 @@ def _floor_people(
         if np.isfinite(x + y):
             yield FloorPerson(
                 track=track,
-                label=instant.label(track),
+                label=state.label(track),
                 position=(x, y),
                 velocity=(vx, vy) if np.isfinite(vx + vy) else (0.0, 0.0),
-                colour=instant.colours.of(track),
-                selected=instant.is_chosen(track),
+                colour=state.colours.of(track),
+                selected=state.is_chosen(track),
                 predicted=lost,
                 trail=trails.get(track, _NO_TRAIL),
             )

@@ -38,81 +38,81 @@ class PicturePresenter:
         self,
         side: Side,
         frame: StereoFrame | None,
-        instant: FrameState,
-        pictured: ViewOptions,
+        state: FrameState,
+        view_options: ViewOptions,
         laid: PictureOverlay = NO_OVERLAY,
     ) -> PictureScene:
-        """One camera at the instant; without a frame, a scene that says it is being read.
+        """One camera in the frame; without a frame, a scene that says it is being read.
 
         `laid` is what lies over the picture below the particles.
         """
         image = None if frame is None else (frame.left if side is Side.LEFT else frame.right)
         if side is Side.RIGHT and not self._recording.is_stereo:
-            return PictureScene(side, instant.frame, None, message=tr("Recorded with one camera"))
+            return PictureScene(side, state.frame, None, message=tr("Recorded with one camera"))
         if image is None:
-            return PictureScene(side, instant.frame, None, message=tr("Reading..."))
+            return PictureScene(side, state.frame, None, message=tr("Reading..."))
         return PictureScene(
             side,
-            instant.frame,
+            state.frame,
             image,
-            people=self._people(side, instant, pictured),
-            overlay=self._overlay(side, instant, pictured, image, laid.image),
-            grid=self._floor_grid(side) if pictured.grid else np.zeros((0, 2, 2)),
+            people=self._people(side, state, view_options),
+            overlay=self._overlay(side, state, view_options, image, laid.image),
+            grid=self._floor_grid(side) if view_options.grid else np.zeros((0, 2, 2)),
             message=laid.message if side is Side.LEFT else _late_camera(frame),
-            preview=self._preview(side, instant),
-            ghosts=self._ghosts(side, instant),
-            drawing=instant.drawing and side is Side.LEFT,
-            movable=instant.movable and not instant.waits and side is Side.LEFT,
-            legend=self._legend(side, instant, pictured, laid),
+            preview=self._preview(side, state),
+            ghosts=self._ghosts(side, state),
+            drawing=state.drawing and side is Side.LEFT,
+            movable=state.movable and not state.waits and side is Side.LEFT,
+            legend=self._legend(side, state, view_options, laid),
         )
 
     def anaglyph(
         self,
         frame: StereoFrame | None,
-        instant: FrameState,
-        pictured: ViewOptions,
+        state: FrameState,
+        view_options: ViewOptions,
         laid: PictureOverlay = NO_OVERLAY,
     ) -> PictureScene:
         """Both cameras in one picture for red and cyan glasses, with the left camera's people."""
-        scene = self.scene(Side.LEFT, frame, instant, pictured, laid)
+        scene = self.scene(Side.LEFT, frame, state, view_options, laid)
         return scene if frame is None else self._anaglyph.scene(frame, scene)
 
     def _legend(
-        self, side: Side, instant: FrameState, pictured: ViewOptions, laid: PictureOverlay
+        self, side: Side, state: FrameState, view_options: ViewOptions, laid: PictureOverlay
     ) -> tuple[LegendEntry, ...]:
-        if not pictured.bodies or side is not Side.LEFT:
+        if not view_options.bodies or side is not Side.LEFT:
             return laid.legend
-        return (*legend_of(instant, pictured), *laid.legend)
+        return (*legend_of(state, view_options), *laid.legend)
 
-    def _preview(self, side: Side, instant: FrameState) -> tuple[PreviewTrail, ...]:
+    def _preview(self, side: Side, state: FrameState) -> tuple[PreviewTrail, ...]:
         """The trails of an edit that waits; for the right camera from their places on the floor."""
         if side is Side.LEFT:
-            return instant.picture_preview
-        seen = ((trail, self._project(side, trail.points)) for trail in instant.preview)
+            return state.picture_preview
+        seen = ((trail, self._project(side, trail.points)) for trail in state.preview)
         return tuple(
             replace(trail, points=points[np.isfinite(points).all(axis=1)]) for trail, points in seen
         )
 
     def _people(
-        self, side: Side, instant: FrameState, pictured: ViewOptions
+        self, side: Side, state: FrameState, view_options: ViewOptions
     ) -> tuple[PersonMark, ...]:
-        rows = instant.tracks.of_frame(instant.frame)
-        trails = self._trails(side, instant) if pictured.trails else {}
-        marks = self._marks(side, rows, instant, trails)
+        rows = state.tracks.of_frame(state.frame)
+        trails = self._trails(side, state) if view_options.trails else {}
+        marks = self._marks(side, rows, state, trails)
         return tuple(sorted(marks, key=lambda mark: mark.selected))
 
-    def _ghosts(self, side: Side, instant: FrameState) -> tuple[PersonMark, ...]:
+    def _ghosts(self, side: Side, state: FrameState) -> tuple[PersonMark, ...]:
         """People where they are before an edit that waits, as far as it moves or takes them out."""
-        rows = instant.replaced
-        return () if rows is None else tuple(self._marks(side, rows, instant, {}))
+        rows = state.replaced
+        return () if rows is None else tuple(self._marks(side, rows, state, {}))
 
     def _marks(
-        self, side: Side, rows: Columns, instant: FrameState, trails: Mapping[int, Floats]
+        self, side: Side, rows: Columns, state: FrameState, trails: Mapping[int, Floats]
     ) -> Iterator[PersonMark]:
         boxes = np.column_stack([rows[name] for name in ("left", "top", "width", "height")])
         if side is Side.RIGHT:
             boxes = self._right_boxes(boxes, rows)
-        movable = instant.selected if instant.movable and side is Side.LEFT else 0
+        movable = state.selected if state.movable and side is Side.LEFT else 0
         hidden = rows["visibility"] == 0
         by_person = rows["source"] == Source.PERSON if "source" in rows else np.zeros_like(hidden)
         columns = rows["track"], rows["predicted"], hidden, by_person
@@ -123,9 +123,9 @@ class PicturePresenter:
                 yield PersonMark(
                     track=track,
                     box=(float(box[0]), float(box[1]), float(box[2]), float(box[3])),
-                    label=instant.label(track),
-                    colour=instant.colours.of(track),
-                    selected=instant.is_chosen(track),
+                    label=state.label(track),
+                    colour=state.colours.of(track),
+                    selected=state.is_chosen(track),
                     predicted=lost,
                     trail=trails.get(track, _NO_TRAIL),
                     occluded=behind,
@@ -133,8 +133,8 @@ class PicturePresenter:
                     movable=track == movable,
                 )
 
-    def _trails(self, side: Side, instant: FrameState) -> dict[int, Floats]:
-        rows = instant.tracks.recent(instant.frame, self._trail_frames)
+    def _trails(self, side: Side, state: FrameState) -> dict[int, Floats]:
+        rows = state.tracks.recent(state.frame, self._trail_frames)
         if side is Side.LEFT:
             return trails_by_track(rows, self.left_foot_points(rows))
         return trails_by_track(rows, self._project(side, floor_points(rows)))
@@ -168,21 +168,21 @@ class PicturePresenter:
     def _overlay(
         self,
         side: Side,
-        instant: FrameState,
-        pictured: ViewOptions,
+        state: FrameState,
+        view_options: ViewOptions,
         image: Image,
         laid: NDArray[np.uint8] | None,
     ) -> NDArray[np.uint8] | None:
         """All that lies over a picture: the very same as was laid where there is nothing more."""
-        if pictured.bodies and side is Side.LEFT:
-            laid = self._bodies.over(instant, pictured, laid, image.shape)
-        return self._particles(side, instant, image, laid) if pictured.particles else laid
+        if view_options.bodies and side is Side.LEFT:
+            laid = self._bodies.over(state, view_options, laid, image.shape)
+        return self._particles(side, state, image, laid) if view_options.particles else laid
 
     def _particles(
-        self, side: Side, instant: FrameState, image: Image, below: NDArray[np.uint8] | None
+        self, side: Side, state: FrameState, image: Image, below: NDArray[np.uint8] | None
     ) -> NDArray[np.uint8]:
         """The particles as dots of their person's colour in a picture to lay over."""
-        particles = instant.tracks.particles(instant.frame)
+        particles = state.tracks.particles(state.frame)
         overlay = np.zeros((*image.shape[:2], 4), np.uint8) if below is None else below.copy()
         floor = np.column_stack((particles["x"], particles["y"])).astype(np.float64)
         pixels = self._project(side, floor)
@@ -190,7 +190,7 @@ class PicturePresenter:
         with np.errstate(invalid="ignore"):
             inside = (pixels >= 0).all(axis=1) & (pixels < (width - 1, height - 1)).all(axis=1)
         column, row = pixels[inside].astype(np.intp).T
-        colours = instant.colours.of_all(particles["track"][inside])
+        colours = state.colours.of_all(particles["track"][inside])
         for down, right in ((0, 0), (0, 1), (1, 0), (1, 1)):
             overlay[row + down, column + right, :3] = colours
             overlay[row + down, column + right, 3] = 220

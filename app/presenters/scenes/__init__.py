@@ -1,9 +1,9 @@
-"""Frozen scenes: everything a view needs to draw one instant, and nothing else.
+"""Frozen scenes: everything a view needs to draw one frame, and nothing else.
 
 Presenters make scenes, views draw them. No Qt here; colours are (red, green, blue) 0..255.
 """
 
-from app.presenters.scenes.instants import (
+from app.presenters.scenes.frame_scenes import (
     Colour,
     FloorPerson,
     LegendEntry,

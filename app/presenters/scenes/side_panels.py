@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from app.presenters.scenes.instants import Colour
+from app.presenters.scenes.frame_scenes import Colour
 
 
 @dataclass(frozen=True, slots=True)

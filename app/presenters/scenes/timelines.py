@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.presenters.parts.part_curve import LaneScore
-from app.presenters.scenes.instants import Colour
+from app.presenters.scenes.frame_scenes import Colour
 
 
 class SpanKind(IntEnum):

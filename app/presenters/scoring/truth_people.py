@@ -40,24 +40,24 @@ class TruthPeople:
         self._people = OtherPeople(recording, people, TrackColours().of)
         self._bounds = extent(people.by_track(("x", "y")), reach_m(recording))
 
-    def picture(self, side: Side, instant: FrameState) -> PicturedTruth:
+    def picture(self, side: Side, state: FrameState) -> PicturedTruth:
         """Everybody of the truth in one camera, and which of the result's are nobody."""
-        missed, alarms = self._wrong(instant.frame)
+        missed, alarms = self._wrong(state.frame)
         people = tuple(
             TruthMark(one.box, _label(one.label), _if_missed(one.label, missed))
-            for one in self._people.picture(side, instant.frame)
+            for one in self._people.picture(side, state.frame)
         )
         told = legend() if side is Side.LEFT else ()
-        return PicturedTruth(people, self._alarms(side, instant, alarms), told)
+        return PicturedTruth(people, self._alarms(side, state, alarms), told)
 
-    def floor(self, instant: FrameState) -> FlooredTruth:
+    def floor(self, state: FrameState) -> FlooredTruth:
         """The same on the floor."""
-        missed, alarms = self._wrong(instant.frame)
+        missed, alarms = self._wrong(state.frame)
         people = tuple(
             TruthPlace(one.trail, _label(one.label), _if_missed(one.label, missed))
-            for one in self._people.floor(instant.frame)
+            for one in self._people.floor(state.frame)
         )
-        rows = _of_tracks(instant, alarms)
+        rows = _of_tracks(state, alarms)
         xy = np.column_stack((rows["x"], rows["y"])).astype(np.float64)
         xy = xy[np.isfinite(xy).all(axis=1)]
         found = tuple(TruthPlace(place[None], "", ErrorKind.FALSE_ALARM) for place in xy)
@@ -71,8 +71,8 @@ class TruthPeople:
         alarms = self._errors.result[first:stop][kind == ErrorKind.FALSE_ALARM]
         return set(missed.tolist()), set(alarms.tolist())
 
-    def _alarms(self, side: Side, instant: FrameState, alarms: set[int]) -> tuple[TruthMark, ...]:
-        rows = _of_tracks(instant, alarms)
+    def _alarms(self, side: Side, state: FrameState, alarms: set[int]) -> tuple[TruthMark, ...]:
+        rows = _of_tracks(state, alarms)
         boxes = np.column_stack([rows[name] for name in _SIDE]).astype(np.float64)
         rectification = self._recording.rectification
         if side is Side.RIGHT and len(boxes):
@@ -97,8 +97,8 @@ def legend() -> tuple[LegendEntry, ...]:
     )
 
 
-def _of_tracks(instant: FrameState, tracks: set[int]) -> Columns:
-    rows = instant.tracks.of_frame(instant.frame)
+def _of_tracks(state: FrameState, tracks: set[int]) -> Columns:
+    rows = state.tracks.of_frame(state.frame)
     chosen = np.isin(rows["track"], sorted(tracks))
     return {name: column[chosen] for name, column in rows.items()}
 

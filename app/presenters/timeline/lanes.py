@@ -114,19 +114,19 @@ class TimelinePresenter:
     def scene(
         self,
         playhead: int,
-        instant: FrameState,
+        state: FrameState,
         loaded: tuple[tuple[int, int], ...],
         cut: int | None,
         message: str = "",
         marked: tuple[int, int] | None = None,
     ) -> TimelineScene:
         """The timeline with its playhead."""
-        if instant.names != self._names:
-            self._stale |= _differing(self._names, instant.names)
-            self._names = instant.names
+        if state.names != self._names:
+            self._stale |= _differing(self._names, state.names)
+            self._names = state.names
         if self._stale:
-            self._make_stale(instant)
-        chosen = instant.chosen
+            self._make_stale(state)
+        chosen = state.chosen
         if chosen != self._chosen:
             self._chosen = chosen
             self._lanes = self._with_chosen(chosen)
@@ -136,7 +136,7 @@ class TimelinePresenter:
             frame=playhead,
             lanes=self._lanes,
             activity=self._activity,
-            tracked=instant.tracks.frames,
+            tracked=state.tracks.frames,
             loaded=loaded,
             cut=cut,
             marked=marked,
@@ -164,27 +164,27 @@ class TimelinePresenter:
         activity[first:stop] = np.clip(people, 0, _MOST_PEOPLE)
         self._activity = activity
 
-    def _make_stale(self, instant: FrameState) -> None:
+    def _make_stale(self, state: FrameState) -> None:
         """Make the lanes anew that show something else by now, and put all in order."""
         for track in self._stale:
             self._plain.pop(track, None)
             if track in self._spans:
-                self._plain[track] = self._make_lane(track, instant)
+                self._plain[track] = self._make_lane(track, state)
         self._stale = set()
         by_start = sorted((int(self._spans[track][0, 0]), track) for track in self._plain)
         self._order = tuple(self._plain[track] for _, track in by_start)
         self._row = {lane.track: row for row, lane in enumerate(self._order)}
         self._chosen = None
 
-    def _make_lane(self, track: int, instant: FrameState) -> Lane:
+    def _make_lane(self, track: int, state: FrameState) -> Lane:
         first, end = int(self._spans[track][0, 0]), int(self._spans[track][-1, 1])
         # Where a track no longer reaches, an older edit of it is not on its lane either.
         edits = [mark for mark in self._edits.get(track, ()) if first <= mark.frame <= end]
         marks = (*edits, *self._review_items.get(track, ()))
         return Lane(
             track=track,
-            label=instant.label(track),
-            colour=instant.colours.of(track),
+            label=state.label(track),
+            colour=state.colours.of(track),
             selected=False,
             spans=self._spans[track],
             marks=tuple(sorted(marks, key=lambda mark: mark.frame)),

@@ -68,21 +68,21 @@ class Counting(QObject):
         subject = self.presenter.wanted(mapped=False)
         return None if subject.is_empty else self._prepare(subject)
 
-    def draw(self, instant: FrameState, pictured: ViewOptions) -> None:
-        """Show an instant; what is missing for it is counted."""
-        subject = self.presenter.wanted(mapped=pictured.flow_map)
-        if pictured.counts or pictured.counting or pictured.flow_map:
+    def draw(self, state: FrameState, view_options: ViewOptions) -> None:
+        """Show a frame; what is missing for it is counted."""
+        subject = self.presenter.wanted(mapped=view_options.flow_map)
+        if view_options.counts or view_options.counting or view_options.flow_map:
             self._ask(subject)
-        self._workspace.overhead.show_flow(self.presenter.flow() if pictured.flow_map else None)
+        self._workspace.overhead.show_flow(self.presenter.flow() if view_options.flow_map else None)
         doing = tr("Counting...") if self._search.busy else ""
-        panel = self.presenter.scene(instant, doing) if pictured.counting else None
+        panel = self.presenter.scene(state, doing) if view_options.counting else None
         self._workspace.counting.show_scene(panel)
 
-    def texts_at(self, instant: FrameState, pictured: ViewOptions) -> CountText:
-        """Gives what to write at lines and regions in an instant."""
-        if not pictured.counts:
+    def texts_at(self, state: FrameState, view_options: ViewOptions) -> CountText:
+        """Gives what to write at lines and regions in a frame."""
+        if not view_options.counts:
             return lambda *_: ""
-        return cache(partial(self.presenter.said_of, instant))
+        return cache(partial(self.presenter.said_of, state))
 
     def _ask(self, subject: Subject) -> None:
         if not subject.is_empty:

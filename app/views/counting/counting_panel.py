@@ -151,7 +151,7 @@ class CountingPanel(Panel):
         self.tallies.setHidden(to_table)
 
     def show_scene(self, scene: CountingScene | None) -> None:
-        """Show another instant, or nothing at all."""
+        """Show another frame, or nothing at all."""
         self.setVisible(scene is not None)
         if scene is None:
             return

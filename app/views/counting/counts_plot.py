@@ -26,7 +26,7 @@ class CountsPlot(FramePlot):
         self.setAccessibleName(self.tr("Counts over time"))
 
     def show_scene(self, scene: CountingScene) -> None:
-        """Draw another instant; the curves only where they are others."""
+        """Draw another frame; the curves only where they are others."""
         before, self._scene = self._scene, scene
         if before.plots is not scene.plots or self._said(before) != self._said(scene):
             self.draw_anew()

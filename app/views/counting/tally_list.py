@@ -70,7 +70,7 @@ class TallyList(QTableWidget):
         self.currentCellChanged.connect(self._pick)
 
     def show_scene(self, scene: CountingScene) -> None:
-        """Show another instant; only cells that are others are written."""
+        """Show another frame; only cells that are others are written."""
         self.blockSignals(True)
         if len(scene.rows) != len(self._rows):
             self.setRowCount(len(scene.rows))

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, QTimer, QUrl, Signal
 
 from app.memory import give_back
-from app.presenters.document.frame_state import pictured_from
+from app.presenters.document.frame_state import parse_view_options
 from app.presenters.files import document_loader, left_behind
 from app.presenters.files.demonstration import Demonstration
 from app.presenters.files.document_loader import Opened
@@ -178,7 +178,7 @@ class Files(QObject):
         self._window.workspace.show_whole()  # how another recording was zoomed says nothing here
         self._window.show_workspace()
         self._tell_oddities(opened)
-        controller.pictured = pictured_from(self._remembered.text("pictured"))
+        controller.view_options = parse_view_options(self._remembered.text("pictured"))
         controller.set_cameras(self._remembered.text("eyes", "both"))
         self._whereabouts.begin(controller, path, from_start)
 
@@ -289,7 +289,7 @@ class Files(QObject):
             self.detectors.close()
             if controller.document.recording.is_stereo:  # one camera leaves nothing to choose
                 self._remembered.set_text("eyes", controller.cameras)
-            self._remembered.set_text("pictured", controller.pictured.lasting)
+            self._remembered.set_text("pictured", controller.view_options.lasting)
             self._whereabouts.end()
             controller.close()
             controller.deleteLater()

@@ -69,7 +69,7 @@ class Importing(QObject):
 
     def _why_not(self, controller: RecordingController) -> str:
         """Why nothing can be imported now; "": it can."""
-        now = controller.situation
+        now = controller.command_context
         return drawable(now.while_busy() if self._work.busy else now)
 
     def read(self, path: Path, known: TrackFormat | None = None, unit: str = "") -> None:

@@ -50,7 +50,7 @@ class CurvesPanel(Panel):
         return grid
 
     def show_scene(self, scene: CurvesScene | None) -> None:
-        """Show another instant, or nothing at all."""
+        """Show another frame, or nothing at all."""
         self.setVisible(scene is not None)
         if scene is None:
             return

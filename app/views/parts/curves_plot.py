@@ -67,7 +67,7 @@ class CurvesPlot(FramePlot):
         self.setAccessibleName(self.tr("Failure score, entropy and particles over time"))
 
     def show_scene(self, scene: CurvesScene) -> None:
-        """Draw another instant; the curves only where they are others."""
+        """Draw another frame; the curves only where they are others."""
         before, self._scene = self._scene, scene
         if (before.curves, before.chosen, before.message) != (
             scene.curves,

@@ -47,12 +47,12 @@ class Parts(QObject):
         self._workspace.left.show_parts(PicturedParts())
         self._workspace.curves.show_scene(None)
 
-    def draw(self, instant: FrameState, pictured: ViewOptions) -> None:
-        """Show an instant."""
+    def draw(self, state: FrameState, view_options: ViewOptions) -> None:
+        """Show a frame."""
         labelling, presenter = self._labelling, self.presenter
-        parts = presenter.picture(instant, pictured, labelling.shown, labelling.suggested)
+        parts = presenter.picture(state, view_options, labelling.shown, labelling.suggested)
         self._workspace.left.show_parts(parts)
-        curves = presenter.curves(instant) if pictured.curves else None
+        curves = presenter.curves(state) if view_options.curves else None
         self._workspace.curves.show_scene(curves)
 
     def jump(self, step: int) -> bool:

@@ -80,7 +80,7 @@ class OverheadView(Canvas):
         self.setAccessibleName(self.tr("Overhead view"))
 
     def show_scene(self, scene: OverheadScene) -> None:
-        """Draw another instant."""
+        """Draw another frame."""
         before = self.content()
         self._scene = scene
         if self._fitted and self.content() != before:

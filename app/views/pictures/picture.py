@@ -82,7 +82,7 @@ class PictureView(Canvas):
         self._rename()
 
     def show_scene(self, scene: PictureScene) -> None:
-        """Draw another instant."""
+        """Draw another frame."""
         before, previous = self._image.size(), self._scene
         self._scene = scene
         if scene.image is not previous.image:

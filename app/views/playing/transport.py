@@ -170,7 +170,7 @@ class TransportBar(QFrame):
         row.addWidget(self._follow)
 
     def show_scene(self, scene: TransportScene) -> None:
-        """Show another instant; while playing only the numbers are drawn anew."""
+        """Show another frame; while playing only the numbers are drawn anew."""
         before, self._scene = self._scene, scene
         if before is None or before.frame_count != scene.frame_count:
             self._widen(scene)

@@ -30,7 +30,7 @@ from tracking.errors import TrackwrightError
 class RecordingController(QObject):
     """Holds the document, the playback and the tracker at work of one open recording.
 
-    Signals: `drawn()`, another instant is shown; `changed()`, commands may be enabled or disabled
+    Signals: `drawn()`, another frame is shown; `changed()`, commands may be enabled or disabled
     by now; `progressed()`, the tracker at work is further; `failed(error)`; `said(text)`.
     """
 
@@ -58,7 +58,7 @@ class RecordingController(QObject):
         self.live = self.tracking.live
         panel = workspace.review
         self.reviewing = Reviewing(document, self.playback, self.editing, panel, self)
-        self.pictured = ViewOptions()
+        self.view_options = ViewOptions()
         self.cameras = "left"
         self._told_unread = ""
         self._selected = self._to_show = 0
@@ -67,7 +67,7 @@ class RecordingController(QObject):
         connect_gestures(self, workspace)
 
     def _connect_parts(self) -> None:
-        self.playback.shown.connect(self.draw_instant)
+        self.playback.shown.connect(self.draw_frame)
         self.playback.moved.connect(self.draw_playhead)
         self.playback.failed.connect(self.failed)
         self.editing.changed.connect(self.labelling.follow_edits)
@@ -80,14 +80,14 @@ class RecordingController(QObject):
             part.failed.connect(self.failed)
             part.said.connect(self.said)
         self.reviewing.changed.connect(self.draw_playhead)  # whose marks stand on the timeline
-        self.overlaying.changed.connect(self.draw_instant)
+        self.overlaying.changed.connect(self.draw_frame)
         for one in (self.labelling, self.walk):
             one.changed.connect(self.draw)
             one.failed.connect(self.failed)
             one.said.connect(self.said)
         self.overlaying.failed.connect(self.failed)
         self.parts.changed.connect(self.draw)
-        self.counting.changed.connect(self.draw_instant)
+        self.counting.changed.connect(self.draw_frame)
         self.counting.said.connect(self.said)
         self.scoring.changed.connect(self._draw_scored)
         self.scoring.failed.connect(self.failed)
@@ -129,7 +129,7 @@ class RecordingController(QObject):
     # what can be done
 
     @property
-    def situation(self) -> CommandContext:
+    def command_context(self) -> CommandContext:
         """What commands depend on."""
         document, session = self.document, self.document.session
         recording = document.recording
@@ -159,7 +159,7 @@ class RecordingController(QObject):
             why_no_tracking=self.tracking.why_not,
             read_only=session is not None and session.read_only,
             comparing=self.comparing.shown,
-            **self.reviewing.situation,
+            **self.reviewing.command_context,
         )
 
     def leave(self) -> None:
@@ -192,13 +192,13 @@ class RecordingController(QObject):
         self._workspace.show_cameras(
             self.cameras, width / height, self.document.recording.is_stereo
         )
-        self.draw_instant()
+        self.draw_frame()
         self.changed.emit()
 
-    def set_pictured(self, pictured: ViewOptions) -> None:
+    def set_view_options(self, view_options: ViewOptions) -> None:
         """Lay other things over the pictures."""
-        self.pictured = pictured
-        self.draw_instant()
+        self.view_options = view_options
+        self.draw_frame()
         self.draw_playhead()
         self.changed.emit()
 
@@ -207,7 +207,7 @@ class RecordingController(QObject):
         view, document = self._workspace, self.document
         self.colouring.look()
         self.reviewing.refresh()  # first: it may select who a review item is about
-        self.draw_instant()
+        self.draw_frame()
         self.draw_playhead()
         view.card.show_scene(document.card())
         self._draw_history()
@@ -223,7 +223,7 @@ class RecordingController(QObject):
 
     def _draw_scored(self) -> None:
         """Another score, another choice, another range of frames."""
-        self.draw_instant()
+        self.draw_frame()
         self.draw_playhead()
         self._workspace.card.show_scene(self.document.card())  # an error selects whom it is about
         self._draw_history()
@@ -237,27 +237,27 @@ class RecordingController(QObject):
     def draw_preview(self) -> None:
         """Draw only what an edit that waits would do: often, while something is dragged."""
         planned = self.document.planned
-        self.draw_instant()
+        self.draw_frame()
         self._workspace.preview.show_scene(planned.scene if planned is not None else None)
 
-    def draw_instant(self) -> None:
+    def draw_frame(self) -> None:
         """Draw the pictures and the floor: the same frame in all of them."""
         view, document, frame = self._workspace, self.document, self.playback.frame
-        instant = document.instant(self.playback.number)
-        pictures, laid = document.pictures, self.overlaying.laid(self.pictured.kinds)
+        state = document.frame_state(self.playback.number)
+        pictures, laid = document.pictures, self.overlaying.laid(self.view_options.kinds)
         if self.cameras == "anaglyph":
-            view.left.show_scene(pictures.anaglyph(frame, instant, self.pictured, laid))
+            view.left.show_scene(pictures.anaglyph(frame, state, self.view_options, laid))
         else:
-            view.left.show_scene(pictures.scene(Side.LEFT, frame, instant, self.pictured, laid))
+            view.left.show_scene(pictures.scene(Side.LEFT, frame, state, self.view_options, laid))
         if self.cameras == "both":
-            view.right.show_scene(pictures.scene(Side.RIGHT, frame, instant, self.pictured))
-        view.overhead.show_legend(self.pictured.floor_legend)
-        view.overhead.show_scene(document.overhead.scene(instant))
-        self.counting.draw(instant, self.pictured)
-        self.scoring.draw(instant, self.pictured, self.cameras)
-        counted = self.counting.texts_at(instant, self.pictured)
-        self.labelling.draw(self.cameras == "both", self.pictured.labels, counted)
-        self.parts.draw(instant, self.pictured)
+            view.right.show_scene(pictures.scene(Side.RIGHT, frame, state, self.view_options))
+        view.overhead.show_legend(self.view_options.floor_legend)
+        view.overhead.show_scene(document.overhead.scene(state))
+        self.counting.draw(state, self.view_options)
+        self.scoring.draw(state, self.view_options, self.cameras)
+        counted = self.counting.texts_at(state, self.view_options)
+        self.labelling.draw(self.cameras == "both", self.view_options.labels, counted)
+        self.parts.draw(state, self.view_options)
         self._tell_unread()
         self._show_selected()
         self.drawn.emit()
@@ -283,7 +283,7 @@ class RecordingController(QObject):
         """Draw the timeline and the transport line."""
         clock, document, tracker = self.playback.clock, self.document, self.tracking.state
         frame, loaded = self.playback.number, self.playback.loaded
-        document.take_score(self.parts.presenter.score() if self.pictured.parts else None)
+        document.take_score(self.parts.presenter.score() if self.view_options.parts else None)
         self._workspace.timeline.show_scene(
             document.timeline(clock.frame, frame, loaded, tracker.no_lanes)
         )
@@ -304,6 +304,6 @@ class RecordingController(QObject):
     def _draw_found(self, first: int, last: int) -> None:
         """Draw what the tracker at work found in some frames, both included."""
         if self.document.is_live and first <= self.playback.number <= last:
-            self.draw_instant()
+            self.draw_frame()
         self.draw_playhead()
         self.progressed.emit()

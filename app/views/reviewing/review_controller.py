@@ -324,7 +324,7 @@ class Reviewing(QObject):
         return self._document.is_live
 
     @property
-    def situation(self) -> dict[str, Any]:
+    def command_context(self) -> dict[str, Any]:
         """What the commands of reviewing depend on."""
         current = None if self._is_hidden else self.queue.current
         return {

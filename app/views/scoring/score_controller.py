@@ -78,13 +78,15 @@ class Scoring(QObject):
 
     # drawing
 
-    def draw(self, instant: FrameState, pictured: ViewOptions, cameras: str) -> None:
-        """Show an instant; what is missing for it is scored."""
-        self._on = pictured.score or pictured.truth
+    def draw(self, state: FrameState, view_options: ViewOptions, cameras: str) -> None:
+        """Show a frame; what is missing for it is scored."""
+        self._on = view_options.score or view_options.truth
         doing = tr("Scoring...") if self._ask() and self._search.busy else ""
-        self._workspace.score.show_scene(self.presenter.scene(doing) if pictured.score else None)
+        self._workspace.score.show_scene(
+            self.presenter.scene(doing) if view_options.score else None
+        )
         if self._on:
-            self._draw_truth(instant, pictured, cameras)
+            self._draw_truth(state, view_options, cameras)
         else:
             self._show_nothing()
 
@@ -95,25 +97,25 @@ class Scoring(QObject):
             self._search.ask(subject)
         return subject is not None
 
-    def _draw_truth(self, instant: FrameState, pictured: ViewOptions, cameras: str) -> None:
+    def _draw_truth(self, state: FrameState, view_options: ViewOptions, cameras: str) -> None:
         view, people = self._workspace, self.presenter.people
-        shown = people is not None and pictured.truth
+        shown = people is not None and view_options.truth
         left, floor = NO_TRUTH
         right = left
         if people is not None and shown:
-            left, floor = people.picture(Side.LEFT, instant), people.floor(instant)
+            left, floor = people.picture(Side.LEFT, state), people.floor(state)
             left = replace(left, floor_tells=view.overhead.shows_floor)
-            right = people.picture(Side.RIGHT, instant) if cameras == "both" else right
+            right = people.picture(Side.RIGHT, state) if cameras == "both" else right
         view.left.show_truth(left)
         view.right.show_truth(right)
         view.overhead.show_truth(floor)
         view.timeline.errors.show_scene(self.presenter.lanes())
 
     def _show_nothing(self) -> None:
-        view, (pictured, floored) = self._workspace, NO_TRUTH
-        view.left.show_truth(pictured)
-        view.right.show_truth(pictured)
-        view.overhead.show_truth(floored)
+        view, (picture, floor) = self._workspace, NO_TRUTH
+        view.left.show_truth(picture)
+        view.right.show_truth(picture)
+        view.overhead.show_truth(floor)
         view.timeline.errors.show_scene(None)
 
     def _prepare(self, subject: ScoreSubject) -> Callable[[Progress], Scored]:

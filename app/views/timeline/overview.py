@@ -48,7 +48,7 @@ class OverviewStrip(QWidget):
         self.setAccessibleName(self.tr("Overview of the whole recording"))
 
     def show_scene(self, scene: TimelineScene) -> None:
-        """Draw another instant; what stays only where it is another one."""
+        """Draw another frame; what stays only where it is another one."""
         before, self._scene = self._scene, scene
         if before is None or before.review_items is not scene.review_items:
             self._review_items = np.array([mark.frame for mark in scene.review_items], np.int64)

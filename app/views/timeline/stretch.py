@@ -32,7 +32,7 @@ class TimeStretch(QObject):
         self.show(self.axis)
 
     def take(self, scene: TimelineScene, *, still: bool) -> None:
-        """Show the frame of another instant; all that was tracked where it is of another recording.
+        """Show the frame of another frame; all that was tracked where it is of another recording.
 
         still: nothing moves, as a button of the mouse is held.
         """

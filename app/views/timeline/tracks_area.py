@@ -129,7 +129,7 @@ class TracksArea(QWidget):
     # scenes
 
     def show_scene(self, scene: TimelineScene) -> None:
-        """Draw another instant; lanes only where they are other ones."""
+        """Draw another frame; lanes only where they are other ones."""
         before, self._scene = self._scene, scene
         self._place_axis()
         self.stretch.take(scene, still=self._gestures.dragging)

@@ -51,7 +51,7 @@ class TimelineView(QFrame):
         self._selected: tuple[int, ...] = ()
 
     def show_scene(self, scene: TimelineScene) -> None:
-        """Draw another instant; newly selected tracks are scrolled to, all of them if they fit."""
+        """Draw another frame; newly selected tracks are scrolled to, all of them if they fit."""
         self.area.show_scene(scene)
         self.overview.show_scene(scene)
         self.errors.show_playhead(scene.frame)

@@ -158,7 +158,7 @@ class MainWindow(QMainWindow):
 
     def command_items(self) -> tuple[CommandItem, ...]:
         """All commands as they stand now."""
-        return command_items(self._situation(), self._checked())
+        return command_items(self._command_context(), self._checked())
 
     def refresh(self) -> None:
         """Bring commands, title and progress up to date, once, before the next event."""
@@ -193,19 +193,21 @@ class MainWindow(QMainWindow):
         else:
             self.progress.finish()
 
-    def _situation(self) -> CommandContext:
-        situation = CommandContext() if self.controller is None else self.controller.situation
+    def _command_context(self) -> CommandContext:
+        command_context = (
+            CommandContext() if self.controller is None else self.controller.command_context
+        )
         detectors, unkept = self.files.detectors, self.files.keeping.holds
         in_use = detectors.choice.name if detectors.choice.path else ""
         trained = detectors.result is not None
-        situation = replace(situation, unkept=unkept, trained=trained, detector=in_use)
-        return situation.while_busy() if self.work.busy else situation
+        command_context = replace(command_context, unkept=unkept, trained=trained, detector=in_use)
+        return command_context.while_busy() if self.work.busy else command_context
 
     def _checked(self) -> frozenset[str]:
         on = {f"view.look_{self.look_choice.look.value}"}
         on.add("detector.open" if self.files.detectors.choice.path else "detector.built_in")
         if self.controller is not None:
-            pictured = self.controller.pictured
+            view_options = self.controller.view_options
             on.add(f"view.{self.controller.cameras}")
             if self.controller.tracking.following.on:
                 on.add("play.follow")
@@ -215,7 +217,7 @@ class MainWindow(QMainWindow):
                 on.add("review.plays")
             if self.controller.reviewing.measures:
                 on.add("review.measure")
-            on |= {f"view.{name}" for name, is_on in asdict(pictured).items() if is_on}
+            on |= {f"view.{name}" for name, is_on in asdict(view_options).items() if is_on}
         return frozenset(on)
 
     # messages

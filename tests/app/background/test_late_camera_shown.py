@@ -82,10 +82,10 @@ def test_the_right_picture_says_which_frame_it_is(recording, tiny_session):
     document = Document(recording, Session.open(tiny_session))
     instants, said = Instants(recording, LAG), []
     for number in (20, recording.frame_count - 1):
-        instant = document.instant(number)
+        state = document.frame_state(number)
         frame = instants.read(number)
         cameras = (Side.LEFT, Side.RIGHT)
-        scenes = [document.pictures.scene(e, frame, instant, ViewOptions()) for e in cameras]
+        scenes = [document.pictures.scene(e, frame, state, ViewOptions()) for e in cameras]
         said.append([scene.message for scene in scenes])
     document.session.close()
     assert said[0] == ["", "Frame 26 of this camera: the same instant"]

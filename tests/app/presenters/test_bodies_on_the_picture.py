@@ -95,9 +95,9 @@ def painted(
     run: Run | None = None,
     **asked: bool,
 ) -> np.ndarray:
-    instant = FrameState(0, tracks, selected=selected, run=run)
+    state = FrameState(0, tracks, selected=selected, run=run)
     shape = (SIZE[1], SIZE[0], 3)
-    return BodyPainter(view).over(instant, replace(NOTHING, **asked), None, shape)
+    return BodyPainter(view).over(state, replace(NOTHING, **asked), None, shape)
 
 
 def on_outline(picture: np.ndarray, outline: np.ndarray) -> np.ndarray:
@@ -140,22 +140,22 @@ def test_outlines_are_as_tall_as_the_tracker_thinks(view: View) -> None:
 
 def test_what_a_tracker_at_work_thinks_is_drawn_with_its_own_settings(view: View) -> None:
     at_work = AtWork.of("spheroid", SpheroidSettings(radius_m=0.4, paper=True))
-    instant = FrameState(0, OneFrame(PEOPLE, PARTICLES), selected=1, run=at_work)
+    state = FrameState(0, OneFrame(PEOPLE, PARTICLES), selected=1, run=at_work)
     asked = replace(NOTHING, outlines=True, evaluation=True)
-    picture = BodyPainter(view).over(instant, asked, None, (SIZE[1], SIZE[0], 3))
+    picture = BodyPainter(view).over(state, asked, None, (SIZE[1], SIZE[0], 3))
     (stout,) = outlines(view, np.array([(-0.8, 4.0)]), 1.72, 0.4)
     assert (on_outline(picture, stout)[:, 3] > 0).mean() > 0.9
-    assert why_nothing(instant, "evaluation") == ""
+    assert why_nothing(state, "evaluation") == ""
 
 
 def test_the_legend_tells_of_what_is_seen_alone() -> None:
     asked = replace(NOTHING, outlines=True, evaluation=True, tracklets=True)
-    instant = FrameState(0, OneFrame(PEOPLE, PARTICLES), selected=1, run=PUBLISHED)
-    texts = " ".join(entry.text for entry in legend_of(instant, asked))
+    state = FrameState(0, OneFrame(PEOPLE, PARTICLES), selected=1, run=PUBLISHED)
+    texts = " ".join(entry.text for entry in legend_of(state, asked))
     assert "hypotheses" in texts
     assert "region of evaluation" in texts
     assert "tracklets" not in texts
-    assert legend_of(instant, NOTHING) == ()
+    assert legend_of(state, NOTHING) == ()
 
 
 def test_the_region_of_evaluation_leaves_out_what_others_cover(view: View) -> None:

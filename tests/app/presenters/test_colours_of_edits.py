@@ -92,7 +92,7 @@ def test_a_new_colour_stays_when_its_edit_is_undone_and_done_again(document):
 def _look_at_a_split(document, at):
     document.selection.choose(1)
     document.correcting.begin(EditKind.SPLIT, at)
-    return document.instant(at).colours
+    return document.frame_state(at).colours
 
 
 def test_an_edit_that_waits_shows_the_colour_its_new_id_will_have(document):
@@ -104,7 +104,7 @@ def test_an_edit_that_waits_shows_the_colour_its_new_id_will_have(document):
 def test_an_edit_that_was_left_has_given_no_colour(document):
     _look_at_a_split(document, 30)
     document.correcting.leave()
-    assert not document.instant(30).colours.has(26)
+    assert not document.frame_state(30).colours.has(26)
 
 
 def test_an_edit_that_waits_leaves_the_colours_of_the_lanes_as_they_are(document):
@@ -120,7 +120,7 @@ def test_when_many_come_up_at_once_their_colours_are_made_later(document):
     document.session.apply(plan_split(table, 25, 30))
     for frame in range(2, 12):
         document.session.apply(plan_split(table, 26 if frame == 2 else 24 + frame, 30 + frame))
-    document._showing.own.meet(table, table.track_ids)
+    document._track_source.own.meet(table, table.track_ids)
     due = document.colours_due
     assert due is not None
     assert document.take_colours(due, due.make())
@@ -131,20 +131,20 @@ def test_when_many_come_up_at_once_their_colours_are_made_later(document):
 
 def test_an_edit_that_waits_has_the_colours_that_came_meanwhile(document):
     _look_at_a_split(document, 30)
-    own = document._showing.own
-    before = document.instant(30).colours
+    own = document._track_source.own
+    before = document.frame_state(30).colours
     own.now = own.now.copy()
-    assert document.instant(30).colours is not before
+    assert document.frame_state(30).colours is not before
 
 
 def test_a_run_that_goes_on_and_is_not_kept_gives_no_colour(document):
     rows = document.session.tracks.of_frame(55)
     new = {**rows, "track": np.where(rows["track"] == 1, 26, rows["track"]).astype("i4")}
-    document._showing.begin_live(50)
-    document._showing._live_colours.meet(new)
-    assert document._showing.colours.has(26)
-    document._showing.take_session(document.session)
-    assert not document._showing.colours.has(26)
+    document._track_source.begin_live(50)
+    document._track_source._live_colours.meet(new)
+    assert document._track_source.colours.has(26)
+    document._track_source.take_session(document.session)
+    assert not document._track_source.colours.has(26)
 
 
 @pytest.mark.parametrize("quick", [True, False])
@@ -157,8 +157,8 @@ def test_who_was_watched_while_a_tracker_worked_keeps_the_colour_when_its_run_is
     session.colours = {}  # as one that was made a moment ago
     live.begin_live()
     for frame in (0, 55):  # 2 comes up where 1 and 25 have theirs already
-        live._showing._live_colours.meet(session.tracks.of_frame(frame))
-    watched = live._showing._live_colours
+        live._track_source._live_colours.meet(session.tracks.of_frame(frame))
+    watched = live._track_source._live_colours
     watched._place = {one: (place + 5) % 20 for one, place in watched._place.items()}
     before = _colours(live, 1, 2, 25)
     live.take_session(session)
@@ -174,7 +174,7 @@ def _kept_from(recording, document, places):
     """The colours in which the session's people are shown who were watched in others."""
     live = Document(recording)
     live.begin_live()
-    live._showing._live_colours._place = dict(places)
+    live._track_source._live_colours._place = dict(places)
     document.session.colours = {}  # as one that was made a moment ago
     live.take_session(document.session)
     return _colours(live, *places)
@@ -200,7 +200,7 @@ def test_colours_of_a_run_that_was_dropped_are_not_those_of_another_run(recordin
     session, live = document.session, Document(recording, document.session)
     own = _colours(live, 1, 2, 25)
     live.begin_live()
-    live._showing._live_colours._place = {1: 5, 2: 9, 25: 13}
+    live._track_source._live_colours._place = {1: 5, 2: 9, 25: 13}
     live.end_live()  # stopped, or kept beside
     assert _colours(live, 1, 2, 25) == own
     session.adopt_run(session.add_run(session.corrected_run, adopt=False))

@@ -55,7 +55,7 @@ def _counted(presenter, rows):
 def test_a_line_on_a_floor_nobody_knows_leaves_the_others_their_counts(drawn, document):
     presenter = drawn.presenter
     presenter.take(_counted(presenter, _unplaced()))
-    scene = presenter.scene(document.instant(0), "")
+    scene = presenter.scene(document.frame_state(0), "")
     door, screen = scene.rows
     alone = count(_unplaced(), 20.0, FRAMES, [SCREEN]).lines[0].totals
     assert screen.cells[:2] == tuple(f"0 of {most}" for most in alone)
@@ -63,8 +63,8 @@ def test_a_line_on_a_floor_nobody_knows_leaves_the_others_their_counts(drawn, do
     assert door.hint == scene.message
     assert "'door' lies on the floor" in scene.message
     presenter.pick(True, "screen")
-    assert presenter.scene(document.instant(0), "").message == ""
-    assert presenter.scene(document.instant(0), "").plots
+    assert presenter.scene(document.frame_state(0), "").message == ""
+    assert presenter.scene(document.frame_state(0), "").plots
 
 
 def test_where_people_have_places_both_lines_are_counted(drawn):
@@ -76,9 +76,9 @@ def test_where_people_have_places_both_lines_are_counted(drawn):
 def test_a_refusal_goes_with_what_was_refused(drawn, document):
     presenter = drawn.presenter
     presenter.refuse(presenter.wanted(mapped=False), CountingError("no such step"))
-    assert presenter.scene(document.instant(0), "").message == "no such step"
+    assert presenter.scene(document.frame_state(0), "").message == "no such step"
     drawn.draw()
-    assert "Draw a counting line" in presenter.scene(document.instant(0), "").message
+    assert "Draw a counting line" in presenter.scene(document.frame_state(0), "").message
 
 
 def test_a_bug_is_told_as_one(drawn):
@@ -90,9 +90,9 @@ def test_a_bug_is_told_as_one(drawn):
 def test_the_table_shows_no_steps_of_lines_that_are_gone(drawn, document):
     presenter = drawn.presenter
     presenter.take(_counted(presenter, columns()))
-    assert presenter.scene(document.instant(0), "").counts is not None
+    assert presenter.scene(document.frame_state(0), "").counts is not None
     drawn.draw()
-    assert presenter.scene(document.instant(0), "").counts is None
+    assert presenter.scene(document.frame_state(0), "").counts is None
 
 
 def test_counting_stops_where_it_is_asked_to(drawn):

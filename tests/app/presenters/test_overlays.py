@@ -110,12 +110,12 @@ def test_one_camera_has_no_overlays(tiny_recording):
 
 def test_what_is_laid_over_stays_the_same_array_and_particles_are_drawn_on_a_copy(document):
     image = np.zeros((240, 320, 4), np.uint8)
-    frame, instant = document.recording.read(CROWDED), document.instant(CROWDED)
+    frame, state = document.recording.read(CROWDED), document.frame_state(CROWDED)
     pictures = document.pictures
-    plain = pictures.scene(Side.LEFT, frame, instant, ViewOptions(), PictureOverlay(image))
+    plain = pictures.scene(Side.LEFT, frame, state, ViewOptions(), PictureOverlay(image))
     assert plain.overlay is image
     dotted = pictures.scene(
-        Side.LEFT, frame, instant, ViewOptions(particles=True), PictureOverlay(image)
+        Side.LEFT, frame, state, ViewOptions(particles=True), PictureOverlay(image)
     )
     assert dotted.overlay.any()
     assert not image.any()
@@ -138,7 +138,7 @@ def test_the_right_camera_is_moved_and_what_one_camera_alone_has_is_black(shift)
 
 def test_the_floor_in_the_middle_lies_in_the_plane_of_an_anaglyph(document):
     scene = document.pictures.anaglyph(
-        document.recording.read(0), document.instant(0), ViewOptions(trails=False)
+        document.recording.read(0), document.frame_state(0), ViewOptions(trails=False)
     )
     assert scene.side is Side.BOTH
     red, green = (scene.image[110:130, 120:200, channel].astype(float) for channel in (2, 1))
@@ -148,9 +148,9 @@ def test_the_floor_in_the_middle_lies_in_the_plane_of_an_anaglyph(document):
 
 def test_people_move_along_with_the_rectified_picture_of_an_anaglyph(turned, tiny_session):
     document = Document(turned, Session.open(tiny_session))
-    frame, instant = turned.read(CROWDED), document.instant(CROWDED)
-    recorded = document.pictures.scene(Side.LEFT, frame, instant, ViewOptions()).people
-    moved = document.pictures.anaglyph(frame, instant, ViewOptions()).people
+    frame, state = turned.read(CROWDED), document.frame_state(CROWDED)
+    recorded = document.pictures.scene(Side.LEFT, frame, state, ViewOptions()).people
+    moved = document.pictures.anaglyph(frame, state, ViewOptions()).people
     for before, after in zip(recorded, moved, strict=True):
         middle = np.array(
             [[b + s / 2 for b, s in zip(before.box[:2], before.box[2:], strict=True)]]

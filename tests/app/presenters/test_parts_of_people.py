@@ -13,7 +13,7 @@ from app.presenters.document.frame_state import FrameState
 from app.presenters.document.live_tracks import LiveTracks
 from app.presenters.document.session_tracks import SessionTracks
 from app.presenters.parts.failures import PartFailures, first_failures
-from app.presenters.parts.part_views import curves_of, curves_scene, pictured_boxes, verdict_text
+from app.presenters.parts.part_views import curves_of, curves_scene, part_boxes, verdict_text
 from tracking.tracks import PART_COLUMNS
 
 
@@ -49,7 +49,7 @@ def test_a_verdict_is_said_in_words_and_figures(failed, occluded, score, said):
 
 def test_the_selected_persons_parts_are_drawn_last_the_chosen_one_on_top(tracks):
     first, second = tracks.ids[:2]
-    boxes = pictured_boxes(FrameState(50, tracks, selected=first), 2)
+    boxes = part_boxes(FrameState(50, tracks, selected=first), 2)
     assert [box.track for box in boxes] == [second] * 3 + [first] * 3
     assert boxes[-1].part == 2
     assert [box.chosen for box in boxes] == [False] * 5 + [True]
@@ -59,7 +59,7 @@ def test_a_rectangle_that_is_not_known_is_left_out(run):
     parts = {name: column.copy() for name, column in run.parts.items()}
     parts["cx"][parts["part"] == 0] = np.nan
     tracks = SessionTracks(two_people.table(), replace(run, parts=parts))
-    assert {box.part for box in pictured_boxes(FrameState(50, tracks), 0)} == {1, 2}
+    assert {box.part for box in part_boxes(FrameState(50, tracks), 0)} == {1, 2}
 
 
 def test_curves_say_the_figures_of_the_frame_and_what_to_do_without_any(tracks):

@@ -27,9 +27,9 @@ def document(tiny_recording, tiny_session):
         document.session.close()
 
 
-def _scene(document, side=Side.LEFT, pictured=ViewOptions()):  # noqa: B008 - frozen
+def _scene(document, side=Side.LEFT, view_options=ViewOptions()):  # noqa: B008 - frozen
     frame = document.recording.read(CROWDED)
-    return document.pictures.scene(side, frame, document.instant(CROWDED), pictured)
+    return document.pictures.scene(side, frame, document.frame_state(CROWDED), view_options)
 
 
 def test_everybody_of_the_frame_is_marked_in_their_colour_and_the_selected_one_last(document):
@@ -62,7 +62,7 @@ def test_a_previewed_swap_is_seen_in_both_cameras_and_from_above(document):
     document.correcting.begin(EditKind.SWAP, CROWDED)
     document.correcting.pick(second)
     left, right = (_scene(document, side).preview for side in (Side.LEFT, Side.RIGHT))
-    assert len(left) == len(right) == len(document.instant(CROWDED).preview) == 4
+    assert len(left) == len(right) == len(document.frame_state(CROWDED).preview) == 4
     for one, other in zip(left, right, strict=True):
         assert (one.colour, one.after) == (other.colour, other.after)
         assert (other.points[:, 0] < one.points[:, 0]).all()  # nearer things lie further left
@@ -77,32 +77,32 @@ def test_trails_end_where_the_people_stand(document):
 
 
 def test_without_trails_none_are_made(document):
-    people = _scene(document, pictured=ViewOptions(trails=False)).people
+    people = _scene(document, view_options=ViewOptions(trails=False)).people
     assert all(len(mark.trail) == 0 for mark in people)
 
 
 def test_particles_are_laid_over_the_picture_near_their_people(document):
-    scene = _scene(document, pictured=ViewOptions(particles=True))
+    scene = _scene(document, view_options=ViewOptions(particles=True))
     assert scene.overlay.shape == (*scene.image.shape[:2], 4)
     assert scene.overlay[..., 3].any()
     assert _scene(document).overlay is None
 
 
 def test_the_floor_grid_is_made_once_and_lies_in_view(document):
-    first = _scene(document, pictured=ViewOptions(grid=True)).grid
+    first = _scene(document, view_options=ViewOptions(grid=True)).grid
     assert len(first) > 20
-    assert _scene(document, pictured=ViewOptions(grid=True)).grid is first
+    assert _scene(document, view_options=ViewOptions(grid=True)).grid is first
     assert len(_scene(document).grid) == 0
 
 
 def test_a_frame_that_is_being_read_is_said(document):
-    scene = document.pictures.scene(Side.LEFT, None, document.instant(0), ViewOptions())
+    scene = document.pictures.scene(Side.LEFT, None, document.frame_state(0), ViewOptions())
     assert scene.image is None
     assert scene.message == "Reading..."
 
 
 def test_the_floor_shows_people_particles_and_what_was_measured(document):
-    scene = document.overhead.scene(document.instant(CROWDED))
+    scene = document.overhead.scene(document.frame_state(CROWDED))
     ids = document.tracks.of_frame(CROWDED)["track"].tolist()
     assert sorted(person.track for person in scene.people) == ids
     assert len(scene.particles) == len(scene.particle_colours) == len(scene.particle_weights)
@@ -123,10 +123,10 @@ def test_weights_are_relative_to_the_heaviest_particle_of_each_person():
 def test_people_without_metres_are_left_out_of_the_floor_but_not_of_the_picture(document):
     rows = dict(two_people.columns())
     rows["x"] = np.where(rows["track"] == 7, np.nan, rows["x"])
-    instant = FrameState(50, SessionTracks(TrackTable(rows), None))
-    assert [person.track for person in document.overhead.scene(instant).people] == [4]
+    state = FrameState(50, SessionTracks(TrackTable(rows), None))
+    assert [person.track for person in document.overhead.scene(state).people] == [4]
     frame = document.recording.read(50)
-    marks = document.pictures.scene(Side.LEFT, frame, instant, ViewOptions()).people
+    marks = document.pictures.scene(Side.LEFT, frame, state, ViewOptions()).people
     assert [mark.track for mark in marks] == [4, 7]
 
 

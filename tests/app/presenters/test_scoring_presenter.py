@@ -169,12 +169,12 @@ def test_people_who_are_missed_are_marked_on_picture_and_floor(presenter, docume
     scored = score_now(presenter)
     misses = scored.errors.of_kind(ErrorKind.MISS)
     frame, who = int(misses.frame[0]), int(misses.truth[0])
-    instant = document.instant(frame)
-    pictured = presenter.people.picture(Side.LEFT, instant)
-    floored = presenter.people.floor(instant)
-    for people in (pictured.people, floored.people):
+    state = document.frame_state(frame)
+    picture = presenter.people.picture(Side.LEFT, state)
+    floor = presenter.people.floor(state)
+    for people in (picture.people, floor.people):
         assert {one.label for one in people if one.wrong is ErrorKind.MISS} == {f"T{who}"}
-    assert [entry.text for entry in pictured.legend] == [
+    assert [entry.text for entry in picture.legend] == [
         "truth: T and its number",
         "missed",
         "false alarm",

@@ -68,7 +68,7 @@ def correcting():
     selection = Selection()
     selection.choose(4)
     selection.add(7)
-    return Correcting(selection, on.footing, lambda: on)
+    return Correcting(selection, on.geometry, lambda: on)
 
 
 def _cut_proposed(correcting, tracks, frame, begun_at):

@@ -28,7 +28,7 @@ def _merging(on_floor=True):
     on = EditContext(table, Labels(), RecordingGeometry(None, 100, 10.0, (640, 480)))
     selection = Selection()
     selection.choose(4)
-    correcting = Correcting(selection, on.footing, lambda: on)
+    correcting = Correcting(selection, on.geometry, lambda: on)
     correcting.begin(EditKind.MERGE, 50)
     return correcting
 

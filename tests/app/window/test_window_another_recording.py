@@ -83,24 +83,24 @@ def test_a_command_shows_the_whole_picture_and_the_floor(window, qtbot, press):
 def test_what_is_laid_over_the_pictures_is_remembered(
     window, qtbot, controller, press, other_session
 ):
-    assert controller.pictured.counts
+    assert controller.view_options.counts
     press(Qt.Key.Key_U, Qt.KeyboardModifier.ShiftModifier)
     press(Qt.Key.Key_F)
     window.files.close_without_asking()
     _open(window, qtbot, other_session)
-    assert not window.controller.pictured.counts
-    assert window.controller.pictured.grid
-    assert window.controller.pictured.trails
+    assert not window.controller.view_options.counts
+    assert window.controller.view_options.grid
+    assert window.controller.view_options.trails
 
 
 def test_panels_that_were_open_are_not_opened_with_another_recording(
     window, qtbot, controller, press, other_session
 ):
     press(Qt.Key.Key_C, Qt.KeyboardModifier.ShiftModifier)
-    assert controller.pictured.counting
+    assert controller.view_options.counting
     window.files.close_without_asking()
     _open(window, qtbot, other_session)
-    assert not window.controller.pictured.counting
+    assert not window.controller.view_options.counting
 
 
 @pytest.mark.parametrize("text", ["", "counts", "+nothing -", "-score \u2603 ++"])
@@ -109,5 +109,5 @@ def test_views_that_are_remembered_wrong_are_as_usual(
 ):
     remembered.set_text("pictured", text)
     _open(window, qtbot, tiny_session)
-    assert window.controller.pictured.counts
-    assert not window.controller.pictured.score
+    assert window.controller.view_options.counts
+    assert not window.controller.view_options.score

@@ -203,7 +203,7 @@ def test_a_name_typed_in_the_card_is_shown_everywhere(window, controller, press)
     QTest.keyClicks(window.focusWidget(), "red sxm coat")  # s, x and m are typed, not obeyed
     press(Key.Key_Return)
     assert controller.document.label(track).name == "red sxm coat"
-    assert controller.document.instant(CROWDED).label(track) == f"{track} red sxm coat"
+    assert controller.document.frame_state(CROWDED).label(track) == f"{track} red sxm coat"
     assert controller.document.flow is None
 
 

@@ -107,7 +107,7 @@ def test_counters_can_be_turned_off(window, counted, qtbot):
     assert set(said_on(window.workspace.overhead).values()) == {""}
     window.run_command("view.counts")
     assert said_on(window.workspace.overhead)["gate"] != ""
-    assert controller.pictured.counts
+    assert controller.view_options.counts
 
 
 def test_the_panel_says_what_to_do_where_nothing_is_drawn(window, controller):

@@ -75,7 +75,7 @@ def test_a_box_is_moved_and_resized_by_arrows_until_enter(hands, track):
     hands.press(Key.Key_Down, SHIFT)
     hands.press(Key.Key_Up, CTRL)
     assert hands.row(track, CROWDED) == before  # nothing is done before Enter
-    seen = hands.controller.document.instant(CROWDED).tracks.of_frame(CROWDED)
+    seen = hands.controller.document.frame_state(CROWDED).tracks.of_frame(CROWDED)
     at = seen["track"].tolist().index(track)
     assert seen["left"][at] == before["left"] + 1
     hands.press(Key.Key_Return)
@@ -373,12 +373,12 @@ def test_undoing_the_deletion_of_a_track_selects_it_again(hands, track):
 
 def test_a_name_typed_after_f2_was_refused_runs_no_command(hands):
     hands.press(Key.Key_Escape)
-    before = len(hands.controller.document.session.history), hands.controller.pictured
+    before = len(hands.controller.document.session.history), hands.controller.view_options
     hands.press(Key.Key_F2)
     assert "select a person first" in hands.window.notice.text
     hands.type("Bow Xzs z")
     hands.press(Key.Key_Return)
-    assert (len(hands.controller.document.session.history), hands.controller.pictured) == before
+    assert (len(hands.controller.document.session.history), hands.controller.view_options) == before
     assert hands.controller.document.flow is None
     assert not hands.controller.playback.clock.playing
     hands.press(Key.Key_Tab)  # Enter ended that: keys are commands again

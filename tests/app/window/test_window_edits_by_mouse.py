@@ -237,10 +237,10 @@ def test_the_boxes_of_a_dragged_person_lie_on_one_epipolar_line(hands, someone):
     controller, start = hands.controller, hands.row(someone, CROWDED)
     controller.dragging.grab_person(someone)
     controller.dragging.drag_person(start["x"] + 0.4, start["y"] + 0.3)
-    instant, pictures = controller.document.instant(CROWDED), controller.document.pictures
+    state, pictures = controller.document.frame_state(CROWDED), controller.document.pictures
     frame, rectification = controller.playback.frame, controller.document.recording.rectification
     cameras = [
-        pictures.scene(side, frame, instant, controller.pictured)
+        pictures.scene(side, frame, state, controller.view_options)
         for side in (Side.LEFT, Side.RIGHT)
     ]
     left, right = (next(one.box for one in side.people if one.track == someone) for side in cameras)

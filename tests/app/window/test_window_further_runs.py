@@ -225,12 +225,12 @@ def test_a_colour_stays_as_runs_end_and_are_dropped(controller, tiny_run):
     controller.editing.begin(EditKind.SPLIT)
     controller.editing.confirm()
     before = [document.colour_of(one) for one in session.tracks.track_ids]
-    colours = document._showing.colours
+    colours = document._track_source.colours
     document.begin_live()
     controller.live.finished.emit(tiny_run)
     controller.tracking.drop()
     assert [document.colour_of(one) for one in session.tracks.track_ids] == before
-    assert document._showing.colours is colours
+    assert document._track_source.colours is colours
 
 
 @pytest.fixture
@@ -329,11 +329,11 @@ def test_the_review_goes_on_where_it_was_once_the_new_run_was_looked_at(followed
     controller, queue = followed, followed.reviewing.queue
     controller.playback.go(40)
     qtbot.waitUntil(lambda: bool(queue.items))
-    assert controller.reviewing.situation["review_items"]
+    assert controller.reviewing.command_context["review_items"]
     controller.reviewing.narrow(queue.kinds()[0].kind)
     kind, items, meter = queue.kind, queue.items, controller.reviewing._meter
     controller.tracking.following.begin()
-    assert not controller.reviewing.situation["review_items"]
+    assert not controller.reviewing.command_context["review_items"]
     assert controller.reviewing._scene().items == ()
     controller.playback.go(40)
     assert (queue.kind, queue.items) == (kind, items)

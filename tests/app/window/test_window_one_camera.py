@@ -86,7 +86,7 @@ def test_the_ramp_image_is_made_anew_with_the_settings_of_a_tracker_at_work(
     dark = int(overlay(window)[..., :3].astype(int).sum())
     settings = settings_from(SpheroidSettings, {"ramp.low": 0.1, "ramp.high": 0.5})
     controller.document.begin_live(0, AtWork.of("spheroid", settings))
-    controller.draw_instant()
+    controller.draw_frame()
     qtbot.waitUntil(lambda: overlay(window) is not None)
     assert int(overlay(window)[..., :3].astype(int).sum()) > 1.2 * dark
     controller.document.end_live()

@@ -120,7 +120,7 @@ def test_f3_brings_parts_back_that_were_switched_off(hands, picture):
     )
     track = hands.controller.document.selection.track
     assert any(box.track == track and box.failed for box in picture._parts.boxes)
-    assert hands.controller.pictured.parts
+    assert hands.controller.view_options.parts
 
 
 def test_f3_comes_near_to_somebody_who_is_small_or_out_of_view(hands, picture):

@@ -54,8 +54,8 @@ def test_the_floor_shows_particles_of_the_same_frame_as_the_pictures(opened, qtb
     controller.playback.pause()
     controller.playback.go(60)
     qtbot.waitUntil(lambda: controller.playback.number == 60)
-    instant = controller.document.instant(controller.playback.number)
-    floor = controller.document.overhead.scene(instant)
+    state = controller.document.frame_state(controller.playback.number)
+    floor = controller.document.overhead.scene(state)
     assert floor.frame == controller.playback.frame.number == 60
     assert set(np.unique(controller.document.tracks.particles(60)["track"])) == {
         person.track for person in floor.people

@@ -117,9 +117,9 @@ def test_both_versions_are_shown_in_the_pictures_and_on_the_floor(
     compared, shifted_run, window, qtbot
 ):
     controller = compared
-    instant = controller.document.instant(65)
-    assert {trail.after for trail in instant.preview} == {True, False}
-    assert {trail.after for trail in instant.picture_preview} == {True, False}
+    state = controller.document.frame_state(65)
+    assert {trail.after for trail in state.preview} == {True, False}
+    assert {trail.after for trail in state.picture_preview} == {True, False}
     controller.playback.go(65)
     picture = window.workspace.left
     qtbot.waitUntil(lambda: picture._scene.frame == 65)
@@ -128,7 +128,7 @@ def test_both_versions_are_shown_in_the_pictures_and_on_the_floor(
     assert run[label][0] == pytest.approx(corrected[label][0] - 40.0, abs=0.01)
     assert {place.label for place in window.workspace.overhead._others} == set(run)
     controller.comparing.close()
-    assert controller.document.instant(65).preview == ()
+    assert controller.document.frame_state(65).preview == ()
     assert picture._others == ()
 
 

@@ -12,8 +12,8 @@ def _jump(step: int) -> RecordingHandler:
     """From failure to failure; parts that were switched off come back, to be seen."""
 
     def jump(controller: RecordingController) -> None:
-        if controller.parts.jump(step) and not controller.pictured.parts:
-            controller.set_pictured(replace(controller.pictured, parts=True))
+        if controller.parts.jump(step) and not controller.view_options.parts:
+            controller.set_view_options(replace(controller.view_options, parts=True))
 
     return jump
 

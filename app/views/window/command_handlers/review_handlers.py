@@ -28,7 +28,7 @@ def _walk(step: int) -> RecordingHandler:
 
 def _choose_truth(controller: RecordingController) -> None:
     """Ask for a file; the score is shown at once, so that the choice is seen."""
-    controller.set_pictured(replace(controller.pictured, score=True, truth=True))
+    controller.set_view_options(replace(controller.view_options, score=True, truth=True))
     controller.scoring.ask_truth()
 
 

@@ -13,8 +13,8 @@ from app.views.window.command_handlers.recording_handler import RecordingHandler
 
 def _toggle(name: str) -> RecordingHandler:
     def toggle(controller: RecordingController) -> None:
-        now: bool = getattr(controller.pictured, name)
-        controller.set_pictured(replace(controller.pictured, **{name: not now}))
+        now: bool = getattr(controller.view_options, name)
+        controller.set_view_options(replace(controller.view_options, **{name: not now}))
 
     return toggle
 
@@ -24,7 +24,7 @@ def _toggle_parts(name: str) -> RecordingHandler:
 
     def toggle(controller: RecordingController) -> None:
         _toggle(name)(controller)
-        if getattr(controller.pictured, name):
+        if getattr(controller.view_options, name):
             controller.parts.tell_what_is_missing(whose=name == "part_particles")
 
     return toggle
@@ -35,8 +35,8 @@ def _toggle_bodies(name: str) -> RecordingHandler:
 
     def toggle(controller: RecordingController) -> None:
         _toggle(name)(controller)
-        why = why_nothing(controller.document.instant(controller.playback.number), name)
-        if why and getattr(controller.pictured, name):
+        why = why_nothing(controller.document.frame_state(controller.playback.number), name)
+        if why and getattr(controller.view_options, name):
             controller.said.emit(why)
 
     return toggle
@@ -48,15 +48,15 @@ def _on_lanes(act: Callable[[TracksArea], None]) -> RecordingHandler:
 
 def _toggle_score(controller: RecordingController) -> None:
     """The panel comes and goes with the truth it is about."""
-    on = not controller.pictured.score
-    controller.set_pictured(replace(controller.pictured, score=on, truth=on))
+    on = not controller.view_options.score
+    controller.set_view_options(replace(controller.view_options, score=on, truth=on))
 
 
 def _toggle_truth(controller: RecordingController) -> None:
     """Truth and errors, and where there are none why."""
     _toggle("truth")(controller)
     why = controller.scoring.presenter.why_nothing
-    if why and controller.pictured.truth:
+    if why and controller.view_options.truth:
         controller.said.emit(why)
 
 

@@ -1,4 +1,4 @@
-"""What pictures and the floor draw of one instant."""
+"""What pictures and the floor draw of one frame."""
 
 from __future__ import annotations
 
@@ -70,7 +70,7 @@ class LegendEntry:
 
 @dataclass(frozen=True, slots=True)
 class PictureScene:
-    """One camera at one instant.
+    """One camera in one frame.
 
     Attributes:
         side: which.
@@ -122,7 +122,7 @@ class FloorPerson:
 
 @dataclass(frozen=True, slots=True)
 class OverheadScene:
-    """The floor at one instant, in metres; x right, y forward (up on the screen).
+    """The floor in one frame, in metres; x right, y forward (up on the screen).
 
     Attributes:
         particles: (n, 2) float32 metres. particle_colours: (n, 3) uint8 of their persons.
