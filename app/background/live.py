@@ -33,11 +33,11 @@ class LiveTracker(QObject):
     in order: `tracked(results)` carries a tuple of `StepResult`. At the end, or once stopped,
     `finished(run)` carries the run over the frames that were tracked (None where there were none),
     the very same as `pipeline.track` makes. Where the tracker could not go on it comes, too, and
-    `ended` tells why; `failed(error)` comes instead where nothing can be kept.
+    `run_summary` tells why; `failed(error)` comes instead where nothing can be kept.
 
     Attributes:
         kept: the steps so far, those not told of yet among them; may be read on any thread.
-        ended: what became of them, once the run is made; None before, and where there is none.
+        run_summary: of the run, once it is made; None before, and where there is none.
     """
 
     tracked = Signal(object)
@@ -62,7 +62,7 @@ class LiveTracker(QObject):
         self._request = TrackingRequest.of(recording, tracker, settings, seed, frames, resume)
         self._asked = frames
         self.kept = KeptSteps()
-        self.ended: RunSummary | None = None
+        self.run_summary: RunSummary | None = None
         self._process = TrackerProcess(self._request)
         self._room = threading.Semaphore(_MOST_AHEAD)
         self._closed = threading.Event()
@@ -124,8 +124,10 @@ class LiveTracker(QObject):
         except Exception:  # telling of it must neither lose the run nor hide why it ended
             _log.warning("what came of the tracking cannot be told", exc_info=True)
             tracks = len(set(run.tracks["track"].tolist()))
-            self.ended = RunSummary(run.tracker, run.frames, self._asked, tracks, tracks, 0, why)
-            return replace(run, notes=(*self.notes, self.ended.early))
+            self.run_summary = RunSummary(
+                run.tracker, run.frames, self._asked, tracks, tracks, 0, why
+            )
+            return replace(run, notes=(*self.notes, self.run_summary.early))
 
     def _run_asked(self) -> tuple[str, Mapping[str, Any], int, Recording, Resume | None]:
         asked = self._request
@@ -134,8 +136,8 @@ class LiveTracker(QObject):
     def _told_of(self, run: Run, why: str) -> Run:
         """The run with what is told of it; why: it ended early, "": it did not."""
         on_the_way = self.kept.parts("tracks", *self.kept.frames)
-        self.ended = RunSummary.of(run, on_the_way, self._asked, why)
-        return replace(run, notes=(*self.notes, *([self.ended.early] if why else [])))
+        self.run_summary = RunSummary.of(run, on_the_way, self._asked, why)
+        return replace(run, notes=(*self.notes, *([self.run_summary.early] if why else [])))
 
     def _make_room(self, _batch: object) -> None:
         """The window has taken a batch."""

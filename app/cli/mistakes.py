@@ -18,14 +18,16 @@ _COLOURS = {True: (80, 200, 80), False: (60, 60, 230)}
 """BGR of a rectangle labelled on its part and off it."""
 
 
-def pictures_of(trained: Trained, taught: TrainingSet, *, allow_outside: bool) -> dict[int, bytes]:
+def pictures_of(
+    trained: Trained, training_set: TrainingSet, *, allow_outside: bool
+) -> dict[int, bytes]:
     """JPEG images of the mistakes whose recordings can be opened, by the row of the sample."""
 
     def missed(source: Source, error: TrackwrightError) -> None:
         say(f"no pictures of {source.title}: {with_advice(error, allow_outside)}")
 
     search = Search(allow_outside=allow_outside, missed=missed)
-    items = TrainingResult(trained, taught).scene().mistakes
+    items = TrainingResult(trained, training_set).scene().mistakes
     cuts = cut_outs(None, search, items, lambda *_: None)
     return {
         one.mistake.sample: _packed(cut, on=one.mistake.failed)

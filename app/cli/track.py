@@ -165,20 +165,20 @@ def keeping_what_was_tracked(
     """
     try:
         yield
-    except TrackerEndedError as ended:
+    except TrackerEndedError as problem:
         try:
             place = _free_name(out)
             if save is None:
-                save_session(recording, ended.run, place)
+                save_session(recording, problem.run, place)
             else:
-                save(ended.run, place)
+                save(problem.run, place)
         except (TrackwrightError, OSError) as error:
             why = told_by_system(error) or error
             kept = f"what it tracked could not be kept: {why}"
         else:
-            first, end = ended.run.frames
+            first, end = problem.run.frames
             kept = f"frames {first}:{end} are kept in {place}"
-        raise EndedEarlyError(str(ended), kept) from ended.__cause__
+        raise EndedEarlyError(str(problem), kept) from problem.__cause__
 
 
 def _free_name(out: Path) -> Path:

@@ -11,7 +11,7 @@ import typer
 from app.cli.destination import check_file, check_folder, check_replaced, nearest_folder
 from app.cli.mistakes import pictures_of
 from app.cli.output import print_json, print_line, progress, say
-from app.cli.training_set import all_taught
+from app.cli.training_set import read_training_set
 from tracking.errors import OutputError, TrainingError
 from tracking.failure import (
     Trained,
@@ -55,10 +55,10 @@ def run_train(request: TrainRequest, *, as_json: bool) -> None:
     Raises TrainingError where the samples are too few.
     """
     _check(request)
-    taught = all_taught(
+    training_set = read_training_set(
         request.sources, from_truth=request.from_truth, allow_outside=request.allow_outside
     )
-    samples = taught.samples
+    samples = training_set.samples
     if not len(samples):
         names = ", ".join(map(str, request.sources))
         raise TrainingError(f"{names}: no label of a tracked body part; label some parts first")
@@ -68,7 +68,7 @@ def run_train(request: TrainRequest, *, as_json: bool) -> None:
     save_detector(request.out, made.detector)
     page = None
     if request.report is not None:
-        pictures = pictures_of(made, taught, allow_outside=request.allow_outside)
+        pictures = pictures_of(made, training_set, allow_outside=request.allow_outside)
         page = write_report(request.report, made.report, pictures)[0]
     _print(made, request, page, as_json=as_json)
 

@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from app.presenters.parts.training_set import Source, TrainingSet, source_at, taught_by
+from app.presenters.parts.training_set import Source, TrainingSet, build_training_set, source_at
 from tracking.session import RecordingMissing
 
 
-def all_taught(paths: Sequence[Path], *, from_truth: bool, allow_outside: bool) -> TrainingSet:
+def read_training_set(
+    paths: Sequence[Path], *, from_truth: bool, allow_outside: bool
+) -> TrainingSet:
     """The samples of sessions and tables, different recordings under different names.
 
     Args:
@@ -18,7 +20,7 @@ def all_taught(paths: Sequence[Path], *, from_truth: bool, allow_outside: bool) 
 
     Raises as `source_at`; where a recording is missing it says what `train` can be told.
     """
-    return taught_by([_source(path, from_truth, allow_outside) for path in paths])
+    return build_training_set([_source(path, from_truth, allow_outside) for path in paths])
 
 
 def _source(path: Path, from_truth: bool, allow_outside: bool) -> Source:

@@ -1,4 +1,4 @@
-"""Who is there at the same time, and who comes near whom."""
+"""Where tracks are present together, and how near each other."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ _NOBODY: tuple[Ids, Floats] = np.zeros(0, np.int64), np.zeros(0)
 
 
 @dataclass(frozen=True, slots=True)
-class Meetings:
+class CoOccurrences:
     """Who is there when, and near whom.
 
     Attributes:
@@ -47,19 +47,19 @@ class Meetings:
         return self.nearness.get(track, _NOBODY)
 
 
-def meetings_of(rows: Columns) -> Meetings:
-    """Meetings in rows that stand by frame; places are sampled."""
+def find_co_occurrences(rows: Columns) -> CoOccurrences:
+    """Co-occurrences in rows that stand by frame; places are sampled."""
     frame, track = rows["frame"], rows["track"]
     if not len(frame):
-        return Meetings()
+        return CoOccurrences()
     starts, sizes = _looks(frame)
     pairs = [_pairs(rows, starts[part], sizes[part]) for part in _portions(sizes)]
     ids, others, much = (np.concatenate(column) for column in zip(*pairs, strict=True))
-    return Meetings(_stays(frame, track), _both_ways(*_nearest(ids, others, much)))
+    return CoOccurrences(_stays(frame, track), _both_ways(*_nearest(ids, others, much)))
 
 
 def pairs_in(rows: Columns) -> int:
-    """How many pairs `meetings_of` looks at: its work, beside one pass over the rows."""
+    """How many pairs `find_co_occurrences` looks at: its work, beside one pass over the rows."""
     frame = rows["frame"]
     return int((np.square(_looks(frame)[1]).sum()) // 2) if len(frame) else 0
 

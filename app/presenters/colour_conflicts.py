@@ -1,4 +1,4 @@
-"""Colours that people have already are told apart where a finished run has them meet."""
+"""Changes colours of people who look alike and are seen together in a finished run."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from app.presenters.co_occurrence import FAR, Meetings
+from app.presenters.co_occurrence import FAR, CoOccurrences
 from tracking.tracks import Columns
 
 Floats = NDArray[np.float64]
@@ -16,11 +16,11 @@ Choose = Callable[[int, Floats], int]
 """A place of the palette for an id, from how much each colour (colours,) is taken."""
 
 
-class TellingApart:
+class ColourConflicts:
     """Finds who looks like somebody seen together with, and has the one with fewer rows change.
 
     Args:
-        given: place of the palette of each id. rows: of the run, by frame. meetings: in it.
+        given: place of the palette of each id. rows: of the run, by frame. co_occurrences: in it.
         alike: (colours, colours) how much alike every two look. limit: from here on too much.
         soon: so many frames after somebody was seen last their colour still counts.
         choose: see `Choose`.
@@ -30,19 +30,19 @@ class TellingApart:
         self,
         given: Mapping[int, int],
         rows: Columns,
-        meetings: Meetings,
+        co_occurrences: CoOccurrences,
         *,
         alike: Floats,
         limit: float,
         soon: int,
         choose: Choose,
     ) -> None:
-        stays = [one for one in meetings.stays if one[2] in given]
+        stays = [one for one in co_occurrences.stays if one[2] in given]
         self._first, self._last, self._ids = np.array(stays, np.int64).reshape(-1, 3).T
         self._places = np.array([given[one] for one in self._ids.tolist()], np.intp)
         self._at = {one: at for at, one in enumerate(self._ids.tolist())}
         self._frames = _frames_by_track(rows)
-        self._meetings, self._choose = meetings, choose
+        self._co_occurrences, self._choose = co_occurrences, choose
         self._alike, self._limit, self._soon = alike, limit, soon
 
     def places(self) -> dict[int, int]:
@@ -82,7 +82,7 @@ class TellingApart:
     def _nearness(self, at: int) -> Floats:
         """How near everybody (n,) comes, from `FAR` to 1."""
         near = np.full(len(self._ids), FAR)
-        others, much = self._meetings.near_of(int(self._ids[at]))
+        others, much = self._co_occurrences.near_of(int(self._ids[at]))
         for other, how in zip(others.tolist(), much.tolist(), strict=True):
             if other in self._at:
                 near[self._at[other]] = how

@@ -1,4 +1,4 @@
-"""A track's colour as it is shown: on a ground that would swallow it, another one."""
+"""A track's colour as it is shown: on a background that would swallow it, another one."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from app.presenters.scenes import Colour
 
 THEMES: Final = ("dark", "light")
 _LEAST_CONTRAST: Final = {"dark": 2.6, "light": 1.9}
-"""Of a line or a bar against its ground; dark colours on a dark one need more."""
+"""Of a line or a bar against its background; dark colours on a dark one need more."""
 _STEP, _MOST_STEPS = 0.05, 12
 
 
@@ -25,12 +25,12 @@ def theme_table(theme_name: str) -> dict[str, str]:
 
 @cache
 def standing_out(theme_name: str, colour: Colour) -> Colour:
-    """The colour, moved towards the text's until the theme's lowest ground does not swallow it."""
+    """The colour, moved towards the text colour until it stands out from the background."""
     table = theme_table(theme_name)
-    text, ground = _rgb(table["text"]), _rgb(table["sunken"])
+    text, background = _rgb(table["text"]), _rgb(table["sunken"])
     for step in range(_MOST_STEPS + 1):
         moved = _mixed(colour, text, step * _STEP)
-        if contrast(moved, ground) >= _LEAST_CONTRAST[theme_name]:
+        if contrast(moved, background) >= _LEAST_CONTRAST[theme_name]:
             return moved
     return text
 

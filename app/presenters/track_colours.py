@@ -9,8 +9,8 @@ from types import MappingProxyType
 import numpy as np
 from numpy.typing import NDArray
 
-from app.presenters.co_occurrence import FAR, Meetings, closeness, meetings_of
-from app.presenters.colour_conflicts import TellingApart
+from app.presenters.co_occurrence import FAR, CoOccurrences, closeness, find_co_occurrences
+from app.presenters.colour_conflicts import ColourConflicts
 from app.presenters.colour_sight import alike, of_one_hue
 from app.presenters.palette import NOBODY, TRACK_COLOURS, usual_place
 from app.presenters.scenes import Colour
@@ -71,10 +71,13 @@ class TrackColours:
         `seen`: those its ids had while the tracker worked. They keep them, unless two who are
         seen together in the finished run look alike: then who has fewer rows has another.
         """
-        colours, meetings = cls() if seen is None else seen.copy(), meetings_of(run.tracks)
+        colours, co_occurrences = (
+            cls() if seen is None else seen.copy(),
+            find_co_occurrences(run.tracks),
+        )
         if seen is not None:
-            colours._tell_apart(run.tracks, meetings)
-        colours._settle(meetings)
+            colours._resolve_conflicts(run.tracks, co_occurrences)
+        colours._settle(co_occurrences)
         return colours
 
     @classmethod
@@ -100,7 +103,7 @@ class TrackColours:
         """These, with colours for all of a table who have none yet."""
         colours = self.copy()
         if not all(map(colours.has, table.track_ids)):
-            colours._settle(meetings_of(table.columns()))
+            colours._settle(find_co_occurrences(table.columns()))
         return colours
 
     def of(self, track: int) -> Colour:
@@ -150,21 +153,21 @@ class TrackColours:
         soon = _SOON_FRAMES
         return {one: FAR for one, seen in self._seen.items() if abs(frame - seen) <= soon}
 
-    def _settle(self, meetings: Meetings) -> None:
+    def _settle(self, co_occurrences: CoOccurrences) -> None:
         """Give colours to all who have none, in the order they come up."""
         leaving: list[tuple[int, int]] = []  # last frame and place in ids of those there, a heap
-        ids = np.sort([track for _, _, track in meetings.stays])
+        ids = np.sort([track for _, _, track in co_occurrences.stays])
         places = np.array([self._place.get(one, _GREY) for one in ids.tolist()], np.intp)
         there = np.zeros(len(ids), bool)
         worn = np.zeros(len(TRACK_COLOURS))  # by how many of them
-        for first, last, track in meetings.stays:
+        for first, last, track in co_occurrences.stays:
             while leaving and leaving[0][0] + _SOON_FRAMES < first:
                 gone = heappop(leaving)[1]
                 worn[places[gone]] -= 1
                 there[gone] = False
             at = int(np.searchsorted(ids, track))
             if track not in self._place:
-                others, much = meetings.near_of(track)
+                others, much = co_occurrences.near_of(track)
                 near = np.searchsorted(ids, others)
                 more = np.where(there[near], much - FAR, much)
                 taken = np.bincount(places[near], more, len(TRACK_COLOURS) + 1)[:_GREY]
@@ -173,12 +176,12 @@ class TrackColours:
             places[at], there[at] = self._place[track], True
             worn[places[at]] += 1
 
-    def _tell_apart(self, rows: Columns, meetings: Meetings) -> None:
+    def _resolve_conflicts(self, rows: Columns, co_occurrences: CoOccurrences) -> None:
         """Change the colours of those who would look like somebody seen together with."""
-        told = TellingApart(
+        told = ColourConflicts(
             self._place,
             rows,
-            meetings,
+            co_occurrences,
             alike=_ALIKE,
             limit=_TOO_ALIKE,
             soon=_SOON_FRAMES,

@@ -49,9 +49,9 @@ class Correcting:
         self,
         selection: Selection,
         geometry: RecordingGeometry,
-        ground: Callable[[], EditContext | None],
+        edit_context: Callable[[], EditContext | None],
     ) -> None:
-        """`ground` gives what edits are planned on; None while nothing can be corrected."""
+        """`edit_context` gives what edits are planned on; None while nothing can be corrected."""
         self.flow: EditFlow | None = None
         self.planned: PlannedEdit | None = None
         self.begun_at: int | None = None
@@ -60,13 +60,13 @@ class Correcting:
         self._let_go: tuple[int, ...] = ()
         self._selection = selection
         self._geometry = geometry
-        self._ground = ground
+        self._edit_context = edit_context
 
     @property
     def can_place(self) -> bool:
         """Whether boxes and people can be dragged now."""
         free = self.flow is None or self.flow.places
-        return free and self._ground() is not None
+        return free and self._edit_context() is not None
 
     @property
     def waits(self) -> bool:
@@ -87,7 +87,7 @@ class Correcting:
         self, kind: EditKind, frame: int, scope: EditScope | None = None, other: int = 0
     ) -> None:
         """Begin an edit of who is selected at a frame, perhaps with the second person already."""
-        on = self._ground()
+        on = self._edit_context()
         if on is None or not (self._selection or kind is EditKind.DRAW):
             return
         if self.flow is None:
@@ -120,7 +120,7 @@ class Correcting:
     def _go_to_gap(self, step: int) -> None:
         """Put the frame looked at into one of the gaps that would be filled."""
         flow, planned = self.flow, self.planned
-        change, on = planned.change if planned is not None else None, self._ground()
+        change, on = planned.change if planned is not None else None, self._edit_context()
         if flow is None or flow.kind is not EditKind.FILL_ALL or change is None or on is None:
             return
         self.flow = replace(flow, cut=next_filled(change, flow.cut, step))
@@ -128,7 +128,7 @@ class Correcting:
 
     def begin_drawing(self, frame: int, new: bool = False) -> None:
         """W: draw a box, of who is selected or of somebody new; one that is there is replaced."""
-        on = self._ground()
+        on = self._edit_context()
         if on is None:
             return
         if new:
@@ -157,7 +157,7 @@ class Correcting:
 
     def pick_typed(self, track: int) -> None:
         """An id was typed for the other person of the edit; one that cannot be is told."""
-        flow, on = self.flow, self._ground()
+        flow, on = self.flow, self._edit_context()
         if flow is None or on is None or not flow.takes_other:
             return
         if track == flow.track:
@@ -170,7 +170,7 @@ class Correcting:
 
     def consider(self, track: int) -> None:
         """An id was typed so far: show the edit with them where there is such a track."""
-        flow, on = self.flow, self._ground()
+        flow, on = self.flow, self._edit_context()
         if flow is None or on is None or not flow.takes_other or track == flow.other:
             return
         if track in on.table and track != flow.track:
@@ -194,7 +194,7 @@ class Correcting:
 
     def _with_other(self, flow: EditFlow, other: int) -> EditFlow:
         """The edit with its second person; for a swap with the frames where they changed over."""
-        on = self._ground()
+        on = self._edit_context()
         if flow.kind is not EditKind.SWAP or on is None or other == flow.track:
             return flow.with_other(other)
         # A frame that was proposed for somebody else says nothing of where the user looks.
@@ -210,7 +210,7 @@ class Correcting:
 
     def change(self, flow: EditFlow, problem: str = "") -> None:
         """Put another state of the edit in place of the one there is; `problem` is told with it."""
-        on = self._ground()
+        on = self._edit_context()
         if on is not None:
             self.flow = flow
             self.planned = planned_edit(flow, on, problem)

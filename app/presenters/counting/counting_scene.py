@@ -72,7 +72,7 @@ class CountingScene:
 
     Attributes:
         rows: lines, then regions. picked: the number of the one that is plotted; -1: none.
-        tracks: whose tracks can be counted; whose: the number of those that are.
+        tracks: whose tracks can be counted; track_source: the number of those that are.
         step_s, jitter_m, jitter_px: how it is counted. least_step_s: the shortest step there is.
         jitters: which of the two distances matter, on the floor and in the picture.
         plots: of the one that is picked.
@@ -84,7 +84,7 @@ class CountingScene:
     rows: tuple[TallyRow, ...] = ()
     picked: int = -1
     tracks: tuple[str, ...] = ()
-    whose: int = 0
+    track_source: int = 0
     step_s: float = 0.5
     least_step_s: float = 0.01
     jitter_m: float = 0.0

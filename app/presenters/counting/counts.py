@@ -22,7 +22,7 @@ from app.presenters.document.frame_state import FrameState
 from app.presenters.error_messages import explain
 from app.presenters.i18n import tr
 from app.presenters.labelling.labelling_scene import LINE_COLOUR, REGION_COLOUR, Tool
-from app.presenters.runs.track_sources import whose_tracks
+from app.presenters.runs.track_sources import list_track_sources
 from tracking.counting import PAPER_STEP_S, CountSettings, Occupancy, density_of
 from tracking.tracks import Columns, CountingLine, Labels, Region, between
 
@@ -32,11 +32,11 @@ class CountingChoice:
     """What the user has chosen.
 
     Attributes:
-        whose: `SHOWN` or a run's number. settings: how it is counted.
+        track_source: `SHOWN` or a run's number. settings: how it is counted.
         picked: the name of what is plotted, and whether it is a line; None: the first there is.
     """
 
-    whose: int = SHOWN
+    track_source: int = SHOWN
     settings: CountSettings = field(default_factory=CountSettings)
     picked: tuple[bool, str] | None = None
 
@@ -66,22 +66,22 @@ class CountingPresenter:
         """What is to be counted now."""
         labels, choice = self.labels, self.choice
         mapped = mapped and self._document.recording.view is not None
-        whose = self.whose
-        version = version_of(self._document, whose)
-        return Subject(whose, version, labels.lines, labels.regions, choice.settings, mapped)
+        track_source = self.track_source
+        version = version_of(self._document, track_source)
+        return Subject(track_source, version, labels.lines, labels.regions, choice.settings, mapped)
 
     @property
-    def whose(self) -> int:
+    def track_source(self) -> int:
         """`SHOWN` or the number of the run that is counted; a run that is gone is none."""
-        session, whose = self._document.session, self.choice.whose
-        return SHOWN if session is None or whose >= len(session.runs) else whose
+        session, track_source = self._document.session, self.choice.track_source
+        return SHOWN if session is None or track_source >= len(session.runs) else track_source
 
     @property
     def frames(self) -> tuple[int, int]:
         """The frames that the tracks go over."""
-        session, whose = self._document.session, self.whose
-        if whose != SHOWN and session is not None:
-            return session.runs[whose].frames
+        session, track_source = self._document.session, self.track_source
+        if track_source != SHOWN and session is not None:
+            return session.runs[track_source].frames
         return self._document.tracks.frames
 
     def take(self, counted: Counted) -> None:
@@ -125,8 +125,8 @@ class CountingPresenter:
         return CountingScene(
             rows=rows,
             picked=picked,
-            tracks=whose_tracks(self._document),
-            whose=self.whose + 1,
+            tracks=list_track_sources(self._document),
+            track_source=self.track_source + 1,
             step_s=choice.settings.step_s,
             least_step_s=least_step_s(document.recording.fps),
             jitter_m=choice.settings.jitter_m,
@@ -244,7 +244,7 @@ class CountingPresenter:
 
     def _is_theirs(self, counted: Counted) -> bool:
         """Whether it is of those who are wanted: the same, or a moment before."""
-        return counted.subject.whose == self.whose
+        return counted.subject.track_source == self.track_source
 
     @property
     def _shown(self) -> Counted | None:
@@ -263,10 +263,10 @@ class CountingPresenter:
 
     def _rows(self, state: FrameState) -> Columns:
         """The rows of the frame of those who are counted."""
-        session, whose = self._document.session, self.whose
-        if whose == SHOWN or session is None:
+        session, track_source = self._document.session, self.track_source
+        if track_source == SHOWN or session is None:
             return state.tracks.of_frame(state.frame)
-        tracks = session.runs[whose].tracks
+        tracks = session.runs[track_source].tracks
         rows = between(tracks["frame"], state.frame, state.frame + 1)
         return {name: column[rows] for name, column in tracks.items()}
 

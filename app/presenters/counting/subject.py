@@ -35,12 +35,12 @@ class Subject:
     """What is asked for. Two that are equal are counted alike.
 
     Attributes:
-        whose: `SHOWN` or a run's number. version: tells these tracks from others.
+        track_source: `SHOWN` or a run's number. version: tells these tracks from others.
         lines, regions: in the order of the labels. settings: see `CountSettings`.
         mapped: the flow map is asked for, too.
     """
 
-    whose: int
+    track_source: int
     version: Version
     lines: tuple[CountingLine, ...]
     regions: tuple[Region, ...]
@@ -89,10 +89,10 @@ Load = Callable[[], Columns]
 """Gives the rows of a moment; may be called on any thread."""
 
 
-def version_of(document: Document, whose: int) -> Version:
+def version_of(document: Document, track_source: int) -> Version:
     """What changes when the tracks do; while a tracker is at work once for each second of it."""
-    if whose != SHOWN:
-        return ("run", whose)
+    if track_source != SHOWN:
+        return ("run", track_source)
     tracks = document.tracks
     if isinstance(tracks, LiveTracks | ContinuedTracks):
         seconds = int((tracks.frames[1] - tracks.frames[0]) / document.recording.fps)
@@ -102,13 +102,13 @@ def version_of(document: Document, whose: int) -> Version:
     return ("corrected", id(table), table.revision)
 
 
-def loader(document: Document, whose: int) -> Load:
+def loader(document: Document, track_source: int) -> Load:
     """Takes hold of the rows as they are now: quick; reading them may take longer."""
     session = document.session
-    if whose != SHOWN and session is not None:
-        run = session.runs[whose]
+    if track_source != SHOWN and session is not None:
+        run = session.runs[track_source]
         return lambda: run.tracks
-    return document.tracks.held(_COLUMNS)
+    return document.tracks.capture(_COLUMNS)
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,7 +11,7 @@ from app.presenters.correcting.edit_planner import refuse_too_large
 from app.presenters.document.frame_state import FrameState
 from app.presenters.document.frame_state_builder import FrameStateBuilder
 from app.presenters.document.selection import Selection
-from app.presenters.document.session_colours import ColoursDue
+from app.presenters.document.session_colours import PendingColours
 from app.presenters.document.track_reader import WholeTracks
 from app.presenters.document.track_source import TrackSource
 from app.presenters.i18n import tr
@@ -52,7 +52,7 @@ class Document:
         self._track_source = TrackSource(session)
         self._author = ""
         self._geometry = RecordingGeometry.of(recording)
-        self.correcting = Correcting(self.selection, self._geometry, self._ground)
+        self.correcting = Correcting(self.selection, self._geometry, self._edit_context)
         self.pictures = PicturePresenter(recording)
         self.overhead = OverheadPresenter(recording)
         self._timeline = TimelinePresenter(recording.frame_count, recording.fps)
@@ -186,7 +186,7 @@ class Document:
         if self.session is not None and not self.is_live:
             marks, reviewed = self._marks.of(self.session.history), self.session.labels.reviewed
         self._timeline.take(self.tracks, marks)
-        self.overhead.take(self.tracks.held(("frame", "x", "y"))())
+        self.overhead.take(self.tracks.capture(("frame", "x", "y"))())
         self._timeline.take_reviewed(reviewed)
 
     # what the views show
@@ -251,9 +251,9 @@ class Document:
         here: list[int] = self.tracks.of_frame(frame)["track"].tolist()
         return here or list(self.tracks.ids)
 
-    def _ground(self) -> EditContext | None:
+    def _edit_context(self) -> EditContext | None:
         """What edits are planned on; None: they cannot be planned now."""
-        return self._track_source.ground(self._geometry)
+        return self._track_source.edit_context(self._geometry)
 
     def confirm_edit(self) -> Change | None:
         """Do the edit that waits; None where it is not ready. Who is new by it is selected then.
@@ -332,15 +332,15 @@ class Document:
         return self._track_source.colours_watched
 
     @property
-    def colours_due(self) -> ColoursDue | None:
+    def colours_due(self) -> PendingColours | None:
         """Colours of tracks that are to be made still; None: all are there."""
-        return self._track_source.own.due
+        return self._track_source.session_colours.due
 
-    def forget_colours(self, due: ColoursDue) -> None:
+    def forget_colours(self, due: PendingColours) -> None:
         """They could not be made, and are due no more."""
-        self._track_source.own.forget(due)
+        self._track_source.session_colours.forget(due)
 
-    def take_colours(self, due: ColoursDue, made: TrackColours) -> bool:
+    def take_colours(self, due: PendingColours, made: TrackColours) -> bool:
         """Show colours that were due; False where others are by now."""
         taken = self._track_source.take_colours(due, made)
         if taken:

@@ -130,7 +130,7 @@ class LiveTracks:
         people[self._first : self._first + len(self._people)] = self._people
         return people
 
-    def held(self, names: Sequence[str]) -> Callable[[], Columns]:
+    def capture(self, names: Sequence[str]) -> Callable[[], Columns]:
         """Takes hold of all rows so far; they are read frame by frame."""
         parts = self._kept.parts("tracks", *self.frames)
         return lambda: joined(parts, names)
@@ -245,9 +245,9 @@ class ContinuedTracks:
         people[: self._frame] = self._before.activity(frame_count)[: self._frame]
         return people
 
-    def held(self, names: Sequence[str]) -> Callable[[], Columns]:
+    def capture(self, names: Sequence[str]) -> Callable[[], Columns]:
         """Takes hold of all rows of now; they are read from the frame's both sides."""
-        early, late, frame = self._before.held(names), self._live.held(names), self._frame
+        early, late, frame = self._before.capture(names), self._live.capture(names), self._frame
 
         def read() -> Columns:
             before = early()

@@ -29,8 +29,8 @@ Frames = NDArray[np.int32]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class ColoursDue:
-    """Colours that are to be made still.
+class PendingColours:
+    """Pending colour assignments.
 
     Attributes:
         make: makes them, on any thread. met: ids that were edited meanwhile.
@@ -40,7 +40,7 @@ class ColoursDue:
     met: set[int] = field(default_factory=set)
 
 
-class OwnColours:
+class SessionColours:
     """Which colours the tracks of a session have.
 
     Each is kept from the moment it was given, in the session, too, so that everybody looks the same
@@ -52,7 +52,7 @@ class OwnColours:
 
     def __init__(self) -> None:
         self.now = TrackColours()
-        self.due: ColoursDue | None = None
+        self.due: PendingColours | None = None
         self._of: tuple[Session | None, int | None] = None, None
         self._previewed: tuple[Change | None, TrackColours, TrackColours] = None, self.now, self.now
 
@@ -79,7 +79,7 @@ class OwnColours:
             self.now, self.due = make(), None
             session.colours = self.now.places
         else:
-            self.due = ColoursDue(make)
+            self.due = PendingColours(make)
 
     def meet(self, table: TrackTable, tracks: Iterable[int]) -> None:
         """An edit has touched these: those new among them have colours, many a moment later."""
@@ -89,7 +89,7 @@ class OwnColours:
             self.due.met.update(touched)
         elif len(new) > _FEW:
             given, known = self.now.copy(), table.snapshot()
-            self.due = ColoursDue(lambda: given.and_of(known))
+            self.due = PendingColours(lambda: given.and_of(known))
         if len(new) <= _FEW:
             frames = {one: table.frames_of_track(one) for one in new}
             _give(self.now, frames, touched, table.of_frame)
@@ -112,7 +112,7 @@ class OwnColours:
         self._previewed = change, self.now, colours
         return colours
 
-    def take_made(self, due: ColoursDue, made: TrackColours, table: TrackTable) -> bool:
+    def take_made(self, due: PendingColours, made: TrackColours, table: TrackTable) -> bool:
         """Take colours that were due; False where others are by now."""
         if due is not self.due:
             return False
@@ -123,7 +123,7 @@ class OwnColours:
         self.meet(table, sorted(due.met))
         return True
 
-    def forget(self, due: ColoursDue) -> None:
+    def forget(self, due: PendingColours) -> None:
         """They could not be made: tracks without colours of their own have the usual ones."""
         if due is self.due:
             self.due = None

@@ -191,7 +191,7 @@ class SessionTracks:
         """People per frame."""
         return self._table.activity(frame_count)
 
-    def held(self, names: Sequence[str]) -> Callable[[], Columns]:
+    def capture(self, names: Sequence[str]) -> Callable[[], Columns]:
         """Takes hold of all rows; they are read by track, then frame."""
         table = self._table.snapshot()
         return lambda: table.by_track(names)

@@ -71,7 +71,7 @@ class TrackReader(Protocol):
 class WholeTracks(TrackReader, Protocol):
     """Tracks all rows of which can be read at once, off the GUI thread too."""
 
-    def held(self, names: Sequence[str]) -> Callable[[], Columns]:
+    def capture(self, names: Sequence[str]) -> Callable[[], Columns]:
         """Takes hold of all rows as they are now, quickly; gives what reads them on any thread.
 
         Only the named columns are read, "frame" among them; the rows stand in no certain order.

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from app.presenters.correcting import EditContext, RecordingGeometry
 from app.presenters.document.live_tracks import ContinuedTracks, LiveTracks
-from app.presenters.document.session_colours import ColoursDue, OwnColours
+from app.presenters.document.session_colours import PendingColours, SessionColours
 from app.presenters.document.session_tracks import SessionTracks
 from app.presenters.document.track_reader import TrackReader, WholeTracks
 from app.presenters.pictures.of_run import AtWork, MadeBy
@@ -27,7 +27,7 @@ class TrackSource:
         is_live: whether the tracks of a tracker at work are shown, not those of the session.
         at_work: whether there is one.
         tracks: the tracks that are shown.
-        own: the colours of the session's tracks.
+        session_colours: the colours of the session's tracks.
     """
 
     def __init__(self, session: Session | None) -> None:
@@ -37,15 +37,15 @@ class TrackSource:
         self._continues_at: int | None = None
         self._at_work: AtWork | None = None
         self.tracks: WholeTracks = self._chosen()
-        self.own, self._live_colours = OwnColours(), TrackColours()
+        self.session_colours, self._live_colours = SessionColours(), TrackColours()
         self._watched: TrackColours | None = None  # a tracker's ids, until its run is kept
         if session is not None:
-            self.own.take(session, opening=True)
+            self.session_colours.take(session, opening=True)
 
     @property
     def colours(self) -> TrackColours:
         """Of the tracks that are shown."""
-        return self._live_colours if self.is_live else self.own.now
+        return self._live_colours if self.is_live else self.session_colours.now
 
     @property
     def colours_watched(self) -> TrackColours | None:
@@ -80,7 +80,7 @@ class TrackSource:
             return TrackLabel()
         return self.session.labels.of_track(track)
 
-    def ground(self, geometry: RecordingGeometry) -> EditContext | None:
+    def edit_context(self, geometry: RecordingGeometry) -> EditContext | None:
         """What edits are planned on; nothing yet where there is no session; None: not now."""
         session = self.session
         if session is None:
@@ -108,7 +108,9 @@ class TrackSource:
         self._at_work = at_work
         self._continues_at = continues_at
         # What is kept of a run that goes on from tracks is decided later: its ids leave no trace.
-        self._live_colours = TrackColours() if continues_at is None else self.own.now.copy()
+        self._live_colours = (
+            TrackColours() if continues_at is None else self.session_colours.now.copy()
+        )
         self._watched = self._live_colours if continues_at is None else None
         self.tracks = self._chosen()
 
@@ -137,21 +139,23 @@ class TrackSource:
         self._live, self.is_live, self.at_work = LiveTracks(), False, False
         self.tracks = self._chosen()
         seen, self._watched = self._watched, None
-        self.own.take(session, seen=seen)
+        self.session_colours.take(session, seen=seen)
 
     def meet(self, change: Change) -> None:
         """Take note of an edit: who is new by it has a colour from now on."""
         if self.session is not None:
-            self.own.meet(self.session.tracks, change.tracks)
+            self.session_colours.meet(self.session.tracks, change.tracks)
 
     def colours_after(self, change: Change, tracks: TrackReader) -> TrackColours:
         """The colours as an edit that waits would leave them; `tracks`, as they would be."""
         table = self.session.tracks if self.session is not None else TrackTable()
-        return self.own.previewed(table, tracks, change)
+        return self.session_colours.previewed(table, tracks, change)
 
-    def take_colours(self, due: ColoursDue, made: TrackColours) -> bool:
+    def take_colours(self, due: PendingColours, made: TrackColours) -> bool:
         """Show colours that were due; False where others are by now."""
-        return self.session is not None and self.own.take_made(due, made, self.session.tracks)
+        return self.session is not None and self.session_colours.take_made(
+            due, made, self.session.tracks
+        )
 
     def _chosen(self) -> WholeTracks:
         if self.session is None:

@@ -42,7 +42,7 @@ class DetectorChoice:
         return path.name
 
     @property
-    def whose(self) -> str:
+    def name_in_text(self) -> str:
         """As a score is said to be its."""
         named_by_file = self.name == Path(self.path).name
         return self.name if named_by_file else tr("the {detector}", detector=self.name)

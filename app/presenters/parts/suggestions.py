@@ -29,7 +29,7 @@ def suggestions_for(
         raise EditError(tr("No parts were tracked: track with three-part (Ctrl+T) first"))
     parts = parts_by_now(table, run, table.track_ids)
     found = suggest(parts, fps, choice.load(), labels.parts)
-    return tuple(_suggested(one, labels, fps, choice.whose) for one in found)
+    return tuple(_suggested(one, labels, fps, choice.name_in_text) for one in found)
 
 
 def _suggested(one: Suggestion, labels: Labels, fps: float, scored_by: str) -> Suggested:

@@ -124,13 +124,13 @@ class TrainingResult:
     """A trained detector whose operating point can be moved.
 
     Attributes:
-        trained: as it came from the training. taught: from what. detector: as it stands.
+        trained: as it came from the training. training_set: from what. detector: as it stands.
         chosen: the part whose point is moved; -1: that of all.
     """
 
-    def __init__(self, trained: Trained, taught: TrainingSet) -> None:
+    def __init__(self, trained: Trained, training_set: TrainingSet) -> None:
         self.trained = trained
-        self.taught = taught
+        self.training_set = training_set
         self.detector: Detector = trained.detector
         self.chosen = -1
         self._areas = [curve.area() for curve in self._curves]
@@ -259,8 +259,8 @@ class TrainingResult:
     def _item(self, one: Mistake) -> MistakeItem:
         said = tr("called failed, labelled on") if one.failed else tr("missed, labelled off")
         title = tr("{part} of {track}", part=part_name(one.part), track=one.track)
-        source = self.taught.source_of(one.sample)
+        source = self.training_set.source_of(one.sample)
         when = time_text(one.frame / source.fps) if source.fps else ""
         recording = source.recording or one.recording
-        box = self.taught.box_of(one.sample)
+        box = self.training_set.box_of(one.sample)
         return MistakeItem(source, recording, one, box, title, said, when)

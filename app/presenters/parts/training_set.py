@@ -93,7 +93,7 @@ def known_box(box: NDArray[np.float64]) -> Box | None:
     return (left, top, width, height) if np.isfinite(box).all() else None
 
 
-def taught_by(sources: Sequence[Source]) -> TrainingSet:
+def build_training_set(sources: Sequence[Source]) -> TrainingSet:
     """The samples of several sources, different recordings under different names."""
     apart = told_apart(
         (one.samples, one.footage, one.path.stem if one.path is not None else one.title)

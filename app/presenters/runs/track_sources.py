@@ -11,7 +11,7 @@ def name_of_run(number: int, tracker: str) -> str:
     return tr("Run {number}: {tracker}", number=number, tracker=tracker)
 
 
-def whose_tracks(document: Document) -> tuple[str, ...]:
+def list_track_sources(document: Document) -> tuple[str, ...]:
     """What is in view first, then the runs by their numbers."""
     session = document.session
     runs = session.runs if session is not None else ()

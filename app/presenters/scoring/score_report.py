@@ -10,7 +10,7 @@ from pathlib import Path
 from app.presenters.document.document import Document
 from app.presenters.i18n import tr
 from app.presenters.runs.track_sources import name_of_run
-from app.presenters.scoring.subject import Held, Scored
+from app.presenters.scoring.subject import Scored, ScoringInput
 from tracking.errors import TrackwrightError
 from tracking.progress import Progress
 from tracking.recording import Recording
@@ -48,14 +48,14 @@ class Reported:
 
 
 def reporting(
-    document: Document, scored: Scored, held: Held, name: str, folder: Path
+    document: Document, scored: Scored, given: ScoringInput, name: str, folder: Path
 ) -> Callable[[Progress], Reported]:
     """Takes hold of what is reported; what it gives writes the report, on any thread.
 
     Beside the tracks that are scored stand all runs over the same frames.
 
     Args:
-        scored: against which truth, and how. held: the tracks. name: what they are called.
+        scored: against which truth, and how. given: the tracks. name: what they are called.
         folder: missing, empty, or with an earlier report in it.
 
     The work raises OutputError where something else is in the folder or it cannot be written, and
@@ -67,7 +67,7 @@ def reporting(
 
     def work(report: Progress) -> Reported:
         check_score_folder(folder)
-        results = {name: ScoringTable.from_columns(held.load()), **_tables(beside)}
+        results = {name: ScoringTable.from_columns(given.load()), **_tables(beside)}
         subject = _subject(recording, scored, results)
         yardstick = Yardstick(scored.subject.matching.match)
         findings, unscored = _findings(subject, name, yardstick, report)
@@ -87,7 +87,7 @@ def _runs_beside(document: Document, scored: Scored) -> tuple[dict[str, Run], di
     """The runs over the frames that are scored, by what they are called; why others are not."""
     session = document.session
     runs = tuple(session.runs[n] for n in range(len(session.runs))) if session is not None else ()
-    own, frames = scored.subject.whose, scored.subject.frames
+    own, frames = scored.subject.track_source, scored.subject.frames
     beside: dict[str, Run] = {}
     left_out: dict[str, str] = {}
     for number, run in enumerate(runs):

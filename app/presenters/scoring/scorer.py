@@ -12,7 +12,7 @@ from app.presenters.counting.subject import SHOWN, loader, version_of
 from app.presenters.document.document import Document
 from app.presenters.error_messages import explain
 from app.presenters.i18n import tr
-from app.presenters.runs.track_sources import whose_tracks
+from app.presenters.runs.track_sources import list_track_sources
 from app.presenters.scenes import HistoryItem
 from app.presenters.scoring.events import ErrorEvents
 from app.presenters.scoring.figures import rows_of
@@ -25,7 +25,7 @@ from app.presenters.scoring.score_scene import (
     ScoreRow,
     ScoreScene,
 )
-from app.presenters.scoring.subject import Held, Matching, Range, Scored, ScoreSubject
+from app.presenters.scoring.subject import Matching, Range, Scored, ScoreSubject, ScoringInput
 from app.presenters.scoring.truth_people import TruthPeople
 from app.presenters.scoring.truths import TruthKind, TruthSource, name_of, reader, refuse_own
 from tracking.scoring import ErrorKind
@@ -44,13 +44,13 @@ class ScoringChoice:
 
     Attributes:
         source: of the truth; None: that beside the recording. files: chosen before.
-        whose: `SHOWN` or a run's number. matching: how rows are paired.
+        track_source: `SHOWN` or a run's number. matching: how rows are paired.
         kinds: of the errors that are shown.
     """
 
     source: TruthSource | None = None
     files: list[TruthSource] = field(default_factory=list)
-    whose: int = SHOWN
+    track_source: int = SHOWN
     matching: Matching = field(default_factory=Matching)
     kinds: set[ErrorKind] = field(default_factory=lambda: set(ErrorKind))
 
@@ -80,7 +80,7 @@ class ScoringPresenter:
         beside, session = self._document.recording.truth_path, self._document.session
         found = [TruthSource.of_file(beside, TruthKind.BESIDE)] if beside is not None else []
         runs = range(len(session.runs) if session is not None else 0)
-        own = self.whose
+        own = self.track_source
         return (
             *found,
             *self.choice.files,
@@ -123,10 +123,10 @@ class ScoringPresenter:
         (self.choice.kinds.add if shown else self.choice.kinds.discard)(kind)
 
     @property
-    def whose(self) -> int:
+    def track_source(self) -> int:
         """`SHOWN` or the number of the run that is scored; a run that is gone is none."""
-        session, whose = self._document.session, self.choice.whose
-        return SHOWN if session is None or whose >= len(session.runs) else whose
+        session, track_source = self._document.session, self.choice.track_source
+        return SHOWN if session is None or track_source >= len(session.runs) else track_source
 
     # what is scored
 
@@ -135,14 +135,14 @@ class ScoringPresenter:
         source = self.source
         if source is None or not self._document.tracks.ids:
             return None
-        version = version_of(self._document, self.whose)
+        version = version_of(self._document, self.track_source)
         frames = self._frames
-        if self._document.is_live and self.whose == SHOWN:
+        if self._document.is_live and self.track_source == SHOWN:
             frames = self._whole_seconds(frames)
         visible = max(self.visible[0], frames[0]), min(self.visible[1], frames[1])
         return ScoreSubject(
             source=source,
-            whose=self.whose,
+            track_source=self.track_source,
             version=version,
             matching=self.choice.matching,
             frames=frames,
@@ -155,22 +155,22 @@ class ScoringPresenter:
         seconds = int((frames[1] - frames[0]) / fps)
         return frames[0], frames[0] + max(1, round(seconds * fps))
 
-    def held(self, subject: ScoreSubject) -> Held:
+    def capture(self, subject: ScoreSubject) -> ScoringInput:
         """Takes hold of what scoring a subject needs."""
         document = self._document
         session = document.session
         read = reader(subject.source, document.recording, session)
         edits: tuple[int, ...] = ()
-        if session is not None and subject.whose == SHOWN:
+        if session is not None and subject.track_source == SHOWN:
             edits = edits_in_force(session.history)
-        return Held(loader(document, subject.whose), read, edits)
+        return ScoringInput(loader(document, subject.track_source), read, edits)
 
     @property
     def _frames(self) -> Range:
         """The frames that the tracks go over."""
-        session, whose = self._document.session, self.whose
-        if whose != SHOWN and session is not None:
-            return session.runs[whose].frames
+        session, track_source = self._document.session, self.track_source
+        if track_source != SHOWN and session is not None:
+            return session.runs[track_source].frames
         return self._document.tracks.frames
 
     def take(self, scored: Scored) -> None:
@@ -242,8 +242,8 @@ class ScoringPresenter:
         return ScoreScene(
             truths=(*names, tr("Choose a file...")),
             truth=sources.index(source) if source is not None else -1,
-            results=whose_tracks(self._document),
-            result=self.whose + 1,
+            results=list_track_sources(self._document),
+            result=self.track_source + 1,
             on_floor=matching.on_floor,
             threshold=matching.threshold,
             rows=self._rows(),

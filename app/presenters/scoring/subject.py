@@ -60,14 +60,14 @@ class ScoreSubject:
     """What is asked for. Two that are equal are scored alike.
 
     Attributes:
-        source: of the truth. whose: `SHOWN` or a run's number. version: tells these tracks from
-            others.
+        source: of the truth. track_source: `SHOWN` or a run's number. version: tells these
+            tracks from others.
         matching: see `Matching`.
         frames: the half-open range that was tracked. visible: what of it the timeline shows.
     """
 
     source: TruthSource
-    whose: int
+    track_source: int
     version: Version
     matching: Matching
     frames: Range
@@ -105,8 +105,8 @@ class Scored:
 
 
 @dataclass(frozen=True, slots=True)
-class Held:
-    """What was taken hold of at the moment of asking, to be read on any thread.
+class ScoringInput:
+    """What a score is made from, as it is at the moment of asking; readable on any thread.
 
     Attributes:
         load: gives the result's rows. read: gives the truth. edits: in force, oldest first.
@@ -118,7 +118,7 @@ class Held:
 
 
 def worked_out(
-    subject: ScoreSubject, before: Scored | None, held: Held, report: Progress
+    subject: ScoreSubject, before: Scored | None, given: ScoringInput, report: Progress
 ) -> Scored:
     """Score a result; of what was worked out before is kept what stays.
 
@@ -131,9 +131,9 @@ def worked_out(
     """
     report(0, _STEPS)
     known = before is not None and before.truth.source == subject.source
-    truth = before.truth if known and before is not None else held.read()
+    truth = before.truth if known and before is not None else given.read()
     report(1, _STEPS)
-    result = ScoringTable.from_columns(held.load())
+    result = ScoringTable.from_columns(given.load())
     report(2, _STEPS)
     if before is not None and before.subject.whole == subject.whole:
         whole, errors, events = before.whole, before.errors, before.events
@@ -146,7 +146,7 @@ def worked_out(
         start, stop = subject.visible
         parts = truth.table.within(start, stop), result.within(start, stop)
         visible = score(*parts, subject.matching.match, stop - start)
-    return Scored(subject, truth, whole, visible, errors, events, held.edits)
+    return Scored(subject, truth, whole, visible, errors, events, given.edits)
 
 
 def _examined(

@@ -101,8 +101,8 @@ class TrackPanel(Panel):
         self._scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self._scroll.setWidget(self._body)
         self._scroll.setWidgetResizable(True)
-        for ground in (self._body, self._scroll.viewport()):
-            ground.setAutoFillBackground(False)  # the panel's own is seen
+        for widget in (self._body, self._scroll.viewport()):
+            widget.setAutoFillBackground(False)  # the panel's own is seen
         self._scroll.setFrameShape(QFrame.Shape.NoFrame)
         self._scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._scroll.setMinimumHeight(_LEAST_LINES * self.fontMetrics().lineSpacing())

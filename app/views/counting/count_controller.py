@@ -45,7 +45,7 @@ class Counting(QObject):
         panel = workspace.counting
         panel.frame_sought.connect(playback.go)
         panel.picked.connect(self._pick)
-        panel.whose_chosen.connect(self._choose_whose)
+        panel.track_source_chosen.connect(self._choose_track_source)
         panel.step_chosen.connect(self._choose_step)
         panel.jitter_chosen.connect(self._choose_jitter)
         panel.jitter_px_chosen.connect(self._choose_jitter_px)
@@ -91,7 +91,7 @@ class Counting(QObject):
     def _prepare(self, subject: Subject) -> Work:
         """Takes hold of the tracks; counting them is for another thread."""
         document = self._document
-        load, recording = loader(document, subject.whose), document.recording
+        load, recording = loader(document, subject.track_source), document.recording
         length = Length(recording.fps, recording.frame_count, self.presenter.frames)
         bounds = document.overhead.bounds
         return lambda report: worked_out(subject, load, length, bounds, report)
@@ -108,8 +108,8 @@ class Counting(QObject):
         self.presenter.pick(is_line, name)
         self.changed.emit()
 
-    def _choose_whose(self, number: int) -> None:
-        self.presenter.choice.whose = number - 1 if number > 0 else SHOWN
+    def _choose_track_source(self, number: int) -> None:
+        self.presenter.choice.track_source = number - 1 if number > 0 else SHOWN
         self.changed.emit()
 
     def _choose_step(self, step_s: float) -> None:

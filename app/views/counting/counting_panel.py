@@ -32,7 +32,7 @@ class CountingPanel(Panel):
 
     Signals:
         frame_sought(int): a click into a plot or on a step. closed(): the button at the right.
-        picked(bool, str): what is to be plotted. whose_chosen(int): the number of the tracks.
+        picked(bool, str): what is to be plotted. track_source_chosen(int): its number.
         step_chosen(float), jitter_chosen(float), jitter_px_chosen(float): seconds, metres, pixels.
         copied(int): so many steps are on the clipboard. save_asked(): as CSV.
     """
@@ -40,7 +40,7 @@ class CountingPanel(Panel):
     frame_sought = Signal(int)
     closed = Signal()
     picked = Signal(bool, str)
-    whose_chosen = Signal(int)
+    track_source_chosen = Signal(int)
     step_chosen = Signal(float)
     jitter_chosen = Signal(float)
     jitter_px_chosen = Signal(float)
@@ -74,11 +74,11 @@ class CountingPanel(Panel):
         """Whose tracks are counted, how time is cut, what trembling is."""
         line = QHBoxLayout()
         line.setSpacing(6)
-        self._whose = QComboBox(self)
-        self._whose.setAccessibleName(self.tr("Whose tracks are counted"))
-        self._whose.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-        self._whose.setMinimumWidth(10 * self.fontMetrics().averageCharWidth())
-        line.addWidget(self._whose, 1)
+        self._track_sources = QComboBox(self)
+        self._track_sources.setAccessibleName(self.tr("Whose tracks are counted"))
+        self._track_sources.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        self._track_sources.setMinimumWidth(10 * self.fontMetrics().averageCharWidth())
+        line.addWidget(self._track_sources, 1)
         self._step = self._number(
             self.tr("Step"), self.tr("How long a step is"), _MOST["step_s"], " s"
         )
@@ -137,7 +137,7 @@ class CountingPanel(Panel):
         self.tallies.picked.connect(self.picked)
         self.plot.frame_sought.connect(self.frame_sought)
         self.table.frame_sought.connect(self.frame_sought)
-        self._whose.activated.connect(self.whose_chosen)
+        self._track_sources.activated.connect(self.track_source_chosen)
         self._step.valueChanged.connect(self.step_chosen)
         self._jitter.valueChanged.connect(self.jitter_chosen)
         self._jitter_px.valueChanged.connect(self.jitter_px_chosen)
@@ -165,9 +165,9 @@ class CountingPanel(Panel):
     def _show_ways(self, scene: CountingScene) -> None:
         if scene.tracks != self._tracks:
             self._tracks = scene.tracks
-            self._whose.clear()
-            self._whose.addItems(list(scene.tracks))
-        self._whose.setCurrentIndex(scene.whose)
+            self._track_sources.clear()
+            self._track_sources.addItems(list(scene.tracks))
+        self._track_sources.setCurrentIndex(scene.track_source)
         for spin, shown in zip((self._jitter, self._jitter_px), scene.jitters, strict=True):
             spin.setVisible(shown)
         values = (scene.step_s, scene.jitter_m, scene.jitter_px)

@@ -62,8 +62,8 @@ class Exporting(QObject):
             tr("Run {number}: {tracker}", number=number, tracker=run.tracker)
             for number, run in enumerate(session.runs)
         )
-        whose = (tr("Corrected tracks"), *runs)
-        dialog = ExportDialog(export_formats(), whose, self._format, self._window)
+        track_sources = (tr("Corrected tracks"), *runs)
+        dialog = ExportDialog(export_formats(), track_sources, self._format, self._window)
         dialog.asked.connect(self._ask_place)
         dialog.finished.connect(dialog.deleteLater)
         dialog.open()
@@ -128,7 +128,7 @@ class Exporting(QObject):
         if scored is not None and (subject is None or scored.subject.version == subject.version):
             self._report(controller, scored, place)
         elif subject is not None:
-            work = partial(worked_out, subject, None, presenter.held(subject))
+            work = partial(worked_out, subject, None, presenter.capture(subject))
             self._work.run(
                 tr("Scoring"), work, lambda scored: self._report(controller, scored, place)
             )
@@ -137,10 +137,10 @@ class Exporting(QObject):
         if controller is not self._window.controller:
             return
         presenter, document = controller.scoring.presenter, controller.document
-        held = presenter.held(scored.subject)
-        name = presenter.scene("").results[scored.subject.whose + 1]
+        given = presenter.capture(scored.subject)
+        name = presenter.scene("").results[scored.subject.track_source + 1]
         folder = place / proposed_folder(document.recording.name)
-        work = reporting(document, scored, held, name, folder)
+        work = reporting(document, scored, given, name, folder)
         self._work.run(tr("Writing the report"), work, self._tell_of_report)
 
     def _tell_of_report(self, done: Reported) -> None:

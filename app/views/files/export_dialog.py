@@ -35,11 +35,11 @@ class ExportDialog(QDialog):
     def __init__(
         self,
         formats: Sequence[ExportFormat],
-        whose: Sequence[str],
+        track_sources: Sequence[str],
         chosen: str,
         parent: QWidget,
     ) -> None:
-        """`whose`: what can be exported, the corrected tracks first. chosen: the first format."""
+        """track_sources: names, the corrected tracks first. chosen: the first format."""
         super().__init__(parent)
         self.setWindowTitle(self.tr("Export tracks"))
         self.setMinimumWidth(_LETTERS * self.fontMetrics().averageCharWidth())
@@ -52,11 +52,11 @@ class ExportDialog(QDialog):
         self._about = quiet("", self)
         self._about.setWordWrap(True)
         rows.addWidget(self._about)
-        self._whose = QComboBox(self)
-        self._whose.addItems(list(whose))
-        self._whose.setAccessibleName(self.tr("Whose tracks"))
+        self._track_sources = QComboBox(self)
+        self._track_sources.addItems(list(track_sources))
+        self._track_sources.setAccessibleName(self.tr("Whose tracks"))
         form = QFormLayout()
-        form.addRow(self.tr("&Tracks"), self._whose)
+        form.addRow(self.tr("&Tracks"), self._track_sources)
         rows.addLayout(form)
         rows.addWidget(self._ends())
         self._tell()
@@ -97,4 +97,6 @@ class ExportDialog(QDialog):
     def accept(self) -> None:
         """Go on to the place."""
         super().accept()
-        self.asked.emit(self._formats[self._list.currentRow()].name, self._whose.currentIndex() - 1)
+        self.asked.emit(
+            self._formats[self._list.currentRow()].name, self._track_sources.currentIndex() - 1
+        )

@@ -25,7 +25,7 @@ from app.views.files.close_prompts import Leaving, Then
 from app.views.files.compare import SessionsBeside
 from app.views.files.export_controller import Exporting
 from app.views.files.import_controller import Importing
-from app.views.files.open_recovery import Mishaps
+from app.views.files.open_recovery import OpenRecovery
 from app.views.files.result_storage import Keeping
 from app.views.files.save_controller import Saving
 from app.views.files.whereabouts import Whereabouts
@@ -64,8 +64,8 @@ class Files(QObject):
         self._window = window
         self._work = work
         self._remembered = remembered
-        self.mishaps = Mishaps(self, window, work)
-        self.mishaps.failed.connect(self.failed)
+        self.open_recovery = OpenRecovery(self, window, work)
+        self.open_recovery.failed.connect(self.failed)
         self._whereabouts = Whereabouts(remembered, self)
         self._greeting = ""
         self._leaving = Leaving(self, window)
@@ -131,7 +131,7 @@ class Files(QObject):
         """
         self._window.workspace.take_typed()
         asks = self._leaving.asks()
-        self.mishaps.begin_opening(path)
+        self.open_recovery.begin_opening(path)
         if not asks:
             self._remembered.note_closed()  # what crashes as it opens is not opened again unasked
 

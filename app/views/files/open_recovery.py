@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from app.views.window.main_window import MainWindow
 
 
-class Mishaps(QObject):
+class OpenRecovery(QObject):
     """Tells why work did not end well, with a way on where there is one.
 
     Signals: `failed(error)`: there is none.

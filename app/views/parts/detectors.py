@@ -90,23 +90,23 @@ class Detectors(QObject):
 
     def _begin(self, dialog: TrainDialog) -> None:
         try:
-            taught, settings = dialog.answer()
+            training_set, settings = dialog.answer()
         except TrackwrightError as error:
             self.failed.emit(error)
             return
-        self.train(taught, settings)
+        self.train(training_set, settings)
 
-    def train(self, taught: TrainingSet, settings: TrainingSettings) -> None:
+    def train(self, training_set: TrainingSet, settings: TrainingSettings) -> None:
         """Train in the background, then show what came of it.
 
         What is learnt from is proposed again the next time, also where training is cancelled.
         """
-        self._learnt = tuple(one.path for one in taught.sources if one.path is not None)
-        work = partial(trained_from, taught.samples, settings)
-        self._work.run(tr("Training the detector"), work, partial(self._take, taught))
+        self._learnt = tuple(one.path for one in training_set.sources if one.path is not None)
+        work = partial(trained_from, training_set.samples, settings)
+        self._work.run(tr("Training the detector"), work, partial(self._take, training_set))
 
-    def _take(self, taught: TrainingSet, trained: Trained) -> None:
-        self.result = TrainingResult(trained, taught)
+    def _take(self, training_set: TrainingSet, trained: Trained) -> None:
+        self.result = TrainingResult(trained, training_set)
         self.changed.emit()
         self.show_result()
 

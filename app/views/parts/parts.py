@@ -104,12 +104,12 @@ class Parts(QObject):
             return tr("No further failure of {track}, on to others. ", track=track)
         return tr("No earlier failure of {track}, back to others. ", track=track)
 
-    def tell_what_is_missing(self, *, whose: bool) -> None:
+    def tell_what_is_missing(self, *, for_one: bool) -> None:
         """Say why nothing is seen: no parts, or nobody selected for what is one person's."""
         number = self._playback.number
         if not (self.presenter.any_tracked or len(self._document.tracks.parts(number)["part"])):
             self.said.emit(tr("No parts were tracked: track with three-part (Ctrl+T) first"))
-        elif whose and not self._document.selection:
+        elif for_one and not self._document.selection:
             self.said.emit(tr("Click a person to see the particles of their parts"))
 
     def _no_failure(self, step: int) -> str:

@@ -30,7 +30,7 @@ from app.presenters.parts.detector_training import (
     TrainingSettings,
     counts_of,
 )
-from app.presenters.parts.training_set import Source, TrainingSet, source_at, taught_by
+from app.presenters.parts.training_set import Source, TrainingSet, build_training_set, source_at
 from app.views.runs.settings_form import SettingsForm
 from app.views.widgets.parts import heading, quiet
 from app.views.widgets.questions import choose_file
@@ -221,7 +221,7 @@ class TrainDialog(QDialog):
         return [self._sources[row] for row in rows if self._list.item(row).checkState() is checked]
 
     def _show_counts(self) -> None:
-        counts = counts_of(taught_by(self._chosen()).samples)
+        counts = counts_of(build_training_set(self._chosen()).samples)
         for cells, count in zip(self._cells, counts, strict=True):
             self._show_count(cells, count)
         self._off_list.setEnabled(self._list.currentRow() >= 0)
@@ -237,7 +237,7 @@ class TrainDialog(QDialog):
     def answer(self) -> tuple[TrainingSet, TrainingSettings]:
         """What is learnt from and the settings."""
         settings: TrainingSettings = self._form.settings()
-        return taught_by(self._chosen()), settings
+        return build_training_set(self._chosen()), settings
 
     def done(self, result: int) -> None:
         """Close, once nothing is read any more."""

@@ -27,7 +27,7 @@ NEAR = len(_SIDES)
 """Sides from this number on are so far away that a line must tell whose name it is."""
 
 
-Whose = int | str
+Owner = int | str
 """A track, or the label of somebody of a truth."""
 
 
@@ -36,11 +36,11 @@ class Wanted:
     """A name that is to stand beside a ring.
 
     Attributes:
-        whose: see `Whose`. at: the ring's middle on the widget. sizes: width and height of the
+        owner: see `Owner`. at: the ring's middle on the widget. sizes: width and height of the
             whole name, then of shorter ones. must: it stands somewhere in any case.
     """
 
-    whose: Whose
+    owner: Owner
     at: tuple[float, float]
     sizes: Sequence[tuple[float, float]]
     must: bool = False
@@ -50,7 +50,7 @@ class Wanted:
 class Stands:
     """Where a name stands: which of its sizes, on which side of its ring."""
 
-    whose: Whose
+    owner: Owner
     rect: QRectF
     size: int
     side: int
@@ -66,7 +66,7 @@ def place_names(
     seen: Floats,
     radius: float,
     area: QRectF,
-    before: Mapping[Whose, int],
+    before: Mapping[Owner, int],
 ) -> list[Stands]:
     """Names where they hide nothing that is `seen` and no other name; else they are left out.
 
@@ -81,7 +81,7 @@ def place_names(
     placed: list[Stands] = []
     plates = np.zeros((len(names), 4))
     for name, own, shut in zip(names, sides, barred, strict=True):
-        one = _free(name, own, shut, plates[: len(placed)], before.get(name.whose, 0))
+        one = _free(name, own, shut, plates[: len(placed)], before.get(name.owner, 0))
         if one is None and name.must:
             one = _anywhere(name, own, area)
         if one is not None:
@@ -101,13 +101,13 @@ def _free(name: Wanted, sides: Floats, barred: Flags, plates: Floats, usual: int
     if found is None:
         return None
     size, side = found
-    return Stands(name.whose, as_rect(sides[size, side]), size, side)
+    return Stands(name.owner, as_rect(sides[size, side]), size, side)
 
 
 def _anywhere(name: Wanted, sides: Floats, area: QRectF) -> Stands:
     """The shortest name where it would stand if it were alone."""
     number = len(name.sizes) - 1
-    return Stands(name.whose, within(as_rect(sides[number, 0]), area), number, 0)
+    return Stands(name.owner, within(as_rect(sides[number, 0]), area), number, 0)
 
 
 def _sides(names: Sequence[Wanted], number: int, radius: float) -> Floats:

@@ -12,7 +12,7 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
 from app.presenters.scenes import FloorPerson, OverheadScene
 from app.presenters.scoring.score_scene import FlooredTruth, TruthPlace
 from app.views.look.theme import Theme, faded, scaled_font
-from app.views.pictures.floor_names import NEAR, Stands, Wanted, Whose, discs, place_names
+from app.views.pictures.floor_names import NEAR, Owner, Stands, Wanted, discs, place_names
 from app.views.pictures.name_plates import (
     draw_leader,
     draw_note,
@@ -58,21 +58,21 @@ class FloorNaming:
 
     def __init__(self) -> None:
         self._floored: Floored | None = None
-        self._sides: dict[Whose, int] = {}
+        self._sides: dict[Owner, int] = {}
         self._placed: list[Stands] = []
-        self._texts: dict[Whose, tuple[str, ...]] = {}
+        self._texts: dict[Owner, tuple[str, ...]] = {}
 
     @property
     def plates(self) -> tuple[tuple[int, QRectF], ...]:
         """The tracks named, and where."""
-        named = ((one.whose, one.rect) for one in self._placed)
-        return tuple((whose, rect) for whose, rect in named if isinstance(whose, int))
+        named = ((one.owner, one.rect) for one in self._placed)
+        return tuple((owner, rect) for owner, rect in named if isinstance(owner, int))
 
     @property
     def truth_plates(self) -> tuple[tuple[str, QRectF], ...]:
         """The labels of the truth, and where."""
-        named = ((one.whose, one.rect) for one in self._placed)
-        return tuple((whose, rect) for whose, rect in named if isinstance(whose, str))
+        named = ((one.owner, one.rect) for one in self._placed)
+        return tuple((owner, rect) for owner, rect in named if isinstance(owner, str))
 
     def draw(self, painter: QPainter, floored: Floored, theme: Theme) -> None:
         """Draw the names; they are placed anew only where anything is another."""
@@ -82,13 +82,13 @@ class FloorNaming:
         people = {one.track: one for one in floored.scene.people}
         truth = {one.label: one for one in floored.truth.people}
         for name in reversed(self._placed):
-            text = self._texts[name.whose][name.size]
-            if isinstance(name.whose, int):
+            text = self._texts[name.owner][name.size]
+            if isinstance(name.owner, int):
                 painter.setFont(_bold(floored.font))
-                _draw_person(painter, people[name.whose], name, text, floored, theme)
+                _draw_person(painter, people[name.owner], name, text, floored, theme)
             else:
                 painter.setFont(_plain(floored.font))
-                _draw_truth(painter, truth[name.whose], name, text, floored, theme)
+                _draw_truth(painter, truth[name.owner], name, text, floored, theme)
 
     def _place(self, floored: Floored) -> None:
         people, truth, view = floored.scene.people, floored.truth.people, floored.viewport
@@ -116,7 +116,7 @@ class FloorNaming:
         )
         shown = floored.area.adjusted(_EDGE_PX, _EDGE_PX, -_EDGE_PX, -_EDGE_PX)
         self._placed = place_names(wanted, seen, floored.radius, shown, self._sides)
-        self._sides = {one.whose: one.side for one in self._placed}
+        self._sides = {one.owner: one.side for one in self._placed}
 
 
 def _draw_person(

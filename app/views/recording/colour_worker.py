@@ -6,7 +6,7 @@ from PySide6.QtCore import QObject, Signal
 
 from app.background.newest import Newest, Work
 from app.presenters.document.document import Document
-from app.presenters.document.session_colours import ColoursDue
+from app.presenters.document.session_colours import PendingColours
 from app.presenters.track_colours import TrackColours
 
 
@@ -38,14 +38,14 @@ class Colouring(QObject):
         """Make none any more; nobody waits for what is in work, which only reads."""
         self._making.stop()
 
-    def _take(self, made: tuple[ColoursDue, TrackColours]) -> None:
+    def _take(self, made: tuple[PendingColours, TrackColours]) -> None:
         if self._document.take_colours(*made):
             self.changed.emit()
 
-    def _give_up(self, due: ColoursDue, error: Exception) -> None:
+    def _give_up(self, due: PendingColours, error: Exception) -> None:
         self._document.forget_colours(due)
         self.failed.emit(error)
 
 
-def _work_of(due: ColoursDue) -> Work:
+def _work_of(due: PendingColours) -> Work:
     return lambda _: (due, due.make())

@@ -16,7 +16,7 @@ class PaneRing(QWidget):
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
-        self._ground = parent
+        self._parent = parent
         self._pane: QWidget | None = None
         self._around: list[QWidget] = []
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
@@ -36,7 +36,7 @@ class PaneRing(QWidget):
         self._leave()
         self._pane = pane
         step: QWidget | None = pane
-        while step is not None and step is not self._ground:
+        while step is not None and step is not self._parent:
             step.installEventFilter(self)
             self._around.append(step)
             step = step.parentWidget()
@@ -62,8 +62,8 @@ class PaneRing(QWidget):
     def _fit(self) -> None:
         if self._pane is not None:
             seen = self._pane.visibleRegion().boundingRect() & self._pane.rect()
-            corner = self._pane.mapTo(self._ground, seen.topLeft())
-            self.setGeometry(QRect(corner, seen.size()) & self._ground.rect())
+            corner = self._pane.mapTo(self._parent, seen.topLeft())
+            self.setGeometry(QRect(corner, seen.size()) & self._parent.rect())
 
     def _follow(self, _: QWidget | None, now: QWidget | None) -> None:
         pane = self._pane

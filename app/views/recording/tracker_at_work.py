@@ -182,11 +182,11 @@ class TrackerAtWork(QObject):
         self.changed.emit()
 
     def _tell(self, kept: str) -> None:
-        """How the tracker ended that is done, once; nothing where none is."""
-        ended, self.live.ended = self.live.ended, None
-        if ended is not None:
-            passes = not (self.live.notes or ended.why)
-            self.noted.emit((ended.words(kept), *self.live.notes), passes)
+        """Emit the summary of the tracker that is done, once; nothing where none is."""
+        summary, self.live.run_summary = self.live.run_summary, None
+        if summary is not None:
+            passes = not (self.live.notes or summary.why)
+            self.noted.emit((summary.words(kept), *self.live.notes), passes)
 
     def _look_away(self) -> None:
         """Whoever looks elsewhere while a further run is made sees, and corrects, what there is."""

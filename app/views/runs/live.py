@@ -26,7 +26,7 @@ class LiveTracking(QObject):
     Attributes:
         tracker: at work, or that was last. done: one past the last frame it has been through.
         notes: what the user should be told of what was tracked last, a line each.
-        ended: what became of it; None while it is not known.
+        run_summary: what became of it; None while it is not known.
     """
 
     tracked = Signal(object)
@@ -38,7 +38,7 @@ class LiveTracking(QObject):
         self.tracker = ""
         self.done = 0
         self.notes: tuple[str, ...] = ()
-        self.ended: RunSummary | None = None
+        self.run_summary: RunSummary | None = None
         self._recording = recording
         self._frames = (0, recording.frame_count)
         self._worker: LiveTracker | None = None
@@ -66,7 +66,7 @@ class LiveTracking(QObject):
         first = resume.frame if resume is not None else 0
         self._frames = frames or (first, self._recording.frame_count)
         self.tracker, self.done, self.notes, self._recent = tracker, 0, (), []
-        self.ended = None
+        self.run_summary = None
         worker = LiveTracker(self._recording, tracker, settings, seed, self, self._frames, resume)
         worker.tracked.connect(self._take)
         worker.finished.connect(self._finish)
@@ -134,7 +134,7 @@ class LiveTracking(QObject):
 
     def _finish(self, run: object) -> None:
         if self._worker is not None:
-            self.notes, self.ended = self._worker.notes, self._worker.ended
+            self.notes, self.run_summary = self._worker.notes, self._worker.run_summary
         self._drop()
         self.finished.emit(run)
 

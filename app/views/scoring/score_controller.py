@@ -120,8 +120,8 @@ class Scoring(QObject):
 
     def _prepare(self, subject: ScoreSubject) -> Callable[[Progress], Scored]:
         """Takes hold of the tracks; scoring them is for another thread."""
-        held, before = self.presenter.held(subject), self.presenter.scored
-        return lambda report: worked_out(subject, before, held, report)
+        given, before = self.presenter.capture(subject), self.presenter.scored
+        return lambda report: worked_out(subject, before, given, report)
 
     # walking
 
@@ -149,7 +149,7 @@ class Scoring(QObject):
             self.said.emit(tr("Your own tracks are in view again: Shift+L shows the new ones"))
             tracks = ()
         there = [track for track in tracks if track in self._document.tracks.ids]
-        if there and self._document.flow is None and self.presenter.whose == SHOWN:
+        if there and self._document.flow is None and self.presenter.track_source == SHOWN:
             self._document.selection.choose_all(there)
         self.changed.emit()
 
@@ -178,7 +178,7 @@ class Scoring(QObject):
         self.changed.emit()
 
     def _choose_result(self, number: int) -> None:
-        self.presenter.choice.whose = number - 1 if number > 0 else SHOWN
+        self.presenter.choice.track_source = number - 1 if number > 0 else SHOWN
         self.changed.emit()
 
     def _choose_way(self, on_floor: bool) -> None:

@@ -124,7 +124,7 @@ class MainWindow(QMainWindow):
         self.files.said.connect(self.say)
         self.work.changed.connect(self.refresh)
         self.work.succeeded.connect(self.notice.settle)
-        self.work.failed.connect(self.files.mishaps.tell)
+        self.work.failed.connect(self.files.open_recovery.tell)
         self.work.said.connect(self.say)
         self.progress.cancelled.connect(self._cancel)
         self.progress.stopped.connect(lambda: self.run_command("tracks.stop"))

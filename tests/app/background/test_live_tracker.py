@@ -90,5 +90,5 @@ def test_a_run_that_ended_early_is_kept_with_its_reason_where_nothing_can_be_tol
     (run,) = finished.args
     assert run.frames == (FRAMES[0], FRAMES[0] + 5)
     assert run.notes == ("stereo-direction ended after 5 of 15 frames: left.mp4 breaks off.",)
-    assert tracker.ended is not None
-    assert tracker.ended.why == "left.mp4 breaks off"
+    assert tracker.run_summary is not None
+    assert tracker.run_summary.why == "left.mp4 breaks off"

@@ -120,7 +120,7 @@ def test_when_many_come_up_at_once_their_colours_are_made_later(document):
     document.session.apply(plan_split(table, 25, 30))
     for frame in range(2, 12):
         document.session.apply(plan_split(table, 26 if frame == 2 else 24 + frame, 30 + frame))
-    document._track_source.own.meet(table, table.track_ids)
+    document._track_source.session_colours.meet(table, table.track_ids)
     due = document.colours_due
     assert due is not None
     assert document.take_colours(due, due.make())
@@ -131,7 +131,7 @@ def test_when_many_come_up_at_once_their_colours_are_made_later(document):
 
 def test_an_edit_that_waits_has_the_colours_that_came_meanwhile(document):
     _look_at_a_split(document, 30)
-    own = document._track_source.own
+    own = document._track_source.session_colours
     before = document.frame_state(30).colours
     own.now = own.now.copy()
     assert document.frame_state(30).colours is not before

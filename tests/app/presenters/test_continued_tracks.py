@@ -53,7 +53,7 @@ def test_everybody_is_counted_once_a_frame(shown, live):
 
 def test_rows_taken_hold_of_are_those_of_that_moment_from_both_sides(shown, live):
     live.extend(steps()[AT:60])
-    read = shown.held(("frame", "track", "x"))
+    read = shown.capture(("frame", "track", "x"))
     live.extend(steps()[60:])
     rows = read()
     assert sorted(rows) == ["frame", "track", "x"]
@@ -63,7 +63,7 @@ def test_rows_taken_hold_of_are_those_of_that_moment_from_both_sides(shown, live
 
 def test_what_is_edited_meanwhile_is_not_among_the_rows_taken_hold_of():
     corrected = table()
-    read = SessionTracks(corrected, None).held(("frame", "track"))
+    read = SessionTracks(corrected, None).capture(("frame", "track"))
     apply_change(corrected, Labels(), plan_delete(corrected, 7))
     assert set(read()["track"].tolist()) == {4, 7}
 
@@ -73,7 +73,7 @@ def test_taking_hold_of_rows_reads_no_track(live, monkeypatch):
     shown = ContinuedTracks(before, AT, live)
     asked = []
     monkeypatch.setattr(before, "of_track", asked.append)
-    shown.held(("frame", "track"))()
+    shown.capture(("frame", "track"))()
     assert asked == []
 
 

@@ -38,7 +38,7 @@ def presenter(document):
 
 def score_now(presenter):
     subject = presenter.wanted()
-    scored = worked_out(subject, presenter.scored, presenter.held(subject), lambda *_: None)
+    scored = worked_out(subject, presenter.scored, presenter.capture(subject), lambda *_: None)
     presenter.take(scored)
     return scored
 
@@ -75,7 +75,7 @@ def test_only_the_frames_that_were_tracked_are_scored(presenter, document):
     run = document.session.runs[0]
     early = {name: column[run.tracks["frame"] < 50] for name, column in run.tracks.items()}
     document.session.add_run(replace(run, frames=(0, 50), tracks=early))
-    presenter.choice.whose = 1
+    presenter.choice.track_source = 1
     scored = score_now(presenter)
     assert scored.whole.frames == 50
     assert scored.errors.frame.max(initial=0) < 50
@@ -86,7 +86,7 @@ def test_the_frames_of_errors_are_those_of_the_recording(presenter, document):
     late = {name: column[run.tracks["frame"] >= 50] for name, column in run.tracks.items()}
     frames = (50, document.recording.frame_count)
     document.session.add_run(replace(run, frames=frames, tracks=late))
-    presenter.choice.whose = 1
+    presenter.choice.track_source = 1
     scored = score_now(presenter)
     assert scored.errors.frame.min(initial=50) >= 50
     misses = scored.errors.of_kind(ErrorKind.MISS)

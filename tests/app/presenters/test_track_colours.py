@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from app.presenters.co_occurrence import closeness, meetings_of
+from app.presenters.co_occurrence import closeness, find_co_occurrences
 from app.presenters.colour_sight import alike, of_one_hue
 from app.presenters.palette import NOBODY, TRACK_COLOURS
 from app.presenters.shown_colours import THEMES, standing_out
@@ -129,8 +129,8 @@ def test_colours_do_not_depend_on_the_order_of_rows_within_a_frame():
         places = {one: random.uniform(0, 3, 2) for one in range(1, 13)}
         rows = rows_of(dict.fromkeys(places, (0, 5)), place=places.__getitem__)
         mixed = np.lexsort((random.random(len(rows["frame"])), rows["frame"]))
-        given = meetings_of(rows).nearness
-        again = meetings_of({name: column[mixed] for name, column in rows.items()}).nearness
+        given = find_co_occurrences(rows).nearness
+        again = find_co_occurrences({name: column[mixed] for name, column in rows.items()}).nearness
         assert {one: near[0].tolist() for one, near in given.items()} == {
             one: near[0].tolist() for one, near in again.items()
         }, crowd

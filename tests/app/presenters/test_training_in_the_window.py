@@ -9,7 +9,7 @@ import pytest
 from app.presenters.i18n import time_text
 from app.presenters.parts.detector_training import TrainingSettings, counts_of, trained_from
 from app.presenters.parts.training_result import TrainingResult
-from app.presenters.parts.training_set import Source, taught_by
+from app.presenters.parts.training_set import Source, build_training_set
 from tracking.errors import CancelledError
 from tracking.failure import FEATURE_NAMES, Samples
 from tracking.failure.samples import samples_from_rows
@@ -17,13 +17,13 @@ from tracking.failure.samples import samples_from_rows
 FPS = 20.0
 
 
-def taught(*made: Samples):
+def training_set(*made: Samples):
     """What a detector learns from: a session each."""
     sources = [
         Source(f"session {number}", Path(f"{number}.h5"), one, f"{number}", "lobby", FPS)
         for number, one in enumerate(made)
     ]
-    return taught_by(sources)
+    return build_training_set(sources)
 
 
 def samples(recording="lobby", people=4, each=24, seed=4105, wrong=0.1) -> Samples:
@@ -50,7 +50,7 @@ def trained():
 
 @pytest.fixture
 def result(trained):
-    return TrainingResult(trained, taught(samples()))
+    return TrainingResult(trained, training_set(samples()))
 
 
 def test_samples_are_counted_by_part_answer_and_person():
@@ -76,7 +76,7 @@ def test_both_answers_that_are_missing_and_of_how_many_people_are_said_at_once()
 
 def test_a_mistake_says_of_which_recording_person_and_frame_it_is_by_its_own_clock(trained):
     slow = Source("slow", Path("slow.h5"), samples(), "", "yard", 10.0)
-    result = TrainingResult(trained, taught_by([slow]))
+    result = TrainingResult(trained, build_training_set([slow]))
     result.put(0.5)
     items = result.scene().mistakes
     assert items
@@ -87,7 +87,7 @@ def test_a_mistake_says_of_which_recording_person_and_frame_it_is_by_its_own_clo
 
 
 def test_each_sample_is_known_to_be_of_its_source():
-    both = taught(samples(people=2), samples(people=3))
+    both = training_set(samples(people=2), samples(people=3))
     first = len(both.sources[0].samples)
     of = [both.source_of(row).title for row in (0, first - 1, first, len(both.samples) - 1)]
     assert of == ["session 0", "session 0", "session 1", "session 1"]
@@ -100,11 +100,11 @@ def test_each_sample_has_the_rectangle_that_its_own_source_says_was_judged():
     one = Source("a", Path("a.h5"), made, "x", "lobby", FPS, boxes)
     other = replace(one, path=Path("b.h5"), boxes=boxes + 1000)
     table = Source("c.csv", Path("c.csv"), made, "")
-    taught, count = taught_by([one, other, table]), len(made)
-    assert taught.box_of(0) is None
-    assert taught.box_of(1) == (4.0, 5.0, 6.0, 7.0)
-    assert taught.box_of(count + 1) == (1004.0, 1005.0, 1006.0, 1007.0)
-    assert taught.box_of(2 * count + 1) is None
+    training_set, count = build_training_set([one, other, table]), len(made)
+    assert training_set.box_of(0) is None
+    assert training_set.box_of(1) == (4.0, 5.0, 6.0, 7.0)
+    assert training_set.box_of(count + 1) == (1004.0, 1005.0, 1006.0, 1007.0)
+    assert training_set.box_of(2 * count + 1) is None
 
 
 def test_mistakes_of_two_sessions_of_one_recording_are_seen_where_each_was_labelled(trained):
@@ -114,7 +114,7 @@ def test_mistakes_of_two_sessions_of_one_recording_are_seen_where_each_was_label
         Source(name, Path(f"{name}.h5"), own, "x", "lobby", FPS, np.full((len(own), 4), number))
         for number, (name, own) in enumerate(zip("ab", parts, strict=True))
     ]
-    result = TrainingResult(trained, taught_by(sources))
+    result = TrainingResult(trained, build_training_set(sources))
     seen = {
         (one.mistake.sample >= half, one.source.title, one.box[0])
         for one in result.scene().mistakes
@@ -123,7 +123,7 @@ def test_mistakes_of_two_sessions_of_one_recording_are_seen_where_each_was_label
 
 
 def test_several_lost_at_once_are_a_row_of_their_own_where_they_were_learnt(trained):
-    scene = TrainingResult(trained, taught(samples())).scene()
+    scene = TrainingResult(trained, training_set(samples())).scene()
     learnt = len(trained.report.questions) > 3
     assert (scene.several is not None) == learnt
     told = "Several at once" if learnt else "that was not learnt"
@@ -139,7 +139,7 @@ def test_parameters_are_left_to_those_who_ask_for_them(result):
 def test_people_of_different_recordings_with_one_name_are_different_people():
     one = Source("a", None, samples(), "first")
     other = Source("c", None, samples(seed=4107), "second")
-    apart = taught_by([one, other]).samples
+    apart = build_training_set([one, other]).samples
     assert len(np.unique(apart.people())) == 8
     assert set(apart.columns["recording"]) == {"lobby", "lobby (c)"}
 
@@ -147,12 +147,12 @@ def test_people_of_different_recordings_with_one_name_are_different_people():
 def test_people_of_two_sessions_of_one_recording_are_held_out_together():
     one = Source("a", None, samples(), "first")
     same = Source("b", None, samples(seed=4106), "first")
-    assert len(np.unique(taught_by([one, same]).samples.people())) == 1
+    assert len(np.unique(build_training_set([one, same]).samples.people())) == 1
 
 
 def test_a_table_beside_its_session_names_the_same_people():
     session, table = Source("a", None, samples(), "first"), Source("a.csv", None, samples(), "")
-    assert len(np.unique(taught_by([session, table]).samples.people())) == 4
+    assert len(np.unique(build_training_set([session, table]).samples.people())) == 4
 
 
 def test_training_stops_where_the_user_cancels():
@@ -230,6 +230,6 @@ def test_the_area_under_each_curve_is_told(result, trained):
 def test_parts_judged_no_better_than_by_chance_are_warned_of(result):
     settings = TrainingSettings(folds=2, searched=100)
     guessed = samples(wrong=0.5)
-    lots = TrainingResult(trained_from(guessed, settings, lambda *_: None), taught(guessed))
+    lots = TrainingResult(trained_from(guessed, settings, lambda *_: None), training_set(guessed))
     assert "No better than chance: head" in lots.scene().warning
     assert "head" not in result.scene().warning

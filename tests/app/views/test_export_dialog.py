@@ -20,7 +20,7 @@ def test_by_keys_a_format_is_chosen(qtbot, dark, heard):
     dialog.show()
     qtbot.keyClick(dialog._list, Qt.Key.Key_Down)
     assert dialog._about.text() == FORMATS[1].about
-    dialog._whose.setCurrentIndex(1)
+    dialog._track_sources.setCurrentIndex(1)
     qtbot.keyClick(dialog._list, Qt.Key.Key_Return)
     assert asked == [(FORMATS[1].name, 0)]
 

@@ -161,12 +161,12 @@ def test_an_edit_is_counted_anew_and_a_run_stays_as_it_was(window, counted, qtbo
     at_rest(controller, qtbot)
     assert controller.counting.counts.lines[0].totals == (0, 0)
     panel = window.workspace.counting
-    assert panel._whose.count() == 2
-    panel.whose_chosen.emit(1)
-    qtbot.waitUntil(lambda: controller.counting.presenter.counted.subject.whose == 0)
+    assert panel._track_sources.count() == 2
+    panel.track_source_chosen.emit(1)
+    qtbot.waitUntil(lambda: controller.counting.presenter.counted.subject.track_source == 0)
     assert sum(controller.counting.counts.lines[0].totals) == most
-    panel.whose_chosen.emit(0)
-    qtbot.waitUntil(lambda: controller.counting.presenter.counted.subject.whose == SHOWN)
+    panel.track_source_chosen.emit(0)
+    qtbot.waitUntil(lambda: controller.counting.presenter.counted.subject.track_source == SHOWN)
 
 
 def test_the_newest_of_several_changes_wins(window, counted, qtbot):

@@ -14,7 +14,7 @@ from app.presenters.files.document_loader import known_recordings
 from app.presenters.parts.detector_choice import DetectorChoice, known_choice
 from app.presenters.parts.mistake_pictures import Here, Search, cut_outs
 from app.presenters.parts.training_result import MistakeItem
-from app.presenters.parts.training_set import source_at, taught_by
+from app.presenters.parts.training_set import build_training_set, source_at
 from app.views.parts.detectors import _labels_here
 from app.views.parts.result_dialog import ResultDialog
 from app.views.parts.train_dialog import TrainDialog
@@ -189,7 +189,7 @@ def test_the_operating_point_is_dragged_stepped_and_chosen_for_one_part(result, 
     result.plot.setFocus()
     QTest.keyClick(result.plot, Key.Key_Right)
     assert [one.false_alarms for one in shown.scene().figures] == [1, 1, 1]
-    result.whose.setCurrentIndex(2)
+    result.part_choice.setCurrentIndex(2)
     QTest.keyClick(result.plot, Key.Key_Right)
     assert [one.false_alarms for one in shown.scene().figures] == [1, 2, 1]
     assert result._cells[1][3].text().startswith("2  (")
@@ -221,13 +221,13 @@ def test_a_mistake_of_another_session_is_a_picture_of_its_recording(
 ):
     window.files.saving.save_to(parted_session)
     qtbot.waitUntil(lambda: not window.work.busy)
-    taught = taught_by([source_at(parted_session)])
-    number = int(np.flatnonzero(taught.samples.columns["frame"] == CROWDED)[0])
-    row = {name: column[number] for name, column in taught.samples.columns.items()}
+    training_set = build_training_set([source_at(parted_session)])
+    number = int(np.flatnonzero(training_set.samples.columns["frame"] == CROWDED)[0])
+    row = {name: column[number] for name, column in training_set.samples.columns.items()}
     where = (int(row["track"]), int(row["frame"]))
     wrong = Mistake(number, int(row["part"]), "", *where, bool(row["label"]), 1.0)
-    source = taught.sources[0]
-    item = MistakeItem(source, source.recording, wrong, taught.box_of(number), "", "", "")
+    source = training_set.sources[0]
+    item = MistakeItem(source, source.recording, wrong, training_set.box_of(number), "", "", "")
     document, search = labelled.controller.document, Search(known_recordings())
     here = Here.of(document.recording, document.session)
     from_closed = cut_outs(None, search, [item], lambda *_: None)[item]
@@ -237,7 +237,7 @@ def test_a_mistake_of_another_session_is_a_picture_of_its_recording(
     of_table = cut_outs(here, search, [untold], lambda *_: None)[untold]
     assert np.array_equal(from_closed[0], from_open[0])
     assert from_closed[1] == from_open[1] == pytest.approx(of_table[1], abs=1e-3)
-    gone = replace(taught.sources[0], path=parted_session.with_name("gone.h5"))
+    gone = replace(training_set.sources[0], path=parted_session.with_name("gone.h5"))
     missing = replace(item, source=gone)
     assert cut_outs(None, search, [missing], lambda *_: None) == {missing: None}
 

@@ -164,7 +164,7 @@ def test_what_there_is_to_tell_of_a_tracking_is_shown_when_it_ends(opened, tiny_
 def test_a_result_for_a_session_without_any_says_that_it_is_to_be_saved(opened, tiny_run):
     controller = opened.controller
     controller.document.take_session(Session.create(controller.document.recording))
-    controller.live.ended = RunSummary.of(tiny_run, [tiny_run.tracks], tiny_run.frames)
+    controller.live.run_summary = RunSummary.of(tiny_run, [tiny_run.tracks], tiny_run.frames)
     controller.tracking.add_run(tiny_run)
     assert "Kept as run 0, and its tracks are the ones to correct now" in opened.notice.text
     assert "on disk" not in opened.notice.text
@@ -175,7 +175,7 @@ def test_which_run_is_corrected_is_told_until_another_one_is(opened, tiny_run, q
     controller = opened.controller
     controller.document.take_session(Session.create(controller.document.recording, [tiny_run]))
     controller.document.begin_live()
-    controller.live.ended = RunSummary.of(tiny_run, [tiny_run.tracks], tiny_run.frames)
+    controller.live.run_summary = RunSummary.of(tiny_run, [tiny_run.tracks], tiny_run.frames)
     controller.live.notes = ("Lobby: are the cameras swapped?",)
     controller.tracking.add_run(tiny_run)
     opened.bring_up_to_date()

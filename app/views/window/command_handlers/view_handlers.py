@@ -25,7 +25,7 @@ def _toggle_parts(name: str) -> RecordingHandler:
     def toggle(controller: RecordingController) -> None:
         _toggle(name)(controller)
         if getattr(controller.view_options, name):
-            controller.parts.tell_what_is_missing(whose=name == "part_particles")
+            controller.parts.tell_what_is_missing(for_one=name == "part_particles")
 
     return toggle
 

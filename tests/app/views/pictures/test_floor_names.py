@@ -57,7 +57,7 @@ def test_a_name_without_room_is_shortened_before_it_is_left_out():
     wall = [(float(x), float(y)) for x in range(20, 400, 30) for y in (120, 180)]
     wall += [(140.0, 150.0), (260.0, 150.0)]
     names = named((200, 150), *wall, sizes=((120.0, 18.0), (16.0, 18.0)))
-    found = {one.whose: one for one in placed(names)}
+    found = {one.owner: one for one in placed(names)}
     assert found[1].size == 1
 
 
@@ -72,7 +72,7 @@ def test_in_a_crowd_names_are_left_out_but_that_of_who_is_selected():
     names = named((203, 147), *crowd)
     assert not placed(names)
     names[0] = Wanted(1, names[0].at, names[0].sizes, must=True)
-    assert [one.whose for one in placed(names)] == [1]
+    assert [one.owner for one in placed(names)] == [1]
 
 
 def test_a_name_overhead_hides_no_other_ring(qtbot, dark):

@@ -25,11 +25,11 @@ def test_a_run_that_says_what_was_seen_on_the_way_tells_of_no_other_ids():
 
 
 def test_ids_that_were_put_right_afterwards_are_counted():
-    ended = RunSummary.of(made_run(), [_with_ids(columns(), t7=9)], ASKED)
-    assert (ended.tracks, ended.seen, ended.changed) == (2, 2, 1)
+    summary = RunSummary.of(made_run(), [_with_ids(columns(), t7=9)], ASKED)
+    assert (summary.tracks, summary.seen, summary.changed) == (2, 2, 1)
     assert (
         "whole recording: 1 of the 2 ids you saw while it was tracked has changed"
-        in ended.words("")
+        in summary.words("")
     )
 
 
