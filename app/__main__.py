@@ -11,9 +11,9 @@ from typing import Any
 import typer
 
 from app.cli.commands import program
-from app.cli.failure import MISUSED, told
+from app.cli.failure import MISUSED, run_reporting_errors
 from app.cli.output import escape_what_stdout_lacks, say
-from app.cli.sessions import saying_notes
+from app.cli.sessions import print_notes
 from app.interrupts import end_at_once
 
 NOT_BUILT = ("batch",)
@@ -50,8 +50,8 @@ def run(arguments: Sequence[str]) -> int:
     if words and words[0] in NOT_BUILT:
         say(f"trackwright: {words[0]} is not built yet")
         return MISUSED
-    with saying_notes():
-        return told(lambda: _obey(words), debug=debug)
+    with print_notes():
+        return run_reporting_errors(lambda: _obey(words), debug=debug)
 
 
 def _obey(words: list[str]) -> None:

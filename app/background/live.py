@@ -11,7 +11,7 @@ from typing import Any
 from PySide6.QtCore import QObject, Qt, Signal
 
 from app.presenters.error_messages import explain
-from app.presenters.i18n import unstopped
+from app.presenters.i18n import strip_full_stop
 from app.presenters.runs.run_summary import RunSummary
 from app.tracking_process import TrackerProcess, TrackingRequest
 from tracking.pipeline import KeptSteps
@@ -118,7 +118,7 @@ class LiveTracker(QObject):
         run = self.kept.run_so_far(*self._run_asked())
         if run is None:
             return None
-        why = unstopped(explain(error))
+        why = strip_full_stop(explain(error))
         try:
             return self._told_of(run, why)
         except Exception:  # telling of it must neither lose the run nor hide why it ended

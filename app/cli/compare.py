@@ -6,7 +6,7 @@ from contextlib import closing
 from pathlib import Path
 
 from app.cli.output import print_json, print_line, print_table
-from app.cli.sessions import opened_session
+from app.cli.sessions import open_session
 from app.presenters.comparing.agreement import refuse_other_recording
 from tracking.scoring import (
     Agreement,
@@ -45,7 +45,7 @@ def _how(match: str, radius_m: float) -> Match:
 
 
 def _of_session(path: Path) -> tuple[ScoringTable, RecordingReference]:
-    with closing(opened_session(path)) as session:
+    with closing(open_session(path)) as session:
         return ScoringTable.from_columns(session.tracks.columns()), session.recording
 
 

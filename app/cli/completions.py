@@ -16,14 +16,14 @@ Proposals = list[tuple[str, str]]
 """What can be typed, each with what it is."""
 
 
-def trackers(incomplete: str) -> Proposals:
+def complete_trackers(incomplete: str) -> Proposals:
     """Trackers whose names begin as typed."""
     from tracking.trackers import TRACKERS
 
     return _fitting(((one.name, one.title) for one in TRACKERS.values()), incomplete)
 
 
-def settings(ctx: typer.Context, incomplete: str) -> Proposals:
+def complete_settings(ctx: typer.Context, incomplete: str) -> Proposals:
     """Settings as KEY=: of the tracker that was typed before, else of all of them."""
     from tracking.trackers import TRACKERS, settings_fields
 
@@ -36,7 +36,7 @@ def settings(ctx: typer.Context, incomplete: str) -> Proposals:
     return _fitting(helps.items(), incomplete)
 
 
-def written_formats(incomplete: str) -> Proposals:
+def complete_export_formats(incomplete: str) -> Proposals:
     """Formats that export writes."""
     from tracking.formats import FORMATS
 
@@ -45,7 +45,7 @@ def written_formats(incomplete: str) -> Proposals:
     return _fitting((*known, *parts), incomplete)
 
 
-def read_formats(incomplete: str) -> Proposals:
+def complete_import_formats(incomplete: str) -> Proposals:
     """Formats that import reads."""
     from tracking.formats import FORMATS
 

@@ -13,16 +13,16 @@ from app.cli.destination import check_file, check_text_replaced
 from app.cli.option_groups import InPicture, OnFloor
 from app.cli.output import (
     STDOUT,
+    escape_controls,
     print_json,
     print_line,
     refuse_two_documents,
     say,
-    shown,
     text_at,
 )
-from app.cli.sessions import opened_session
+from app.cli.sessions import open_session
 from app.cli.shape_options import line_of, refuse_repeated, region_of
-from app.presenters.files.export import exported_tracks
+from app.presenters.files.export import select_exported
 from tracking.counting import (
     Counts,
     CountSettings,
@@ -67,10 +67,10 @@ def run_count(
     refuse_two_documents(csv, "--csv", as_json=as_json)
     if csv is not None and csv != STDOUT:
         _check_csv(csv)
-    with closing(opened_session(path)) as session:
+    with closing(open_session(path)) as session:
         recording = session.recording
         places = _places(session, named)
-        columns = exported_tracks(session, run)
+        columns = select_exported(session, run)
         try:
             counts = count(
                 columns,
@@ -170,7 +170,7 @@ def _region_row(one: Occupancy) -> tuple[str, ...]:
 
 def _table(headings: tuple[str, ...], rows: list[tuple[str, ...]]) -> list[str]:
     """Names to the left, numbers to the right."""
-    lines = [[shown(cell) for cell in row] for row in (headings, *rows)]
+    lines = [[escape_controls(cell) for cell in row] for row in (headings, *rows)]
     widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
     return [
         "  ".join(

@@ -11,7 +11,7 @@ from app.cli.display import has_display, why_no_window
 from app.cli.option_groups import Order
 from app.cli.output import print_json, print_lines, print_table, progress, say
 from app.cli.score_inputs import score_of
-from app.cli.track import has_work, keeping_what_was_tracked, save_session, tracked
+from app.cli.track import has_work, save_partial_run, save_session, track_recording
 from app.cli.tracks import tracks_at, truth_at
 from app.interrupts import ending_at_once
 from app.presenters.files.demonstration import Demonstration
@@ -58,8 +58,8 @@ def _session(recording: Path, place: Path) -> Path:
         return place
     check_folder(place.parent, _BYTES)
     with open_recording(recording) as footage:
-        with keeping_what_was_tracked(footage, place):
-            run = tracked(footage, Order(), place.parent)
+        with save_partial_run(footage, place):
+            run = track_recording(footage, Order(), place.parent)
         save_session(footage, run, place)
     return place
 

@@ -68,7 +68,7 @@ def check_replaced(path: Path, replaceable: str) -> None:
     """
     check_target(path)
     _check_not_protected(path, "-o")
-    if path.is_file() and (held := held_at(path)) != replaceable:
+    if path.is_file() and (held := read_file_kind(path)) != replaceable:
         if held is not None:
             raise OutputError(_would_be_lost(path, _kind_of(held), "-o"))
         _check_is_text(path, "-o")
@@ -87,7 +87,7 @@ def check_text_replaced(path: Path, option: str = "-o") -> None:
     check_target(path)
     _check_not_protected(path, option)
     if path.is_file():
-        if (held := held_at(path)) is not None or is_session(path):
+        if (held := read_file_kind(path)) is not None or is_session(path):
             what = "a session" if held is None else _kind_of(held)
             raise OutputError(_would_be_lost(path, what, option))
         _check_is_text(path, option)
@@ -101,9 +101,9 @@ def _check_not_protected(path: Path, option: str) -> None:
     if not path.is_file():
         return
     from app.presenters.files.own_files import is_own  # these take longer to import than the rest
-    from app.presenters.files.protected import protected
+    from app.presenters.files.protected import why_protected
 
-    if (what := protected(path)) and not is_own(path):
+    if (what := why_protected(path)) and not is_own(path):
         raise OutputError(_would_be_lost(path, what, option))
 
 
@@ -134,12 +134,12 @@ def is_session(path: Path) -> bool:
 
 
 def _kind_of(held: str) -> str:
-    """What a file is that says it is that, as a sentence needs it; see `held_at`."""
+    """What a file is that says it is that, as a sentence needs it; see `read_file_kind`."""
     what = held.rpartition("-")[2]
     return "a file of samples" if what == "samples" else f"a {what}" if what else "an HDF5 file"
 
 
-def held_at(path: Path) -> str | None:
+def read_file_kind(path: Path) -> str | None:
     """What an HDF5 file says it is, "" where it says nothing; None for any other file.
 
     Nothing of the file is given to the HDF5 library here: a program of its own looks into it.

@@ -14,17 +14,17 @@ import typer
 from app.cli.destination import check_file, check_folder, check_replaced, check_text_replaced
 from app.cli.output import (
     STDOUT,
+    escape_controls,
     print_json,
     print_line,
     progress,
     refuse_two_documents,
     say,
-    shown,
     text_at,
 )
-from app.cli.sessions import opened_session
+from app.cli.sessions import open_session
 from app.presenters.files.document_loader import known_recordings
-from app.presenters.files.export import exported
+from app.presenters.files.export import capture_export
 from app.presenters.files.own_files import is_own, remember
 from tracking.errors import FormatError, OutputError
 from tracking.formats import (
@@ -86,9 +86,9 @@ def run_export(request: ExportRequest, *, as_json: bool) -> None:
         check_file(out)
         check_text_replaced(out)
         check_is_own([out], force=request.force)
-    with closing(opened_session(request.session)) as session:
+    with closing(open_session(request.session)) as session:
         view = _view(session) if wanted.in_camera else None
-        tracks = exported(session, request.run, view)
+        tracks = capture_export(session, request.run, view)
     tracks = replace(tracks, ground_truth=request.ground_truth)
     notes = losses(wanted, tracks, out)
     with text_at(out, ending) as place, progress(f"Writing {out.name}") as report:
@@ -129,7 +129,7 @@ def check_is_own(places: Sequence[Path], *, force: bool) -> None:
         why = f"{place} is there, and export did not write it or it was changed since"
         if not sys.stdin.isatty():
             raise OutputError(why, "choose another name with -o, or add --force")
-        if not typer.confirm(shown(f"{why}. Replace it?"), err=True):
+        if not typer.confirm(escape_controls(f"{why}. Replace it?"), err=True):
             raise OutputError(f"{place} stays as it is", "choose another name with -o")
 
 
@@ -173,7 +173,7 @@ def _export_parts(request: ExportRequest, *, as_json: bool) -> None:
         raise typer.BadParameter(reason, param_hint="--run")
     if out != STDOUT:
         _check_parts_place(name, out, force=request.force)
-    with closing(opened_session(request.session)) as session, text_at(out) as place:
+    with closing(open_session(request.session)) as session, text_at(out) as place:
         written = _write_labels if name == "labels" else _write_samples
         made, rows = written(session, request.session, place)
     facts = {"written": [str(file) for file in made], "format": name, "rows": rows}

@@ -33,7 +33,7 @@ DONE, FAILED, MISUSED = 0, 1, 2
 _LOG_BYTES = 1 << 20
 
 
-def told(work: Callable[[], object], *, debug: bool) -> int:
+def run_reporting_errors(work: Callable[[], object], *, debug: bool) -> int:
     """Do the work; the exit status, with at most one line on stderr unless `debug`."""
     try:
         try:

@@ -9,7 +9,7 @@ from app.cli.output import print_json, print_line
 from tracking.editing import plan_label_part
 from tracking.errors import SessionError
 from tracking.formats import read_part_labels
-from tracking.session import Session, labels_in_place
+from tracking.session import Session, place_labels
 
 
 def run_import_labels(path: Path, into: Path, author: str | None, *, as_json: bool) -> None:
@@ -23,7 +23,7 @@ def run_import_labels(path: Path, into: Path, author: str | None, *, as_json: bo
             why = session.why_read_only.removeprefix(f"{session.path}: ")
             raise SessionError(f"{into} cannot be changed: {why}")
         given = read_part_labels(path, author if author is not None else session.author)
-        labels = labels_in_place(session, given)
+        labels = place_labels(session, given)
         new = [label for label in labels if session.labels.parts.get(label.key) != label]
         if new:
             session.apply(plan_label_part(session.labels, new))

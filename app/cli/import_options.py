@@ -27,7 +27,7 @@ FileFormat = Annotated[
         "--format",
         help="Of the file.",
         show_default="told by content",
-        autocompletion=completions.read_formats,
+        autocompletion=completions.complete_import_formats,
     ),
 ]
 TakeGood = Annotated[

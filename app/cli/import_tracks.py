@@ -16,7 +16,7 @@ from typing import Any
 import typer
 
 from app.cli.option_groups import Bare
-from app.cli.output import progress, say, shown
+from app.cli.output import escape_controls, progress, say
 from tracking.errors import FormatError
 from tracking.formats import BadRow, Filmed, Imported, Stated, TrackFormat, format_named, format_of
 from tracking.progress import Progress, no_progress
@@ -186,9 +186,9 @@ def show_bad_rows(path: Path, rows: Sequence[BadRow], count: int) -> None:
     from rich.text import Text
 
     rows_told = "1 invalid row" if count == 1 else f"{count} invalid rows"
-    table = Table("place", "reason", title=Text(shown(f"{rows_told} of {path.name}")))
+    table = Table("place", "reason", title=Text(escape_controls(f"{rows_told} of {path.name}")))
     for row in rows[:_MOST_SHOWN]:
-        table.add_row(Text(shown(row.place)), Text(shown(row.reason)))
+        table.add_row(Text(escape_controls(row.place)), Text(escape_controls(row.reason)))
     Console(stderr=True).print(table)
     if count > _MOST_SHOWN:
         say(f"and {count - _MOST_SHOWN} more; --json tells the first {len(rows)} of all")

@@ -9,7 +9,7 @@ from pathlib import Path
 from app.cli.destination import check_file
 from app.cli.import_tracks import Source, show_bad_rows
 from app.cli.output import print_json, print_line, progress, say
-from app.cli.recordings import opened
+from app.cli.recordings import open_with_options
 from app.cli.track import refuse_to_lose
 from app.presenters.files.document_loader import known_recordings, remember_place
 from tracking.errors import SessionError
@@ -21,8 +21,8 @@ from tracking.session import (
     ImportWish,
     RecordingMissing,
     Session,
-    filmed_by,
-    importable,
+    describe_footage,
+    fit_to_recording,
     session_of_import,
     take_into,
 )
@@ -32,10 +32,10 @@ from tracking.tracks import TrackTable
 def into_new_session(source: Source, read: Imported | None, out: Path) -> None:
     """Make a session of the tracks, and tell what is in it."""
     order = source.order
-    with opened(order.recording, order.bare) as recording:
+    with open_with_options(order.recording, order.bare) as recording:
         check_file(out)
         refuse_to_lose(out, force=order.force)
-        found = _fitted(source, read, filmed_by(recording), None)
+        found = _fitted(source, read, describe_footage(recording), None)
         with closing(session_of_import(recording, found, _origin(source))) as session:
             session.save(out)
             remember_place(session, recording)
@@ -63,7 +63,7 @@ def _filmed(session: Session) -> Filmed:
     """What is known of a session's recording, also where that is out of reach."""
     try:
         with session.open_recording(known=known_recordings()) as recording:
-            return filmed_by(recording)
+            return describe_footage(recording)
     except RecordingMissing:
         say("note: the recording is out of reach, and with it what camera and floor would tell")
         footage = session.recording
@@ -80,7 +80,7 @@ def _fitted(
     wish = ImportWish(order.thin_px, order.as_new, order.only_people)
     thins = progress("Thinning") if wish.thin_px is not None else nullcontext(no_progress)
     with thins as report:
-        found = importable(read, filmed, wish, table, report)
+        found = fit_to_recording(read, filmed, wish, table, report)
     source.refuse_bad_rows(found.bad_rows, found.bad_count)
     for note in found.notes:
         say(f"note: {note}")

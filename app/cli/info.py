@@ -9,7 +9,7 @@ from typing import Any
 from app.cli.destination import is_session
 from app.cli.option_groups import Bare
 from app.cli.output import print_json, print_table
-from app.cli.recordings import opened
+from app.cli.recordings import open_with_options
 from tracking.formats import people_in_mot
 from tracking.recording import Recording
 
@@ -22,7 +22,7 @@ def run_info(path: Path | None, bare: Bare, *, as_json: bool) -> None:
     if path is not None and path.is_file() and is_session(path):
         facts = _of_session(path)
     else:
-        with opened(path, bare) as recording:
+        with open_with_options(path, bare) as recording:
             facts = _of_recording(recording)
     if as_json:
         print_json(facts)

@@ -7,7 +7,7 @@ import numpy as np
 
 from app.cli.output import say
 from app.cli.training_set import with_advice
-from app.presenters.parts.mistake_pictures import Cut, Search, cut_outs
+from app.presenters.parts.mistake_pictures import Cut, Search, crop_surroundings
 from app.presenters.parts.training_result import TrainingResult
 from app.presenters.parts.training_set import Source, TrainingSet
 from tracking.errors import TrackwrightError
@@ -28,7 +28,7 @@ def pictures_of(
 
     search = Search(allow_outside=allow_outside, missed=missed)
     items = TrainingResult(trained, training_set).scene().mistakes
-    cuts = cut_outs(None, search, items, lambda *_: None)
+    cuts = crop_surroundings(None, search, items, lambda *_: None)
     return {
         one.mistake.sample: _packed(cut, on=one.mistake.failed)
         for one, cut in cuts.items()

@@ -52,12 +52,14 @@ class Order:
         typer.Option(
             help="Its name.",
             show_default="best for the recording",
-            autocompletion=completions.trackers,
+            autocompletion=completions.complete_trackers,
         ),
     ] = None
     setting: Annotated[
         list[str] | None,
-        typer.Option("--set", help="KEY=VALUE, see trackers.", autocompletion=completions.settings),
+        typer.Option(
+            "--set", help="KEY=VALUE, see trackers.", autocompletion=completions.complete_settings
+        ),
     ] = None
     frames: Annotated[
         str | None, typer.Option(help="A:B, from 0, B not included.", show_default="all")
@@ -131,7 +133,7 @@ class InPicture:
     ] = 0.0
 
 
-def spread(command: Callable[..., None]) -> Callable[..., None]:
+def expand_groups(command: Callable[..., None]) -> Callable[..., None]:
     """The command with the options of a group, one by one, in the place of each group it takes.
 
     A parameter is a group where its type is one of this module's.

@@ -43,7 +43,7 @@ def escape_what_stdout_lacks() -> None:
             stream.reconfigure(errors="backslashreplace")
 
 
-def shown(text: object) -> str:
+def escape_controls(text: object) -> str:
     r"""A text on one line in which nothing commands the terminal.
 
     Control characters, line ends, marks that turn the direction of writing, and halves of broken
@@ -62,11 +62,11 @@ def _escaped(sign: str) -> str:
 
 def print_line(text: object = "") -> None:
     """A line on stdout."""
-    print(shown(text))
+    print(escape_controls(text))
 
 
 def print_lines(text: str) -> None:
-    """A text of several lines on stdout; names in it are `shown` by whoever puts them there."""
+    """A text of several lines on stdout; callers use `escape_controls` on names in it."""
     for line in text.split("\n"):
         print_line(line)
 
@@ -129,7 +129,7 @@ def print_table(rows: Sequence[tuple[str, object]]) -> None:
 
 def say(message: object) -> None:
     """A line on stderr."""
-    print(shown(message), file=sys.stderr, flush=True)
+    print(escape_controls(message), file=sys.stderr, flush=True)
 
 
 @contextmanager
@@ -146,5 +146,5 @@ def progress(what: str) -> Iterator[Progress]:
     name = TextColumn("{task.description}", markup=False)
     columns = (name, BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
     with Bar(*columns, console=Console(stderr=True), transient=True) as bar:
-        task = bar.add_task(shown(what), total=None)
+        task = bar.add_task(escape_controls(what), total=None)
         yield lambda done, total: bar.update(task, completed=done, total=total)

@@ -7,7 +7,7 @@ from contextlib import closing
 from pathlib import Path
 
 from app.cli.option_groups import Order
-from app.cli.sessions import opened_session
+from app.cli.sessions import open_session
 from tracking.errors import SessionError, SettingsError
 from tracking.failure import load_detector
 from tracking.trackers import TrackerSpec, occluders_as_setting, settings_fields
@@ -51,7 +51,7 @@ def _named(order: Order) -> Iterator[tuple[str, str]]:
 
 
 def _drawn_in(path: Path) -> str:
-    with closing(opened_session(path)) as session:
+    with closing(open_session(path)) as session:
         occluders = session.labels.occluders
     if not occluders:
         raise SessionError(f"{path}: no occluders are drawn in it; draw some or leave it out")

@@ -11,7 +11,7 @@ ANY_END = 10**_MOST_DIGITS
 """Behind every frame there can be."""
 
 
-def typed_range(
+def parse_range(
     text: str | None, count: int | None, option: str = "--frames"
 ) -> tuple[int, int] | None:
     """A:B as numbers; either may be left out. None where nothing was typed.

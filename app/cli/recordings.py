@@ -6,7 +6,7 @@ from pathlib import Path
 
 import typer
 
-from app.cli.destination import held_at
+from app.cli.destination import read_file_kind
 from app.cli.option_groups import Bare
 from tracking.errors import CalibrationError, RecordingError, SessionError
 from tracking.formats import begins_as_hdf5
@@ -14,7 +14,7 @@ from tracking.recording import OpenOptions, Recording, open_recording
 from tracking.recording.limits import checked_fps, checked_ground
 
 
-def opened(path: Path | None, bare: Bare, instead: str = "") -> Recording:
+def open_with_options(path: Path | None, bare: Bare, instead: str = "") -> Recording:
     """The recording at a path, or of the cameras the options name.
 
     Args:
@@ -38,7 +38,7 @@ def _refusal(place: Path, instead: str) -> RecordingError:
     from tracking.session.layout import FORMAT
     from tracking.session.session_reader import check_file
 
-    if held_at(place) != FORMAT:
+    if read_file_kind(place) != FORMAT:
         return RecordingError(
             f"{place} is an HDF5 file, neither a recording nor a session", "name a recording"
         )

@@ -8,13 +8,13 @@ from pathlib import Path
 from typing import Any
 
 from app.cli.output import print_json, print_line, progress
-from app.cli.sessions import opened_session
+from app.cli.sessions import open_session
 from tracking.review import ReviewItem, filter_undecided, find_review_items, rank
 
 
 def run_review(path: Path, order: str, most: int | None, *, as_json: bool) -> None:
     """Print the review items that nobody has decided yet."""
-    with closing(opened_session(path)) as session, progress("looking through the tracks") as told:
+    with closing(open_session(path)) as session, progress("looking through the tracks") as told:
         fps, labels = session.recording.fps, session.labels
         found = find_review_items(
             session.tracks,

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from app.cli.destination import check_folder, nearest_folder
 from app.cli.output import print_json, print_line, print_lines, say
-from app.cli.score_measuring import Asked, measured_by, yardstick_of
+from app.cli.score_measuring import Asked, measure_all, yardstick_of
 from app.cli.score_printing import document_of, text_of
-from app.cli.sequences import paired
+from app.cli.sequences import pair_results
 from tracking.scoring.report import check_score_folder, report_of, write_score_report
 
 
@@ -22,11 +22,11 @@ def run_score(asked: Asked, *, as_json: bool) -> None:
     if asked.report is not None:
         check_folder(nearest_folder(asked.report))
         check_score_folder(asked.report)
-    pairing = paired(asked.results, asked.truth)
+    pairing = pair_results(asked.results, asked.truth)
     for line in pairing.unmatched:
         say(f"note: left out: {line}")
     yardstick = yardstick_of(asked)
-    measured = measured_by(asked, pairing, yardstick)
+    measured = measure_all(asked, pairing, yardstick)
     page = None
     if asked.report is not None:
         findings = [each.finding for each in measured if each.finding is not None]

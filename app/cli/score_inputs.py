@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from app.cli.output import say
-from app.cli.ranges import typed_range
+from app.cli.ranges import parse_range
 from app.cli.score_sources import disagreement, size_of_recording_at, source_of
 from app.cli.tracks import Tracks, is_in_percent, part_truth_beside, tracks_at, truth_at
 from tracking.errors import SettingsError
@@ -35,7 +35,7 @@ class Loaded:
     frames: tuple[int, int] | None
 
 
-def loaded(
+def load_sequence(
     name: str,
     truth: Path,
     results: Mapping[str, Path],
@@ -54,7 +54,7 @@ def loaded(
     """
     true, found = _read(truth, results, Filmed(stated=stated or Stated()))
     everything = (true, *found.values())
-    chosen = scored_range(frames, *everything)
+    chosen = parse_scored_range(frames, *everything)
     start, stop = chosen or (0, frame_count(*everything))
     fps = next((each.fps for each in everything if each.fps is not None), None)
     size_px = next((each.size_px for each in everything if each.size_px is not None), None)
@@ -103,14 +103,14 @@ def table_of(result: Tracks) -> ScoringTable:
     return ScoringTable.from_columns(result.columns)
 
 
-def scored_range(text: str | None, *tracks: Tracks) -> tuple[int, int] | None:
+def parse_scored_range(text: str | None, *tracks: Tracks) -> tuple[int, int] | None:
     """The range of frames that was typed; None: all.
 
     Raises:
         SettingsError: it is none, or there are no such frames.
     """
     count = frame_count(*tracks)
-    frames = typed_range(text, count)
+    frames = parse_range(text, count)
     if text is not None and frames is not None and not 0 <= frames[0] < frames[1] <= count:
         raise SettingsError(
             f"--frames {text.strip()}: from frame {max(frames[0], count)} on there is nothing in "

@@ -10,8 +10,8 @@ from pathlib import Path
 import typer
 
 from app.cli.output import progress
-from app.cli.ranges import ANY_END, typed_range
-from app.cli.score_inputs import Loaded, loaded, part_rates, tell_oddities, tell_unlike
+from app.cli.ranges import ANY_END, parse_range
+from app.cli.score_inputs import Loaded, load_sequence, part_rates, tell_oddities, tell_unlike
 from app.cli.score_passages import with_passages
 from app.cli.sequences import Pairing
 from tracking.errors import FormatError, SettingsError
@@ -104,7 +104,7 @@ def yardstick_of(asked: Asked) -> Yardstick:
     Raises SettingsError where a range, a radius or distances are none.
     """
     match = FloorMatch(asked.radius_m) if asked.match == "floor" else BoxMatch()
-    ranges = tuple(typed_range(text, None, "--range") or (0, ANY_END) for text in asked.ranges)
+    ranges = tuple(parse_range(text, None, "--range") or (0, ANY_END) for text in asked.ranges)
     distances_m = () if asked.distances is None else _distances(asked.distances)
     return Yardstick(match, Conventions(asked.conventions), ranges, distances_m)
 
@@ -121,7 +121,7 @@ def _distances(text: str) -> tuple[float, ...]:
     return edges_m
 
 
-def measured_by(asked: Asked, pairing: Pairing, yardstick: Yardstick) -> list[Measured]:
+def measure_all(asked: Asked, pairing: Pairing, yardstick: Yardstick) -> list[Measured]:
     """Every result on every sequence, sequence by sequence, of which one is in memory at a time.
 
     Raises as `run_score`.
@@ -131,7 +131,7 @@ def measured_by(asked: Asked, pairing: Pairing, yardstick: Yardstick) -> list[Me
     with _progress(asked, pairing) as told:
         for name, truth in pairing.truths.items():
             files = {result: found[name] for result, found in pairing.results.items()}
-            one = loaded(name, truth, files, asked.frames, asked.stated)
+            one = load_sequence(name, truth, files, asked.frames, asked.stated)
             tell_oddities(one)
             with _footage(asked, one) as (subject, why_none):
                 for result in files:
@@ -176,9 +176,9 @@ def _footage(asked: Asked, one: Loaded) -> Iterator[tuple[Subject, str]]:
     if asked.report is None:
         yield one.subject, ""
         return
-    from app.cli.score_pictures import filmed  # brings what reads recordings
+    from app.cli.score_pictures import open_recording_of  # brings what reads recordings
 
-    with filmed(one, allow_outside=asked.allow_outside) as (subject, why_none):
+    with open_recording_of(one, allow_outside=asked.allow_outside) as (subject, why_none):
         yield subject, why_none
 
 

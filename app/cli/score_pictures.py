@@ -18,7 +18,7 @@ _PICTURES = "img1"
 
 
 @contextmanager
-def filmed(one: Loaded, *, allow_outside: bool) -> Iterator[tuple[Subject, str]]:
+def open_recording_of(one: Loaded, *, allow_outside: bool) -> Iterator[tuple[Subject, str]]:
     """A sequence with its recording open for as long as the block runs, and why it is not.
 
     Args:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
-from app.cli.output import shown
+from app.cli.output import escape_controls
 from app.cli.score_measuring import Asked, Measured
 from app.cli.sequences import Pairing
 from tracking.scoring import Score, combined
@@ -118,7 +118,7 @@ def comparison_text(overall: Mapping[str, Score]) -> str:
 
 def grid(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
     """Columns side by side; the first holds words, the others numbers."""
-    lines = [[shown(cell) for cell in row] for row in (head, *rows)]
+    lines = [[escape_controls(cell) for cell in row] for row in (head, *rows)]
     widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
     return "\n".join(_line(row, widths) for row in lines)
 

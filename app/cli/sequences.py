@@ -34,7 +34,7 @@ class Pairing:
     unmatched: tuple[str, ...] = ()
 
 
-def paired(results: Sequence[Path], truth: Path) -> Pairing:
+def pair_results(results: Sequence[Path], truth: Path) -> Pairing:
     """Put results to truths.
 
     A folder with truth.txt or gt/gt.txt in it is one truth, one with result.txt one result, and one

@@ -18,7 +18,7 @@ _LOGGER = "tracking.session.notes"
 
 
 @contextmanager
-def saying_notes() -> Iterator[None]:
+def print_notes() -> Iterator[None]:
     """What is found out of sessions while the block runs is on stderr, a line for each note.
 
     The only place that tells it: whatever a command reads a session by, damage is told.
@@ -45,7 +45,7 @@ class _Notes(logging.Handler):
             say(f"note: {note}")
 
 
-def opened_session(path: Path) -> Session:
+def open_session(path: Path) -> Session:
     """The session to be read only, with the edits that wait in its journal.
 
     Nothing beside it is claimed or changed: another program may have it open.

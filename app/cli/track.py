@@ -15,8 +15,8 @@ from app.cli.failure import EndedEarlyError
 from app.cli.option_groups import Bare, Order
 from app.cli.output import print_json, print_line, progress, say
 from app.cli.part_options import refuse_missing_detector, settings_texts
-from app.cli.ranges import typed_range
-from app.cli.recordings import opened
+from app.cli.ranges import parse_range
+from app.cli.recordings import open_with_options
 from app.presenters.files.document_loader import remember_place
 from tracking.errors import (
     OutputError,
@@ -41,7 +41,7 @@ def run_track(
     """Track and print where the session is."""
     if order.tracker is not None:  # a wrong name or setting is told before anything is opened
         settings_of(tracker_named(order.tracker), order)
-    with opened(path, bare, "go on from it with track --again") as recording:
+    with open_with_options(path, bare, "go on from it with track --again") as recording:
         check_file(out, recording.frame_count * BYTES_A_FRAME)
         refuse_to_lose(out, force=force)
         for note in recording.notes:
@@ -49,8 +49,8 @@ def run_track(
         if order.tracker is None and (unused := _unused(recording)):
             say(f"note: {unused}")
         began_s = time.perf_counter()
-        with keeping_what_was_tracked(recording, out):
-            run = tracked(recording, order, out.parent)
+        with save_partial_run(recording, out):
+            run = track_recording(recording, order, out.parent)
         rate = (run.frames[1] - run.frames[0]) / (time.perf_counter() - began_s)
         save_session(recording, run, out)
     people = len(set(run.tracks["track"].tolist()))
@@ -92,7 +92,7 @@ def _nobody(tracker: str) -> str:
     )
 
 
-def tracked(recording: Recording, order: Order, spool: Path) -> Run:
+def track_recording(recording: Recording, order: Order, spool: Path) -> Run:
     """The run of a tracker over the recording, with a progress bar.
 
     What turned out odd on the way is told in the end.
@@ -106,12 +106,12 @@ def tracked(recording: Recording, order: Order, spool: Path) -> Run:
     """
     spec = tracker_named(order.tracker or best_tracker(recording))
     settings = settings_of(spec, order)
-    frames = typed_range(order.frames, recording.frame_count)
+    frames = parse_range(order.frames, recording.frame_count)
     with track(recording, spec.name, settings, order.seed, frames, spool=spool) as work:
-        return run_of(work, recording, f"tracking with {spec.name}")
+        return run_to_end(work, recording, f"tracking with {spec.name}")
 
 
-def run_of(work: Tracking, recording: Recording, what: str) -> Run:
+def run_to_end(work: Tracking, recording: Recording, what: str) -> Run:
     """The run of a tracker at work, to its end, with a progress bar; what is odd is told.
 
     Raises TrackerEndedError where it could not go on after some frames, from what went wrong.
@@ -151,7 +151,7 @@ class TrackerEndedError(EndedEarlyError):
 
 
 @contextmanager
-def keeping_what_was_tracked(
+def save_partial_run(
     recording: Recording, out: Path, save: Callable[[Run, Path], None] | None = None
 ) -> Iterator[None]:
     """Keep the frames that were tracked where the tracker within cannot go on.
@@ -252,10 +252,10 @@ def settings_of(spec: TrackerSpec, order: Order) -> Any:
     Raises SettingsError: there is no such setting or value, or no such file of a detector;
     FormatError, SessionError: a file that is named cannot be read.
     """
-    return parsed_settings(spec, settings_texts(spec, order))
+    return read_settings(spec, settings_texts(spec, order))
 
 
-def parsed_settings(spec: TrackerSpec, texts: Sequence[str]) -> Any:
+def read_settings(spec: TrackerSpec, texts: Sequence[str]) -> Any:
     """The tracker's settings with those typed as KEY=VALUE; raises `SettingsError`."""
     pairs = _pairs(texts)
     refuse_missing_detector(pairs.get("detector", ""))

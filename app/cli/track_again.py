@@ -17,10 +17,10 @@ from app.cli.output import print_json, print_line, say
 from app.cli.part_options import settings_texts
 from app.cli.track import (
     BYTES_A_FRAME,
-    keeping_what_was_tracked,
-    parsed_settings,
+    read_settings,
     refuse_to_lose,
-    run_of,
+    run_to_end,
+    save_partial_run,
     settings_of,
 )
 from app.presenters.files.document_loader import open_path, remember_place
@@ -61,7 +61,7 @@ class TrackAgainRequest:
     allow_outside: bool = False
 
 
-def asked_again(
+def parse_request(
     onward: Onward, recording: Path | None, out: Path | None, bare: Bare
 ) -> TrackAgainRequest | None:
     """What the options ask for; None where they do not ask to track again.
@@ -188,7 +188,7 @@ def _tracked_again(
     asked = (name, settings, order.seed, (request.start, stop), resume)
     spool = (request.out or request.session).parent
     with track(recording, *asked, spool=spool) as work:
-        return run_of(work, recording, f"tracking again from frame {request.start} with {name}")
+        return run_to_end(work, recording, f"tracking again from frame {request.start} with {name}")
 
 
 def _tracker(session: Session, recording: Recording, order: Order) -> tuple[str, Any]:
@@ -200,7 +200,7 @@ def _tracker(session: Session, recording: Recording, order: Order) -> tuple[str,
     known = before if before is not None and before.tracker in TRACKERS else None
     spec = tracker_named(order.tracker or (known.tracker if known else best_tracker(recording)))
     texts = settings_texts(spec, order)
-    typed = parsed_settings(spec, texts)
+    typed = read_settings(spec, texts)
     if known is None or known.tracker != spec.name:
         return spec.name, typed
     named = {text.partition("=")[0].strip() for text in texts}
@@ -252,7 +252,7 @@ def _keeping(session: Session, recording: Recording, request: TrackAgainRequest)
         with closing(Session.open(place)) as copy:
             _saved(copy, recording, run, None)
 
-    with keeping_what_was_tracked(recording, request.out or request.session, save):
+    with save_partial_run(recording, request.out or request.session, save):
         yield
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from app.cli.destination import is_session
-from app.cli.sessions import opened_session
+from app.cli.sessions import open_session
 from tracking.errors import FormatError
 from tracking.formats import FORMATS, Filmed, TrackFormat, format_of, measurable
 from tracking.tracks import Columns, CountingLine
@@ -131,7 +131,7 @@ def _of_file(path: Path, kind: TrackFormat, filmed: Filmed) -> Tracks:
 def _of_session(path: Path) -> Tracks:
     from tracking.session import corrected_parts
 
-    with closing(opened_session(path)) as session:
+    with closing(open_session(path)) as session:
         footage, parts = session.recording, corrected_parts(session)
         followed = FollowedParts(parts, footage.size, footage.fps) if len(parts["frame"]) else None
         run, columns = session.corrected_run, session.tracks.columns()

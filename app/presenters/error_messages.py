@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import logging
 
-from app.presenters.i18n import tr, unstopped
+from app.presenters.i18n import strip_full_stop, tr
 from tracking.errors import TrackwrightError, told_by_system
 from tracking.session import RecordingMissing
 
@@ -33,5 +33,5 @@ def explain(error: BaseException) -> str:
         "A bug in trackwright: {kind}: {error}. Your edits are safe on disk; save, and start the "
         "program again if it misbehaves.",
         kind=type(error).__name__,
-        error=unstopped(str(error)),
+        error=strip_full_stop(str(error)),
     )

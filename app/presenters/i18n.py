@@ -22,12 +22,12 @@ def tr(text: str, **values: object) -> str:
     return words.format(**values) if values else words
 
 
-def counted(count: int, one: str, many: str, **values: object) -> str:
+def count_text(count: int, one: str, many: str, **values: object) -> str:
     """How many of something in words: `one` or `many` of them, with {n} for the number."""
     return tr(one if count == 1 else many, n=count, **values)
 
 
-def unstopped(text: str) -> str:
+def strip_full_stop(text: str) -> str:
     """The text without a full stop at its end: to stand inside a sentence that has its own."""
     return text.rstrip().rstrip(".")
 

@@ -24,7 +24,7 @@ def theme_table(theme_name: str) -> dict[str, str]:
 
 
 @cache
-def standing_out(theme_name: str, colour: Colour) -> Colour:
+def readable_colour(theme_name: str, colour: Colour) -> Colour:
     """The colour, moved towards the text colour until it stands out from the background."""
     table = theme_table(theme_name)
     text, background = _rgb(table["text"]), _rgb(table["sunken"])

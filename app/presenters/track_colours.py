@@ -14,7 +14,7 @@ from app.presenters.colour_conflicts import ColourConflicts
 from app.presenters.colour_sight import alike, of_one_hue
 from app.presenters.palette import NOBODY, TRACK_COLOURS, usual_place
 from app.presenters.scenes import Colour
-from app.presenters.shown_colours import THEMES, standing_out
+from app.presenters.shown_colours import THEMES, readable_colour
 from tracking.tracks import Columns, Run, TrackTable
 
 ColourOf = Callable[[int], Colour]
@@ -22,7 +22,7 @@ ColourOf = Callable[[int], Colour]
 
 _ALIKE = np.max(
     [alike(TRACK_COLOURS)]
-    + [alike([standing_out(one, colour) for colour in TRACK_COLOURS]) for one in THEMES],
+    + [alike([readable_colour(one, colour) for colour in TRACK_COLOURS]) for one in THEMES],
     axis=0,
 )
 """How much alike every two look where they look most alike: on pictures, or in either theme."""

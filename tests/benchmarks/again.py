@@ -25,9 +25,9 @@ from tracking.editing import (
     History,
     Protection,
     apply_change,
+    find_protected,
     plan_swap,
     plan_take,
-    protected_stretches,
 )
 from tracking.errors import EditError
 from tracking.formats import read_mot
@@ -174,7 +174,7 @@ def take(
 ) -> float:
     """Track again and take all of it; gives the share of protected rows that changed."""
     run = tracked(recording, tracker, Resume.of(table, frame, recording.fps))
-    protection = protected_stretches(table, Labels(), history, fps=recording.fps)
+    protection = find_protected(table, Labels(), history, fps=recording.fps)
     before = table.snapshot()
     try:
         done(

@@ -14,11 +14,11 @@ import numpy as np
 from tracking.editing import (
     Change,
     History,
+    find_protected,
     plan_delete,
     plan_move_box,
     plan_rename,
     plan_swap,
-    protected_stretches,
 )
 from tracking.tracks import TRACK_COLUMNS, Labels, TrackTable
 
@@ -74,7 +74,7 @@ def _planned(table: TrackTable, random: np.random.Generator, number: int) -> Cha
 def measured(table: TrackTable, history: History) -> float:
     """Milliseconds of this process, whatever else the machine does."""
     began_s = time.process_time()
-    protected_stretches(table, Labels(), history, fps=20.0)
+    find_protected(table, Labels(), history, fps=20.0)
     return 1000.0 * (time.process_time() - began_s)
 
 

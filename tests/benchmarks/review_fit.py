@@ -14,11 +14,11 @@ from sklearn.ensemble import HistGradientBoostingClassifier
 import resources
 from tests.benchmarks.review_cases import Case
 from tracking.review.block import JOINED_S
-from tracking.review.evidence import Evidence, gathered
+from tracking.review.evidence import Evidence, gather_signals
 from tracking.review.hazard import FEATURES, NOTICED, Hazards, Trees, features
 from tracking.review.likelihood import LEAST_WEIGHT, NOTHING, WEIGHTS
 from tracking.review.material import Material
-from tracking.review.reason_groups import Places, Reasons, joined_places, stacked
+from tracking.review.reason_groups import Places, Reasons, join_places, stack_findings
 from tracking.review.reasons import REASONS
 from tracking.review.stretches import Stretches, stretches
 
@@ -109,7 +109,7 @@ def _node(node: np.void) -> tuple[float, ...]:
 
 
 def _material(case: Case) -> Material:
-    evidence = gathered(case.table, case.run, case.fps)
+    evidence = gather_signals(case.table, case.run, case.fps)
     return Material.of(evidence, case.view.camera.size, ())
 
 
@@ -123,8 +123,8 @@ def _places(cases: Sequence[Case], trees: Trees) -> Iterator[tuple[Floats, Flags
     weights = [max(WEIGHTS[kind], LEAST_WEIGHT) for kind in REASONS]
     for case in cases:
         material = _material(case)
-        reasons = stacked([look(material) for look in REASONS.values()], weights)
-        places = joined_places(reasons, material.evidence.frames_of(JOINED_S))
+        reasons = stack_findings([look(material) for look in REASONS.values()], weights)
+        places = join_places(reasons, material.evidence.frames_of(JOINED_S))
         watched = stretches(reasons, places, Hazards.of(material, trees))
         kept = watched.expected > NOTHING
         yield watched.expected[kept], _mistaken(case, reasons, places, watched)[kept]

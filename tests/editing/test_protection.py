@@ -14,6 +14,7 @@ from tracking.editing import (
     History,
     Protection,
     apply_change,
+    find_protected,
     plan_delete,
     plan_draw_box,
     plan_label_part,
@@ -26,9 +27,8 @@ from tracking.editing import (
     plan_swap,
     plan_take,
     plan_undo_alone,
-    protected_stretches,
 )
-from tracking.editing.tracking_again.protection import joined_stretches
+from tracking.editing.tracking_again.protection import join_stretches
 from tracking.tracks import LARGEST_NUMBER, Labels, PartLabel, TrackTable
 
 BOX = (1.0, 2.0, 30.0, 60.0)
@@ -47,7 +47,7 @@ def after(table: TrackTable, *plans: object) -> dict[int, list[list[int]]]:
     labels, history = Labels(), History()
     for plan in plans:
         labels = done(table, labels, history, plan(labels))
-    found = protected_stretches(table, labels, history, fps=FPS)
+    found = find_protected(table, labels, history, fps=FPS)
     return {track: found.of_track(track).tolist() for track in range(1, 6)}
 
 
@@ -116,7 +116,7 @@ def test_what_was_deleted_and_drawn_again_counts_as_drawn(table: TrackTable):
     labels, history = Labels(), History()
     labels = done(table, labels, history, plan_delete(table, 1, 30, 31))
     done(table, labels, history, plan_draw_box(table, 1, 30, BOX))
-    found = protected_stretches(table, labels, history, fps=FPS)
+    found = find_protected(table, labels, history, fps=FPS)
     assert found.of_track(1).tolist() == [[30, 31]]
     assert len(found.deleted["frame"]) == 0
 
@@ -153,7 +153,7 @@ def test_edits_that_were_undone_protect_nothing(table: TrackTable):
     done(table, labels, history, change)
     apply_change(table, labels, change.inverse)
     history.mark_undone()
-    assert len(protected_stretches(table, labels, history).stretches) == 0
+    assert len(find_protected(table, labels, history).stretches) == 0
 
 
 def test_an_edit_undone_alone_protects_nothing(table: TrackTable):
@@ -163,7 +163,7 @@ def test_an_edit_undone_alone_protects_nothing(table: TrackTable):
     back = plan_undo_alone(history, labels, 1)
     apply_change(table, labels, back)
     history.add(history.draft(back, "2031-01-01T00:00:01.000Z", "somebody", undoes=1))
-    assert protected_stretches(table, labels, history).stretches.tolist() == [[3, 5, 6]]
+    assert find_protected(table, labels, history).stretches.tolist() == [[3, 5, 6]]
 
 
 @given(STRETCHES, st.integers(1, 3), st.integers(0, 40))
@@ -171,7 +171,7 @@ def test_joined_stretches_cover_the_same_frames(
     drawn: list[tuple[int, int, int]], track: int, frame: int
 ):
     stretches = np.array([(t, s, s + n) for t, s, n in drawn], np.int64).reshape(-1, 3)
-    joined = joined_stretches(stretches)
+    joined = join_stretches(stretches)
     expected = any(t in (0, track) and s <= frame < e for t, s, e in stretches.tolist())
     found = Protection(joined).covers(np.array([track]), np.array([frame]))
     assert found.tolist() == [expected]

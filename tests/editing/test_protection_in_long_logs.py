@@ -15,6 +15,7 @@ from tracking.editing import (
     Entry,
     History,
     apply_change,
+    find_protected,
     plan_delete,
     plan_draw_box,
     plan_merge_tracks,
@@ -24,7 +25,6 @@ from tracking.editing import (
     plan_split,
     plan_swap,
     plan_undo_alone,
-    protected_stretches,
 )
 from tracking.editing.tracking_again.coverage import Coverage
 from tracking.errors import EditError
@@ -58,7 +58,7 @@ def worked(drawn: list[tuple[str, int, int, int, int]]) -> tuple[TrackTable, Lab
             labels = _made(step, table, labels, history)
         except EditError:
             continue
-        protected_stretches(table, labels, history, fps=FPS)
+        find_protected(table, labels, history, fps=FPS)
     return table, labels, history
 
 
@@ -136,7 +136,7 @@ def test_it_is_what_the_edits_say_one_after_the_other(drawn):
     table, labels, history = worked(drawn)
     cells, deleted = plainly(table, history)
     for log in (history, history.snapshot(), History(history.entries)):
-        found = protected_stretches(table, labels, log, fps=FPS)
+        found = find_protected(table, labels, log, fps=FPS)
         assert _cells(found.deleted) == deleted
         stop = {track: table.frame_range(track)[1] for track in range(1, 30)}
         for track in range(1, 30):
@@ -184,7 +184,7 @@ def test_a_damaged_line_of_the_log_is_told():
         [first, replace(second, before='["stretches"]')],
     ):
         with pytest.raises(EditError, match="in the log"):
-            protected_stretches(table, labels, History(broken))
+            find_protected(table, labels, History(broken))
 
 
 def test_a_long_log_is_read_once():
@@ -192,7 +192,7 @@ def test_a_long_log_is_read_once():
     swap, move = plan_swap(table, 1, 2, 10, 20), plan_move_box(table, 3, 5, BOX)
     for change in [swap, swap, swap.inverse, move] * 1000:
         history.add(history.draft(change, "2031-01-01T00:00:00.000Z", "somebody"), change)
-    first = protected_stretches(table, labels, history).stretches.tolist()
+    first = find_protected(table, labels, history).stretches.tolist()
     with spent() as time:
-        assert protected_stretches(table, labels, history.snapshot()).stretches.tolist() == first
+        assert find_protected(table, labels, history.snapshot()).stretches.tolist() == first
     assert time.paces < 80

@@ -17,12 +17,12 @@ from tracking.editing import (
     History,
     apply_change,
     differences,
+    find_protected,
     plan_delete,
     plan_mark_reviewed,
     plan_move_box,
     plan_swap,
     plan_take,
-    protected_stretches,
 )
 from tracking.errors import EditError
 from tracking.tracks import (
@@ -268,7 +268,7 @@ def test_protected_rows_stay_to_the_bit_and_undo_brings_all_back(
     table, labels, history = corrected(data, walks_of(drawn))
     start = data.draw(st.integers(0, 20))
     run = run_of(walks_of(others), (0, 40), known)
-    before, protection = bytes_of(table), protected_stretches(table, labels, history, fps=FPS)
+    before, protection = bytes_of(table), find_protected(table, labels, history, fps=FPS)
     tracks = data.draw(st.none() | st.sets(st.integers(1, 8)))
     try:
         change = plan_take(table, labels, history, run, (start, 40), tracks, fps=FPS)
@@ -354,7 +354,7 @@ def test_taking_everything_from_an_identical_run_changes_nothing(
 def test_an_ended_track_does_not_go_on():
     table, history = table_of(TWO), History()
     done(table, Labels(), history, plan_delete(table, 1, 50))
-    found = protected_stretches(table, Labels(), history, fps=FPS)
+    found = find_protected(table, Labels(), history, fps=FPS)
     assert found.of_track(1).tolist() == [[50, LARGEST_NUMBER]]
     again = run_of([(1, 30, 100, 0.0), (2, 30, 100, 1.1)], (30, 100), known=2)
     assert taken(table, again, history=history).frame_range(1) == (0, 50)

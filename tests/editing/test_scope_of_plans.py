@@ -13,6 +13,7 @@ from tracking.editing import (
     History,
     Scope,
     apply_change,
+    find_protected,
     plan_add_keyframe,
     plan_delete_keyframe,
     plan_draw_box,
@@ -21,7 +22,6 @@ from tracking.editing import (
     plan_move_box,
     plan_take,
     plan_unmark_reviewed,
-    protected_stretches,
 )
 from tracking.tracks import Labels, ReviewedRange, TrackTable
 
@@ -77,5 +77,5 @@ def test_what_is_protected_is_the_same_without_the_scope(name: str) -> None:
         table, labels, history = state()
         change = replace(EDITS[name][0](table, labels, history), scope=scope)
         labels = done(table, labels, history, change)
-        found.append(protected_stretches(table, labels, history, fps=FPS).stretches.tolist())
+        found.append(find_protected(table, labels, history, fps=FPS).stretches.tolist())
     assert found[0] == found[1]

@@ -18,7 +18,7 @@ from tracking.editing import (
     thin_dense,
 )
 from tracking.editing.boxes.floor_boxes import boxes_of, places_of
-from tracking.editing.selection import stacked
+from tracking.editing.selection import stack_rows
 from tracking.editing.track_import import SeenAs
 from tracking.errors import CancelledError, EditError
 from tracking.geometry import View
@@ -246,7 +246,7 @@ def test_many_tracks_are_thinned_as_each_of_them_alone(view: View | None) -> Non
     for track, rows in enumerate(whole, 1):
         rows["track"][:] = track
         rows["width"] += track * np.cos(rows["frame"])
-    rows = stacked(whole)
+    rows = stack_rows(whole)
     table, told = TrackTable(rows), []
     thin, _ = thin_dense(rows, 2.0, view=view, fps=FPS, report=lambda *at: told.append(at))
     for track in table.track_ids:

@@ -94,7 +94,7 @@ def test_an_edit_leaves_blocks_far_from_it_as_they_were(monkeypatch: pytest.Monk
         looked.append(1)
         return through(*words)
 
-    monkeypatch.setattr(review_search, "looked_through", counted)
+    monkeypatch.setattr(review_search, "search_block", counted)
     table, lookout = TrackTable(RUN.tracks), Lookout()
     look(lookout, table)
     assert len(looked) == FRAMES / 300

@@ -17,7 +17,7 @@ def look_over(monkeypatch: pytest.MonkeyPatch) -> None:
     """Look all files over, in this process: the same check, without waiting for another Python."""
     monkeypatch.setattr(session_reader, "is_sealed", lambda _: False)
     monkeypatch.setattr(
-        session_reader, "verdicts_on", lambda paths: [verdict_on(path) for path in paths]
+        session_reader, "inspect_files", lambda paths: [verdict_on(path) for path in paths]
     )
 
 

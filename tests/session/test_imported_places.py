@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from tracking.formats import Filmed, format_of
 from tracking.geometry import Camera, Ground, View
-from tracking.session.track_import import Importable, ImportWish, importable
+from tracking.session.track_import import Importable, ImportWish, fit_to_recording
 
 HEADS = np.array([[0.5, 4.0, 1.8], [-0.5, 5.0, 1.5]])
 """World metres of two heads."""
@@ -45,7 +45,7 @@ def taken(folder: Path, text: str, name: str, filmed: Filmed) -> Importable:
     path.write_text(text, encoding="utf-8")
     read = format_of(path).read
     assert read is not None
-    return importable(read(path, filmed), filmed, ImportWish())
+    return fit_to_recording(read(path, filmed), filmed, ImportWish())
 
 
 def test_heads_of_a_trc_stand_below_where_they_are_at_the_height_it_has(

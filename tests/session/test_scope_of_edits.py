@@ -15,11 +15,11 @@ from made_up_sessions import make_session
 
 from tracking.editing import (
     Scope,
+    find_protected,
     plan_label_part,
     plan_rename,
     plan_swap,
     plan_unlabel_part,
-    protected_stretches,
 )
 from tracking.errors import EditError, SessionError
 from tracking.session import Session
@@ -32,7 +32,7 @@ def scopes(session: Session) -> list[Scope | None]:
 
 
 def protected(session: Session) -> list[list[int]]:
-    found = protected_stretches(session.tracks, session.labels, session.history, fps=20.0)
+    found = find_protected(session.tracks, session.labels, session.history, fps=20.0)
     return found.stretches.tolist()
 
 

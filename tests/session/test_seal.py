@@ -85,7 +85,7 @@ def test_a_session_that_another_program_wrote_into_is_looked_over_again(copy, mo
 
 def test_a_sealed_session_opens_without_another_program(copy, monkeypatch):
     monkeypatch.setattr(session_reader, "is_sealed", seal.holds)
-    monkeypatch.setattr(session_reader, "verdicts_on", lambda _: pytest.fail("asked"))
+    monkeypatch.setattr(session_reader, "inspect_files", lambda _: pytest.fail("asked"))
     session = Session.open(copy)
     assert len(session.tracks)
     session.close()

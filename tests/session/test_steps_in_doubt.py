@@ -17,7 +17,7 @@ from tracking.session import Session
 AFTER_THE_STEP = [
     "tracking.session.journal.text_bytes",
     "tracking.session.journal.StepCount.write",
-    "tracking.editing.log.history.touched",
+    "tracking.editing.log.history.footprint_of",
 ]
 """What is done only for or after a step; memory may not suffice for it."""
 

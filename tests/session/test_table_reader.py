@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from tracking.errors import SessionError
-from tracking.session.hdf5 import opened, read_columns
+from tracking.session.hdf5 import open_readonly, read_columns
 from tracking.session.table_reader import Unpacking
 
 KINDS = [np.bool_, np.uint8, np.int32, np.int64, np.float32, np.float64]
@@ -75,14 +75,14 @@ def write_with_piece(path: Path, piece: bytes, skipped: int = 0) -> None:
 def test_a_damaged_piece_is_told_and_read_as_nothing(tmp_path, piece, skipped, said):
     path = tmp_path / "s.h5"
     write_with_piece(path, piece, skipped)
-    with pytest.raises(SessionError, match=said), opened(path) as file:
+    with pytest.raises(SessionError, match=said), open_readonly(path) as file:
         read_columns(file["t"], {"x": np.dtype(np.float64)})
 
 
 def test_a_piece_that_unpacks_to_far_too_much_is_not_unpacked_whole(tmp_path):
     path = tmp_path / "s.h5"
     write_with_piece(path, zlib.compress(bytes(50_000_000)))
-    with pytest.raises(SessionError, match="unpacks to 8001 bytes"), opened(path) as file:
+    with pytest.raises(SessionError, match="unpacks to 8001 bytes"), open_readonly(path) as file:
         read_columns(file["t"], {"x": np.dtype(np.float64)})
 
 
@@ -96,6 +96,6 @@ def test_every_flipped_bit_of_a_piece_is_told_or_changes_nothing(tmp_path):
         piece = bytearray(packed)
         piece[bit // 8] ^= 1 << bit % 8
         write_with_piece(path, bytes(piece))
-        with contextlib.suppress(SessionError), opened(path) as file:
+        with contextlib.suppress(SessionError), open_readonly(path) as file:
             read = read_columns(file["t"], {"x": np.dtype(np.float64)})["x"]
             assert read[1000:2000].tolist() == values.tolist(), bit

@@ -19,7 +19,7 @@ from tracking.session import (
     ImportWish,
     Session,
     find_backups,
-    importable,
+    fit_to_recording,
     take_into,
 )
 
@@ -76,7 +76,7 @@ class Corrector:
         assert read is not None
         filmed = Filmed(FRAMES, 20.0, (640, 480))
         wish = ImportWish(as_new=True)
-        rows = importable(read(source, filmed), filmed, wish, self._session.tracks)
+        rows = fit_to_recording(read(source, filmed), filmed, wish, self._session.tracks)
         take_into(self._session, rows, ImportOrigin.of(source, "mot"))
 
     def _restore(self) -> None:

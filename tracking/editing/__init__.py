@@ -38,7 +38,7 @@ from tracking.editing.labels.review_labels import (
 from tracking.editing.labels.shapes import plan_lines, plan_occluders, plan_regions
 from tracking.editing.labels.track_labels import plan_rename, plan_set_attribute, plan_set_notes
 from tracking.editing.log.alone import plan_undo_alone
-from tracking.editing.log.edit_footprint import touched
+from tracking.editing.log.edit_footprint import footprint_of
 from tracking.editing.log.history import Entry, History, Written
 from tracking.editing.log.text import rows_beyond_the_log, state_as_text, state_from_text
 from tracking.editing.log.touch_index import TOUCHED_COLUMNS, TouchIndex
@@ -47,10 +47,10 @@ from tracking.editing.track_import import Thinned, on_the_floor, plan_import, th
 from tracking.editing.tracking_again.differences import (
     Difference,
     compare_runs,
+    compare_to_table,
     differences,
-    differing_rows,
 )
-from tracking.editing.tracking_again.protection import Protection, protected_stretches
+from tracking.editing.tracking_again.protection import Protection, find_protected
 from tracking.editing.tracking_again.run_adoption import plan_take
 
 __all__ = [
@@ -73,8 +73,10 @@ __all__ = [
     "apply_change",
     "body_position",
     "compare_runs",
+    "compare_to_table",
     "differences",
-    "differing_rows",
+    "find_protected",
+    "footprint_of",
     "gaps_of",
     "keyframes_of",
     "on_the_floor",
@@ -110,14 +112,12 @@ __all__ = [
     "plan_unmark_reviewed",
     "plan_verdict",
     "propose_swap_frames",
-    "protected_stretches",
     "rows_beyond_the_log",
     "signals_of",
     "standing_box",
     "state_as_text",
     "state_from_text",
     "thin_dense",
-    "touched",
     "with_parts_carried",
     "with_verdict",
 ]

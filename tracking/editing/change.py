@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.editing.label_state import LabelState as LabelState
-from tracking.editing.label_state import relabelled
+from tracking.editing.label_state import apply_label_state
 from tracking.editing.scope import Scope
 from tracking.errors import EditError
 from tracking.tracks import CORRECTED_COLUMNS, Columns, Labels, TrackTable, empty
@@ -86,7 +86,7 @@ def apply_change(table: TrackTable, labels: Labels, change: Change) -> Labels:
     The only way tables and labels change. Raises EditError where the table or the labels are not
     as they were when the change was planned.
     """
-    changed = relabelled(labels, change.before.labels, change.after.labels)
+    changed = apply_label_state(labels, change.before.labels, change.after.labels)
     moves = _moves(change)
     rows_out, rows_in = change.before.rows, change.after.rows
     if len(moves) or len(rows_out["frame"]) or len(rows_in["frame"]):

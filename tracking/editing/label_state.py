@@ -50,7 +50,7 @@ class LabelState:
     parts: tuple[PartLabel, ...] = ()
 
 
-def relabelled(labels: Labels, before: LabelState, after: LabelState) -> Labels:
+def apply_label_state(labels: Labels, before: LabelState, after: LabelState) -> Labels:
     """The labels with the one side in the other's place.
 
     Raises EditError where they are not as they were when the change was planned.

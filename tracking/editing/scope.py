@@ -76,7 +76,7 @@ def check_scope(start: int, end: int | None) -> None:
         raise EditError(f"frames {start} to {end}: the range is empty or begins before frame 0")
 
 
-def checked_tracks(table: TrackTable, tracks: Iterable[int]) -> tuple[int, ...]:
+def check_tracks(table: TrackTable, tracks: Iterable[int]) -> tuple[int, ...]:
     """The tracks, each once, ascending. Raises EditError for none at all and for unknown ones."""
     chosen = tuple(sorted(set(tracks)))
     if not chosen:

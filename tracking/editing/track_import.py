@@ -21,7 +21,7 @@ from tracking.editing.boxes.interpolation import Way
 from tracking.editing.boxes.keyframe_reduction import thin_tracks
 from tracking.editing.change import Change, LabelState, State
 from tracking.editing.scope import tracks_text
-from tracking.editing.selection import Rows, picked, stacked
+from tracking.editing.selection import Rows, select_rows, stack_rows
 from tracking.errors import EditError
 from tracking.geometry import View
 from tracking.progress import Progress, no_progress
@@ -85,11 +85,11 @@ def plan_import(
     Raises EditError where nothing would change.
     """
     ids = np.unique(rows["track"]).tolist()
-    old = stacked(table.of_track(track) for track in ids if track in table)
-    goes, new = _merged(old, picked(rows, slice(None)), view, seen_as, vouched=vouched)
+    old = stack_rows(table.of_track(track) for track in ids if track in table)
+    goes, new = _merged(old, select_rows(rows, slice(None)), view, seen_as, vouched=vouched)
     if view is not None and np.isnan(rows["x"]).all():
         new = on_the_floor(new, view)
-    before, after = picked(old, goes), new
+    before, after = select_rows(old, goes), new
     said = _labels(labels, {track: told[track] for track in ids if track in told})
     if not len(before["frame"]) and not len(after["frame"]) and said[0] == said[1]:
         raise EditError(f"nothing to import: {source} says what the corrected tracks say")
@@ -128,12 +128,12 @@ def thin_dense(
     by_track = np.flatnonzero(dense)
     by_track = by_track[np.argsort(row_keys(rows["track"], rows["frame"])[by_track])]
     thin, changed = thin_tracks(
-        picked(rows, by_track), tolerance_px, Way(view=view, fps=fps), report
+        select_rows(rows, by_track), tolerance_px, Way(view=view, fps=fps), report
     )
     keys = int(np.count_nonzero(thin["source"][changed] == Source.PERSON))
     tracks = len(np.unique(thin["track"][changed]))
     told = Thinned(tracks, int(np.count_nonzero(changed)), keys)
-    return stacked([picked(rows, ~dense), thin]), told
+    return stack_rows([select_rows(rows, ~dense), thin]), told
 
 
 def _dense_tracks(rows: Columns) -> list[int]:
@@ -151,7 +151,7 @@ def on_the_floor(rows: Columns, view: View) -> Rows:
 
     A box without height is a point: it tells nothing of feet.
     """
-    placed = picked(rows, slice(None))
+    placed = select_rows(rows, slice(None))
     boxes = boxes_of(placed)
     whole = np.isfinite(boxes).all(axis=1) & (boxes[:, 3] > 0)
     lacking = np.flatnonzero(np.isnan(placed["x"]) & whole)
@@ -167,14 +167,14 @@ def _merged(
 ) -> tuple[Flags, Rows]:
     """Which rows go, and the rows that come, with what only the old ones know."""
     was, will = _same_places(old, new)
-    same = _are_same(picked(old, was), picked(new, will), seen_as, vouched=vouched)
+    same = _are_same(select_rows(old, was), select_rows(new, will), seen_as, vouched=vouched)
     goes, comes = np.ones(len(old["frame"]), bool), np.ones(len(new["frame"]), bool)
     goes[was[same]] = comes[will[same]] = False
-    changed = picked(new, will[~same])
-    _keep_what_is_known(picked(old, was[~same]), changed, view, seen_as)
+    changed = select_rows(new, will[~same])
+    _keep_what_is_known(select_rows(old, was[~same]), changed, view, seen_as)
     for name, column in changed.items():
         new[name][will[~same]] = column
-    return goes, picked(new, comes)
+    return goes, select_rows(new, comes)
 
 
 def _same_places(old: Columns, new: Columns) -> tuple[NDArray[np.intp], NDArray[np.intp]]:

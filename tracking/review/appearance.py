@@ -107,7 +107,7 @@ def unlikeness(one: Floats, other: Floats, most: float = MOST) -> Floats:
     return np.where(count > 0, total / np.maximum(count, 1), np.nan)
 
 
-def changed_over(looks: Looks, first: Rows, second: Rows, frame: Rows) -> Floats:
+def swap_gain_of_appearance(looks: Looks, first: Rows, second: Rows, frame: Rows) -> Floats:
     """(k,) how much better two tracks' looks agree across a frame with their names changed over.
 
     Positive: changed over they agree better; negative: worse. Each track that is known after the

@@ -10,8 +10,8 @@ from tracking.review.evidence import Floats, Rows, body_px, boxes, evidence_of
 from tracking.review.footage import AROUND_S, Footage
 from tracking.review.hazard.expected_errors import Hazards
 from tracking.review.likelihood import LEAST_WEIGHT, WEIGHTS, likelihoods
-from tracking.review.material import REACH_M, Material, reached
-from tracking.review.reason_groups import joined_places, stacked
+from tracking.review.material import REACH_M, Material, extent_of_boxes
+from tracking.review.reason_groups import join_places, stack_findings
 from tracking.review.reason_phrases import fix
 from tracking.review.reason_texts import Speaker
 from tracking.review.reasons import REASONS
@@ -54,7 +54,7 @@ class Scene:
         """size: of the picture in px, None where it is not known."""
         columns = footage.columns
         stop = max(int(columns["frame"].max()) + 1, run.frames[1] if run else 0)
-        return cls(fps, stop, size or reached(boxes(columns)), body_px(columns), occluders)
+        return cls(fps, stop, size or extent_of_boxes(boxes(columns)), body_px(columns), occluders)
 
     @property
     def around(self) -> int:
@@ -85,7 +85,7 @@ class Block:
         return self.items[row]
 
 
-def looked_through(
+def search_block(
     footage: Footage, rows: Rows, run: Run | None, scene: Scene, start: int, end: int
 ) -> Block:
     """Look through a half-open range of frames; rows: those in it and around it."""
@@ -102,8 +102,8 @@ def _told(material: Material, meeting: Rows, start: int, end: int) -> Block:
     """The review items whose frame lies in the range."""
     evidence = material.evidence
     found = [look(material) for look in REASONS.values()]
-    reasons = stacked(found, [max(WEIGHTS[each.kind], LEAST_WEIGHT) for each in found])
-    places = joined_places(reasons, evidence.frames_of(JOINED_S))
+    reasons = stack_findings(found, [max(WEIGHTS[each.kind], LEAST_WEIGHT) for each in found])
+    places = join_places(reasons, evidence.frames_of(JOINED_S))
     watched = stretches(reasons, places, Hazards.of(material))
     likely = likelihoods(reasons.kinds, places.strength, watched.expected)
     frame = watched.frame

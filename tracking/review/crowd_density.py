@@ -11,7 +11,7 @@ _MANY = 10
 """Pairs of people near each other from which on it counts as crowded."""
 
 
-def crowding(material: Material, frame: Rows) -> Floats:
+def crowd_density(material: Material, frame: Rows) -> Floats:
     """(k,) 0 to 1, from the pairs of people within reach of each other in each frame."""
     evidence = material.evidence
     pairs = np.bincount(evidence.frame[material.near.first], minlength=evidence.stop + 1)

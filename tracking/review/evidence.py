@@ -89,7 +89,7 @@ class Evidence:
         return max(1, round(seconds * self.fps))
 
 
-def gathered(table: TrackTable, run: Run | None, fps: float) -> Evidence:
+def gather_signals(table: TrackTable, run: Run | None, fps: float) -> Evidence:
     """The table's rows with what a run noticed of them.
 
     Args:

@@ -65,7 +65,7 @@ def of_tracks(kind: str, track: Rows, frame: Rows, strength: Floats, figure: Flo
     return Found(kind, track[kept], nobody[kept], frame[kept], strength, figure[kept])
 
 
-def joined(parts: Sequence[Found]) -> Found:
+def join_findings(parts: Sequence[Found]) -> Found:
     """Places of one kind, one list behind the other."""
     columns = zip(*((p.first, p.second, p.frame, p.strength, p.figure) for p in parts), strict=True)
     return Found(parts[0].kind, *(np.concatenate(column) for column in columns))

@@ -60,7 +60,7 @@ class Material:
             Sides.of(looks),
             first if len(evidence) else first[:0],
             last if len(evidence) else last[:0],
-            size or reached(evidence.box),
+            size or extent_of_boxes(evidence.box),
             occluders,
         )
 
@@ -109,7 +109,7 @@ def _within(points: Floats, polygon: Floats) -> Flags:
     return inside
 
 
-def reached(box: Floats) -> tuple[float, float]:
+def extent_of_boxes(box: Floats) -> tuple[float, float]:
     """How far to the right and down any box (n, 4) reaches, in px."""
     far = box[:, :2] + box[:, 2:]
     far = far[np.isfinite(far).all(axis=1)]

@@ -53,7 +53,7 @@ class Places:
     strength: Floats
 
 
-def stacked(found: Sequence[Found], weights: Sequence[float]) -> Reasons:
+def stack_findings(found: Sequence[Found], weights: Sequence[float]) -> Reasons:
     """All that was found; weights: of a reason of full strength, by kind."""
     number = np.repeat(np.arange(len(found)), [len(each) for each in found])
     first, second, frame, strength, figure = (
@@ -75,7 +75,7 @@ def stacked(found: Sequence[Found], weights: Sequence[float]) -> Reasons:
     )
 
 
-def joined_places(reasons: Reasons, near: int) -> Places:
+def join_places(reasons: Reasons, near: int) -> Places:
     """Join what is at most `near` frames apart and about the same people.
 
     Reasons about the same two people come together first, led by the weightiest. What speaks for

@@ -8,7 +8,7 @@ import numpy as np
 
 from tracking.geometry import View
 from tracking.progress import Progress
-from tracking.review.block import Block, Scene, looked_through
+from tracking.review.block import Block, Scene, search_block
 from tracking.review.costs import costs
 from tracking.review.footage import Footage
 from tracking.review.queue import rank
@@ -94,7 +94,7 @@ class Lookout:
             end = start + length
             rows = footage.around(start, end, scene.around)
             known = (start, end, scene, footage.fingerprint(rows))
-            now[known] = self._known.get(known) or looked_through(
+            now[known] = self._known.get(known) or search_block(
                 footage, rows, run, scene, start, end
             )
             self._known[known] = now[known]

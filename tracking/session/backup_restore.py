@@ -11,10 +11,10 @@ from tracking.session.backups import read_backup
 from tracking.session.document import Session
 from tracking.session.session_writer import (
     copy_file,
+    explain_file_errors,
     file_state,
     keep_damaged,
-    telling_where,
-    unfinished_name,
+    name_unfinished,
 )
 from tracking.session.store import Store
 
@@ -42,7 +42,7 @@ def replace_damaged(path: Path, number: int) -> tuple[Session, Path]:
         file, _ = read_backup(path, number)
         damaged, kept = file_state(path), keep_damaged(path)
         try:
-            with telling_where(path, "the backup was not put in its place"):
+            with explain_file_errors(path, "the backup was not put in its place"):
                 _copy_over(file, path)
         except BaseException:
             if file_state(path) == damaged:  # otherwise this is the only one
@@ -56,7 +56,7 @@ def replace_damaged(path: Path, number: int) -> tuple[Session, Path]:
 
 def _copy_over(file: Path, path: Path) -> None:
     """Put a copy of a file in another's place, at once and for good."""
-    beside = unfinished_name(path)
+    beside = name_unfinished(path)
     try:
         copy_file(file, beside)
         with contextlib.suppress(OSError):  # whoever could read the damaged one, and nobody else

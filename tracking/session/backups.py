@@ -14,7 +14,7 @@ import numpy as np
 from tracking.errors import SessionError, UnsafeFileError
 from tracking.owned_files import check_folder
 from tracking.session import session_reader
-from tracking.session.hdf5 import opened, text_attribute
+from tracking.session.hdf5 import open_readonly, text_attribute
 from tracking.session.image import Snapshot
 from tracking.session.runs import StoredRun
 from tracking.session.session_writer import check_backup_file, companions, find_backups
@@ -86,7 +86,7 @@ def read_backup(path: Path, number: int) -> tuple[Path, Snapshot]:
     return files[number - 1], snapshot
 
 
-def standing_in(snapshot: Snapshot, file: Path) -> Snapshot:
+def with_runs_from(snapshot: Snapshot, file: Path) -> Snapshot:
     """The snapshot with its runs still in a file, wherever that was renamed to."""
     runs = tuple(StoredRun(file, number) for number in range(len(snapshot.runs)))
     return replace(snapshot, runs=runs)
@@ -122,7 +122,7 @@ def _described(number: int, file: Path, problem: str) -> Backup:
     if problem:
         return Backup(number, file, size, problem=problem)
     try:
-        with opened(file) as held:
+        with open_readonly(file) as held:
             undone = held["edits/undone"][()]
             return Backup(
                 *(number, file, size, text_attribute(held, "modified")),

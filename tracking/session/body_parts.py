@@ -72,7 +72,7 @@ def _places(rows: Mapping[str, Any]) -> NDArray[np.int64]:
     return np.asarray(frame << 33 | track << 2 | rows["part"])
 
 
-def labels_in_place(session: Session, given: Sequence[GivenLabel]) -> list[PartLabel]:
+def place_labels(session: Session, given: Sequence[GivenLabel]) -> list[PartLabel]:
     """Labels made elsewhere, checked against a session; those without a box get the tracker's.
 
     Raises FormatError, with its line, for a label of a frame the recording does not have, of

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from tracking.editing import Change, Entry, Written, plan_undo_alone, with_parts_carried
 from tracking.errors import EditError, OutputError, SessionError
 from tracking.owned_files import real_path
-from tracking.session.backups import read_backup, standing_in
+from tracking.session.backups import read_backup, with_runs_from
 from tracking.session.image import Stamps, empty_snapshot
 from tracking.session.journal import Act
 from tracking.session.known_recordings import KnownRecordings
@@ -21,7 +21,7 @@ from tracking.session.pending_save import PendingSave, next_stamps
 from tracking.session.reference import Footage, refer_to
 from tracking.session.session_reader import read_session
 from tracking.session.session_writer import UNLIMITED, file_state, find_backups, keep_damaged
-from tracking.session.stamps import author_named, made_up, now, software
+from tracking.session.stamps import make_id, now, resolve_author, software
 from tracking.session.store import Store
 from tracking.tracks import Run, TrackTable
 
@@ -57,9 +57,9 @@ class Session(OnDisk):
         """
         folder = path.parent if path is not None else recording.folder
         made = now()
-        stamps = Stamps(made_up(), "", "", 0, made, made, software())
+        stamps = Stamps(make_id(), "", "", 0, made, made, software())
         empty = empty_snapshot(stamps, refer_to(recording, folder))
-        session = cls(empty, None, author_named(author))
+        session = cls(empty, None, resolve_author(author))
         for run in runs:
             session.add_run(run)
         session.colours = colours or {}
@@ -79,7 +79,7 @@ class Session(OnDisk):
         path = real_path(path)
         before = file_state(path)
         snapshot = read_session(path)
-        session = cls(snapshot, path, author_named(author))
+        session = cls(snapshot, path, resolve_author(author))
         try:
             if snapshot.newer:
                 raise SessionError("made by a newer trackwright; saving would lose what it added")
@@ -107,7 +107,7 @@ class Session(OnDisk):
         """
         path = real_path(path)
         read = read_with_waiting(path)
-        session = cls(read.snapshot, path, author_named(None))
+        session = cls(read.snapshot, path, resolve_author(None))
         session._edited, session._recovered = read.edited, read.waiting
         session._damage += read.damage
         session._notes += read.damage
@@ -253,7 +253,7 @@ class Session(OnDisk):
             kept = keep_damaged(path, file).name
             findings = (*older.findings[:-1], replace(older.findings[-1], kept=kept))
             older = replace(older, findings=findings, changed=False)
-        snapshot = replace(standing_in(older, file), stamps=stamps, recording=recording)
+        snapshot = replace(with_runs_from(older, file), stamps=stamps, recording=recording)
         pending = PendingSave(snapshot, path, 0, store, UNLIMITED)
         try:
             pending.write()
@@ -261,7 +261,7 @@ class Session(OnDisk):
             if not self._is_own_file():  # the backup is in place: no edit of this one fits it
                 self._saved, self._base = -1, self._content
             raise
-        restored = Session(standing_in(snapshot, path), path, self.author)
+        restored = Session(with_runs_from(snapshot, path), path, self.author)
         restored._whereabouts.place = self._whereabouts.place
         restored._store, self._store = store, None
         store.rebase(stamps.session, stamps.save, stamps.included)

@@ -23,7 +23,7 @@ _FAILURES = (
 
 
 @contextmanager
-def opened(path: Path) -> Iterator[h5py.File]:
+def open_readonly(path: Path) -> Iterator[h5py.File]:
     """The file, open for reading only; whatever fails inside is a SessionError."""
     try:
         with h5py.File(path, "r", locking=False) as file:

@@ -13,7 +13,7 @@ import numpy as np
 
 from tracking.errors import EditError, SessionError
 from tracking.session.edited_tracks import Edited
-from tracking.session.hdf5 import opened, text_attribute
+from tracking.session.hdf5 import open_readonly, text_attribute
 from tracking.session.label_tables import read_labels
 from tracking.session.pending_edits import may_wait, read_with_waiting
 from tracking.session.reference import RecordingReference
@@ -21,10 +21,10 @@ from tracking.session.run_notes import read_notes
 from tracking.session.runs import read_settings
 from tracking.session.session_reader import (
     check_file,
-    checked,
+    check_version,
     read_recording,
     read_stamps,
-    told_findings,
+    report_findings,
 )
 from tracking.trackers import changed_settings
 from tracking.tracks import PART_NAMES, Labels
@@ -37,10 +37,10 @@ def describe(path: Path) -> dict[str, Any]:
 
     Raises SessionError as `Session.open` does.
     """
-    _, damage = checked(path)
+    _, damage = check_version(path)
     with _told(path) as file:
         stamps = read_stamps(file)
-        damage += told_findings(file, path)
+        damage += report_findings(file, path)
     read = read_with_waiting(path) if may_wait(path, stamps) else None
     with _told(path) as file:
         recording = read_recording(file["recording"])
@@ -70,7 +70,7 @@ def recording_of(path: Path) -> RecordingReference:
     Raises SessionError as `Session.open` does.
     """
     check_file(path)
-    with opened(path) as file:
+    with open_readonly(path) as file:
         return read_recording(file["recording"])
 
 
@@ -78,7 +78,7 @@ def recording_of(path: Path) -> RecordingReference:
 def _told(path: Path) -> Iterator[h5py.File]:
     """The file; what it says wrongly of people's labels is damage."""
     try:
-        with opened(path) as file:
+        with open_readonly(path) as file:
             yield file
     except EditError as why:
         raise SessionError(f"{path}: the session file is damaged: {why}") from why

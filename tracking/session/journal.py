@@ -12,7 +12,7 @@ from pathlib import Path
 from tracking.editing import Entry
 from tracking.errors import OutputError, SessionError
 from tracking.owned_files import check_file, open_file
-from tracking.session.journal_faults import is_damage, telling
+from tracking.session.journal_faults import is_damage, translate_errors
 from tracking.session.journal_limits import (
     FULL_BYTES,
     LONGEST_CELL,
@@ -29,7 +29,7 @@ from tracking.session.journal_rows import (
     Row,
     checksum,
     first_checksum,
-    numbered,
+    number_rows,
     row_of,
     steps_of,
     text_bytes,
@@ -58,12 +58,12 @@ class Journal:
         Raises OutputError where that fails, SessionError where it is none.
         """
         self._path = path
-        with telling(path, "opened"):
+        with translate_errors(path, "opened"):
             _check_files(path)
             self._base = sqlite3.connect(path, isolation_level=None, check_same_thread=False)
         self._count = StepCount(path.with_name(f"{path.name}-count"), mode)
         try:
-            with telling(path, "opened"):
+            with translate_errors(path, "opened"):
                 self._open()
         except BaseException:
             self.close()
@@ -126,7 +126,7 @@ class Journal:
 
         Raises as opening does, and SessionError where a file has the name already.
         """
-        with telling(path, "made"):
+        with translate_errors(path, "made"):
             _make_file(path, mode)
         journal: Journal | None = None
         try:
@@ -197,7 +197,7 @@ class Journal:
         return (self._last, self._checksum) == (last, before)
 
     def _take_out(self, failed: tuple[int, str], before: str) -> bool:
-        with telling(self._path, "written"), self._transaction():
+        with translate_errors(self._path, "written"), self._transaction():
             rows = self._rows_from(self._last - 1)
             kept = rows[0][-1] if len(rows) > 1 else self._first_checksum()
             if checksum(kept, rows[-1][:-1]) != failed[1] or kept != before:
@@ -227,7 +227,7 @@ class Journal:
         steps: list[Step] = []
         problem = ""
         try:
-            with telling(self._path, "read"), self._limited(SMALL_CELL):
+            with translate_errors(self._path, "read"), self._limited(SMALL_CELL):
                 first, damaged = self._first_checksum(), bool(self._problem)
                 used, limit = self._used_bytes(), self._limit
                 rows = rows_in_order(self._base, first, used, limit, damaged=damaged)
@@ -262,7 +262,7 @@ class Journal:
         row = row_of(Step(self._last + 1, act, entry), self._checksum)
         used = text_bytes(row)
         self._failed = (row[0], row[-1])  # whatever ends this before its last line
-        with telling(self._path, "written"), self._transaction():
+        with translate_errors(self._path, "written"), self._transaction():
             self._check_tail()
             self._base.execute(INSERT, row)
         self._bytes += used
@@ -287,23 +287,23 @@ class Journal:
         """
         if not included and self._origin == (session, save):
             return
-        with telling(self._path, "written"), self._transaction():
+        with translate_errors(self._path, "written"), self._transaction():
             self._check_tail()
-            rows = list(numbered(self._rows_from(included + 1), session, save))
+            rows = list(number_rows(self._rows_from(included + 1), session, save))
             self._attempted = (session, save), [row[-1] for row in rows]
             self._base.execute("DELETE FROM origin")
             self._base.execute("INSERT INTO origin VALUES (?, ?)", (session, save))
             self._base.execute("DELETE FROM steps")
             self._base.executemany(INSERT, rows)
-        with telling(self._path, "read"):
+        with translate_errors(self._path, "read"):
             self._started(session, save)
         self._attempted = None
 
     def _put_all(self, steps: Sequence[Step]) -> None:
         """Write steps into a journal that has none, all of them or none."""
         if steps and self._origin is not None:
-            rows = numbered((row_of(step, "") for step in steps), *self._origin)
-            with telling(self._path, "written"), self._transaction():
+            rows = number_rows((row_of(step, "") for step in steps), *self._origin)
+            with translate_errors(self._path, "written"), self._transaction():
                 self._base.executemany(INSERT, rows)
             self._started(*self._origin)
 

@@ -31,7 +31,7 @@ def is_damage(why: Exception) -> bool:
 
 
 @contextmanager
-def telling(path: Path, what: str) -> Iterator[None]:
+def translate_errors(path: Path, what: str) -> Iterator[None]:
     """Turn what SQLite and the system say about a journal that cannot be "opened" into one line.
 
     Raises OutputError where the disk, rights, memory or time do not suffice, SessionError for

@@ -16,7 +16,7 @@ from pathlib import Path
 
 from tracking.owned_files import look_at, sync_folder
 from tracking.session.journal import ENDINGS, FOREIGN_ENDING, Journal, Step
-from tracking.session.session_writer import telling_where
+from tracking.session.session_writer import explain_file_errors
 
 JOURNAL = "journal.sqlite"
 NEXT = "journal-next.sqlite"
@@ -27,7 +27,7 @@ _OTHERS = (FOREIGN_ENDING, *(ending for ending in ENDINGS if ending))
 """Of the names of files that belong to the main one."""
 
 
-def present(folder: Path) -> Path:
+def find_main(folder: Path) -> Path:
     """The main file of the journal that counts. Raises OSError where nobody can tell."""
     new = folder / NEXT
     return new if _lies_there(new) else folder / JOURNAL
@@ -36,7 +36,7 @@ def present(folder: Path) -> Path:
 def are_there(folder: Path) -> bool:
     """Whether any file of a journal is there. Raises OutputError where nobody can tell."""
     names = (NEXT, *(f"{JOURNAL}{ending}" for ending in ("", *_OTHERS)))
-    with telling_where(folder, "the journal of edits cannot be looked for"):
+    with explain_file_errors(folder, "the journal of edits cannot be looked for"):
         return any(_lies_there(folder / name) for name in names)
 
 
@@ -46,7 +46,7 @@ def set_aside(folder: Path) -> Path:
     Raises OutputError where that fails.
     """
     finish_replacing(folder)
-    with telling_where(folder / JOURNAL, "the journal cannot be kept aside"):
+    with explain_file_errors(folder / JOURNAL, "the journal cannot be kept aside"):
         return _moved_aside(folder)
 
 
@@ -61,7 +61,7 @@ def replace(
     made = folder / f"{_BEING_MADE}{uuid.uuid4().hex}.sqlite"
     try:
         Journal.begun(made, session, save, mode, steps).close()
-        with telling_where(made, "the journal of edits cannot be made anew"):
+        with explain_file_errors(made, "the journal of edits cannot be made anew"):
             if _lies_there(made.with_name(f"{made.name}-wal")):
                 raise OSError(errno.EIO, "its log could not be emptied")
             made.replace(folder / NEXT)
@@ -81,7 +81,7 @@ def finish_replacing(folder: Path) -> Path | None:
     Gives the name that the journal before is kept aside as. Raises OutputError where that fails.
     """
     _clear(folder)
-    with telling_where(folder / JOURNAL, "the journal cannot be kept aside"):
+    with explain_file_errors(folder / JOURNAL, "the journal cannot be kept aside"):
         if not _lies_there(folder / NEXT):
             return None
         aside = _moved_aside(folder)
@@ -90,7 +90,7 @@ def finish_replacing(folder: Path) -> Path | None:
     return aside
 
 
-def kept_aside(folder: Path, most: int) -> list[Path]:
+def list_set_aside(folder: Path, most: int) -> list[Path]:
     """So many journals that were kept aside, the latest; [] where nobody can tell."""
     with contextlib.suppress(OSError):
         kept = folder.glob(f"{_ASIDE}*.sqlite")

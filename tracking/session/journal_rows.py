@@ -77,7 +77,7 @@ def row_of(step: Step, before: str) -> Row:
     return (*values, checksum(before, values))
 
 
-def numbered(rows: Iterable[Row], session: str, save: str) -> Iterator[Row]:
+def number_rows(rows: Iterable[Row], session: str, save: str) -> Iterator[Row]:
     """The rows with numbers from 1 on and checksums that build on another save."""
     before = first_checksum(session, save)
     for number, row in enumerate(rows, 1):

@@ -41,11 +41,11 @@ def tell_damage(note: str) -> str:
     return note
 
 
-def changed(path: Path) -> str:
+def note_of_change(path: Path) -> str:
     """The note on a file that is not as it was saved."""
     return _CHANGED.format(path=path)
 
 
-def without_seal(path: Path) -> str:
+def note_of_missing_seal(path: Path) -> str:
     """The note on a file that must have a checksum and has none."""
     return _NO_SEAL.format(path=path)

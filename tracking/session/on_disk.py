@@ -15,7 +15,7 @@ from tracking.session.notes import tell, tell_damage
 from tracking.session.pending_edits import edits_wait, notes_on_kept
 from tracking.session.pending_save import PendingSave, next_stamps
 from tracking.session.recovery import recover
-from tracking.session.session_reader import saved_as
+from tracking.session.session_reader import read_save
 from tracking.session.session_state import SessionState
 from tracking.session.session_writer import companions, keep_damaged
 from tracking.session.stamps import now
@@ -40,7 +40,7 @@ class OnDisk(SessionState):
     def _is_own_file(self) -> bool:
         """Whether the file under the session's name is what this session saved last."""
         path, stamps = self._path, self._stamps
-        return path is not None and saved_as(path) == (stamps.session, stamps.save)
+        return path is not None and read_save(path) == (stamps.session, stamps.save)
 
     def _put_base_on_disk(self) -> None:
         """See to it that the file holds the run that is edited: the journal builds on it."""

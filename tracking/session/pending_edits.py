@@ -18,11 +18,11 @@ from tracking.recording.plurals import counted
 from tracking.session.edited_tracks import Edited
 from tracking.session.image import Snapshot, Stamps
 from tracking.session.journal import ENDINGS, Journal, Step
-from tracking.session.journal_files import JOURNAL, NEXT, are_there, kept_aside, present
+from tracking.session.journal_files import JOURNAL, NEXT, are_there, find_main, list_set_aside
 from tracking.session.journal_limits import MOST_BYTES, MOST_COUNT_BYTES
 from tracking.session.journal_sizes import files_to_copy
 from tracking.session.notes import MAY_MISS, tell_damage
-from tracking.session.recovery import Missing, do_not_fit, missing_steps
+from tracking.session.recovery import Missing, explain_misfit, find_missing_steps
 from tracking.session.session_reader import read_session
 from tracking.session.session_writer import companions, file_state
 
@@ -53,7 +53,7 @@ def notes_on_kept(path: Path, stamps: Stamps, history: History) -> dict[Path, st
 
     Of a journal that cannot be read nothing is said: that was told when it was kept aside.
     """
-    beside = kept_aside(companions(path), _MOST_KEPT)
+    beside = list_set_aside(companions(path), _MOST_KEPT)
     known = {(one.id, one.time, one.author, one.text) for one in history} if beside else set()
     notes: dict[Path, str] = {}
     for kept in beside:
@@ -61,7 +61,9 @@ def notes_on_kept(path: Path, stamps: Stamps, history: History) -> dict[Path, st
             contextlib.suppress(SessionError, OutputError, OSError),
             _copied(kept) as journal,
         ):
-            made = [one.entry for one in missing_steps(journal, stamps).steps if one.act == "apply"]
+            made = [
+                one.entry for one in find_missing_steps(journal, stamps).steps if one.act == "apply"
+            ]
             lost = sum((one.id, one.time, one.author, one.text) not in known for one in made)
             if lost:
                 verb = "is" if lost == 1 else "are"
@@ -106,7 +108,7 @@ def _read(path: Path) -> ReadSession:
             made += 1
         note = f"the journal of edits is damaged ({problem}): {MAY_MISS}" if problem else ""
     except EditError as why:
-        note = f"{do_not_fit(steps[made:])} ({why}): {MAY_MISS}"
+        note = f"{explain_misfit(steps[made:])} ({why}): {MAY_MISS}"
     except SessionError as why:
         note = f"{why.reason}: {MAY_MISS}"
     except OSError as why:
@@ -142,13 +144,13 @@ def edits_wait(path: Path) -> bool:
     try:
         if not _lies_beside(path):
             return False
-        with _copied(present(companions(path))) as journal:
+        with _copied(find_main(companions(path))) as journal:
             return journal.may_have_steps
     except (SessionError, OutputError, OSError):
         return True
 
 
-def worked_on_s(path: Path) -> float:
+def last_worked_on_s(path: Path) -> float:
     """When somebody saved or edited a session last, in seconds of the clock; 0: it is gone."""
     beside = companions(path) / JOURNAL
     return max(map(_written_s, (path, beside, beside.with_name(f"{JOURNAL}-wal"))))
@@ -165,8 +167,8 @@ def _missing(path: Path, stamps: Stamps) -> Missing:
     """The steps that wait. Raises SessionError, OutputError or OSError where nobody can tell."""
     if not _lies_beside(path):
         return Missing()
-    with _copied(present(companions(path))) as journal:
-        return missing_steps(journal, stamps)
+    with _copied(find_main(companions(path))) as journal:
+        return find_missing_steps(journal, stamps)
 
 
 def _lies_beside(path: Path) -> bool:

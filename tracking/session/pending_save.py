@@ -9,7 +9,7 @@ from pathlib import Path
 
 from tracking.session.image import Snapshot, Stamps, write_image
 from tracking.session.session_writer import MAX_BACKUPS, replace_verified
-from tracking.session.stamps import made_up, now, software
+from tracking.session.stamps import make_id, now, software
 from tracking.session.store import Store
 
 
@@ -57,7 +57,7 @@ def next_stamps(stamps: Stamps, own: Stamps, store: Store | None) -> Stamps:
     return replace(
         stamps,
         session=own.session,
-        save=made_up(),
+        save=make_id(),
         previous_save=origin[1] if origin else own.save if store is not None else "",
         included=journal.last if journal is not None else 0,
         modified=now(),

@@ -53,7 +53,7 @@ def recover(edited: Edited, store: Store, stamps: Stamps) -> Recovery:
     """
     try:
         journal = store.take_over()
-        missing = missing_steps(journal, stamps)
+        missing = find_missing_steps(journal, stamps)
     except SessionError as why:
         reason = why.reason
         return _replaced(store, stamps, (), lambda kept: f"{reason}; it was {kept}: {MAY_MISS}")
@@ -69,7 +69,7 @@ def recover(edited: Edited, store: Store, stamps: Stamps) -> Recovery:
 
     def damage(kept: str) -> str:
         if misfit:
-            return f"{do_not_fit(steps[made:])} ({misfit}); {kept}"
+            return f"{explain_misfit(steps[made:])} ({misfit}); {kept}"
         return f"the journal of edits is damaged ({missing.problem}); it was {kept}: {MAY_MISS}"
 
     return _replaced(store, stamps, steps[:made], damage)
@@ -105,13 +105,13 @@ def _replaced(
     return Recovery(len(steps), _told(steps), (damage(kept),), failed)
 
 
-def do_not_fit(steps: Sequence[Step]) -> str:
+def explain_misfit(steps: Sequence[Step]) -> str:
     """How many edits these are, and that they do not fit the session."""
     left = len({step.entry.id for step in steps})
     return f"{_edits(left)} {'does' if left == 1 else 'do'} not fit"
 
 
-def missing_steps(journal: Journal, stamps: Stamps) -> Missing:
+def find_missing_steps(journal: Journal, stamps: Stamps) -> Missing:
     """The journal's steps that were made after the file was saved, in order.
 
     The journal builds on this save, or on the one before it where the program ended between

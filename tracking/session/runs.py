@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.errors import EditError, SessionError
-from tracking.session.hdf5 import opened, read_columns, text_attribute
+from tracking.session.hdf5 import open_readonly, read_columns, text_attribute
 from tracking.session.image_file import ImageFile
 from tracking.session.layout import CHUNK_ROWS, LATER_RUN_COLUMNS, PARTICLE_TABLES, RUN_TABLES
 from tracking.session.run_notes import read_notes
@@ -51,7 +51,7 @@ class StoredRun:
         What a file of an older format does not have is there with all its columns and no rows.
         Raises SessionError where the file is damaged or out of reach.
         """
-        with opened(self.path) as file:
+        with open_readonly(self.path) as file:
             group = file[f"runs/{self.number}"]
             tables = {
                 name: _read_table(group[name], name) if name in group else empty(types)
@@ -78,7 +78,7 @@ class StoredRun:
 
     def tracker(self) -> str:
         """The name of its tracker, without loading it. Raises SessionError as `load`."""
-        with opened(self.path) as file:
+        with open_readonly(self.path) as file:
             return text_attribute(file[f"runs/{self.number}"], "tracker")
 
     def copy_into(self, image: ImageFile, target: h5py.Group) -> None:
@@ -190,14 +190,14 @@ class StoredColumn:
 
     def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[Any]:
         """The whole column."""
-        with opened(self._path) as file:
+        with open_readonly(self._path) as file:
             return np.asarray(file[self._dataset][()], dtype)
 
     def _block(self, number: int) -> NDArray[Any]:
         if number in self._blocks:
             self._blocks.move_to_end(number)
             return self._blocks[number]
-        with opened(self._path) as file:
+        with open_readonly(self._path) as file:
             block: NDArray[Any] = file[self._dataset][
                 number * CHUNK_ROWS : (number + 1) * CHUNK_ROWS
             ]

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import h5py
 
-from tracking.session.hdf5 import opened
+from tracking.session.hdf5 import open_readonly
 from tracking.session.image_file import ImageFile
 
 _SMALL_BYTES = 1 << 16
@@ -20,7 +20,7 @@ def copy_group(path: Path, name: str, image: ImageFile, target: h5py.Group) -> N
     one refuses: what is read and what is written fail apart from each other.
     """
     long = []
-    with opened(path) as file:
+    with open_readonly(path) as file:
         source = file[name]
         _copy_attributes(source, target)
         for key, node in source.items():
@@ -63,7 +63,7 @@ def _copy_attributes(source: h5py.HLObject, target: h5py.HLObject) -> None:
 
 
 def _pieces(path: Path, name: str) -> Iterator[tuple[int, bytes]]:
-    with opened(path) as file:
+    with open_readonly(path) as file:
         dataset = file[name]
         for start in range(0, len(dataset), dataset.chunks[0]):
             _, piece = dataset.id.read_direct_chunk((start,))

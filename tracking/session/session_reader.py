@@ -10,15 +10,15 @@ from typing import Any
 
 import h5py
 
-from tracking.editing import TOUCHED_COLUMNS, Entry, History, Scope, TouchIndex, touched
+from tracking.editing import TOUCHED_COLUMNS, Entry, History, Scope, TouchIndex, footprint_of
 from tracking.errors import EditError, SessionError
 from tracking.session import inspection
 from tracking.session.findings import CHECKSUM, Finding, read_findings
-from tracking.session.hdf5 import begin_columns, opened, read_columns, text_attribute
+from tracking.session.hdf5 import begin_columns, open_readonly, read_columns, text_attribute
 from tracking.session.image import Snapshot, Stamps
 from tracking.session.label_tables import read_labels
 from tracking.session.layout import COLOUR_COLUMNS, EDIT_COLUMNS, SOURCE_COLUMNS, VERSION
-from tracking.session.notes import changed, tell_damage, without_seal
+from tracking.session.notes import note_of_change, note_of_missing_seal, tell_damage
 from tracking.session.reference import RecordingReference, SourceFingerprint
 from tracking.session.runs import StoredRun
 from tracking.session.seal import holds as is_sealed
@@ -39,10 +39,10 @@ def read_session(path: Path) -> Snapshot:
 
     Raises SessionError where it is missing, no session, damaged, hostile or too new.
     """
-    version, damage = checked(path)
-    with opened(path) as file:
+    version, damage = check_version(path)
+    with open_readonly(path) as file:
         snapshot = _READERS[version[0]](file, path)
-        findings, known = read_findings(file), told_findings(file, path)
+        findings, known = read_findings(file), report_findings(file, path)
     if damage:
         findings = (*findings, Finding(now(), CHECKSUM))
     return replace(
@@ -54,16 +54,16 @@ def read_session(path: Path) -> Snapshot:
     )
 
 
-def told_findings(file: h5py.File, path: Path) -> tuple[str, ...]:
+def report_findings(file: h5py.File, path: Path) -> tuple[str, ...]:
     """What was found damaged of the session before and nobody has accepted: told once more."""
     open_ones = [one for one in read_findings(file) if not one.accepted]
     return tuple(tell_damage(one.note(path)) for one in open_ones)
 
 
-def saved_as(path: Path) -> tuple[str, str]:
+def read_save(path: Path) -> tuple[str, str]:
     """Which session a file is, and which of its saves: see `Stamps`. Raises SessionError."""
     check_file(path)
-    with opened(path) as file:
+    with open_readonly(path) as file:
         stamps = read_stamps(file)
     return stamps.session, stamps.save
 
@@ -74,10 +74,10 @@ def check_file(path: Path) -> tuple[int, int]:
     One that bears this user's seal need not be: its structure is as it was saved. What is damaged
     is told (see `notes`). Raises SessionError with the verdict where it is not safe to read.
     """
-    return checked(path)[0]
+    return check_version(path)[0]
 
 
-def checked(path: Path) -> tuple[tuple[int, int], tuple[str, ...]]:
+def check_version(path: Path) -> tuple[tuple[int, int], tuple[str, ...]]:
     """The version of a file that is safe to read, and what is damaged of it, which is told."""
     try:
         is_folder, is_there = path.is_dir(), path.is_file()
@@ -91,7 +91,7 @@ def checked(path: Path) -> tuple[tuple[int, int], tuple[str, ...]]:
         raise SessionError(f"{path}: there is no such session; check the path")
     if is_sealed(path):
         return VERSION, ()
-    verdict = verdicts_on([path])[0]
+    verdict = inspect_files([path])[0]
     if "refused" in verdict:
         raise SessionError(f"{path}{verdict['refused']}{_way_out(path, verdict['refused'])}")
     version = _version(verdict)
@@ -107,8 +107,8 @@ def _version(verdict: Mapping[str, Any]) -> tuple[int, int]:
 def _damage_of(path: Path, version: tuple[int, int]) -> str:
     """What is damaged of a file that is safe to read, in a line; "" where nothing is known."""
     if _ALL_SEALED <= version <= VERSION and is_missing(path):  # a later one may seal otherwise
-        return without_seal(path)
-    return changed(path) if is_changed(path) else ""
+        return note_of_missing_seal(path)
+    return note_of_change(path) if is_changed(path) else ""
 
 
 def check_files(paths: Sequence[Path]) -> list[tuple[str, str]]:
@@ -117,7 +117,7 @@ def check_files(paths: Sequence[Path]) -> list[tuple[str, str]]:
     One other program looks at all. Nothing is told: these are not the session that is read.
     """
     asked = [path for path in paths if not is_sealed(path)]
-    verdicts = dict(zip(asked, verdicts_on(asked), strict=True))
+    verdicts = dict(zip(asked, inspect_files(asked), strict=True))
     found = []
     for path in paths:
         verdict = verdicts.get(path)
@@ -127,7 +127,7 @@ def check_files(paths: Sequence[Path]) -> list[tuple[str, str]]:
     return found
 
 
-def verdicts_on(paths: Sequence[Path]) -> list[dict[str, Any]]:
+def inspect_files(paths: Sequence[Path]) -> list[dict[str, Any]]:
     """What the other program says of each file; one that it does not survive is damaged."""
     return verdicts_of(inspection.__file__, "session", paths)
 
@@ -204,7 +204,7 @@ def _read_touched(group: h5py.Group, edits: Sequence[Entry]) -> TouchIndex:
     index = TouchIndex()
     for entry in edits:
         with contextlib.suppress(EditError):  # a damaged line is told when it is asked for
-            index.add(entry.id, touched(entry.change))
+            index.add(entry.id, footprint_of(entry.change))
     return index
 
 

@@ -13,7 +13,7 @@ from tracking.session.pending_save import PendingSave
 from tracking.session.reference import RecordingReference
 from tracking.session.runs import Runs
 from tracking.session.samples import KeptSamples
-from tracking.session.stamps import author_named
+from tracking.session.stamps import resolve_author
 from tracking.session.store import Store
 from tracking.session.whereabouts import Whereabouts
 from tracking.tracks import Labels, Run, TrackTable
@@ -118,7 +118,7 @@ class SessionState:
 
     @author.setter
     def author(self, name: str) -> None:
-        self._author = author_named(name)
+        self._author = resolve_author(name)
 
     @property
     def dirty(self) -> bool:

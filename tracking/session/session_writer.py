@@ -79,8 +79,8 @@ def replace_verified(
     the new one in its place that a power cut may undo.
     """
     folder = companions(path)
-    beside = unfinished_name(path)
-    with telling_where(path):
+    beside = name_unfinished(path)
+    with explain_file_errors(path):
         check_target(path)
         check_folder(folder)
         try:
@@ -101,7 +101,7 @@ def replace_verified(
         sync_folder(path.parent)
 
 
-def unfinished_name(path: Path) -> Path:
+def name_unfinished(path: Path) -> Path:
     """Where to write a file that is to take the session's place."""
     return companions(path) / f"saving-{uuid.uuid4().hex}.h5"
 
@@ -120,7 +120,7 @@ def keep_damaged(path: Path, file: Path | None = None) -> Path:
     """
     file = path if file is None else file
     kept = free_name(companions(path) / f"damaged-{path.suffix}")
-    with telling_where(kept, "the damaged file cannot be kept"):
+    with explain_file_errors(kept, "the damaged file cannot be kept"):
         try:
             os.link(file, kept)
         except OSError:  # a disk without second names
@@ -161,7 +161,7 @@ def clear_leftovers(path: Path) -> None:
 
 
 @contextlib.contextmanager
-def telling_where(path: Path, failed: str = "the session was not saved") -> Iterator[None]:
+def explain_file_errors(path: Path, failed: str = "the session was not saved") -> Iterator[None]:
     """Turn what the system says about a file into one line a user can act on."""
     try:
         yield
@@ -207,7 +207,7 @@ def _keep_backup(path: Path) -> None:
     try:
         os.link(path, newest)
     except OSError:  # a disk without second names
-        unfinished = unfinished_name(path)
+        unfinished = name_unfinished(path)
         try:
             copy_file(path, unfinished)
             unfinished.replace(newest)

@@ -18,7 +18,7 @@ def now() -> str:
     return datetime.now(UTC).isoformat(timespec="milliseconds")
 
 
-def made_up() -> str:
+def make_id() -> str:
     """A name nothing else bears: 32 hexadecimal digits."""
     return uuid.uuid4().hex
 
@@ -28,7 +28,7 @@ def software() -> str:
     return f"trackwright {metadata.version('trackwright')}"
 
 
-def author_named(named: str | None) -> str:
+def resolve_author(named: str | None) -> str:
     """The author of edits: as the caller says, else as the environment does, else the account.
 
     "" where none has a name. A name is one line of at most `LONGEST_AUTHOR` characters.

@@ -117,7 +117,7 @@ class ImportOrigin:
         }
 
 
-def importable(
+def fit_to_recording(
     imported: Imported,
     filmed: Filmed,
     wish: ImportWish,
@@ -159,7 +159,7 @@ def importable(
     return found
 
 
-def filmed_by(recording: Recording) -> Filmed:
+def describe_footage(recording: Recording) -> Filmed:
     """What is known of a recording."""
     return Filmed(recording.frame_count, recording.fps, recording.size, recording.view)
 

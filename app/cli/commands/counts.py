@@ -9,11 +9,11 @@ import typer
 
 from app.cli import options
 from app.cli.commands.program import program
-from app.cli.option_groups import InPicture, OnFloor, spread
+from app.cli.option_groups import InPicture, OnFloor, expand_groups
 
 
 @program.command()
-@spread
+@expand_groups
 def count(
     session: Annotated[Path, typer.Argument(help="A session.")],
     *,

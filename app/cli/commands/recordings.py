@@ -9,7 +9,7 @@ import typer
 
 from app.cli import options
 from app.cli.commands.program import program
-from app.cli.option_groups import Bare, spread
+from app.cli.option_groups import Bare, expand_groups
 
 SCENE_NAMES = (
     "lobby",
@@ -54,7 +54,7 @@ def demo(
 
 
 @program.command(name="open")
-@spread
+@expand_groups
 def open_window(
     path: Annotated[Path | None, typer.Argument(help="A recording or a session.")] = None,
     *,
@@ -70,7 +70,7 @@ def open_window(
 
 
 @program.command()
-@spread
+@expand_groups
 def info(
     path: Annotated[Path | None, typer.Argument(help="A recording or a session.")] = None,
     *,

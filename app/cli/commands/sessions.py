@@ -9,7 +9,7 @@ import typer
 
 from app.cli import completions, import_options, options
 from app.cli.commands.program import program
-from app.cli.option_groups import Bare, spread
+from app.cli.option_groups import Bare, expand_groups
 
 
 @program.command()
@@ -22,7 +22,7 @@ def export(
         str,
         typer.Option(
             "--format",
-            autocompletion=completions.written_formats,
+            autocompletion=completions.complete_export_formats,
             help="mot, mot16, kitti, csv, cvat, coco, pedpy-txt, pedpy-h5 ...; a wrong name lists "
             "them all. Of body parts: labels (CSV), or samples (OUT ends in .csv, .h5, .libsvm); "
             "in samples part is 0 head, 1 torso, 2 hip-leg; label is 1 on its part, 0 off it.",
@@ -57,7 +57,7 @@ def export(
 
 
 @program.command("import")
-@spread
+@expand_groups
 def import_tracks(
     tracks: import_options.Tracks,
     recording: import_options.Footage = None,

@@ -9,7 +9,7 @@ import typer
 
 from app.cli import completions, options
 from app.cli.commands.program import program
-from app.cli.option_groups import Bare, Onward, Order, spread
+from app.cli.option_groups import Bare, Onward, Order, expand_groups
 
 
 @program.command()
@@ -17,7 +17,9 @@ def trackers(
     name: Annotated[
         str | None,
         typer.Argument(
-            help="Of one tracker only.", show_default="all", autocompletion=completions.trackers
+            help="Of one tracker only.",
+            show_default="all",
+            autocompletion=completions.complete_trackers,
         ),
     ] = None,
     json: options.Json = False,
@@ -29,7 +31,7 @@ def trackers(
 
 
 @program.command()
-@spread
+@expand_groups
 def track(
     recording: Annotated[
         Path | None, typer.Argument(help="A recording's folder, a video or an image folder.")
@@ -49,9 +51,9 @@ def track(
         reason = f"a session's name ends in .h5: give {out.stem or 'NAME'}.h5"
         raise typer.BadParameter(reason, param_hint="--out")
     from app.cli.track import run_track
-    from app.cli.track_again import asked_again, run_track_again
+    from app.cli.track_again import parse_request, run_track_again
 
-    if (request := asked_again(onward, recording, out, bare)) is not None:
+    if (request := parse_request(onward, recording, out, bare)) is not None:
         run_track_again(request, order, force=force, as_json=json)
         return
     if out is None:

@@ -93,7 +93,7 @@ def read_other(path: Path, own: Session, snapshot: TrackTable, report: Progress)
     )
 
 
-def compared_again(
+def compare_again(
     other: OtherSession, own: Session, snapshot: TrackTable, report: Progress
 ) -> OtherSession:
     """The same session compared with the open one as it is by now."""

@@ -10,8 +10,8 @@ from tracking.editing import (
     Difference,
     History,
     compare_runs,
-    differing_rows,
-    protected_stretches,
+    compare_to_table,
+    find_protected,
 )
 from tracking.progress import Progress
 from tracking.session import Session
@@ -55,9 +55,9 @@ def _with_tracks(
     report: Progress,
 ) -> Found:
     report(0, 1)
-    protection = protected_stretches(*corrected, fps=fps)
+    protection = find_protected(*corrected, fps=fps)
     table = corrected[0]
-    found, rows = differing_rows(table, run, frames, protection, fps=fps, progress=report)
+    found, rows = compare_to_table(table, run, frames, protection, fps=fps, progress=report)
     return Found(_by_time(found), table, TrackTable(rows))
 
 

@@ -2,7 +2,7 @@
 
 from app.presenters.correcting.edit_context import EditContext
 from app.presenters.correcting.flow import EditFlow, Fill, Range
-from app.presenters.correcting.initial_box import begun_box, begun_place
+from app.presenters.correcting.initial_box import propose_initial_box, propose_initial_place
 from app.presenters.correcting.kinds import (
     OF_SEVERAL,
     OF_TWO,
@@ -14,10 +14,10 @@ from app.presenters.correcting.kinds import (
 )
 from app.presenters.correcting.preview import (
     PlannedEdit,
-    planned_edit,
+    preview_change,
+    preview_plan,
     preview_trails,
-    replaced_rows,
-    shown_edit,
+    rows_replaced_by,
 )
 from app.presenters.correcting.preview_tracks import PreviewedTracks
 from app.presenters.correcting.recording_geometry import Place, RecordingGeometry
@@ -38,10 +38,10 @@ __all__ = [
     "Range",
     "RecordingGeometry",
     "Way",
-    "begun_box",
-    "begun_place",
-    "planned_edit",
+    "preview_change",
+    "preview_plan",
     "preview_trails",
-    "replaced_rows",
-    "shown_edit",
+    "propose_initial_box",
+    "propose_initial_place",
+    "rows_replaced_by",
 ]

@@ -17,15 +17,15 @@ from app.presenters.correcting import (
     PlannedEdit,
     Range,
     RecordingGeometry,
-    begun_box,
-    begun_place,
-    planned_edit,
-    shown_edit,
+    preview_change,
+    preview_plan,
+    propose_initial_box,
+    propose_initial_place,
 )
 from app.presenters.correcting.gap_places import gap_near, next_filled
 from app.presenters.correcting.nearness import followers_first, nearest_first
 from app.presenters.correcting.review_target import is_near
-from app.presenters.correcting.swap_candidates import changed_over
+from app.presenters.correcting.swap_candidates import find_swap_candidates
 from app.presenters.document.selection import Selection
 from app.presenters.i18n import tr
 from tracking.review import ReviewItem
@@ -124,7 +124,7 @@ class Correcting:
         if flow is None or flow.kind is not EditKind.FILL_ALL or change is None or on is None:
             return
         self.flow = replace(flow, cut=next_filled(change, flow.cut, step))
-        self.planned = shown_edit(self.flow, on, change)
+        self.planned = preview_change(self.flow, on, change)
 
     def begin_drawing(self, frame: int, new: bool = False) -> None:
         """W: draw a box, of who is selected or of somebody new; one that is there is replaced."""
@@ -202,8 +202,8 @@ class Correcting:
         two, fps = {flow.track, other}, self._geometry.fps
         one = self.item_looked_at()
         if one is None or not two.issuperset(one.tracks) or not is_near(one, near, fps):
-            return flow.with_other(other, changed_over(on, flow.track, other, near))
-        cuts = changed_over(on, flow.track, other, one.frame, (one.start, one.end))
+            return flow.with_other(other, find_swap_candidates(on, flow.track, other, near))
+        cuts = find_swap_candidates(on, flow.track, other, one.frame, (one.start, one.end))
         return flow.with_other(other, cuts)
 
     # changing
@@ -213,7 +213,7 @@ class Correcting:
         on = self._edit_context()
         if on is not None:
             self.flow = flow
-            self.planned = planned_edit(flow, on, problem)
+            self.planned = preview_plan(flow, on, problem)
 
     def next_proposal(self, step: int) -> None:
         """Up or Down: another of the people, or of the frames, that were found."""
@@ -301,7 +301,7 @@ def _with_proposal(flow: EditFlow, on: EditContext) -> EditFlow:
         return flow if gap is None else replace(flow, cut=gap)
     if not flow.places:
         return flow
-    box, place = begun_box(flow, on), begun_place(flow, on)
+    box, place = propose_initial_box(flow, on), propose_initial_place(flow, on)
     made = on.table.of_track(flow.track)["source"]
     by_hand = bool(flow.track) and len(made) > 0 and bool(np.any(made != 0))
     joined = flow.kind is EditKind.DRAW and by_hand

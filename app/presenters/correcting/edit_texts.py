@@ -12,7 +12,7 @@ from app.presenters.correcting.edit_names import option_name, question, title_of
 from app.presenters.correcting.flow import EditFlow
 from app.presenters.correcting.kinds import EditKind, EditScope
 from app.presenters.correcting.nearness import metres_apart
-from app.presenters.i18n import counted, time_text, tr
+from app.presenters.i18n import count_text, time_text, tr
 from app.presenters.scenes import ChoiceRow, EditPreview, Proposal
 from tracking.editing import Change
 from tracking.tracks import Columns, TrackTable, next_track, pairs_of, row_keys
@@ -129,12 +129,12 @@ def _counts(change: Change, table: TrackTable) -> list[str]:
 
 def _frames_of(counts: Mapping[int, int]) -> str:
     named = [
-        counted(n, "{n} frame of {track}", "{n} frames of {track}", track=track)
+        count_text(n, "{n} frame of {track}", "{n} frames of {track}", track=track)
         for track, n in list(counts.items())[:_MOST_NAMED]
     ]
     rest = sum(list(counts.values())[_MOST_NAMED:])
     if rest:
-        named.append(counted(rest, "{n} frame of others", "{n} frames of others"))
+        named.append(count_text(rest, "{n} frame of others", "{n} frames of others"))
     return ", ".join(named)
 
 

@@ -11,14 +11,14 @@ from app.presenters.correcting.recording_geometry import Place, box_of
 from tracking.tracks import Box
 
 
-def begun_box(flow: EditFlow, on: EditContext) -> Box:
+def propose_initial_box(flow: EditFlow, on: EditContext) -> Box:
     """The box of the person in the frame or where they stand nearest to it; else a usual one."""
     row = nearest_row(on.table, flow.track, flow.cut)
     box = box_of(row) if row is not None else on.geometry.first_box()
     return box if np.isfinite(box).all() and min(box[2:]) > 0 else on.geometry.first_box()
 
 
-def begun_place(flow: EditFlow, on: EditContext) -> Place | None:
+def propose_initial_place(flow: EditFlow, on: EditContext) -> Place | None:
     """Where the person stands in the frame; None where they do not, or nobody knows where."""
     row = on.table.of_track(flow.track, flow.cut, flow.cut + 1)
     if not len(row["x"]) or not np.isfinite(row["x"][0] + row["y"][0]):

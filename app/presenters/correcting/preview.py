@@ -12,8 +12,8 @@ from app.presenters.correcting.edit_context import EditContext
 from app.presenters.correcting.edit_planner import plan_of
 from app.presenters.correcting.edit_texts import preview_scene
 from app.presenters.correcting.flow import EditFlow, Range
-from app.presenters.correcting.preview_tracks import changed_rows, within
-from app.presenters.document.track_reader import joined
+from app.presenters.correcting.preview_tracks import apply_to_rows, within
+from app.presenters.document.track_reader import concatenate
 from app.presenters.i18n import tr
 from app.presenters.scenes import EditPreview, PreviewTrail
 from app.presenters.track_colours import ColourOf
@@ -43,7 +43,7 @@ class PlannedEdit:
     after: tuple[Columns, ...] = ()
 
 
-def planned_edit(flow: EditFlow, on: EditContext, problem: str = "") -> PlannedEdit:
+def preview_plan(flow: EditFlow, on: EditContext, problem: str = "") -> PlannedEdit:
     """Plan the edit and say what it would do; a plan that does not apply says why.
 
     `problem` is said instead where the other person was not to be found.
@@ -56,15 +56,17 @@ def planned_edit(flow: EditFlow, on: EditContext, problem: str = "") -> PlannedE
         )
         lines = (problem, ask if flow.needs_other else str(why_not))
         return PlannedEdit(preview_scene(flow, tuple(filter(None, lines)), None, on))
-    return shown_edit(flow, on, change, problem)
+    return preview_change(flow, on, change, problem)
 
 
-def shown_edit(flow: EditFlow, on: EditContext, change: Change, problem: str = "") -> PlannedEdit:
+def preview_change(
+    flow: EditFlow, on: EditContext, change: Change, problem: str = ""
+) -> PlannedEdit:
     """An edit whose change is known already, shown around its cut."""
     around = round(AROUND_S * on.geometry.fps)
     window = max(0, flow.cut - around), flow.cut + around
     before = _rows_of(on, change, window)
-    after = changed_rows(before, change, window)
+    after = apply_to_rows(before, change, window)
     scene = preview_scene(flow, (problem,) if problem else (), change, on)
     return PlannedEdit(scene, change, _by_track(before), _by_track(after))
 
@@ -81,7 +83,7 @@ def preview_trails(
     )
 
 
-def replaced_rows(planned: PlannedEdit | None, frame: int) -> Columns | None:
+def rows_replaced_by(planned: PlannedEdit | None, frame: int) -> Columns | None:
     """The rows of a frame that the edit moves elsewhere or takes out; None where there are none."""
     if planned is None or planned.change is None:
         return None
@@ -92,7 +94,7 @@ def replaced_rows(planned: PlannedEdit | None, frame: int) -> Columns | None:
 def _rows_of(on: EditContext, change: Change, window: Range) -> Columns:
     """The rows of everybody the change is about, around it."""
     parts = [on.table.of_track(track, *window) for track in change.tracks]
-    return joined(parts)
+    return concatenate(parts)
 
 
 def _by_track(rows: Columns) -> tuple[Columns, ...]:

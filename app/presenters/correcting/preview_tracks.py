@@ -36,12 +36,12 @@ class PreviewedTracks:
 
     def of_frame(self, frame: int) -> Columns:
         """The frame's rows as they would be."""
-        return changed_rows(self._tracks.of_frame(frame), self._change, (frame, frame + 1))
+        return apply_to_rows(self._tracks.of_frame(frame), self._change, (frame, frame + 1))
 
     def recent(self, frame: int, back: int) -> Columns:
         """The rows of the frame's people and of `back` frames before as they would be."""
         window = max(0, frame - back), frame + 1
-        return changed_rows(self._tracks.recent(frame, back), self._change, window)
+        return apply_to_rows(self._tracks.recent(frame, back), self._change, window)
 
     def of_track(self, track: int) -> Columns:
         """As before."""
@@ -76,7 +76,7 @@ class PreviewedTracks:
         return self._tracks.parts_of_track(track)
 
     def _handed_over(self, rows: Columns, frame: int) -> Columns:
-        track = handed_over(rows["track"], np.int64(frame), self._change)
+        track = reassign_ids(rows["track"], np.int64(frame), self._change)
         return {**rows, "track": track}
 
     def spans(self, tracks: Iterable[int] | None = None) -> dict[int, Spans]:
@@ -92,7 +92,7 @@ class PreviewedTracks:
         return self._tracks.activity(frame_count)
 
 
-def changed_rows(rows: Columns, change: Change, window: Range) -> Columns:
+def apply_to_rows(rows: Columns, change: Change, window: Range) -> Columns:
     """Some rows with all their columns as a change would leave them, with those it adds.
 
     Args:
@@ -101,7 +101,7 @@ def changed_rows(rows: Columns, change: Change, window: Range) -> Columns:
     """
     kept = ~np.isin(_keys(rows), _keys(change.before.rows))
     come = within(change.after.rows, window)
-    track = handed_over(rows["track"], rows["frame"], change)
+    track = reassign_ids(rows["track"], rows["frame"], change)
     joined = {
         name: np.concatenate(((track if name == "track" else rows[name])[kept], come[name]))
         for name in rows
@@ -110,7 +110,7 @@ def changed_rows(rows: Columns, change: Change, window: Range) -> Columns:
     return {name: column[order] for name, column in joined.items()}
 
 
-def handed_over(
+def reassign_ids(
     tracks: NDArray[np.int32], frames: NDArray[np.int32] | np.int64, change: Change
 ) -> NDArray[np.int32]:
     """(n,) ids of rows in some frames (or all in one) after the change's stretches moved."""

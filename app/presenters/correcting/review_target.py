@@ -21,7 +21,7 @@ def is_near(item: ReviewItem, frame: int, fps: float) -> bool:
     return item.start - around <= frame < item.end + around
 
 
-def first_shown(item: ReviewItem, table: TrackTable) -> int:
+def find_first_frame(item: ReviewItem, table: TrackTable) -> int:
     """The first frame of a review item's stretch in which its people are there to be seen.
 
     All of them, up to where it happened; else somebody, in the stretch or nearest to it. Of tracks

@@ -17,7 +17,7 @@ _REACH_FRAMES = 1000
 """Looked at to either side of the user's frame first, so that hours cost no more than minutes."""
 
 
-def changed_over(
+def find_swap_candidates(
     on: EditContext, track: int, other: int, near: int, flagged: tuple[int, int] | None = None
 ) -> tuple[SwapFrame, ...]:
     """The likeliest first, of those about as likely the nearest.

@@ -102,7 +102,7 @@ def version_of(document: Document, track_source: int) -> Version:
     return ("corrected", id(table), table.revision)
 
 
-def loader(document: Document, track_source: int) -> Load:
+def capture_rows(document: Document, track_source: int) -> Load:
     """Takes hold of the rows as they are now: quick; reading them may take longer."""
     session = document.session
     if track_source != SHOWN and session is not None:
@@ -124,7 +124,7 @@ class Length:
     frames: tuple[int, int]
 
 
-def worked_out(
+def count_subject(
     subject: Subject, load: Load, length: Length, bounds: Bounds, report: Progress
 ) -> Counted:
     """Count what can be counted; a line of which nothing is known leaves the others alone.

@@ -28,7 +28,7 @@ from tracking.editing import Change, Written
 from tracking.errors import EditError, SessionError
 from tracking.pipeline import KeptSteps
 from tracking.recording import Recording
-from tracking.session import Session, author_named
+from tracking.session import Session, resolve_author
 from tracking.trackers import StepResult
 from tracking.tracks import Labels, ReviewedRange, TrackLabel
 
@@ -160,7 +160,7 @@ class Document:
         """Log edits made from now on under a name; "": under that of the account."""
         self._author = author
         if self.session is not None:
-            self.session.author = author_named(author or None)
+            self.session.author = resolve_author(author or None)
 
     def take_session(self, session: Session) -> None:
         """Show a session from now on."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from app.presenters.comparing.differences import Comparison
-from app.presenters.correcting import PreviewedTracks, preview_trails, replaced_rows
+from app.presenters.correcting import PreviewedTracks, preview_trails, rows_replaced_by
 from app.presenters.correcting.correction import Correcting
 from app.presenters.document.frame_state import FrameState
 from app.presenters.document.selection import Selection
@@ -51,7 +51,7 @@ class FrameStateBuilder:
             picture_preview=preview_trails(planned, in_picture, colours.of)
             if planned and shown
             else (),
-            replaced=replaced_rows(planned, frame),
+            replaced=rows_replaced_by(planned, frame),
             colours=colours,
             movable=self._correcting.can_place,
             waits=self._correcting.waits,

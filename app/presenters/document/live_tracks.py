@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from app.presenters.document.track_reader import Spans, TrackReader, WholeTracks, joined
+from app.presenters.document.track_reader import Spans, TrackReader, WholeTracks, concatenate
 from tracking.pipeline import KeptSteps
 from tracking.trackers import StepResult
 from tracking.tracks import PART_COLUMNS, TRACK_COLUMNS, Columns, empty
@@ -133,7 +133,7 @@ class LiveTracks:
     def capture(self, names: Sequence[str]) -> Callable[[], Columns]:
         """Takes hold of all rows so far; they are read frame by frame."""
         parts = self._kept.parts("tracks", *self.frames)
-        return lambda: joined(parts, names)
+        return lambda: concatenate(parts, names)
 
     def _rows(self, table: str, start: int, stop: int) -> Columns:
         """Of frames that were taken: more may be kept already."""
@@ -186,7 +186,7 @@ class ContinuedTracks:
             return self._part(frame).recent(frame, back)
         here = self.of_frame(frame)["track"]
         early = self._before.recent(self._frame - 1, self._frame - 1 - start)
-        rows = joined([early, self._live.recent(frame, frame - self._frame)])
+        rows = concatenate([early, self._live.recent(frame, frame - self._frame)])
         mine = np.isin(rows["track"], here)
         return {name: column[mine] for name, column in rows.items()}
 
@@ -194,7 +194,7 @@ class ContinuedTracks:
         """The rows of a track."""
         rows = self._before.of_track(track)
         early = rows["frame"] < self._frame
-        return joined([{n: rows[n][early] for n in rows}, self._live.of_track(track)])
+        return concatenate([{n: rows[n][early] for n in rows}, self._live.of_track(track)])
 
     def detections(self, frame: int) -> Columns:
         """What was measured in the frame."""
@@ -252,7 +252,7 @@ class ContinuedTracks:
         def read() -> Columns:
             before = early()
             kept = before["frame"] < frame
-            return joined([{name: before[name][kept] for name in names}, late()], names)
+            return concatenate([{name: before[name][kept] for name in names}, late()], names)
 
         return read
 

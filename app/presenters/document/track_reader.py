@@ -78,7 +78,7 @@ class WholeTracks(TrackReader, Protocol):
         """
 
 
-def joined(parts: Sequence[Columns], names: Iterable[str] = TRACK_COLUMNS) -> Columns:
+def concatenate(parts: Sequence[Columns], names: Iterable[str] = TRACK_COLUMNS) -> Columns:
     """`TRACK_COLUMNS`, or some of them, of several tables one behind the other."""
     none = empty(TRACK_COLUMNS)
     return {name: np.concatenate([none[name], *(part[name] for part in parts)]) for name in names}

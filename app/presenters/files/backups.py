@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from app.presenters.i18n import counted, tr
+from app.presenters.i18n import count_text, tr
 from app.presenters.panels import local_time
 from tracking.editing import Entry
 from tracking.progress import Progress
@@ -63,8 +63,8 @@ def _line(one: Backup) -> BackupLine:
     return BackupLine(
         number=one.number,
         when=local_time(one.saved) if one.saved else tr("unknown"),
-        edits=counted(one.edits, "{n} edit", "{n} edits"),
-        tracks=counted(one.tracks, "{n} track", "{n} tracks"),
+        edits=count_text(one.edits, "{n} edit", "{n} edits"),
+        tracks=count_text(one.tracks, "{n} track", "{n} tracks"),
         size=_size(one.size_bytes),
         problem=one.problem,
     )
@@ -84,11 +84,11 @@ def _edits_apart(now: Sequence[Entry], then: Sequence[Entry]) -> list[str]:
     back = [one for key, one in there.items() if key not in here]
     lines = []
     if gone:
-        lines.append(counted(len(gone), "Without {n} edit:", "Without {n} edits:"))
+        lines.append(count_text(len(gone), "Without {n} edit:", "Without {n} edits:"))
         lines += _named(gone)
     if back:
         lines.append(
-            counted(
+            count_text(
                 len(back),
                 "With {n} edit that is undone or gone now:",
                 "With {n} edits that are undone or gone now:",
@@ -115,7 +115,7 @@ def _tracks_apart(now: TrackTable, then: TrackTable) -> list[str]:
         lines.append(tr("With the tracks {ids}", ids=_ids(there - here)))
     rows = _rows_apart(now.columns(), then.columns())
     if rows:
-        lines.append(counted(rows, "{n} box is different", "{n} boxes are different"))
+        lines.append(count_text(rows, "{n} box is different", "{n} boxes are different"))
     return lines
 
 

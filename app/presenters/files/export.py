@@ -6,7 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from app.presenters.files.own_files import is_own
-from app.presenters.files.protected import protected
+from app.presenters.files.protected import why_protected
 from tracking.errors import OutputError, SessionError
 from tracking.formats import Exported, begins_as_hdf5
 from tracking.geometry import View
@@ -15,7 +15,7 @@ from tracking.session.session_reader import check_file
 from tracking.tracks import Columns, Run, TrackTable
 
 
-def exported_tracks(session: Session, run: int | None = None) -> Columns:
+def select_exported(session: Session, run: int | None = None) -> Columns:
     """The rows that are exported: the corrected tracks, or a run's as the tracker left them.
 
     Raises:
@@ -26,18 +26,18 @@ def exported_tracks(session: Session, run: int | None = None) -> Columns:
     return _run(session, run).tracks
 
 
-def exported(session: Session, run: int | None = None, view: View | None = None) -> Exported:
+def capture_export(session: Session, run: int | None = None, view: View | None = None) -> Exported:
     """The same rows with what is known of their footage; what is edited later is not in it.
 
     Of a session that began as imported truth, rows that do not count (confidence 0) stay so.
     view: the left camera over its floor, for formats that tell places as it sees them.
 
-    Raises SessionError as `exported_tracks`.
+    Raises SessionError as `select_exported`.
     """
-    return exporting(session, run, view)()
+    return prepare_export(session, run, view)()
 
 
-def exporting(
+def prepare_export(
     session: Session, run: int | None = None, view: View | None = None
 ) -> Callable[[], Exported]:
     """Takes hold of the rows at once; what it gives puts them together, on any thread.
@@ -45,7 +45,7 @@ def exporting(
     Args:
         view: the left camera over its floor, where it is known.
 
-    Raises SessionError as `exported_tracks`.
+    Raises SessionError as `select_exported`.
     """
     corrected, footage = run is None, session.recording
     table = session.tracks.snapshot() if run is None else None
@@ -77,7 +77,7 @@ def refuse_to_lose(path: Path) -> None:
     Raises:
         OutputError: there is one of that name.
     """
-    if path.is_file() and (what := protected(path)) and not is_own(path):
+    if path.is_file() and (what := why_protected(path)) and not is_own(path):
         raise OutputError(f"{path} is {what} and would be lost; choose another name")
     if path.is_file() and begins_as_hdf5(path):
         try:

@@ -55,17 +55,17 @@ def _listed(each: TrackFormat) -> ExportFormat:
     return ExportFormat(each.name, each.title, ending, about)
 
 
-def proposed_name(recording: str, each: ExportFormat) -> str:
+def propose_file_name(recording: str, each: ExportFormat) -> str:
     """What a file of the recording's tracks is called at first, e.g. "lobby-tracks.csv"."""
     return f"{_begun(recording)}tracks{each.ending}"
 
 
-def proposed_session(recording: str) -> str:
+def propose_session_name(recording: str) -> str:
     """What a session of a recording is called at first, e.g. "lobby-session.h5"."""
     return f"{_begun(recording)}session.h5"
 
 
-def proposed_folder(recording: str) -> str:
+def propose_report_folder(recording: str) -> str:
     """What the folder of a report on a recording is called, e.g. "lobby-score"."""
     return f"{_begun(recording)}score"
 

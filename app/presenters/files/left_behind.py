@@ -16,7 +16,7 @@ from app.presenters.i18n import tr
 from tracking.errors import TrackwrightError
 from tracking.progress import Progress
 from tracking.recording import OpenOptions, Recording
-from tracking.session import Session, is_open, recording_of, worked_on_s
+from tracking.session import Session, is_open, last_worked_on_s, recording_of
 
 _log = logging.getLogger(__name__)
 _MOST = 20
@@ -34,7 +34,7 @@ def open_with_unsaved(
     opened = open_path(path, recording, options)
     try:
         if opened.document.session is None:
-            opened = replace(opened, unsaved=left_behind(opened.document.recording, report))
+            opened = replace(opened, unsaved=find_left_behind(opened.document.recording, report))
         report(1, 1)
     except BaseException:
         opened.close()
@@ -42,7 +42,7 @@ def open_with_unsaved(
     return opened
 
 
-def left_behind(recording: Recording, report: Progress) -> Path | None:
+def find_left_behind(recording: Recording, report: Progress) -> Path | None:
     """The session of the recording worked on last, of those never saved that no window has open.
 
     Raises:
@@ -65,7 +65,7 @@ def _named_like(recording: Recording) -> list[Path]:
     """The files that may be of the recording, the one worked on last first."""
     named = f"{recording.path.stem or 'session'}-"
     found = [one for one in unsaved_folder().glob("*.h5") if one.name.startswith(named)]
-    return sorted(found, key=worked_on_s, reverse=True)
+    return sorted(found, key=last_worked_on_s, reverse=True)
 
 
 def _is_of(path: Path, footage: str) -> bool:
@@ -76,7 +76,7 @@ def _is_of(path: Path, footage: str) -> bool:
         return False
 
 
-def told_at_end(session: Session | None, *, held: bool, tracking: bool) -> list[str]:
+def describe_unsaved(session: Session | None, *, held: bool, tracking: bool) -> list[str]:
     """What somebody should know who ends the program at the terminal, a line each.
 
     held: a result is in memory alone, and not on its way to the disk.

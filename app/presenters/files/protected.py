@@ -17,7 +17,7 @@ _BESIDE_SESSIONS = ".trackwright"
 """Of folders that begin with a dot: lock, journal and backups of a session."""
 
 
-def protected(path: Path) -> str:
+def why_protected(path: Path) -> str:
     """What a file is that must not be replaced, as a sentence needs it; "" where it may be."""
     place = Path(os.path.realpath(path))
     parent = place.parent

@@ -9,12 +9,12 @@ from pathlib import Path
 import numpy as np
 
 from app.presenters.correcting.edit_planner import refuse_too_large
-from app.presenters.i18n import counted, tr
+from app.presenters.i18n import count_text, tr
 from tracking.editing import Written, plan_import
 from tracking.errors import EditError, FormatError
 from tracking.formats import TRACK_ENDINGS, Filmed, Imported, TrackFormat, format_of
 from tracking.progress import Progress
-from tracking.session import Importable, ImportOrigin, ImportWish, importable
+from tracking.session import Importable, ImportOrigin, ImportWish, fit_to_recording
 from tracking.tracks import Labels, TrackTable, row_keys
 
 USUAL_TOLERANCE_PX = 2.0
@@ -114,7 +114,7 @@ class Fitted:
     into: TrackTable | None = field(default=None, repr=False)
 
 
-def fitting(
+def prepare_fit(
     read: ReadFile, choice: ImportChoice, table: TrackTable | None, labels: Labels
 ) -> Callable[[Progress], Fitted]:
     """What fits tracks to the recording; to be called in any thread.
@@ -126,7 +126,7 @@ def fitting(
     """
 
     def work(report: Progress) -> Fitted:
-        found = importable(read.imported, read.filmed, choice.wish, table, report)
+        found = fit_to_recording(read.imported, read.filmed, choice.wish, table, report)
         ids = set(np.unique(found.rows["track"]).tolist())
         known = len(ids & set(table.track_ids)) if table is not None else 0
         written = None
@@ -178,8 +178,8 @@ def _lines(fitted: Fitted, own: int) -> tuple[str, ...]:
     found, rows = fitted.found, fitted.found.rows["frame"]
     if not len(rows):
         return (tr("The file holds no tracks that can be taken."),)
-    people = counted(found.tracks, "{n} track", "{n} tracks")
-    boxes = counted(len(rows), "{n} row", "{n} rows")
+    people = count_text(found.tracks, "{n} track", "{n} tracks")
+    boxes = count_text(len(rows), "{n} row", "{n} rows")
     span = tr("frames {first} to {last}", first=int(rows[0]), last=int(rows[-1]))
     lines = [f"{people}, {boxes}, {span}"]
     if fitted.into is not None:
@@ -205,10 +205,10 @@ def _beside_own(fitted: Fitted, own: int) -> list[str]:
     lines = []
     new = fitted.found.tracks - fitted.known
     if new:
-        lines.append(counted(new, "{n} is added", "{n} are added"))
+        lines.append(count_text(new, "{n} is added", "{n} are added"))
     if fitted.known:
         lines.append(
-            counted(
+            count_text(
                 fitted.known,
                 "{n} has the id of a track in the session and replaces it",
                 "{n} have ids of tracks in the session and replace them",
@@ -217,7 +217,7 @@ def _beside_own(fitted: Fitted, own: int) -> list[str]:
         gone = _rows_gone(fitted.written)
         if gone:
             lines.append(
-                counted(
+                count_text(
                     gone,
                     "{n} row of these tracks is not in the file and is deleted; undo restores it",
                     "{n} rows of these tracks are not in the file and are deleted; undo restores "
@@ -227,7 +227,7 @@ def _beside_own(fitted: Fitted, own: int) -> list[str]:
     kept = own - fitted.known
     if kept:
         lines.append(
-            counted(
+            count_text(
                 kept,
                 "{n} track of the session is not in the file and stays as it is",
                 "{n} tracks of the session are not in the file and stay as they are",

@@ -21,7 +21,7 @@ from app.presenters.labelling.labelling_scene import (
 )
 from app.presenters.labelling.outlines import Drawn, DrawnLabels
 from app.presenters.labelling.part_labelling import PartLabelling
-from app.presenters.labelling.shape_planner import drawn_with
+from app.presenters.labelling.shape_planner import shapes_of_tool
 from app.presenters.pictures.right_image import boxes_in_right_image
 from app.presenters.scenes import Side
 from tracking.tracks import Box, Labels, PartLabel
@@ -125,7 +125,7 @@ class LabellingPresenter:
             return self._parts_scene(frame)
         if tool is Tool.REVIEWED:
             return self._reviewed_scene(frame)
-        names = tuple(item.name for item in drawn_with(tool, self.labels))
+        names = tuple(item.name for item in shapes_of_tool(tool, self.labels))
         title, hint = _drawing_words(tool)
         return LabellingScene(tool, title, hint, names=names, picked=self.choice.picked)
 

@@ -56,7 +56,7 @@ _KINDS = {
 }
 
 
-def drawn_with(tool: Tool | None, labels: Labels) -> tuple[Any, ...]:
+def shapes_of_tool(tool: Tool | None, labels: Labels) -> tuple[Any, ...]:
     """What was drawn with a tool; nothing of the others."""
     return _KINDS[tool].of(labels) if tool in _KINDS else ()
 
@@ -66,11 +66,11 @@ def corners_of(item: Occluder | CountingLine | Region) -> _Points:
     return (item.start, item.end) if isinstance(item, CountingLine) else item.polygon
 
 
-def drawn_where(tool: Tool, labels: Labels, *, in_picture: bool) -> dict[int, _Points]:
+def places_of_shapes(tool: Tool, labels: Labels, *, in_picture: bool) -> dict[int, _Points]:
     """By number, the corners of what was drawn with a tool in the picture, or on the floor."""
     return {
         number: corners_of(item)
-        for number, item in enumerate(drawn_with(tool, labels))
+        for number, item in enumerate(shapes_of_tool(tool, labels))
         if (tool is Tool.OCCLUDERS or item.in_picture) is in_picture
     }
 

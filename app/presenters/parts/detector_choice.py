@@ -61,7 +61,7 @@ class DetectorChoice:
         return {name: value for name, value in values.items() if name in known and value}
 
 
-def known_choice(path: str) -> DetectorChoice:
+def restore_choice(path: str) -> DetectorChoice:
     """The choice that was remembered; the built-in one where its file is gone."""
     return DetectorChoice(path if path and Path(path).is_file() else "")
 

@@ -111,7 +111,7 @@ def _missing(on: int, off: int, people_on: int, people_off: int) -> str:
     return "; ".join(said)
 
 
-def trained_from(samples: Samples, settings: TrainingSettings, report: Report) -> Trained:
+def train_on(samples: Samples, settings: TrainingSettings, report: Report) -> Trained:
     """Train; `report` raises where the user has cancelled."""
     random = np.random.default_rng(settings.seed)
     return train(samples, settings.plan(), random=random, progress=report)

@@ -7,18 +7,18 @@ from app.presenters.parts.detector_choice import DetectorChoice
 from tracking.failure import Detector, save_detector
 
 
-def kept(detector: Detector) -> DetectorChoice:
+def keep_detector(detector: Detector) -> DetectorChoice:
     """A detector kept in the program's own folder; the choice that uses it.
 
     Raises OutputError, or OSError, where it cannot be written.
     """
     folder = document_loader.own_folder() / "detectors"
     folder.mkdir(parents=True, exist_ok=True)
-    path = folder / kept_name(detector)
+    path = folder / detector_file_name(detector)
     save_detector(path, detector)
     return DetectorChoice(str(path))
 
 
-def kept_name(detector: Detector) -> str:
+def detector_file_name(detector: Detector) -> str:
     """Its file name there."""
     return f"trained-{detector.fingerprint}.h5"

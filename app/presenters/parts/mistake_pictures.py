@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.presenters.parts.training_result import MistakeItem
-from app.presenters.parts.training_set import Source, known_box
+from app.presenters.parts.training_set import Source, box_or_none
 from tracking.errors import CancelledError, TrackwrightError
 from tracking.progress import Progress
 from tracking.recording import Recording
@@ -53,7 +53,7 @@ class Here:
         parts = parts_by_now(self.tracks, self.run, [one.track], (one.frame, one.frame + 1))
         # The detector is wrong: what it calls failed was labelled on its part.
         place = ((one.frame, one.track, one.part), one.failed)
-        return known_box(boxes_of([place], self.labels.parts, parts)[0])
+        return box_or_none(boxes_of([place], self.labels.parts, parts)[0])
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -70,7 +70,7 @@ class Search:
     missed: Callable[[Source, TrackwrightError], None] = lambda *_: None
 
 
-def cut_outs(
+def crop_surroundings(
     here: Here | None, search: Search, items: Sequence[MistakeItem], report: Progress
 ) -> Cuts:
     """The surroundings of parts; None where a recording is not found, or the person is gone.
@@ -136,10 +136,10 @@ def _cut_out(recording: Recording, here: Here | None, item: MistakeItem) -> Cut 
         box = here.box_of(item)
     if box is None or not 0 <= item.frame < recording.frame_count:
         return None
-    return cut_around(recording.read(item.frame).left, box)
+    return crop_around(recording.read(item.frame).left, box)
 
 
-def cut_around(picture: NDArray[np.uint8], box: Box) -> Cut:
+def crop_around(picture: NDArray[np.uint8], box: Box) -> Cut:
     """A square of the picture around a box, moved so that it lies in the picture."""
     left, top, width, height = box
     rows, columns = picture.shape[:2]

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from app.presenters.i18n import counted
+from app.presenters.i18n import count_text
 from tracking.errors import TrainingError
 from tracking.failure import (
     Samples,
@@ -55,7 +55,7 @@ class Source:
     @property
     def said(self) -> str:
         """The source in words."""
-        words = counted(len(self.samples), "{n} sample", "{n} samples")
+        words = count_text(len(self.samples), "{n} sample", "{n} samples")
         return f"{self.title}: {words}"
 
 
@@ -78,7 +78,7 @@ class TrainingSet:
         """The rectangle that a row of the samples judges; None where its source does not say."""
         number, row = self._place_of(sample)
         boxes = self.sources[number].boxes
-        return None if boxes is None else known_box(boxes[row])
+        return None if boxes is None else box_or_none(boxes[row])
 
     def _place_of(self, sample: int) -> tuple[int, int]:
         """The source of a row and which of the source's rows it is."""
@@ -87,7 +87,7 @@ class TrainingSet:
         return number, sample - int(ends[number]) + len(self.sources[number].samples)
 
 
-def known_box(box: NDArray[np.float64]) -> Box | None:
+def box_or_none(box: NDArray[np.float64]) -> Box | None:
     """A rectangle (4,); None where it is not known (NaN)."""
     left, top, width, height = box.tolist()
     return (left, top, width, height) if np.isfinite(box).all() else None

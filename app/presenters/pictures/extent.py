@@ -42,7 +42,7 @@ def extent(rows: Columns, reach: float) -> Bounds | None:
     return left, bottom, right, top
 
 
-def united(one: Bounds, other: Bounds | None) -> Bounds:
+def unite(one: Bounds, other: Bounds | None) -> Bounds:
     """The smallest that holds both; the very same where the other lies within."""
     if other is None:
         return one

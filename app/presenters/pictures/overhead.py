@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from app.presenters.document.frame_state import FrameState
 from app.presenters.i18n import tr
-from app.presenters.pictures.extent import MARGIN_M, Bounds, extent, reach_m, united
+from app.presenters.pictures.extent import MARGIN_M, Bounds, extent, reach_m, unite
 from app.presenters.pictures.trails import TRAIL_S, floor_points, trails_by_track
 from app.presenters.scenes import FloorPerson, OverheadScene
 from tracking.recording import Recording
@@ -44,11 +44,11 @@ class OverheadPresenter:
 
     def take(self, rows: Columns) -> None:
         """Reach to where other tracks are, rows with `x` and `y`, instead of earlier ones."""
-        self._bounds = united(self._seen, extent(rows, self._reach_m))
+        self._bounds = unite(self._seen, extent(rows, self._reach_m))
 
     def take_more(self, rows: Columns) -> None:
         """Reach to these places, too."""
-        self._bounds = united(self._bounds, extent(rows, self._reach_m))
+        self._bounds = unite(self._bounds, extent(rows, self._reach_m))
 
     @property
     def bounds(self) -> Bounds:

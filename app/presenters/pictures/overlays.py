@@ -84,7 +84,7 @@ class OverlayPainter:
         if not self._learnt:
             self._perception.learn(background_samples(self._recording))
             self._learnt = True
-        painted = painted_overlays(self._perception.overlays(frame), kinds, self._scale)
+        painted = paint_overlays(self._perception.overlays(frame), kinds, self._scale)
         return self._as_recorded(painted)
 
     def legend(self, kinds: Kinds) -> tuple[LegendEntry, ...]:
@@ -120,7 +120,7 @@ class OverlayPainter:
         return np.asarray(cv2.remap(painted, x, y, cv2.INTER_NEAREST), np.uint8)
 
 
-def painted_overlays(overlays: Overlays, kinds: Kinds, scale: tuple[float, float]) -> Rgba:
+def paint_overlays(overlays: Overlays, kinds: Kinds, scale: tuple[float, float]) -> Rgba:
     """RGBA in the pixels of the overlays: foreground below, disparity over it.
 
     Args:

@@ -213,7 +213,7 @@ class ReviewQueue:
         )
 
 
-def verdict_on(item: ReviewItem, decision: str, labels: Labels) -> Change:
+def plan_review_verdict(item: ReviewItem, decision: str, labels: Labels) -> Change:
     """The change that keeps what a person decided about a review item.
 
     Raises:
@@ -222,7 +222,7 @@ def verdict_on(item: ReviewItem, decision: str, labels: Labels) -> Change:
     return plan_verdict(labels, _verdict(item, decision), _named(item))
 
 
-def settled(change: Change, item: ReviewItem, labels: Labels) -> Change:
+def with_fixed_verdict(change: Change, item: ReviewItem, labels: Labels) -> Change:
     """The edit that puts a review item right, with the verdict that it did: undone together."""
     return with_verdict(change, labels, _verdict(item, "fixed"))
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Final
 
-from app.presenters.i18n import counted, tr
+from app.presenters.i18n import count_text, tr
 from tracking.editing import History
 from tracking.formats import read_mot
 from tracking.recording import Recording
@@ -43,8 +43,8 @@ class MeterWords:
             return ""
         words = [
             tr("{n:.1f} min watched", n=minutes),
-            counted(decided, "{n} decided", "{n} decided"),
-            counted(corrected, "{n} corrected", "{n} corrected"),
+            count_text(decided, "{n} decided", "{n} decided"),
+            count_text(corrected, "{n} corrected", "{n} corrected"),
         ]
         if minutes >= 0.1:
             words.append(tr("{n:.1f} corrected a minute", n=sitting.fixed_per_minute))
@@ -62,7 +62,7 @@ def _corrections(history: History) -> int:
     return sum(not entry.undone and entry.kind not in _NOT_CORRECTED for entry in history)
 
 
-def measured(
+def measure_queue(
     items: Sequence[ReviewItem], table: TrackTable, recording: Recording
 ) -> ReviewMeasures:
     """How good the queue is against the truth beside the recording; may take long.

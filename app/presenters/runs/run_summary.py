@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.presenters.i18n import counted, tr
+from app.presenters.i18n import count_text, tr
 from tracking.session import Session
 from tracking.tracks import Columns, Run, row_keys
 
@@ -73,7 +73,7 @@ class RunSummary:
                 all=whole,
                 tracker=self.tracker,
             )
-        return counted(
+        return count_text(
             count,
             "Tracked {n} frame with {tracker}.",
             "Tracked {n} frames with {tracker}.",
@@ -82,11 +82,11 @@ class RunSummary:
 
     @property
     def _found_text(self) -> str:
-        return counted(self.tracks, "Found {n} track.", "Found {n} tracks.")
+        return count_text(self.tracks, "Found {n} track.", "Found {n} tracks.")
 
     @property
     def _ids_text(self) -> str:
-        return counted(
+        return count_text(
             self.changed,
             "Ids were then put right over the whole recording: {n} of the {seen} ids you saw "
             "while it was tracked has changed or is gone.",
@@ -110,21 +110,21 @@ def meanwhile() -> str:
     )
 
 
-def told_of_tracking(session: Session) -> list[str]:
+def list_tracking_notes(session: Session) -> list[str]:
     """What was told when the tracks that are corrected were made, a line each."""
     run = session.corrected_run
     notes = run.notes if run is not None else ()
     return [tr("As it was tracked: {note}", note=note) for note in notes]
 
 
-def kept_first() -> str:
+def describe_first_run() -> str:
     """Where the first run of a recording is kept."""
     return tr(
         "It is on disk and ready to be corrected; give it a file of your own with Save (Ctrl+S)."
     )
 
 
-def kept_as_first(number: int) -> str:
+def describe_added_first_run(number: int) -> str:
     """Where the first run of a session is kept that was begun without one."""
     return tr(
         "Kept as run {n}, and its tracks are the ones to correct now. The session's file has it "
@@ -133,7 +133,7 @@ def kept_as_first(number: int) -> str:
     )
 
 
-def kept_instead(number: int, before: int) -> str:
+def describe_replacement(number: int, before: int) -> str:
     """Where a run is kept whose tracks took the place of others that nobody had corrected."""
     return tr(
         "Kept as run {n}, and its tracks are the ones to correct now; those of run {before} stay "
@@ -143,7 +143,7 @@ def kept_instead(number: int, before: int) -> str:
     )
 
 
-def kept_beside(number: int) -> str:
+def describe_further_run(number: int) -> str:
     """Where a run is kept that did not replace the corrected tracks."""
     return tr(
         "Kept as run {n}, and the corrected tracks stay as they are. Compare it or take from it "
@@ -152,7 +152,7 @@ def kept_beside(number: int) -> str:
     )
 
 
-def kept_to_compare(number: int) -> str:
+def describe_compared_run(number: int) -> str:
     """Where a run is kept that was made to put corrected tracks right."""
     return tr(
         "Kept as run {n}; nothing has changed yet. Tick what you want of it: taking it is one "

@@ -9,7 +9,7 @@ from typing import Final
 import numpy as np
 
 from app.presenters.commands.enablement import read_only
-from app.presenters.i18n import counted, tr
+from app.presenters.i18n import count_text, tr
 from app.presenters.panels import local_time
 from app.presenters.scoring.figures import figure_named
 from tracking.formats import read_mot
@@ -195,7 +195,7 @@ class RunList:
         return RunRow(
             CORRECTED,
             tr("corrected tracks"),
-            counted(self._edits, "{n} edit", "{n} edits"),
+            count_text(self._edits, "{n} edit", "{n} edits"),
             "",
             _range_text((0, self._recording.frame_count)),
             "",

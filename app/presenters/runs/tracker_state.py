@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from app.presenters.i18n import tr, unstopped
+from app.presenters.i18n import strip_full_stop, tr
 from app.presenters.parts.detector_choice import DETECTOR
 from tracking.errors import TrackwrightError
 from tracking.recording import Recording
@@ -59,7 +59,7 @@ class TrackerWords:
             name = session.corrected_run.tracker
             return TrackerState(name, tr("tracked"), tr("Nobody was tracked."))
         if not self.best:
-            said = tr("No tracks: {why}.", why=unstopped(self.why_not))
+            said = tr("No tracks: {why}.", why=strip_full_stop(self.why_not))
             return TrackerState("", tr("no tracker"), said)
         said = tr(
             "No tracks yet. Press Space to play and track the recording: each person gets a lane "

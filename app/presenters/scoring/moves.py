@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from app.presenters.i18n import counted, tr
+from app.presenters.i18n import count_text, tr
 from app.presenters.scoring.figures import hota_moved
 from app.presenters.scoring.subject import Scored
 from tracking.editing import History
@@ -52,7 +52,7 @@ class Moves:
         elif made == -1:
             last = tr("Undone: {edit}", edit=_text_of(history, self._before.edits[-1]))
         else:
-            last = counted(abs(made), "Last: {n} edit", "Last: {n} edits")
+            last = count_text(abs(made), "Last: {n} edit", "Last: {n} edits")
         since = hota_moved(self._first.whole, self._now.whole)
         whole = tr("since it was first scored: {moved}", moved=since) if since else ""
         return "; ".join(part for part in (last, whole) if part)

@@ -47,7 +47,7 @@ class Reported:
         return "\n".join(said)
 
 
-def reporting(
+def prepare_report(
     document: Document, scored: Scored, given: ScoringInput, name: str, folder: Path
 ) -> Callable[[Progress], Reported]:
     """Takes hold of what is reported; what it gives writes the report, on any thread.

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from app.presenters.counting.subject import SHOWN, loader, version_of
+from app.presenters.counting.subject import SHOWN, capture_rows, version_of
 from app.presenters.document.document import Document
 from app.presenters.error_messages import explain
 from app.presenters.i18n import tr
@@ -27,7 +27,7 @@ from app.presenters.scoring.score_scene import (
 )
 from app.presenters.scoring.subject import Matching, Range, Scored, ScoreSubject, ScoringInput
 from app.presenters.scoring.truth_people import TruthPeople
-from app.presenters.scoring.truths import TruthKind, TruthSource, name_of, reader, refuse_own
+from app.presenters.scoring.truths import TruthKind, TruthSource, capture_truth, name_of, refuse_own
 from tracking.scoring import ErrorKind
 
 _NAMES = {
@@ -159,11 +159,11 @@ class ScoringPresenter:
         """Takes hold of what scoring a subject needs."""
         document = self._document
         session = document.session
-        read = reader(subject.source, document.recording, session)
+        read = capture_truth(subject.source, document.recording, session)
         edits: tuple[int, ...] = ()
         if session is not None and subject.track_source == SHOWN:
             edits = edits_in_force(session.history)
-        return ScoringInput(loader(document, subject.track_source), read, edits)
+        return ScoringInput(capture_rows(document, subject.track_source), read, edits)
 
     @property
     def _frames(self) -> Range:

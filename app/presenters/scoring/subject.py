@@ -117,7 +117,7 @@ class ScoringInput:
     edits: tuple[int, ...] = ()
 
 
-def worked_out(
+def score_subject(
     subject: ScoreSubject, before: Scored | None, given: ScoringInput, report: Progress
 ) -> Scored:
     """Score a result; of what was worked out before is kept what stays.

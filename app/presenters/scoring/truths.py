@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from app.presenters.comparing.agreement import refuse_other_recording
-from app.presenters.i18n import counted, tr
+from app.presenters.i18n import count_text, tr
 from app.presenters.runs.track_sources import name_of_run
 from tracking.errors import FormatError, SessionError
 from tracking.formats import FORMATS, Filmed, Measurable, format_of, is_hdf5, measurable
@@ -76,7 +76,9 @@ class Truth:
     notes: tuple[str, ...] = ()
 
 
-def reader(source: TruthSource, recording: Recording, own: Session | None) -> Callable[[], Truth]:
+def capture_truth(
+    source: TruthSource, recording: Recording, own: Session | None
+) -> Callable[[], Truth]:
     """Takes hold of what is asked of the open document; what it gives may run on any thread.
 
     It raises FormatError or SessionError where there is no truth in the file.
@@ -118,7 +120,7 @@ def _of_file(source: TruthSource, found: Measurable) -> Truth:
     notes = list(found.notes)
     if found.bad_count:
         first = found.bad_rows[0]
-        left_out = counted(found.bad_count, "{n} row is left out", "{n} rows are left out")
+        left_out = count_text(found.bad_count, "{n} row is left out", "{n} rows are left out")
         notes.append(f"{left_out}: {first.place}: {first.reason}")
     if found.bad_count and not len(found.columns["frame"]):
         raise FormatError(f"{source.path} has no rows that can be read; choose another truth")

@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.presenters.comparing.agreement_scene import AgreementScene, DisagreementRow
-from app.presenters.i18n import counted
+from app.presenters.i18n import count_text
 from app.views.look.theme import scaled_font
 from app.views.widgets.parts import NOTICE_MARGINS, quiet
 
@@ -129,7 +129,7 @@ class ComparePanel(QFrame):
         stretches = self.tr("You agree everywhere.")
         if scene.rows:
             said = "You disagree in {n} stretch.", "You disagree in {n} stretches."
-            stretches = counted(len(scene.rows), *said)
+            stretches = count_text(len(scene.rows), *said)
         changed = self.tr("Your session has changed since.") if scene.outdated else ""
         dashed = self.tr("Their people are dashed.")
         self._hint.setText(" ".join(part for part in (stretches, dashed, changed) if part))

@@ -13,7 +13,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.presenters.comparing.differences_scene import DifferencesScene, Sorted
-from app.presenters.i18n import counted, tr
+from app.presenters.i18n import count_text, tr
 from app.views.comparing.difference_list import DifferenceModel, DifferenceView
 from app.views.look.icons import IconButton
 from app.views.look.theme import scaled_font
@@ -210,4 +210,4 @@ def _ticks_of(scene: DifferencesScene) -> str:
     said = tr("{n} of {all} ticked", n=scene.ticked, all=scene.takeable + scene.locked)
     if not scene.locked:
         return said
-    return said + ", " + counted(scene.locked, "{n} is locked", "{n} are locked")
+    return said + ", " + count_text(scene.locked, "{n} is locked", "{n} are locked")

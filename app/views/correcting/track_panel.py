@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.presenters.i18n import counted
+from app.presenters.i18n import count_text
 from app.presenters.scenes import TrackCard
 from app.views.correcting.attributes import AttributesTable
 from app.views.look.theme import scaled_font
@@ -216,7 +216,7 @@ class TrackPanel(Panel):
         self._id.setText(str(card.track))
         self._first.setText(str(card.first_frame))
         self._last.setText(str(card.last_frame))
-        seen = counted(card.frames_seen, "{n} frame", "{n} frames")
+        seen = count_text(card.frames_seen, "{n} frame", "{n} frames")
         others = [self.tr("{0} predicted").format(card.frames_predicted)]
         if card.frames_interpolated:
             others.append(self.tr("{0} interpolated").format(card.frames_interpolated))

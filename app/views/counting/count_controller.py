@@ -10,10 +10,17 @@ from PySide6.QtCore import QObject, Qt, Signal
 
 from app.background import Newest
 from app.presenters.counting.counts import CountingPresenter
-from app.presenters.counting.subject import SHOWN, Counted, Length, Subject, loader, worked_out
+from app.presenters.counting.subject import (
+    SHOWN,
+    Counted,
+    Length,
+    Subject,
+    capture_rows,
+    count_subject,
+)
 from app.presenters.document.document import Document
 from app.presenters.document.frame_state import FrameState, ViewOptions
-from app.presenters.i18n import counted, tr
+from app.presenters.i18n import count_text, tr
 from app.presenters.labelling.label_tools import CountText
 from app.views.playing.playback import Playback
 from app.views.recording.workspace import Workspace
@@ -91,10 +98,10 @@ class Counting(QObject):
     def _prepare(self, subject: Subject) -> Work:
         """Takes hold of the tracks; counting them is for another thread."""
         document = self._document
-        load, recording = loader(document, subject.track_source), document.recording
+        load, recording = capture_rows(document, subject.track_source), document.recording
         length = Length(recording.fps, recording.frame_count, self.presenter.frames)
         bounds = document.overhead.bounds
-        return lambda report: worked_out(subject, load, length, bounds, report)
+        return lambda report: count_subject(subject, load, length, bounds, report)
 
     def _take(self, found: Counted) -> None:
         self.presenter.take(found)
@@ -127,4 +134,4 @@ class Counting(QObject):
         self.changed.emit()
 
     def _tell_copied(self, steps: int) -> None:
-        self.said.emit(counted(steps, "{n} step copied", "{n} steps copied"))
+        self.said.emit(count_text(steps, "{n} step copied", "{n} steps copied"))

@@ -11,7 +11,7 @@ from PySide6.QtCore import QObject
 from app.presenters.comparing.agreement import (
     AgreementPresenter,
     OtherSession,
-    compared_again,
+    compare_again,
     read_other,
 )
 from app.presenters.comparing.other_people import OtherPeople
@@ -103,7 +103,7 @@ class SessionsBeside(QObject):
         if controller is None or shown is None or controller.document.session is None:
             return
         session = controller.document.session
-        work = partial(compared_again, shown.other, session, session.tracks.snapshot())
+        work = partial(compare_again, shown.other, session, session.tracks.snapshot())
         title = tr("Comparing with {name}", name=shown.other.name)
         self._work.run(title, lambda report: work(report), partial(self._show, controller))
 

@@ -12,12 +12,16 @@ from PySide6.QtCore import QObject, Signal
 from app.presenters.counting.subject import Counted
 from app.presenters.document.document import Document
 from app.presenters.files import document_loader
-from app.presenters.files.export import exporting, refuse_to_lose
-from app.presenters.files.export_formats import export_formats, proposed_folder, proposed_name
+from app.presenters.files.export import prepare_export, refuse_to_lose
+from app.presenters.files.export_formats import (
+    export_formats,
+    propose_file_name,
+    propose_report_folder,
+)
 from app.presenters.files.own_files import remember
 from app.presenters.i18n import tr
-from app.presenters.scoring.score_report import Reported, reporting
-from app.presenters.scoring.subject import Scored, worked_out
+from app.presenters.scoring.score_report import Reported, prepare_report
+from app.presenters.scoring.subject import Scored, score_subject
 from app.views.files.export_dialog import ExportDialog
 from app.views.widgets.questions import choose_file, choose_new_file
 from app.views.widgets.work import Work
@@ -73,7 +77,7 @@ class Exporting(QObject):
         controller = self._window.controller
         each = next(one for one in export_formats() if one.name == name)
         if controller is not None:
-            proposed = proposed_name(controller.document.recording.name, each)
+            proposed = propose_file_name(controller.document.recording.name, each)
             wanted = None if run < 0 else run
             filters = f"{each.title} (*{each.ending})"
             self._ask(
@@ -91,7 +95,7 @@ class Exporting(QObject):
         if session is None or controller is None or write is None:
             return
         # What is edited meanwhile is not in it.
-        put_together = exporting(session, run, controller.document.recording.view)
+        put_together = prepare_export(session, run, controller.document.recording.view)
 
         def work(report: Progress) -> tuple[str, tuple[str, ...]]:
             refuse_to_lose(path)
@@ -128,7 +132,7 @@ class Exporting(QObject):
         if scored is not None and (subject is None or scored.subject.version == subject.version):
             self._report(controller, scored, place)
         elif subject is not None:
-            work = partial(worked_out, subject, None, presenter.capture(subject))
+            work = partial(score_subject, subject, None, presenter.capture(subject))
             self._work.run(
                 tr("Scoring"), work, lambda scored: self._report(controller, scored, place)
             )
@@ -139,8 +143,8 @@ class Exporting(QObject):
         presenter, document = controller.scoring.presenter, controller.document
         given = presenter.capture(scored.subject)
         name = presenter.scene("").results[scored.subject.track_source + 1]
-        folder = place / proposed_folder(document.recording.name)
-        work = reporting(document, scored, given, name, folder)
+        folder = place / propose_report_folder(document.recording.name)
+        work = prepare_report(document, scored, given, name, folder)
         self._work.run(tr("Writing the report"), work, self._tell_of_report)
 
     def _tell_of_report(self, done: Reported) -> None:

@@ -17,7 +17,7 @@ from app.presenters.files.document_loader import Opened
 from app.presenters.files.first_page import first_page
 from app.presenters.files.track_import import holds_tracks_alone
 from app.presenters.i18n import tr
-from app.presenters.runs.run_summary import told_of_tracking
+from app.presenters.runs.run_summary import list_tracking_notes
 from app.presenters.scenes import WelcomeScene
 from app.views.files.author import Author
 from app.views.files.backup_controller import BackupController
@@ -193,7 +193,7 @@ class Files(QObject):
             *([greeting] if greeting else []),
             *(() if session is None else session.notes),
             *opened.document.recording.notes,
-            *([] if session is None else told_of_tracking(session)),
+            *([] if session is None else list_tracking_notes(session)),
         ]
         if opened.unsaved is not None:
             lines.append(tr("Work on this recording was never saved, and is kept."))
@@ -299,7 +299,7 @@ class Files(QObject):
         """What is to be known where the program ends without asking: where unsaved work is."""
         held = self.keeping.holds and not self.keeping.at_work
         at_work = self.controller is not None and self.controller.live.running
-        return left_behind.told_at_end(self.session, held=held, tracking=at_work)
+        return left_behind.describe_unsaved(self.session, held=held, tracking=at_work)
 
     def close_without_asking(self) -> None:
         """Let the open document go for a picture or a test: what is not saved stays as it is."""

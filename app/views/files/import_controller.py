@@ -17,12 +17,12 @@ from app.presenters.files.track_import import (
     Fitted,
     ImportChoice,
     ReadFile,
-    fitting,
     import_scene,
+    prepare_fit,
     read_tracks,
     with_good,
 )
-from app.presenters.i18n import counted, tr
+from app.presenters.i18n import count_text, tr
 from app.views.files.import_dialog import ImportDialog
 from app.views.recording.recording_controller import RecordingController
 from app.views.widgets.questions import ask_unit, choose_file
@@ -30,7 +30,7 @@ from app.views.widgets.work import Work
 from tracking.errors import SessionError, TrackwrightError, UnitUnsaidError
 from tracking.formats import READABLE, TRACK_ENDINGS, Stated, TrackFormat, format_named
 from tracking.progress import Progress
-from tracking.session import Session, filmed_by
+from tracking.session import Session, describe_footage
 from tracking.tracks import Labels
 
 if TYPE_CHECKING:
@@ -80,7 +80,7 @@ class Importing(QObject):
         controller = self._window.controller
         if controller is None:
             return
-        filmed = replace(filmed_by(controller.document.recording), stated=Stated(unit))
+        filmed = replace(describe_footage(controller.document.recording), stated=Stated(unit))
 
         def work(report: Progress) -> ReadFile | None:
             try:
@@ -128,9 +128,9 @@ class Importing(QObject):
 
     def _tell(self, controller: RecordingController, fitted: Fitted) -> None:
         controller.draw()
-        told = counted(fitted.found.tracks, "{n} track imported", "{n} tracks imported")
+        told = count_text(fitted.found.tracks, "{n} track imported", "{n} tracks imported")
         bad = fitted.found.bad_count
-        left = counted(bad, "{n} row was left out", "{n} rows were left out") if bad else ""
+        left = count_text(bad, "{n} row was left out", "{n} rows were left out") if bad else ""
         self.said.emit("; ".join(part for part in (told, left) if part))
 
 
@@ -172,7 +172,7 @@ class LookedOver(QObject):
         session = self._session
         table = session.tracks.snapshot() if session is not None else None
         labels = session.labels if session is not None else Labels()
-        return fitting(self._read, choice, table, labels)
+        return prepare_fit(self._read, choice, table, labels)
 
     def _choose(self) -> None:
         choice, fitted = self._dialog.choice, self._fitted

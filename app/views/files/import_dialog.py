@@ -22,7 +22,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.presenters.files.track_import import USUAL_TOLERANCE_PX, ImportChoice, ImportScene
-from app.presenters.i18n import counted
+from app.presenters.i18n import count_text
 from app.views.widgets.number_boxes import NumberBox, tell_beside
 from app.views.widgets.parts import heading, quiet
 
@@ -177,7 +177,7 @@ class ImportDialog(QDialog):
     def _show_bad(self, scene: ImportScene) -> None:
         for widget in (self._bad_title, self._bad, self._takes_good):
             widget.setVisible(bool(scene.bad_count))
-        title = counted(scene.bad_count, "{n} row cannot be used", "{n} rows cannot be used")
+        title = count_text(scene.bad_count, "{n} row cannot be used", "{n} rows cannot be used")
         more = scene.bad_count - len(scene.bad)
         told = self.tr("the first {0} are listed").format(len(scene.bad)) if more else ""
         self._bad_title.setText("; ".join(part for part in (title, told) if part))

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal
 
 from app.presenters.files import document_loader
-from app.presenters.files.export_formats import proposed_session
+from app.presenters.files.export_formats import propose_session_name
 from app.presenters.i18n import tr
 from app.views.files.close_prompts import Then
 from app.views.files.export_controller import beside
@@ -93,7 +93,9 @@ class Saving(QObject):
             document = self._files.controller.document
             kept = own is not None and not document_loader.is_unsaved_place(own)
             name = (
-                own.name if own is not None and kept else proposed_session(document.recording.name)
+                own.name
+                if own is not None and kept
+                else propose_session_name(document.recording.name)
             )
             start = self.proposed or beside(document, name)
             chosen = partial(self.save_to, then=then)

@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.presenters.history.history_filter import HistoryFilter
-from app.presenters.i18n import counted
+from app.presenters.i18n import count_text
 from app.presenters.scenes import HistoryItem
 from app.views.history.history_model import ITEM, EditDelegate, HistoryModel, row_height
 from app.views.look.icons import IconButton
@@ -164,7 +164,9 @@ class HistoryPanel(Panel):
         self._model.show_items(shown)
         self._none.setVisible(bool(self._items) and not shown)
         left_out = len(self._items) - len(shown)
-        told = counted(left_out, "{n} other edit is not listed", "{n} other edits are not listed")
+        told = count_text(
+            left_out, "{n} other edit is not listed", "{n} other edits are not listed"
+        )
         self._text.setToolTip(told if left_out else "")
 
     def _open_menu(self, at: QPoint) -> None:

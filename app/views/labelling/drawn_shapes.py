@@ -17,12 +17,12 @@ from app.presenters.labelling.labelling_scene import (
 )
 from app.presenters.labelling.shape_planner import (
     corners_of,
-    drawn_where,
-    drawn_with,
+    places_of_shapes,
     plan_drawn,
     plan_renamed,
     plan_reshaped,
     plan_taken_away,
+    shapes_of_tool,
 )
 from app.views.labelling.shapes import ShapesLayer
 from app.views.playing.playback import Playback
@@ -85,7 +85,7 @@ class Shapes(QObject):
             return
         for layer in (self.on_picture, self.on_floor):
             there = layer is self.on_picture
-            shapes = drawn_where(tool, self._presenter.labels, in_picture=there)
+            shapes = places_of_shapes(tool, self._presenter.labels, in_picture=there)
             layer.show_shapes(shapes, closed=tool is not Tool.LINES, colour=_COLOURS[tool])
 
     def _add_in_picture(self, corners: tuple[tuple[float, float], ...]) -> None:
@@ -97,7 +97,7 @@ class Shapes(QObject):
             return
         plan = partial(plan_drawn, corners=corners, frame=frame, in_picture=in_picture)
         if self._do(lambda: plan(tool, self._presenter.labels)):
-            there = [corners_of(item) for item in drawn_with(tool, self._presenter.labels)]
+            there = [corners_of(item) for item in shapes_of_tool(tool, self._presenter.labels)]
             self.pick(there.index(corners) if corners in there else -1)
 
     def _reshape(self, number: int, corners: tuple[tuple[float, float], ...]) -> None:
@@ -112,7 +112,7 @@ class Shapes(QObject):
 
     def remove(self, number: int) -> None:
         """Take one away."""
-        if 0 <= number < len(drawn_with(self._tool, self._presenter.labels)):
+        if 0 <= number < len(shapes_of_tool(self._tool, self._presenter.labels)):
             self._presenter.choice.picked = -1
             self._change(partial(plan_taken_away, number=number))
 

@@ -18,7 +18,7 @@ from PySide6.QtWidgets import QApplication
 
 from app.presenters import shown_colours
 from app.presenters.scenes import Colour
-from app.presenters.shown_colours import standing_out, theme_table
+from app.presenters.shown_colours import readable_colour, theme_table
 
 
 class Look(Enum):
@@ -77,7 +77,7 @@ def load_theme(name: str) -> Theme:
 
 @cache
 def _standing_out(theme_name: str, colour: Colour) -> QColor:
-    return QColor(*standing_out(theme_name, colour))
+    return QColor(*readable_colour(theme_name, colour))
 
 
 def current_theme() -> Theme:

@@ -12,10 +12,10 @@ from PySide6.QtCore import QObject, Signal
 from app.presenters.document.document import Document
 from app.presenters.files.document_loader import known_recordings
 from app.presenters.i18n import tr
-from app.presenters.parts.detector_choice import DetectorChoice, known_choice
-from app.presenters.parts.detector_training import TrainingSettings, trained_from
-from app.presenters.parts.kept_detectors import kept, kept_name
-from app.presenters.parts.mistake_pictures import Here, Search, cut_outs, is_of
+from app.presenters.parts.detector_choice import DetectorChoice, restore_choice
+from app.presenters.parts.detector_training import TrainingSettings, train_on
+from app.presenters.parts.kept_detectors import detector_file_name, keep_detector
+from app.presenters.parts.mistake_pictures import Here, Search, crop_surroundings, is_of
 from app.presenters.parts.training_result import MistakeItem, TrainingResult
 from app.presenters.parts.training_set import Source, TrainingSet, with_labels
 from app.presenters.parts.truth_labels import plan_truth_labels
@@ -54,7 +54,7 @@ class Detectors(QObject):
     ) -> None:
         super().__init__(parent)
         self._window, self._work, self._remembered = window, work, remembered
-        self.choice = known_choice(remembered.text(_REMEMBERED))
+        self.choice = restore_choice(remembered.text(_REMEMBERED))
         self.result: TrainingResult | None = None
         self._saved: tuple[str, DetectorChoice] = ("", DetectorChoice())  # fingerprint, where
         self._learnt: tuple[Path, ...] = ()
@@ -102,7 +102,7 @@ class Detectors(QObject):
         What is learnt from is proposed again the next time, also where training is cancelled.
         """
         self._learnt = tuple(one.path for one in training_set.sources if one.path is not None)
-        work = partial(trained_from, training_set.samples, settings)
+        work = partial(train_on, training_set.samples, settings)
         self._work.run(tr("Training the detector"), work, partial(self._take, training_set))
 
     def _take(self, training_set: TrainingSet, trained: Trained) -> None:
@@ -115,7 +115,7 @@ class Detectors(QObject):
         if self.result is None:
             return
         self.close()
-        cut = partial(cut_outs, self._here(), Search(known_recordings()))
+        cut = partial(crop_surroundings, self._here(), Search(known_recordings()))
         dialog = ResultDialog(self.result, cut, self._window)
         dialog.use_asked.connect(self.use_trained)
         dialog.save_asked.connect(self.ask_save)
@@ -159,7 +159,11 @@ class Detectors(QObject):
         try:
             fingerprint, saved = self._saved
             same = fingerprint == self.result.detector.fingerprint
-            self._use(saved if same and Path(saved.path).is_file() else kept(self.result.detector))
+            self._use(
+                saved
+                if same and Path(saved.path).is_file()
+                else keep_detector(self.result.detector)
+            )
         except (TrackwrightError, OSError) as error:
             self.failed.emit(error)
 
@@ -210,7 +214,7 @@ class Detectors(QObject):
             return
         fingerprint, saved = self.result.detector.fingerprint, DetectorChoice(str(path.resolve()))
         self._saved = (fingerprint, saved)
-        if Path(self.choice.path).name == kept_name(self.result.detector):
+        if Path(self.choice.path).name == detector_file_name(self.result.detector):
             self._use(saved)  # the same one, which the user has given a name
         self._tell(tr("Saved: {path}", path=path))
 

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QWidget
 from app.presenters.comparing.agreement_scene import OtherPlace
 from app.presenters.counting.counting_scene import FlowScene
 from app.presenters.labelling.labelling_scene import FloorLabels
-from app.presenters.pictures.extent import united
+from app.presenters.pictures.extent import unite
 from app.presenters.scenes import FloorPerson, OverheadScene
 from app.presenters.scoring.score_scene import NO_TRUTH, FlooredTruth
 from app.views.labelling.marks import draw_outlines
@@ -139,7 +139,7 @@ class OverheadView(Canvas):
         """The bounds of the scene and of the truth over it, in metres."""
         if self._scene is None or self._scene.message:
             return QRectF()
-        left, bottom, right, top = united(self._scene.bounds, self._truth.bounds)
+        left, bottom, right, top = unite(self._scene.bounds, self._truth.bounds)
         return QRectF(left, bottom, right - left, top - bottom)
 
     def clicked_at(self, at: QPointF, extend: bool) -> None:

@@ -9,11 +9,11 @@ from PySide6.QtCore import QObject, Signal
 from app.presenters.document.document import Document
 from app.presenters.pictures.of_run import AtWork
 from app.presenters.runs.run_summary import (
-    kept_as_first,
-    kept_beside,
-    kept_first,
-    kept_instead,
-    kept_to_compare,
+    describe_added_first_run,
+    describe_compared_run,
+    describe_first_run,
+    describe_further_run,
+    describe_replacement,
     meanwhile,
 )
 from app.presenters.runs.tracker_state import TrackerState, TrackerWords
@@ -148,7 +148,7 @@ class TrackerAtWork(QObject):
     def take_session(self, session: Session) -> None:
         """Show a session made of what was tracked, or of other tracks."""
         self._document.take_session(session)
-        self._tell(kept_first())
+        self._tell(describe_first_run())
         self.changed.emit()
 
     def add_run(self, run: Run) -> None:
@@ -176,9 +176,13 @@ class TrackerAtWork(QObject):
             self._comparing.open(number)
         if session.adopted_run != number:
             compared = self._again and document.flow is None
-            self._tell(kept_to_compare(number) if compared else kept_beside(number))
+            self._tell(describe_compared_run(number) if compared else describe_further_run(number))
         else:
-            self._tell(kept_as_first(number) if before is None else kept_instead(number, before))
+            self._tell(
+                describe_added_first_run(number)
+                if before is None
+                else describe_replacement(number, before)
+            )
         self.changed.emit()
 
     def _tell(self, kept: str) -> None:

@@ -8,12 +8,17 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal
 
 from app.presenters.correcting import EditKind
-from app.presenters.correcting.review_target import first_shown
+from app.presenters.correcting.review_target import find_first_frame
 from app.presenters.document.document import Document
 from app.presenters.i18n import span_text, tr
 from app.presenters.reviewing.edited_items import EditedItems
 from app.presenters.reviewing.no_items import empty_words, is_hand_made, waiting_words
-from app.presenters.reviewing.review import ReviewQueue, is_fixable, settled, verdict_on
+from app.presenters.reviewing.review import (
+    ReviewQueue,
+    is_fixable,
+    plan_review_verdict,
+    with_fixed_verdict,
+)
 from app.presenters.reviewing.review_meter import MeterWords
 from app.presenters.reviewing.review_scene import Order, ReviewScene
 from app.presenters.reviewing.watched_ranges import Watching
@@ -224,7 +229,9 @@ class Reviewing(QObject):
     def _start_of(self, review_item: ReviewItem) -> int:
         """Where watching it starts: just before it, with its people in sight."""
         session = self._document.session
-        return review_item.start if session is None else first_shown(review_item, session.tracks)
+        return (
+            review_item.start if session is None else find_first_frame(review_item, session.tracks)
+        )
 
     def _select(self, tracks: tuple[int, ...]) -> None:
         selection = self._document.selection
@@ -264,7 +271,7 @@ class Reviewing(QObject):
         if current is None or session is None:
             return
         labels = session.labels
-        if self._do(lambda: verdict_on(current, decision, labels)):
+        if self._do(lambda: plan_review_verdict(current, decision, labels)):
             self.walk(1)
 
     def fix(self) -> None:
@@ -277,7 +284,7 @@ class Reviewing(QObject):
         self._playback.go(current.frame)
         self._editing.begin(EditKind(current.fix))
         self._fixing = current
-        self._document.settle = lambda change, labels: settled(change, current, labels)
+        self._document.settle = lambda change, labels: with_fixed_verdict(change, current, labels)
 
     def _follow_fix(self) -> None:
         """An edit that is left, or another one, settles nothing."""

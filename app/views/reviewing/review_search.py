@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from app.background import Job, Progress
 from app.presenters.i18n import tr
-from app.presenters.reviewing.review_meter import measured, measures_text
+from app.presenters.reviewing.review_meter import measure_queue, measures_text
 from tracking.recording import Recording
 from tracking.review import Lookout
 from tracking.tracks import Labels, Run, TrackTable
@@ -120,7 +120,7 @@ class ReviewSearch(QObject):
         recording = self._recording
         if recording.truth_path is not None:
             self._start(
-                lambda _: measures_text(measured(found, table, recording)),
+                lambda _: measures_text(measure_queue(found, table, recording)),
                 lambda text: self._tell("", text if self.measuring else ""),
             )
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QComboBox, QFormLayout, QWidget
 
-from app.presenters.i18n import counted
+from app.presenters.i18n import count_text
 from app.presenters.parts.detector_choice import DETECTOR, OCCLUDERS, DetectorChoice, PartsAsked
 from app.views.widgets.parts import quiet
 from tracking.trackers import settings_fields
@@ -34,7 +34,7 @@ class PartsLine(QWidget):
         if not count:
             return self.tr("No occluders are drawn: draw what hides people with Alt+2.")
         one = "{n} drawn occluder hides people from the tracker."
-        return counted(count, one, "{n} drawn occluders hide people from the tracker.")
+        return count_text(count, one, "{n} drawn occluders hide people from the tracker.")
 
     def show_for(self, settings_type: type) -> None:
         """Show what a tracker with these settings has a use for."""

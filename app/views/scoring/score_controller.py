@@ -16,7 +16,7 @@ from app.presenters.i18n import tr
 from app.presenters.scenes import Side
 from app.presenters.scoring.score_scene import NO_TRUTH
 from app.presenters.scoring.scorer import ScoringPresenter
-from app.presenters.scoring.subject import Scored, ScoreSubject, worked_out
+from app.presenters.scoring.subject import Scored, ScoreSubject, score_subject
 from app.views.playing.playback import Playback
 from app.views.recording.workspace import Workspace
 from app.views.timeline.axis import TimeAxis
@@ -121,7 +121,7 @@ class Scoring(QObject):
     def _prepare(self, subject: ScoreSubject) -> Callable[[Progress], Scored]:
         """Takes hold of the tracks; scoring them is for another thread."""
         given, before = self.presenter.capture(subject), self.presenter.scored
-        return lambda report: worked_out(subject, before, given, report)
+        return lambda report: score_subject(subject, before, given, report)
 
     # walking
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from app.presenters.i18n import tr, unstopped
+from app.presenters.i18n import strip_full_stop, tr
 from app.presenters.scenes import CommandItem
 from app.views.window.menus import TypingGuard
 
@@ -39,7 +39,7 @@ class RefusalNotice:
             self._passing = item.command, item.why_not, said
             return
         self._guard.hold()
-        said = tr("{said}. What is typed now is not taken.", said=unstopped(said))
+        said = tr("{said}. What is typed now is not taken.", said=strip_full_stop(said))
         self._notice.say(said, is_error=True, passing=True)
         self._refused = said
 

@@ -17,8 +17,8 @@ from app.cli.destination import (
     check_folder,
     check_replaced,
     check_text_replaced,
-    held_at,
     nearest_folder,
+    read_file_kind,
 )
 from app.cli.display import has_display
 from tracking.errors import OutputError
@@ -139,7 +139,7 @@ def odd_format(file: h5py.File, kind: str) -> None:
 def test_an_odd_format_says_nothing(tmp_path: Path, kind: str) -> None:
     with h5py.File(tmp_path / "odd.h5", "w") as file:
         odd_format(file, kind)
-    assert held_at(tmp_path / "odd.h5") == ""
+    assert read_file_kind(tmp_path / "odd.h5") == ""
 
 
 def test_what_stands_in_the_way_is_never_opened_by_hdf5_in_this_program(
@@ -156,7 +156,7 @@ def test_what_stands_in_the_way_is_never_opened_by_hdf5_in_this_program(
 
     monkeypatch.setattr(h5py, "File", opened)
     check_replaced(out, "trackwright-detector")
-    assert [held_at(path) for path in (out, cut, text)] == ["trackwright-detector", "", None]
+    assert [read_file_kind(path) for path in (out, cut, text)] == ["trackwright-detector", "", None]
     with pytest.raises(OutputError, match="is a detector and would be lost"):
         check_replaced(out, "trackwright-samples")
     with pytest.raises(OutputError, match="is an HDF5 file and would be lost"):

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from app.__main__ import run
-from app.cli.failure import told
+from app.cli.failure import run_reporting_errors
 from tracking.errors import RecordingError
 
 
@@ -28,27 +28,27 @@ def log_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 def test_done_is_silent(capsys: pytest.CaptureFixture[str]) -> None:
-    assert told(lambda: None, debug=False) == 0
+    assert run_reporting_errors(lambda: None, debug=False) == 0
     assert capsys.readouterr() == ("", "")
 
 
 def test_an_expected_error_is_one_line(
     capsys: pytest.CaptureFixture[str], log_folder: Path
 ) -> None:
-    assert told(raises(RecordingError("left.mp4\nhas no frames")), debug=False) == 1
+    assert run_reporting_errors(raises(RecordingError("left.mp4\nhas no frames")), debug=False) == 1
     assert capsys.readouterr().err == "trackwright: left.mp4 has no frames\n"
     assert not log_folder.exists()
 
 
 def test_debug_shows_the_traceback(capsys: pytest.CaptureFixture[str]) -> None:
-    assert told(raises(RecordingError("left.mp4 has no frames")), debug=True) == 1
+    assert run_reporting_errors(raises(RecordingError("left.mp4 has no frames")), debug=True) == 1
     assert "Traceback" in capsys.readouterr().err
 
 
 def test_a_bug_is_said_to_be_one_and_logged(
     capsys: pytest.CaptureFixture[str], log_folder: Path
 ) -> None:
-    assert told(raises(ZeroDivisionError("by nothing")), debug=False) == 1
+    assert run_reporting_errors(raises(ZeroDivisionError("by nothing")), debug=False) == 1
     err = capsys.readouterr().err
     assert "this is a bug in trackwright: ZeroDivisionError: by nothing" in err
     assert err.count("\n") == 1
@@ -59,17 +59,17 @@ def test_a_bug_is_told_where_no_log_can_be_kept(
     capsys: pytest.CaptureFixture[str], log_folder: Path
 ) -> None:
     log_folder.write_text("a file where the folder should be")
-    assert told(raises(ZeroDivisionError("by nothing")), debug=False) == 1
+    assert run_reporting_errors(raises(ZeroDivisionError("by nothing")), debug=False) == 1
     assert "--debug" in capsys.readouterr().err
 
 
 def test_an_interruption_is_status_130(capsys: pytest.CaptureFixture[str]) -> None:
-    assert told(raises(KeyboardInterrupt()), debug=False) == 130
+    assert run_reporting_errors(raises(KeyboardInterrupt()), debug=False) == 130
     assert capsys.readouterr().err == "trackwright: interrupted; nothing half-done was kept\n"
 
 
 def test_missing_memory_is_told(capsys: pytest.CaptureFixture[str]) -> None:
-    assert told(raises(MemoryError()), debug=False) == 1
+    assert run_reporting_errors(raises(MemoryError()), debug=False) == 1
     assert "not enough memory" in capsys.readouterr().err
 
 

@@ -16,7 +16,7 @@ import pytest
 from command_line import Trackwright
 
 import app.cli
-from app.cli.output import shown
+from app.cli.output import escape_controls
 from tracking.editing import plan_label_part
 from tracking.failure import SAMPLE_COLUMNS
 from tracking.formats import read_part_labels, read_samples
@@ -141,10 +141,10 @@ def test_words_in_exported_tables_are_no_formulas_and_come_back(
 
 
 def test_names_are_shown_as_they_are_written() -> None:
-    assert shown("\x1b[31m\n\u202e") == "\\x1b[31m\\n\\u202e"
-    assert shown(b"\xff".decode("utf-8", "surrogateescape")) == "\\udcff"
+    assert escape_controls("\x1b[31m\n\u202e") == "\\x1b[31m\\n\\u202e"
+    assert escape_controls(b"\xff".decode("utf-8", "surrogateescape")) == "\\udcff"
     plain = "Grüße, 入口 — \u00a0👩\u200d🔬"
-    assert shown(plain) == plain
+    assert escape_controls(plain) == plain
 
 
 def test_commands_print_through_one_place() -> None:

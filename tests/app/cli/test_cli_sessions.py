@@ -159,7 +159,9 @@ def test_a_place_that_cannot_be_written_is_told_before_any_work(
     place: str,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(app.cli.track, "tracked", lambda *_: pytest.fail("it began to work"))
+    monkeypatch.setattr(
+        app.cli.track, "track_recording", lambda *_: pytest.fail("it began to work")
+    )
     (tmp_path / "file").touch()
     (tmp_path / "folder.h5").mkdir()
     status, _, err = trackwright("track", footage, "-o", tmp_path / place)

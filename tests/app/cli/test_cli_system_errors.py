@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 from command_line import Trackwright
 
-from app.cli.failure import told
+from app.cli.failure import run_reporting_errors
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="permissions of POSIX")
 ROW = "1,1,1,1,5,5,1,-1,-1,-1\n"
@@ -178,7 +178,7 @@ def test_what_nothing_foresaw_names_the_file(
     def work() -> None:
         raise error
 
-    assert told(work, debug=False) == 1
+    assert run_reporting_errors(work, debug=False) == 1
     err = capsys.readouterr().err
     assert err.startswith(f"trackwright: {said}")
     assert err.count("\n") == 1
@@ -192,5 +192,5 @@ def test_what_is_of_no_file_is_still_a_bug(
     def work() -> None:
         raise OSError(9, "Bad file descriptor")
 
-    assert told(work, debug=False) == 1
+    assert run_reporting_errors(work, debug=False) == 1
     assert "this is a bug" in capsys.readouterr().err

@@ -8,7 +8,7 @@ from two_people import FRAMES, columns
 
 from app.presenters.counting.counts import CountingPresenter, least_step_s
 from app.presenters.counting.plots import plots_of
-from app.presenters.counting.subject import Length, worked_out
+from app.presenters.counting.subject import Length, count_subject
 from app.presenters.document.document import Document
 from tracking.counting import CountingLine, Steps, count
 from tracking.errors import CancelledError, CountingError
@@ -49,7 +49,7 @@ def drawn(document):
 def _counted(presenter, rows):
     subject = presenter.wanted(mapped=False)
     length = Length(20.0, FRAMES, (0, FRAMES))
-    return worked_out(subject, lambda: rows, length, BOUNDS, lambda *_: None)
+    return count_subject(subject, lambda: rows, length, BOUNDS, lambda *_: None)
 
 
 def test_a_line_on_a_floor_nobody_knows_leaves_the_others_their_counts(drawn, document):
@@ -102,7 +102,7 @@ def test_counting_stops_where_it_is_asked_to(drawn):
     length = Length(20.0, FRAMES, (0, FRAMES))
     subject = drawn.presenter.wanted(mapped=False)
     with pytest.raises(CancelledError):
-        worked_out(subject, columns, length, BOUNDS, stop)
+        count_subject(subject, columns, length, BOUNDS, stop)
 
 
 @pytest.mark.parametrize("fps", [1.0, 7.5, 24.0, 25.0, 29.97, 30.0, 59.94, 100.0, 120.0, 300.0])

@@ -8,12 +8,12 @@ from app.presenters.correcting import (
     EditScope,
     PreviewedTracks,
     RecordingGeometry,
-    planned_edit,
+    preview_plan,
     preview_trails,
 )
 from app.presenters.correcting.edit_planner import plan_of
 from app.presenters.correcting.edit_texts import rows_changed
-from app.presenters.correcting.swap_candidates import changed_over
+from app.presenters.correcting.swap_candidates import find_swap_candidates
 from app.presenters.document.session_tracks import SessionTracks
 from app.presenters.pictures.trails import floor_points
 from app.presenters.track_colours import TrackColours
@@ -39,7 +39,7 @@ def _swap(table, frame=30) -> EditFlow:
 
 
 def _planned(flow, table, problem=""):
-    return planned_edit(flow, _on(table), problem)
+    return preview_plan(flow, _on(table), problem)
 
 
 def test_a_swap_waits_for_the_other_person(table):
@@ -56,7 +56,7 @@ def test_a_person_cannot_be_the_other_one_of_their_own_swap(table):
 
 def test_a_swap_is_proposed_where_two_changed_over(table):
     apply_change(table, Labels(), plan_swap(table, 4, 7, 50))
-    cuts = changed_over(_on(table), 4, 7, 30)
+    cuts = find_swap_candidates(_on(table), 4, 7, 30)
     flow = EditFlow.begin(EditKind.SWAP, 4, 30, FPS).with_other(7, cuts)
     assert abs(flow.cut - 50) <= 3
     assert flow.proposed
@@ -224,4 +224,4 @@ def test_a_problem_with_the_other_person_is_said_first(table):
 
 def test_two_who_are_never_near_the_users_frame_are_still_compared(table):
     apply_change(table, Labels(), plan_swap(table, 4, 7, 50))
-    assert changed_over(_on(table), 4, 7, 9_000)[0].frame == pytest.approx(50, abs=3)
+    assert find_swap_candidates(_on(table), 4, 7, 9_000)[0].frame == pytest.approx(50, abs=3)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from app.presenters.document.document import Document
-from app.presenters.pictures.extent import extent, united
+from app.presenters.pictures.extent import extent, unite
 from tracking.recording import open_recording
 from tracking.session import Session
 
@@ -26,7 +26,7 @@ def test_places_that_are_not_known_or_near_the_horizon_do_not_count():
 
 def test_what_lies_within_changes_nothing():
     bounds = (-5.0, 0.0, 5.0, 10.0)
-    assert united(bounds, None) == united(bounds, (-1.0, 1.0, 1.0, 3.0)) == bounds
+    assert unite(bounds, None) == unite(bounds, (-1.0, 1.0, 1.0, 3.0)) == bounds
 
 
 @pytest.fixture

@@ -10,8 +10,8 @@ from two_people import FRAMES, table
 from app.presenters.files.track_import import (
     Fitted,
     ImportChoice,
-    fitting,
     import_scene,
+    prepare_fit,
     read_tracks,
     with_good,
 )
@@ -42,7 +42,7 @@ def read(tmp_path: Path) -> Callable:
 
 
 def fitted(found, choice=ImportChoice(), into=None) -> Fitted:  # noqa: B008 - a frozen value
-    return fitting(found, choice, into, Labels())(quiet)
+    return prepare_fit(found, choice, into, Labels())(quiet)
 
 
 def straight(track: int) -> list[tuple[int, int, float]]:

@@ -95,6 +95,6 @@ def test_work_that_is_open_right_now_is_not_offered(
     older = left(1)
     with open_recording(tiny_recording) as recording:
         session = document_loader.session_by_hand(recording)
-        assert left_behind.left_behind(recording, no_progress) == older
+        assert left_behind.find_left_behind(recording, no_progress) == older
         session.close()
-        assert left_behind.left_behind(recording, no_progress) == session.path
+        assert left_behind.find_left_behind(recording, no_progress) == session.path

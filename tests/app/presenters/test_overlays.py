@@ -9,7 +9,7 @@ from app.presenters.pictures.overlays import (
     SHADOW,
     Kinds,
     OverlayPainter,
-    painted_overlays,
+    paint_overlays,
 )
 from app.presenters.scenes import Side
 from tracking.errors import CalibrationError
@@ -46,7 +46,7 @@ def turned(document, monkeypatch):
 
 def test_foreground_and_shadow_have_their_colours_and_the_rest_is_left_clear():
     foreground = np.array([[0, 127, 255]], np.uint8)
-    painted = painted_overlays(Overlays(foreground, None), Kinds(foreground=True), (0.0, 1.0))
+    painted = paint_overlays(Overlays(foreground, None), Kinds(foreground=True), (0.0, 1.0))
     assert painted[0, 0, 3] == 0
     assert tuple(painted[0, 1, :3]) == SHADOW
     assert tuple(painted[0, 2, :3]) == FOREGROUND
@@ -56,7 +56,7 @@ def test_foreground_and_shadow_have_their_colours_and_the_rest_is_left_clear():
 def test_near_is_brighter_than_far_and_an_unknown_distance_is_clear():
     disparity = np.array([[5.0, 20.0, np.nan]], np.float32)
     overlays = Overlays(np.full((1, 3), 255, np.uint8), disparity)
-    painted = painted_overlays(overlays, Kinds(disparity=True), (5.0, 20.0)).astype(int)
+    painted = paint_overlays(overlays, Kinds(disparity=True), (5.0, 20.0)).astype(int)
     assert painted[0, 1, :3].sum() > painted[0, 0, :3].sum() + 100
     assert painted[0, :, 3].tolist()[2] == 0
 

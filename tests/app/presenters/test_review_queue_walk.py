@@ -1,7 +1,13 @@
 import pytest
 from two_people import table as two_people
 
-from app.presenters.reviewing.review import ReviewQueue, is_fixable, kind_title, settled, verdict_on
+from app.presenters.reviewing.review import (
+    ReviewQueue,
+    is_fixable,
+    kind_title,
+    plan_review_verdict,
+    with_fixed_verdict,
+)
 from app.presenters.reviewing.review_scene import Order
 from app.presenters.scenes import MarkKind
 from app.presenters.track_colours import TrackColours
@@ -68,7 +74,7 @@ def test_returning_does_not_take_another_one_of_the_same_two_far_away(queue):
 
 def test_after_a_decision_the_next_one_is_what_took_its_place(queue):
     queue.walk(1)
-    change = verdict_on(CROSSING, "right", Labels())
+    change = plan_review_verdict(CROSSING, "right", Labels())
     labels = apply_change(two_people(), Labels(), change)
     queue.take_labels(labels)
     assert queue.current is None
@@ -91,7 +97,7 @@ def test_one_kind_alone_can_be_listed_and_all_come_back_when_it_is_done(queue):
         ("jump", 1),
         ("crossing", 1),
     ]
-    labels = apply_change(two_people(), Labels(), verdict_on(JUMP, "dismissed", Labels()))
+    labels = apply_change(two_people(), Labels(), plan_review_verdict(JUMP, "dismissed", Labels()))
     queue.take_labels(labels)
     assert queue.kind == ""
     assert _listed(queue) == [CROSSING.key, MARGIN.key]
@@ -121,7 +127,7 @@ def test_everybody_a_review_item_is_about_gets_a_mark_on_their_lane(queue):
 def test_a_fix_and_its_verdict_are_one_edit():
     table, labels = two_people(), Labels()
     swap = plan_swap(table, 4, 7, 50)
-    change = settled(swap, CROSSING, labels)
+    change = with_fixed_verdict(swap, CROSSING, labels)
     after = apply_change(table, labels, change)
     assert after.verdicts[CROSSING.key].decision == "fixed"
     before = apply_change(table, after, change.inverse)

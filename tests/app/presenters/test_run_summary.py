@@ -5,7 +5,7 @@ from two_people import columns
 from two_people import run as made_run
 
 from app.presenters.i18n import use_translator
-from app.presenters.runs.run_summary import RunSummary, kept_beside
+from app.presenters.runs.run_summary import RunSummary, describe_further_run
 
 ASKED = (0, 100)
 
@@ -18,7 +18,7 @@ def _with_ids(rows, **ids):
 
 
 def test_a_run_that_says_what_was_seen_on_the_way_tells_of_no_other_ids():
-    words = RunSummary.of(made_run(), [columns()], ASKED).words(kept_beside(2))
+    words = RunSummary.of(made_run(), [columns()], ASKED).words(describe_further_run(2))
     assert words.startswith(
         "Tracked 100 frames with stereo-direction. Found 2 tracks. Kept as run 2"
     )

@@ -13,7 +13,7 @@ from app.cli.tracks import truth_at
 from app.presenters.document.document import Document
 from app.presenters.scenes import Side
 from app.presenters.scoring.scorer import ScoringPresenter
-from app.presenters.scoring.subject import worked_out
+from app.presenters.scoring.subject import score_subject
 from app.presenters.scoring.truths import TruthKind, TruthSource
 from tracking.editing import plan_delete
 from tracking.errors import FormatError, SessionError
@@ -38,7 +38,7 @@ def presenter(document):
 
 def score_now(presenter):
     subject = presenter.wanted()
-    scored = worked_out(subject, presenter.scored, presenter.capture(subject), lambda *_: None)
+    scored = score_subject(subject, presenter.scored, presenter.capture(subject), lambda *_: None)
     presenter.take(scored)
     return scored
 

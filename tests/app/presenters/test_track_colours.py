@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from app.presenters.co_occurrence import closeness, find_co_occurrences
 from app.presenters.colour_sight import alike, of_one_hue
 from app.presenters.palette import NOBODY, TRACK_COLOURS
-from app.presenters.shown_colours import THEMES, standing_out
+from app.presenters.shown_colours import THEMES, readable_colour
 from app.presenters.track_colours import TrackColours
 from tracking.tracks import CORRECTED_COLUMNS, TrackTable
 
@@ -77,7 +77,7 @@ def test_who_comes_up_as_somebody_leaves_does_not_take_their_colour():
 
 @pytest.mark.parametrize("theme", THEMES)
 def test_people_close_to_each_other_are_told_apart_as_a_theme_shows_them(theme):
-    shown = alike([standing_out(theme, one) for one in TRACK_COLOURS])
+    shown = alike([readable_colour(theme, one) for one in TRACK_COLOURS])
     places = {colour: place for place, colour in enumerate(TRACK_COLOURS)}
     pairs = [(a, b) for a in range(1, 25) for b in range(1, a)]
     for a, b in pairs:

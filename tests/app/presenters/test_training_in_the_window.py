@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from app.presenters.i18n import time_text
-from app.presenters.parts.detector_training import TrainingSettings, counts_of, trained_from
+from app.presenters.parts.detector_training import TrainingSettings, counts_of, train_on
 from app.presenters.parts.training_result import TrainingResult
 from app.presenters.parts.training_set import Source, build_training_set
 from tracking.errors import CancelledError
@@ -45,7 +45,7 @@ def samples(recording="lobby", people=4, each=24, seed=4105, wrong=0.1) -> Sampl
 @pytest.fixture(scope="module")
 def trained():
     settings = TrainingSettings(folds=2, searched=100)
-    return trained_from(samples(), settings, lambda *_: None)
+    return train_on(samples(), settings, lambda *_: None)
 
 
 @pytest.fixture
@@ -161,11 +161,11 @@ def test_training_stops_where_the_user_cancels():
         raise CancelledError("stopped by the user")
 
     with pytest.raises(CancelledError):
-        trained_from(samples(), TrainingSettings(folds=2, searched=100), report)
+        train_on(samples(), TrainingSettings(folds=2, searched=100), report)
 
 
 def test_the_same_seed_trains_the_same_detector(trained):
-    again = trained_from(samples(), TrainingSettings(folds=2, searched=100), lambda *_: None)
+    again = train_on(samples(), TrainingSettings(folds=2, searched=100), lambda *_: None)
     assert again.detector.fingerprint == trained.detector.fingerprint
 
 
@@ -230,6 +230,6 @@ def test_the_area_under_each_curve_is_told(result, trained):
 def test_parts_judged_no_better_than_by_chance_are_warned_of(result):
     settings = TrainingSettings(folds=2, searched=100)
     guessed = samples(wrong=0.5)
-    lots = TrainingResult(trained_from(guessed, settings, lambda *_: None), training_set(guessed))
+    lots = TrainingResult(train_on(guessed, settings, lambda *_: None), training_set(guessed))
     assert "No better than chance: head" in lots.scene().warning
     assert "head" not in result.scene().warning

@@ -9,11 +9,11 @@ from app.presenters.correcting import (
     EditFlow,
     EditKind,
     RecordingGeometry,
-    planned_edit,
+    preview_plan,
     swap_candidates,
 )
 from app.presenters.correcting.correction import Correcting
-from app.presenters.correcting.review_target import first_shown
+from app.presenters.correcting.review_target import find_first_frame
 from app.presenters.document.selection import Selection
 from tracking.editing import SwapFrame
 from tracking.review import ReviewItem
@@ -38,7 +38,7 @@ def _said_of(apart_m: float, others: int) -> str:
     on = EditContext(TrackTable(rows), Labels(), RecordingGeometry(None, 100, 10.0, (640, 480)))
     found = (SwapFrame(50, 1.0 - 0.2 * others, "reasons"), *[SwapFrame(80, 0.2, "less")] * others)
     flow = EditFlow.begin(EditKind.SWAP, 4, 50, 10.0).with_other(7, found)
-    return planned_edit(flow, on).scene.details[0]
+    return preview_plan(flow, on).scene.details[0]
 
 
 def test_of_several_frames_the_share_is_told():
@@ -58,7 +58,7 @@ def test_where_nothing_speaks_for_a_frame_that_is_said():
     found = (SwapFrame(50, 0.9, "reasons", False), SwapFrame(80, 0.1, "less"))
     on = EditContext(two_people.table(), Labels(), RecordingGeometry(None, 100, 10.0, (640, 480)))
     flow = EditFlow.begin(EditKind.SWAP, 4, 50, 10.0).with_other(7, found)
-    said = planned_edit(flow, on).scene.details[0]
+    said = preview_plan(flow, on).scene.details[0]
     assert said == "Frame 50 (00:05.00), no sign of a swap here: reasons"
 
 
@@ -102,7 +102,7 @@ def _shown_at(tracks, frames_of, frame):
     columns = {name: np.zeros(len(order), kind) for name, kind in CORRECTED_COLUMNS.items()}
     columns |= {name: np.array(rows[name])[order].astype(np.int32) for name in rows}
     one = ReviewItem("height", tracks, frame, frame - 5, frame + 5, 0.5, 9.0, "why", "split")
-    return first_shown(one, TrackTable(columns))
+    return find_first_frame(one, TrackTable(columns))
 
 
 def test_a_review_item_is_looked_at_from_just_before_where_its_people_are_there():
@@ -134,5 +134,5 @@ def test_of_long_tracks_only_the_stretch_of_a_review_item_is_read(monkeypatch):
 
     monkeypatch.setattr(np, "intersect1d", noted)
     one = ReviewItem("height", (4, 7), 500, 490, 510, 0.5, 9.0, "why", "split")
-    assert first_shown(one, TrackTable(rows)) == 490
+    assert find_first_frame(one, TrackTable(rows)) == 490
     assert max(read) <= 40

@@ -28,4 +28,4 @@ def test_a_stretch_is_said_by_both_its_ends_and_one_frame_by_its_time():
 
 @pytest.mark.parametrize(("count", "said"), [(0, "0 frames"), (1, "1 frame"), (2, "2 frames")])
 def test_one_is_not_said_in_the_plural(count, said):
-    assert i18n.counted(count, "{n} frame", "{n} frames") == said
+    assert i18n.count_text(count, "{n} frame", "{n} frames") == said

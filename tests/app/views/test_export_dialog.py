@@ -5,7 +5,11 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QWidget
 
 from app.presenters.files.export import refuse_to_lose
-from app.presenters.files.export_formats import export_formats, proposed_folder, proposed_name
+from app.presenters.files.export_formats import (
+    export_formats,
+    propose_file_name,
+    propose_report_folder,
+)
 from app.views.files.export_dialog import ExportDialog
 from tracking.errors import OutputError
 
@@ -32,9 +36,9 @@ def test_every_format_says_what_it_holds():
 
 
 def test_files_are_proposed_under_the_recordings_name():
-    assert proposed_name("Lobby, camera 3", FORMATS[0]) == "Lobby-camera-3-tracks.txt"
-    assert proposed_name("...", FORMATS[0]) == "tracks.txt"
-    assert proposed_folder("Lobby, camera 3") == "Lobby-camera-3-score"
+    assert propose_file_name("Lobby, camera 3", FORMATS[0]) == "Lobby-camera-3-tracks.txt"
+    assert propose_file_name("...", FORMATS[0]) == "tracks.txt"
+    assert propose_report_folder("Lobby, camera 3") == "Lobby-camera-3-score"
 
 
 def test_a_session_is_not_written_over(tiny_session, tmp_path):

@@ -11,8 +11,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QPushButton
 
 from app.presenters.files.document_loader import known_recordings
-from app.presenters.parts.detector_choice import DetectorChoice, known_choice
-from app.presenters.parts.mistake_pictures import Here, Search, cut_outs
+from app.presenters.parts.detector_choice import DetectorChoice, restore_choice
+from app.presenters.parts.mistake_pictures import Here, Search, crop_surroundings
 from app.presenters.parts.training_result import MistakeItem
 from app.presenters.parts.training_set import build_training_set, source_at
 from app.views.parts.detectors import _labels_here
@@ -230,16 +230,16 @@ def test_a_mistake_of_another_session_is_a_picture_of_its_recording(
     item = MistakeItem(source, source.recording, wrong, training_set.box_of(number), "", "", "")
     document, search = labelled.controller.document, Search(known_recordings())
     here = Here.of(document.recording, document.session)
-    from_closed = cut_outs(None, search, [item], lambda *_: None)[item]
-    from_open = cut_outs(here, search, [item], lambda *_: None)[item]
+    from_closed = crop_surroundings(None, search, [item], lambda *_: None)[item]
+    from_open = crop_surroundings(here, search, [item], lambda *_: None)[item]
     table = replace(source, path=source.path.with_suffix(".csv"), fps=0.0, boxes=None)
     untold = replace(item, source=table, box=None)
-    of_table = cut_outs(here, search, [untold], lambda *_: None)[untold]
+    of_table = crop_surroundings(here, search, [untold], lambda *_: None)[untold]
     assert np.array_equal(from_closed[0], from_open[0])
     assert from_closed[1] == from_open[1] == pytest.approx(of_table[1], abs=1e-3)
     gone = replace(training_set.sources[0], path=parted_session.with_name("gone.h5"))
     missing = replace(item, source=gone)
-    assert cut_outs(None, search, [missing], lambda *_: None) == {missing: None}
+    assert crop_surroundings(None, search, [missing], lambda *_: None) == {missing: None}
 
 
 @pytest.mark.parametrize("warning", ["", "No better than chance: head."])
@@ -339,9 +339,9 @@ def test_a_detector_from_a_file_is_used_and_remembered(hands, window, qtbot, tmp
     qtbot.waitUntil(lambda: hands.controller.document.detector.path == str(path))
     checked = {item.command: item.checked for item in window.command_items()}
     assert checked["detector.built_in"] is False
-    assert known_choice(window.remembered.text("detector")) == DetectorChoice(str(path))
+    assert restore_choice(window.remembered.text("detector")) == DetectorChoice(str(path))
     path.unlink()
-    assert known_choice(window.remembered.text("detector")) == DetectorChoice()
+    assert restore_choice(window.remembered.text("detector")) == DetectorChoice()
 
 
 def test_occluders_that_are_drawn_are_handed_to_trackers_of_parts(hands, window, qtbot):

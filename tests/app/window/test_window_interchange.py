@@ -14,7 +14,7 @@ from PySide6.QtCore import Qt, QUrl
 from PySide6.QtWidgets import QMessageBox
 
 from app.cli.export import check_is_own
-from app.presenters.files.export import exported
+from app.presenters.files.export import capture_export
 from app.presenters.files.export_formats import export_formats
 from app.views.files import export_controller, import_controller
 from app.views.files.import_dialog import ImportDialog
@@ -79,9 +79,9 @@ def test_what_a_format_does_not_hold_stays_said_until_it_is_read(
 def test_an_export_that_was_cancelled_writes_nothing(
     window, controller, qtbot, tmp_path, monkeypatch
 ):
-    cancelled, whole = threading.Event(), exported(controller.document.session)
+    cancelled, whole = threading.Event(), capture_export(controller.document.session)
     put_together = lambda: cancelled.wait(PATIENCE_S) and whole  # noqa: E731
-    monkeypatch.setattr(export_controller, "exporting", lambda *_: put_together)
+    monkeypatch.setattr(export_controller, "prepare_export", lambda *_: put_together)
     window.files.exporting.tracks_to(tmp_path / "tracks.txt")
     window.work.cancel()
     cancelled.set()

@@ -70,7 +70,7 @@ def fits(view: View, places: Floats, heights_m: Floats, boxes: Floats) -> Floats
     return np.asarray((_edges(boxes) - _edges(bodies)) / np.tile(bodies[:, 2:], 2))
 
 
-def carried(view: View, places: Floats, heights_m: Floats, fit: Floats) -> Floats:
+def move_bodies(view: View, places: Floats, heights_m: Floats, fit: Floats) -> Floats:
     """(n, 4) boxes of bodies at other places, with the fit they had."""
     bodies = body_boxes(view, places, heights_m)
     edges = _edges(bodies) + fit * np.tile(bodies[:, 2:], 2)
@@ -101,7 +101,7 @@ def body_position(view: View, box: Box, height_m: float = USUAL_HEIGHT_M) -> tup
     return float(places[0, 0]), float(places[0, 1])
 
 
-def followed_position(
+def position_after_move(
     view: View, old_box: Floats, old_place: Floats, box: Floats
 ) -> tuple[float, float]:
     """The floor place after a box (4,) moved: the foot keeps standing in the box as it stood.

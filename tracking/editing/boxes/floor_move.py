@@ -9,8 +9,8 @@ from tracking.editing.boxes.floor_boxes import (
     body_heights,
     body_positions,
     boxes_of,
-    carried,
     fits,
+    move_bodies,
     places_of,
 )
 from tracking.editing.boxes.interpolation import How, Way
@@ -55,7 +55,7 @@ def plan_drag(
     if not np.isfinite(places).all():
         places = body_positions(view, boxes, heights)
     there = np.array([position_m], float)
-    box = carried(view, there, heights, np.nan_to_num(fits(view, places, heights, boxes)))[0]
+    box = move_bodies(view, there, heights, np.nan_to_num(fits(view, places, heights, boxes)))[0]
     if not (np.isfinite(box).all() and (box[2:] > 0).all()):
         x, y = position_m
         raise EditError(f"place {x:.2f}, {y:.2f} m lies behind the camera; drag to one before it")

@@ -7,10 +7,10 @@ from collections.abc import Iterable
 import numpy as np
 
 from tracking.editing.boxes.interpolation import How, Way
-from tracking.editing.boxes.stretches import spanned
+from tracking.editing.boxes.stretches import interpolate_between
 from tracking.editing.change import Change, State, no_rows
-from tracking.editing.scope import Scope, checked_tracks, frames_text, scope_text, tracks_text
-from tracking.editing.selection import Rows, rows_in, stacked
+from tracking.editing.scope import Scope, check_tracks, frames_text, scope_text, tracks_text
+from tracking.editing.selection import Rows, rows_in, stack_rows
 from tracking.errors import EditError
 from tracking.geometry import View
 from tracking.tracks import TrackTable, check_known
@@ -62,14 +62,14 @@ def plan_fill_gaps(
 
     Raises EditError where there is none.
     """
-    chosen = checked_tracks(table, tracks)
+    chosen = check_tracks(table, tracks)
     way, parts, filled = Way(how, view, fps), [no_rows()], list[Gap]()
     for track in chosen:
         gaps = [gap for gap in gaps_of(table, track) if gap[1] - gap[0] <= longest]
         if gaps:
             filled += gaps
             parts.append(_filling(table, track, gaps, way))
-    rows = stacked(parts)
+    rows = stack_rows(parts)
     if not filled:
         raise EditError(
             f"{tracks_text(chosen)}: no gap of up to {frames_text(longest)}; allow longer ones"
@@ -84,4 +84,4 @@ def _filling(table: TrackTable, track: int, gaps: list[Gap], way: Way) -> Rows:
     borders = np.array([(start - 1, end) for start, end in gaps])
     frames = np.concatenate([np.arange(*gap, dtype=np.int32) for gap in gaps])
     ends = rows_in(table, track, np.unique(borders).astype(np.int32))
-    return spanned(ends, frames, way, no_rows())
+    return interpolate_between(ends, frames, way, no_rows())

@@ -14,11 +14,11 @@ from tracking.editing.boxes.floor_boxes import (
     body_heights,
     body_positions,
     boxes_of,
-    carried,
     fits,
+    move_bodies,
     places_of,
 )
-from tracking.editing.selection import Rows, picked
+from tracking.editing.selection import Rows, select_rows
 from tracking.errors import EditError
 from tracking.geometry import View
 from tracking.tracks import Columns, Source
@@ -58,7 +58,7 @@ class Way:
             )
 
 
-def interpolated(
+def interpolate(
     ends: Columns, at: Numbers, frames: NDArray[np.int32], way: Way, straight: NDArray[np.bool_]
 ) -> Rows:
     """The rows of the given frames, each between two rows that stand fast.
@@ -76,7 +76,7 @@ def interpolated(
     Raises:
         EditError: the floor is asked for, and nothing tells where an end stands on it.
     """
-    rows = picked(ends, at)
+    rows = select_rows(ends, at)
     rows["frame"] = np.asarray(frames, np.int32)
     rows["source"][:], rows["predicted"][:] = Source.INTERPOLATED, False
     rows["confidence"] = np.fmin(ends["confidence"][at], ends["confidence"][at + 1])
@@ -124,7 +124,7 @@ def _walk(
     fit = fits(view, places, heights, boxes)
     walked = _between(places, at, share)
     height = _between(heights[:, None], at, share)[:, 0]
-    seen = carried(view, walked, height, _between(fit, at, share))
+    seen = move_bodies(view, walked, height, _between(fit, at, share))
     walks = np.asarray(np.isfinite(seen).all(axis=1), np.bool_) & ~straight
     chosen = walks[:, None]
     _write(rows, np.where(chosen, seen, boxes_of(rows)), np.where(chosen, walked, places_of(rows)))

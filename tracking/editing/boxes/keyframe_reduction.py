@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 from tracking.editing.boxes.floor_boxes import Floats, boxes_of, places_of
 from tracking.editing.boxes.interpolation import How, Way
 from tracking.editing.boxes.keyframes import vouch_for
-from tracking.editing.boxes.stretches import Flags, replaced, spanned
+from tracking.editing.boxes.stretches import Flags, compare_windows, interpolate_between
 from tracking.editing.change import Change, State
 from tracking.editing.scope import Scope, check_scope, scope_text
-from tracking.editing.selection import Rows, picked, stacked
+from tracking.editing.selection import Rows, select_rows, stack_rows
 from tracking.errors import EditError
 from tracking.geometry import View
 from tracking.progress import Progress, no_progress
@@ -76,7 +76,7 @@ def plan_thin(
     way = Way(how, view, fps)
     keys = _kept(old, way, (tolerance_px, tolerance_m))
     new = _thinned(old, keys, way)
-    before, after = replaced(old, new)
+    before, after = compare_windows(old, new)
     if keys.all() or not len(after["frame"]):
         raise EditError(f"track {track}: no row can be left out; allow a larger tolerance")
     count = len(old["frame"])
@@ -111,7 +111,7 @@ def thin_tracks(
         ends[starts[first:last] - chosen.start] = ends[stops[first:last] - 1 - chosen.start] = True
         tick = partial(report, chosen.start, len(changed))
         part, changed[chosen] = _thin_joint(
-            picked(rows, chosen), ends, way, (tolerance_px, tolerance_m), tick
+            select_rows(rows, chosen), ends, way, (tolerance_px, tolerance_m), tick
         )
         parts.append(part)
         first = last
@@ -169,9 +169,9 @@ def _kept(
     open_rows = np.flatnonzero(~keys)
     while len(open_rows):
         tick()
-        there = picked(rows, open_rows)
+        there = select_rows(rows, open_rows)
         stretch = np.cumsum(keys)[open_rows] - 1
-        between = spanned(_ends_of(rows, keys, stretch), there["frame"], way, there)
+        between = interpolate_between(_ends_of(rows, keys, stretch), there["frame"], way, there)
         off = _off(there, between, tolerances)
         order = np.lexsort((off, stretch))
         worst = order[np.flatnonzero(np.diff(stretch[order], append=-1))]
@@ -188,15 +188,15 @@ def _ends_of(rows: Columns, keys: Flags, stretch: NDArray[np.intp]) -> Rows:
     at = np.flatnonzero(keys)
     asked = np.zeros(len(at), np.bool_)
     asked[stretch] = asked[stretch + 1] = True
-    return picked(rows, at[asked])
+    return select_rows(rows, at[asked])
 
 
 def _thinned(rows: Columns, keys: Flags, way: Way) -> Rows:
     """The rows with those that are no keys interpolated between those that are."""
-    ends, there = picked(rows, keys), picked(rows, ~keys)
-    between = spanned(ends, there["frame"], way, there)
+    ends, there = select_rows(rows, keys), select_rows(rows, ~keys)
+    between = interpolate_between(ends, there["frame"], way, there)
     vouch_for(ends)
-    return stacked([ends, between])
+    return stack_rows([ends, between])
 
 
 def _off(rows: Columns, thinned: Columns, tolerances: tuple[float, float]) -> Floats:

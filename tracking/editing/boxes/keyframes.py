@@ -8,16 +8,16 @@ from numpy.typing import NDArray
 from tracking.editing.boxes.floor_boxes import places_of
 from tracking.editing.boxes.interpolation import How, Way
 from tracking.editing.boxes.stretches import (
-    replaced,
-    respanned,
+    compare_windows,
+    interpolate_between,
+    reinterpolate,
     rows_around,
-    spanned,
     stands_fast,
     with_row,
 )
 from tracking.editing.change import Change, State
 from tracking.editing.scope import Scope, check_scope, frames_text, scope_text
-from tracking.editing.selection import Rows, differing, picked, stacked
+from tracking.editing.selection import Rows, rows_differ, select_rows, stack_rows
 from tracking.errors import EditError
 from tracking.geometry import View
 from tracking.tracks import Columns, Source, TrackTable, check_known
@@ -53,16 +53,16 @@ def key_row_change(
     """
     track, frame = int(row["track"][0]), int(row["frame"][0])
     there = table.of_track(track, frame, frame + 1)
-    if len(there["frame"]) and not differing(there, row).any():
+    if len(there["frame"]) and not rows_differ(there, row).any():
         raise EditError(f"track {track} is already so in frame {frame}; nothing to change")
     old = rows_around(table, track, frame)
-    new = respanned(old, with_row(old, row), way)
+    new = reinterpolate(old, with_row(old, row), way)
     scope = Scope(frame, frame + 1)
     if join:
         bridges = _bridges(new, frame, way)
         scope = _reaching(scope, bridges["frame"])
-        new = stacked([new, bridges])
-    before, after = replaced(old, _with_velocity(new, frame, way.fps))
+        new = stack_rows([new, bridges])
+    before, after = compare_windows(old, _with_velocity(new, frame, way.fps))
     kind, text = kind_and_text
     following = len(after["frame"]) - 1
     if following:
@@ -76,7 +76,7 @@ def plan_add_keyframe(table: TrackTable, track: int, frame: int) -> Change:
     Raises EditError where the track has no row in the frame, or it is a keyframe.
     """
     old = standing_row(table, track, frame)
-    new = picked(old, slice(None))
+    new = select_rows(old, slice(None))
     vouch_for(new)
     if old["source"][0] == Source.PERSON:
         raise EditError(f"frame {frame} is a keyframe of track {track} already")
@@ -104,13 +104,13 @@ def plan_delete_keyframe(
     old = rows_around(table, track, frame)
     text = f"Take the keyframe of {track} in frame {frame} away"
     if _held_on_both_sides(old, frame):
-        new = picked(old, slice(None))
+        new = select_rows(old, slice(None))
         new["source"][new["frame"] == frame] = Source.INTERPOLATED
         new["confidence"][new["frame"] == frame] = 1.0
-        new = respanned(old, new, Way(how, view, fps))
+        new = reinterpolate(old, new, Way(how, view, fps))
     else:
-        new = picked(old, stands_fast(old) & (old["frame"] != frame))
-    before, after = replaced(old, new)
+        new = select_rows(old, stands_fast(old) & (old["frame"] != frame))
+    before, after = compare_windows(old, new)
     gone = len(before["frame"]) - len(after["frame"])
     if gone > 1:
         text += f", and the {frames_text(gone - 1)} interpolated from it"
@@ -139,11 +139,11 @@ def plan_interpolate(
     old = table.of_track(track, start, end)
     fast = np.asarray(old["source"] == Source.PERSON)
     fast[:1] = fast[-1:] = True
-    ends, between = picked(old, fast), picked(old, ~fast)
+    ends, between = select_rows(old, fast), select_rows(old, ~fast)
     frames = _frames_between(ends, f"track {track} {scope_text(start, end)}")
     first, stop = int(ends["frame"][0]), int(ends["frame"][-1]) + 1
     way, where = Way(how, view, fps), scope_text(first, stop)
-    before, after = replaced(between, spanned(ends, frames, way, between))
+    before, after = compare_windows(between, interpolate_between(ends, frames, way, between))
     if not len(after["frame"]):
         raise EditError(f"track {track} is interpolated so already {where}; nothing to change")
     text = f"Interpolate {track} {where}, {_way_text(way)}between {len(ends['frame'])} keyframes"
@@ -199,10 +199,10 @@ def _held_on_both_sides(rows: Columns, frame: int) -> bool:
 def _bridges(rows: Columns, frame: int, way: Way) -> Rows:
     """Rows for the gaps just before and just after a frame."""
     at = int(np.searchsorted(rows["frame"], frame))
-    ends = picked(rows, slice(max(at - 1, 0), at + 2))
+    ends = select_rows(rows, slice(max(at - 1, 0), at + 2))
     stop = int(ends["frame"][-1])
     frames = np.setdiff1d(np.arange(ends["frame"][0], stop, dtype=np.int32), ends["frame"])
-    return spanned(ends, frames, way, picked(rows, slice(0, 0)))
+    return interpolate_between(ends, frames, way, select_rows(rows, slice(0, 0)))
 
 
 def _reaching(scope: Scope, frames: NDArray[np.int32]) -> Scope:

@@ -11,8 +11,8 @@ from tracking.editing.boxes.floor_boxes import (
     USUAL_HEIGHT_M,
     body_position,
     boxes_of,
-    followed_position,
     places_of,
+    position_after_move,
     standing_box,
 )
 from tracking.editing.boxes.interpolation import How, Way
@@ -22,11 +22,11 @@ from tracking.editing.scope import (
     Scope,
     check_id,
     check_scope,
-    checked_tracks,
+    check_tracks,
     scope_text,
     tracks_text,
 )
-from tracking.editing.selection import Rows, stacked
+from tracking.editing.selection import Rows, stack_rows
 from tracking.errors import EditError
 from tracking.geometry import View
 from tracking.tracks import (
@@ -62,7 +62,7 @@ def plan_delete_tracks(
 
     Their labels stay. Raises EditError where there is nothing to delete.
     """
-    chosen = checked_tracks(table, tracks)
+    chosen = check_tracks(table, tracks)
     check_scope(start, end)
     parts = {track: table.of_track(track, start, end) for track in chosen}
     touched = [track for track, rows in parts.items() if len(rows["frame"])]
@@ -72,7 +72,7 @@ def plan_delete_tracks(
             "choose another range"
         )
     who = tracks_text(touched)
-    rows = stacked(parts.values())
+    rows = stack_rows(parts.values())
     first = min(table.frame_range(track)[0] for track in touched)
     stop = max(table.frame_range(track)[1] for track in touched)
     text = f"Delete {who} {scope_text(start, None if end is None or end >= stop else end)}"
@@ -190,7 +190,7 @@ def _followed(row: Columns, box: Box, view: View | None) -> Place:
         return float(old_place[0]), float(old_place[1])
     if view is None:
         return np.nan, np.nan
-    return followed_position(view, old_box, old_place, new)
+    return position_after_move(view, old_box, old_place, new)
 
 
 def _drawn(track: int, frame: int) -> Rows:

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.editing.boxes.interpolation import Way, interpolated, was_straight
-from tracking.editing.selection import Rows, differing, picked, stacked
+from tracking.editing.boxes.interpolation import Way, interpolate, was_straight
+from tracking.editing.selection import Rows, rows_differ, select_rows, stack_rows
 from tracking.tracks import Columns, Source, TrackTable
 
 Flags = NDArray[np.bool_]
@@ -29,7 +29,9 @@ def rows_around(table: TrackTable, track: int, frame: int) -> Rows:
     before, after = (int(at) for at in np.searchsorted(frames, [frame, frame + 1]))
     first = _nearest_fast(table, track, frames[:before][::-1])
     last = _nearest_fast(table, track, frames[after:])
-    return picked(table.of_track(track, first if first >= 0 else 0, last + 1 or None), slice(None))
+    return select_rows(
+        table.of_track(track, first if first >= 0 else 0, last + 1 or None), slice(None)
+    )
 
 
 def _nearest_fast(table: TrackTable, track: int, frames: NDArray[np.int32]) -> int:
@@ -45,19 +47,19 @@ def _nearest_fast(table: TrackTable, track: int, frames: NDArray[np.int32]) -> i
     return -1
 
 
-def spanned(ends: Columns, frames: NDArray[np.int32], way: Way, there: Columns) -> Rows:
+def interpolate_between(ends: Columns, frames: NDArray[np.int32], way: Way, there: Columns) -> Rows:
     """New rows of a track for the given frames, each between two of the ends.
 
     there: rows that stood in some of these frames: their visibility stays.
     """
     at = np.searchsorted(ends["frame"], frames, side="right") - 1
-    fresh = interpolated(ends, at, frames, way, np.zeros(len(frames), np.bool_))
+    fresh = interpolate(ends, at, frames, way, np.zeros(len(frames), np.bool_))
     _, now, before = np.intersect1d(frames, there["frame"], assume_unique=True, return_indices=True)
     fresh["visibility"][now] = there["visibility"][before]
     return fresh
 
 
-def respanned(old: Columns, new: Columns, way: Way) -> Rows:
+def reinterpolate(old: Columns, new: Columns, way: Way) -> Rows:
     """Rows of a window anew, after some that stand fast were moved, added or let go.
 
     Args:
@@ -67,14 +69,14 @@ def respanned(old: Columns, new: Columns, way: Way) -> Rows:
         way: how; where it leaves it open, as they were before.
     """
     fast = stands_fast(new)
-    ends = picked(new, fast)
+    ends = select_rows(new, fast)
     hanging = np.flatnonzero(~fast & _enclosed(fast))
     if not len(hanging):
-        return picked(new, slice(None))
+        return select_rows(new, slice(None))
     frames = new["frame"][hanging]
     at = np.searchsorted(ends["frame"], frames) - 1
-    fresh = interpolated(ends, at, frames, way, _hung_straight(old, frames))
-    result = picked(new, slice(None))
+    fresh = interpolate(ends, at, frames, way, _hung_straight(old, frames))
+    result = select_rows(new, slice(None))
     for name, column in fresh.items():
         if name != "visibility":
             result[name][hanging] = column
@@ -84,11 +86,11 @@ def respanned(old: Columns, new: Columns, way: Way) -> Rows:
 def _hung_straight(old: Columns, frames: NDArray[np.int32]) -> Flags:
     """(n,) which of the frames lay in a stretch that ran straight; a stretch's new rows with it."""
     fast = stands_fast(old)
-    ends = picked(old, fast)
+    ends = select_rows(old, fast)
     hanging = np.flatnonzero(~fast & _enclosed(fast))
     straight = np.zeros(max(len(ends["frame"]) - 1, 0), np.bool_)
     if len(hanging):
-        rows = picked(old, hanging)
+        rows = select_rows(old, hanging)
         at = np.searchsorted(ends["frame"], rows["frame"]) - 1
         np.logical_or.at(straight, at, was_straight(ends, at, rows))
     if not len(straight):
@@ -106,17 +108,17 @@ def _enclosed(fast: Flags) -> Flags:
     return inside
 
 
-def replaced(before: Columns, after: Columns) -> tuple[Rows, Rows]:
+def compare_windows(before: Columns, after: Columns) -> tuple[Rows, Rows]:
     """The rows that stand only before and only after, of one track's windows."""
     _, was, will = np.intersect1d(
         before["frame"], after["frame"], assume_unique=True, return_indices=True
     )
-    same = ~differing(picked(before, was), picked(after, will))
+    same = ~rows_differ(select_rows(before, was), select_rows(after, will))
     goes, comes = np.ones(len(before["frame"]), np.bool_), np.ones(len(after["frame"]), np.bool_)
     goes[was[same]] = comes[will[same]] = False
-    return picked(before, goes), picked(after, comes)
+    return select_rows(before, goes), select_rows(after, comes)
 
 
 def with_row(rows: Columns, row: Columns) -> Rows:
     """The window with one row put in, in place of what stood there."""
-    return stacked([picked(rows, rows["frame"] != row["frame"][0]), row])
+    return stack_rows([select_rows(rows, rows["frame"] != row["frame"][0]), row])

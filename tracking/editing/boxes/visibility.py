@@ -7,8 +7,8 @@ from collections.abc import Iterable
 import numpy as np
 
 from tracking.editing.change import Change, State
-from tracking.editing.scope import Scope, check_scope, checked_tracks, scope_text, tracks_text
-from tracking.editing.selection import picked, stacked
+from tracking.editing.scope import Scope, check_scope, check_tracks, scope_text, tracks_text
+from tracking.editing.selection import select_rows, stack_rows
 from tracking.errors import EditError
 from tracking.tracks import TrackTable
 
@@ -25,18 +25,18 @@ def plan_mark_occluded(
     end None: from there on. Their boxes and where these come from stay as they are.
     Raises EditError where none of them stands in the range, or it is said already.
     """
-    chosen = checked_tracks(table, tracks)
+    chosen = check_tracks(table, tracks)
     check_scope(start, end)
-    rows = stacked(table.of_track(track, start, end) for track in chosen)
+    rows = stack_rows(table.of_track(track, start, end) for track in chosen)
     who, where = tracks_text(chosen), scope_text(start, end)
     if not len(rows["frame"]):
         raise EditError(f"{who}: no rows to mark {where}; choose another range")
     wanted = np.float32(0.0 if occluded else 1.0)
-    old = picked(rows, rows["visibility"] != wanted)
+    old = select_rows(rows, rows["visibility"] != wanted)
     state = "occluded" if occluded else "visible"
     if not len(old["frame"]):
         raise EditError(f"{who}: marked as {state} {where} already")
-    new = picked(old, slice(None))
+    new = select_rows(old, slice(None))
     new["visibility"][:] = wanted
     text = f"Mark {who} as {state} {where}"
     frame, scope = int(old["frame"][0]), Scope(start, end)

@@ -71,7 +71,7 @@ def courses_of(
     return Courses(ways[0], ways[1], in_metres)
 
 
-def turned_over(courses: Courses, cuts: Frames) -> Floats:
+def swap_gain(courses: Courses, cuts: Frames) -> Floats:
     """(n,) how much more likely each walk goes on as the other's at a cut than as its own.
 
     A difference of log-likelihoods: rows before and after a cut are joined by lines, and what
@@ -85,7 +85,7 @@ def turned_over(courses: Courses, cuts: Frames) -> Floats:
 
 
 def _turned_over(courses: Courses, cuts: Frames, guard: int) -> Floats:
-    """As `turned_over`; NaN where nothing tells."""
+    """As `swap_gain`; NaN where nothing tells."""
     ways = (courses.a, courses.b)
     led = [_line(way, cuts, guard, after=False) for way in ways]
     came = [_line(way, cuts, guard, after=True) for way in ways]

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.editing.identity.courses import Courses, Floats, Frames, courses_of, turned_over
+from tracking.editing.identity.courses import Courses, Floats, Frames, courses_of, swap_gain
 from tracking.editing.identity.looks import looks_changed
 from tracking.errors import EditError
 from tracking.tracks import Columns, TrackTable, check_known
@@ -131,7 +131,7 @@ class _Judged:
 
 def _judged(courses: Courses, frames: Frames, looks: Floats, near: int | None) -> _Judged:
     """What speaks for each cut; see `propose_swap_frames`."""
-    walks, apart = turned_over(courses, frames), _apart(courses, frames)
+    walks, apart = swap_gain(courses, frames), _apart(courses, frames)
     score = walks + looks - _APART_WEIGHT * np.log1p(np.square(apart / _REACH_M))
     if near is not None:
         score = score - _NEAR_WEIGHT * np.minimum(np.abs(frames - near) / _NEAR_FRAMES, 2.0)

@@ -47,7 +47,7 @@ def plan_split(table: TrackTable, track: int, frame: int) -> Change:
     new = next_track(table)
     before = _stretch(table, track, frame, end)
     text = f"Split {track} at frame {frame}; the rest is {new}"
-    after = State(given_to(before, new))
+    after = State(assign_to(before, new))
     return Change("split", text, frame, State(before), after, Scope(frame))
 
 
@@ -77,7 +77,7 @@ def plan_reassign(
         )
     before = stretches_of(track, moving, staying)
     text = f"Give {track} to {to} {scope_text(start, end)}"
-    first, after = int(moving[0]), State(given_to(before, to))
+    first, after = int(moving[0]), State(assign_to(before, to))
     return Change("reassign", text, first, State(before), after, Scope(start, end))
 
 
@@ -107,7 +107,7 @@ def stretches_of(track: int, moving: NDArray[np.int32], staying: NDArray[np.int3
     return np.column_stack([tracks, moving[first], moving[last] + 1]).astype(np.int64)
 
 
-def given_to(stretches: Stretches, track: int) -> Stretches:
+def assign_to(stretches: Stretches, track: int) -> Stretches:
     """The stretches as another track's."""
     given = stretches.copy()
     given[:, 0] = track

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.editing.boxes.interpolation import How, Way
-from tracking.editing.boxes.stretches import spanned
+from tracking.editing.boxes.stretches import interpolate_between
 from tracking.editing.change import (
     Change,
     LabelState,
@@ -18,9 +18,9 @@ from tracking.editing.change import (
     no_rows,
     no_stretches,
 )
-from tracking.editing.identity.identities import given_to, stretches_of
+from tracking.editing.identity.identities import assign_to, stretches_of
 from tracking.editing.scope import frames_text, tracks_text
-from tracking.editing.selection import Rows, rows_in, stacked
+from tracking.editing.selection import Rows, rows_in, stack_rows
 from tracking.errors import EditError
 from tracking.geometry import View
 from tracking.tracks import Labels, TrackLabel, TrackTable, check_known
@@ -66,7 +66,7 @@ def plan_merge_tracks(
         _text(tracks, keep, shared, len(filled["frame"])),
         min(table.frame_range(track)[0] for track in others),
         State(moved, dropped, said),
-        State(given_to(moved, into), filled, says),
+        State(assign_to(moved, into), filled, says),
     )
 
 
@@ -97,7 +97,7 @@ def _given_up(
         dropped.append(rows_in(table, track, np.setdiff1d(own, kept, assume_unique=True)))
         if track != into:
             moved.append(stretches_of(track, kept, frames[owners != track]))
-    return np.concatenate(moved), stacked(dropped)
+    return np.concatenate(moved), stack_rows(dropped)
 
 
 def _kept(
@@ -127,12 +127,12 @@ def _bridges(
     if not missing:
         return dict(no_rows())
     borders = np.unique(np.concatenate([gaps, gaps + 1]))
-    ends = stacked(
+    ends = stack_rows(
         rows_in(table, track, frames[borders[owners[borders] == track]])
         for track in np.unique(owners[borders]).tolist()
     )
     ends["track"][:] = into
-    return spanned(ends, np.concatenate(missing), way, no_rows())
+    return interpolate_between(ends, np.concatenate(missing), way, no_rows())
 
 
 def _text(tracks: tuple[int, ...], keep: Keep, shared: int, filled: int) -> str:

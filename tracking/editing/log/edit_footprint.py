@@ -28,7 +28,7 @@ _APART = np.int64(1) << 33
 """More than any number in a box."""
 
 
-def touched(change: Change) -> Boxes:
+def footprint_of(change: Change) -> Boxes:
     """(k, 4) the boxes a change touches: sorted, none overlapping another."""
     before, after = change.before, change.after
     boxes: list[Boxes] = []
@@ -42,7 +42,7 @@ def touched(change: Change) -> Boxes:
     return _united(np.concatenate(boxes))
 
 
-def meeting(boxes: Boxes, kinds: Boxes, of: Boxes, start: Boxes, end: Boxes) -> NDArray[np.bool_]:
+def overlaps(boxes: Boxes, kinds: Boxes, of: Boxes, start: Boxes, end: Boxes) -> NDArray[np.bool_]:
     """(n,) which of many other boxes, given by columns, overlap one of an edit's own (k, 4)."""
     own = row_keys(boxes[:, 0], boxes[:, 1])
     groups = np.unique(own)

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.editing.change import Change
-from tracking.editing.log.edit_footprint import touched
+from tracking.editing.log.edit_footprint import footprint_of
 from tracking.editing.log.text import state_as_text, state_from_text
 from tracking.editing.log.touch_index import TouchIndex
 from tracking.editing.log.traces import Trace, parts_at_its_frame
@@ -197,7 +197,7 @@ class History:
         """
         if self._touches.edits < len(self._entries):
             self._look_up([at + 1 for at in self._done[bisect_left(self._done, number) :]])
-        own = touched(self.entry(number).change)
+        own = footprint_of(self.entry(number).change)
         return [
             edit
             for edit in self._touches.later(number, own)
@@ -210,7 +210,7 @@ class History:
         """Work out what edits touch whose lines came from a file that does not say so."""
         for edit in edits:
             if edit not in self._touches:
-                self._touches.add(edit, touched(self._entries[edit - 1].change))
+                self._touches.add(edit, footprint_of(self._entries[edit - 1].change))
 
     # Keeping books
 
@@ -240,7 +240,7 @@ class History:
         if entry.id != len(self._entries) + 1 or entry.undone:
             raise EditError(f"edit {entry.id} is not the next of the log")
         # What may take much memory is first: where it does not suffice, nothing has changed.
-        boxes = touched(entry.change if change is None else change)
+        boxes = footprint_of(entry.change if change is None else change)
         abandoned = [(at, replace(self._entries[at], abandoned=True)) for at in self._undone]
         self._touches.add(entry.id, boxes)
         for at, older in abandoned:

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.editing.log.edit_footprint import KINDS, Boxes, meeting
+from tracking.editing.log.edit_footprint import KINDS, Boxes, overlaps
 from tracking.errors import EditError
 from tracking.tracks import LARGEST_NUMBER
 
@@ -78,4 +78,4 @@ class TouchIndex:
         """The edits after this one that touch one of the boxes (k, 4), ascending."""
         rows = self._rows[: self._count]
         rows = rows[rows[:, 0] > edit]
-        return [int(number) for number in np.unique(rows[meeting(boxes, *rows.T[1:]), 0])]
+        return [int(number) for number in np.unique(rows[overlaps(boxes, *rows.T[1:]), 0])]

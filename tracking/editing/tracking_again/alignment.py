@@ -8,10 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.editing.scope import check_scope
-from tracking.editing.selection import Rows, picked, stacked
+from tracking.editing.selection import Rows, select_rows, stack_rows
 from tracking.editing.tracking_again.counterparts import Places, counterparts, mates, same_keys
 from tracking.editing.tracking_again.protection import Protection
-from tracking.editing.tracking_again.run_identities import named
+from tracking.editing.tracking_again.run_identities import map_identities
 from tracking.errors import EditError
 from tracking.tracks import CORRECTED_COLUMNS, Columns, Run, Source, TrackTable, between
 
@@ -47,7 +47,7 @@ class Alignment:
     barred: Flags
 
 
-def aligned(
+def align(
     table: TrackTable, run: Run, frames: tuple[int, int] | None, protection: Protection
 ) -> Alignment:
     """The run laid over the table in a range of frames; None: all it was run over.
@@ -57,10 +57,15 @@ def aligned(
     start, end = _range(run, frames)
     early = start if run.known_tracks else max(start - _BEFORE, run.frames[0], 0)
     corrected, found = rows_of_table(table, early, end), rows_of_run(run, early, end)
-    names = named(corrected, found, (start, end), run.known_tracks, table.highest_track, protection)
+    names = map_identities(
+        corrected, found, (start, end), run.known_tracks, table.highest_track, protection
+    )
     found["track"] = names.track
     inside = corrected["frame"] >= start, found["frame"] >= start
-    corrected, found = picked(corrected, inside[0]), stacked([picked(found, inside[1])])
+    corrected, found = (
+        select_rows(corrected, inside[0]),
+        stack_rows([select_rows(found, inside[1])]),
+    )
     own = same_keys(found, corrected)
     mate, same = mates(found, corrected, own)
     guarded = protection.covers(corrected["track"], corrected["frame"])
@@ -81,7 +86,7 @@ class Exchange:
     enters: Flags
 
 
-def exchanged(
+def exchangeable(
     found: Alignment, leaves: Flags | None = None, enters: Flags | None = None
 ) -> Exchange:
     """What may be exchanged of the rows asked for: all where nothing is said.
@@ -105,7 +110,7 @@ def exchanged(
 def rows_of_table(table: TrackTable, start: int, end: int) -> Rows:
     """All tracks' rows in a range of frames, sorted by frame then track."""
     parts = [table.of_track(track, start, end) for track in table.track_ids]
-    return stacked(parts)
+    return stack_rows(parts)
 
 
 def rows_of_run(run: Run, start: int, end: int) -> Rows:

@@ -14,7 +14,7 @@ _REACH_S, _REACH_FRAMES = 1.0, 20
 """So far apart, what is small joins its neighbour."""
 
 
-def folded(stretches: Iterable[Stretch], fps: float | None) -> Iterator[Stretch]:
+def merge_small(stretches: Iterable[Stretch], fps: float | None) -> Iterator[Stretch]:
     """The stretches with small ones joined to their neighbours of the same track and kind.
 
     Identities stay as they are. A step aside that is both short and no farther than where the

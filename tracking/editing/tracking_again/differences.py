@@ -9,10 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.editing.log.history import History
-from tracking.editing.tracking_again.alignment import Alignment, Exchange, aligned, exchanged
-from tracking.editing.tracking_again.difference_groups import folded
+from tracking.editing.tracking_again.alignment import Alignment, Exchange, align, exchangeable
+from tracking.editing.tracking_again.difference_groups import merge_small
 from tracking.editing.tracking_again.difference_text import Ends, Stretch, text_of
-from tracking.editing.tracking_again.protection import Protection, protected_stretches
+from tracking.editing.tracking_again.protection import Protection, find_protected
 from tracking.progress import Progress
 from tracking.tracks import Columns, Labels, Run, TrackTable
 
@@ -68,7 +68,7 @@ def differences(
     """What would change if a run were taken in a range of frames, by frame and track.
 
     The ids are those that the tracks would have then: see `run_identities.named`. What is too
-    small to be read by itself is told with its neighbour, or not at all: see `folded`.
+    small to be read by itself is told with its neighbour, or not at all: see `merge_small`.
 
     Args:
         frames: half-open; None: all the run was run over.
@@ -76,8 +76,8 @@ def differences(
 
     Raises EditError where the run was not run over any of these frames.
     """
-    protection = protected_stretches(table, labels, history, fps=fps)
-    return _told(aligned(table, run, frames, protection), table, fps)
+    protection = find_protected(table, labels, history, fps=fps)
+    return _told(align(table, run, frames, protection), table, fps)
 
 
 def compare_runs(
@@ -85,18 +85,18 @@ def compare_runs(
 ) -> tuple[tuple[Difference, ...], TrackTable, TrackTable]:
     """What run b says otherwise than run a in the frames of both, and both as tables in a's ids.
 
-    progress: as of `differing_rows`.
+    progress: as of `compare_to_table`.
     Raises EditError where the two were not run over the same frames.
     """
     shared = max(run_a.frames[0], run_b.frames[0]), min(run_a.frames[1], run_b.frames[1])
     if not (run_a.known_tracks and run_b.known_tracks):
         run_b = replace(run_b, known_tracks=0)
     table = TrackTable(run_a.tracks, highest_track=run_a.known_tracks)
-    found, rows = differing_rows(table, run_b, shared, Protection(), fps=fps, progress=progress)
+    found, rows = compare_to_table(table, run_b, shared, Protection(), fps=fps, progress=progress)
     return found, table, TrackTable(rows)
 
 
-def differing_rows(
+def compare_to_table(
     table: TrackTable,
     run: Run,
     frames: tuple[int, int] | None,
@@ -112,7 +112,7 @@ def differing_rows(
     """
     report = progress or _nobody
     report(0, _STEPS)
-    both = aligned(table, run, frames, protection)
+    both = align(table, run, frames, protection)
     report(1, _STEPS)
     order = np.lexsort((both.found["track"], both.found["frame"]))
     rows = {name: column[order] for name, column in both.found.items()}
@@ -129,12 +129,12 @@ def _told(
 ) -> tuple[Difference, ...]:
     """The differences of a run laid over the table, by frame and track."""
     gap = _JOINED_FRAMES if fps is None else max(1, round(_JOINED_FRAMES * fps / _USUAL_FPS))
-    taken = exchanged(found)
+    taken = exchangeable(found)
     parts: list[Stretch] = []
     for done, kind in enumerate((_changed_ids, _moved, _added, _removed), 3):
         report(done, _STEPS)
         parts += kind(found, taken, gap)
-    every = folded(parts, fps)
+    every = merge_small(parts, fps)
     report(_STEPS, _STEPS)
     ends = Ends(table, found.frames, fps)
     told = [

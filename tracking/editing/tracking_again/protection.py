@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from tracking.editing.change import Stretches, no_rows, no_stretches
 from tracking.editing.log.history import Entry, History
 from tracking.editing.log.traces import NO_TRACE, Placed, Trace
-from tracking.editing.selection import stacked
+from tracking.editing.selection import stack_rows
 from tracking.editing.tracking_again.coverage import Coverage
 from tracking.tracks import LARGEST_NUMBER, Columns, Labels, Source, TrackTable, row_keys
 
@@ -48,7 +48,7 @@ class Protection:
         """(k, 2) start and end of what is protected of a track, the stretches of all included."""
         own = self.stretches[np.isin(self.stretches[:, 0], (track, _ALL))].copy()
         own[:, 0] = track
-        return joined_stretches(own)[:, 1:]
+        return join_stretches(own)[:, 1:]
 
     def _inside(self, track: Integers, frame: Integers) -> Flags:
         begins = row_keys(self.stretches[:, 0], self.stretches[:, 1])
@@ -59,7 +59,7 @@ class Protection:
         return np.asarray((place >= 0) & (found[:, 0] == track) & (frame < found[:, 2]))
 
 
-def protected_stretches(
+def find_protected(
     table: TrackTable, labels: Labels, history: History, *, fps: float | None = None
 ) -> Protection:
     """What tracking again never overwrites.
@@ -83,13 +83,13 @@ def protected_stretches(
     """
     margin = _MARGIN_FRAMES if fps is None else max(1, round(MARGIN_S * fps))
     edited, deleted = _edited(history, margin)
-    absent = _absent(stacked(deleted), table)
+    absent = _absent(stack_rows(deleted), table)
     said = (_reviewed(labels), _parts_drawn(labels))
     parts = (edited, _emptied(absent, table), _drawn(table), *said)
-    return Protection(joined_stretches(np.concatenate(parts)), absent)
+    return Protection(join_stretches(np.concatenate(parts)), absent)
 
 
-def in_force(history: History) -> Iterator[Entry]:
+def edits_in_force(history: History) -> Iterator[Entry]:
     """The edits of people that count, oldest first: none taken back, nor what took it back."""
     for entry in history:
         taken_back = entry.undone or history.taken_back_by(entry.id)
@@ -97,7 +97,7 @@ def in_force(history: History) -> Iterator[Entry]:
             yield entry
 
 
-def joined_stretches(stretches: Stretches) -> Stretches:
+def join_stretches(stretches: Stretches) -> Stretches:
     """(k, 3) sorted, with stretches of one track that overlap or touch made one."""
     if not len(stretches):
         return no_stretches()
@@ -115,13 +115,13 @@ def joined_stretches(stretches: Stretches) -> Stretches:
 def stretches_of(track: Integers, frame: Integers) -> Stretches:
     """(k, 3) the consecutive frames of each track as stretches."""
     one = np.column_stack((track, frame, frame.astype(np.int64) + 1)).astype(np.int64)
-    return joined_stretches(one)
+    return join_stretches(one)
 
 
 def _edited(history: History, margin: int) -> tuple[Stretches, list[Columns]]:
     """The stretches that edits protect, and the rows they deleted."""
     covered, deleted = Coverage(), []
-    for entry in in_force(history):
+    for entry in edits_in_force(history):
         trace = history.trace(entry.id)
         if trace is NO_TRACE:
             continue

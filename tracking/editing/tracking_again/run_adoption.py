@@ -10,14 +10,14 @@ from numpy.typing import NDArray
 from tracking.editing.change import Change, State, Stretches
 from tracking.editing.log.history import History
 from tracking.editing.scope import Scope, scope_text, tracks_text
-from tracking.editing.selection import Rows, differing, picked
-from tracking.editing.tracking_again.alignment import Alignment, aligned, exchanged
+from tracking.editing.selection import Rows, rows_differ, select_rows
+from tracking.editing.tracking_again.alignment import Alignment, align, exchangeable
 from tracking.editing.tracking_again.counterparts import same_keys
 from tracking.editing.tracking_again.differences import Difference
 from tracking.editing.tracking_again.protection import (
     Protection,
-    joined_stretches,
-    protected_stretches,
+    find_protected,
+    join_stretches,
 )
 from tracking.errors import EditError
 from tracking.tracks import Columns, Labels, Run, TrackTable
@@ -38,7 +38,7 @@ def plan_take(
 ) -> Change:
     """Take a run's rows in a range of frames in place of the corrected tracks' there.
 
-    What is protected (`protected_stretches`) stays to the bit. A person of the run is left out in
+    What is protected (`find_protected`) stays to the bit. A person of the run is left out in
     the frames in which they stand on a row that stays under another id, and a row stays where the
     run's row of that person cannot be taken: nobody is there twice, and nobody is lost. Two
     tracks that change over are therefore taken together or not at all. Ids, names and labels
@@ -53,12 +53,12 @@ def plan_take(
     Raises EditError where there is nothing to take, because the run says the same, or all it says
     is protected, or none of it is of the tracks asked for.
     """
-    protection = protected_stretches(table, labels, history, fps=fps)
-    found = aligned(table, run, frames, protection)
+    protection = find_protected(table, labels, history, fps=fps)
+    found = align(table, run, frames, protection)
     chosen = _chosen(tracks, only)
-    taken = exchanged(found, _is_in(found.corrected, chosen), _is_in(found.found, chosen))
-    before = picked(found.corrected, taken.leaves)
-    before, after = _without_same(before, picked(found.found, taken.enters))
+    taken = exchangeable(found, _is_in(found.corrected, chosen), _is_in(found.found, chosen))
+    before = select_rows(found.corrected, taken.leaves)
+    before, after = _without_same(before, select_rows(found.found, taken.enters))
     if not len(before["frame"]) and not len(after["frame"]):
         raise EditError(f"nothing to take {_where(found, table)}: {_why(found)}")
     touched = np.union1d(before["track"], after["track"]).tolist()
@@ -76,7 +76,7 @@ def _chosen(
     if only is None:
         return ids, None
     parts = [(track, one.start, one.end) for one in only for track in one.tracks]
-    return ids, joined_stretches(np.array(parts, np.int64).reshape(-1, 3))
+    return ids, join_stretches(np.array(parts, np.int64).reshape(-1, 3))
 
 
 def _is_in(rows: Columns, chosen: tuple[NDArray[np.int64] | None, Stretches | None]) -> Flags:
@@ -94,10 +94,10 @@ def _without_same(before: Rows, after: Rows) -> tuple[Rows, Rows]:
     """Both sides without the rows that are the same to the bit on the other one."""
     place = same_keys(after, before)
     both = np.flatnonzero(place >= 0)
-    both = both[~differing(picked(before, place[both]), picked(after, both))]
+    both = both[~rows_differ(select_rows(before, place[both]), select_rows(after, both))]
     goes, comes = np.ones(len(before["frame"]), bool), np.ones(len(after["frame"]), bool)
     goes[place[both]], comes[both] = False, False
-    return picked(before, goes), picked(after, comes)
+    return select_rows(before, goes), select_rows(after, comes)
 
 
 def _where(found: Alignment, table: TrackTable) -> str:

@@ -37,7 +37,7 @@ class Naming:
     fresh: NDArray[np.int64]
 
 
-def named(
+def map_identities(
     corrected: Columns,
     found: Columns,
     frames: tuple[int, int],

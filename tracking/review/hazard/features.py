@@ -7,8 +7,8 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.review.appearance import EVERY_S, changed_over, unlikeness
-from tracking.review.crowd_density import crowding
+from tracking.review.appearance import EVERY_S, swap_gain_of_appearance, unlikeness
+from tracking.review.crowd_density import crowd_density
 from tracking.review.evidence import Evidence, Floats, Rows
 from tracking.review.material import Material
 from tracking.review.reasons.jumps import steps_off
@@ -72,7 +72,7 @@ def _pairs(material: Material) -> Columns:
     looked = np.flatnonzero(evidence.frame[first] % evidence.frames_of(EVERY_S) == 0)
     first, second = first[looked], second[looked]
     track, other, frame = evidence.track[first], evidence.track[second], evidence.frame[first]
-    better = changed_over(material.looks, track, other, frame)
+    better = swap_gain_of_appearance(material.looks, track, other, frame)
     exchange = _strongest(evidence, (first, second), better)
     return {
         "turn": _greatest(evidence, turn, _AROUND_S),
@@ -134,7 +134,7 @@ def _others(material: Material, known: Columns) -> Columns:
     found = {
         "speed": _single(np.hypot(*velocity.T)),
         "parting": _single(parting),
-        "crowding": _single(crowding(material, evidence.frame)),
+        "crowding": _single(crowd_density(material, evidence.frame)),
     }
     for seconds in _APART_S:
         then = evidence.later(np.arange(len(evidence)), round(seconds * evidence.fps))

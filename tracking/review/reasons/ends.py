@@ -6,7 +6,7 @@ import numpy as np
 
 from tracking.review.appearance import unlikeness
 from tracking.review.evidence import Flags, Floats, Rows
-from tracking.review.findings import Found, joined, of_pairs, of_tracks, ramp
+from tracking.review.findings import Found, join_findings, of_pairs, of_tracks, ramp
 from tracking.review.material import Material
 
 _LONGEST_S = 6.0
@@ -64,7 +64,7 @@ def _beside(kind: str, material: Material, rows: Rows) -> Found:
     distance_m = material.near.nearest_m[rows]
     strength = np.where(other > 0, 1.0, _ALONE)
     alone, near = np.flatnonzero(other == 0), np.flatnonzero(other > 0)
-    return joined(
+    return join_findings(
         (
             of_pairs(kind, track[near], other[near], frame[near], strength[near], distance_m[near]),
             of_tracks(kind, track[alone], frame[alone], strength[alone], distance_m[alone]),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from tracking.review.appearance import EVERY_S, changed_over
+from tracking.review.appearance import EVERY_S, swap_gain_of_appearance
 from tracking.review.findings import Found, of_pairs, peaks, ramp
 from tracking.review.material import Material
 from tracking.tracks import row_keys
@@ -21,7 +21,7 @@ def exchanges(material: Material) -> Found:
     looked = np.flatnonzero(evidence.frame[near.first] % evidence.frames_of(EVERY_S) == 0)
     first, second = evidence.track[near.first[looked]], evidence.track[near.second[looked]]
     frame = evidence.frame[near.first[looked]]
-    better = changed_over(material.looks, first, second, frame)
+    better = swap_gain_of_appearance(material.looks, first, second, frame)
     told = np.flatnonzero(better > _LOW)
     first, second, frame, better = first[told], second[told], frame[told], better[told]
     # Of frames about as good the one in which they were nearest.

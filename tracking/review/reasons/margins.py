@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from tracking.review.findings import Found, joined, of_pairs, of_tracks, peaks, ramp
+from tracking.review.findings import Found, join_findings, of_pairs, of_tracks, peaks, ramp
 from tracking.review.material import Material
 
 _HIGH, _LOW = 0.5, 0.05
@@ -27,7 +27,7 @@ def small_margins(material: Material) -> Found:
     track, frame = evidence.track[rows], evidence.frame[rows]
     strength = 0.01 + ramp(margin, _HIGH, _LOW)
     alone, near = np.flatnonzero(other == 0), np.flatnonzero(other > 0)
-    return joined(
+    return join_findings(
         (
             of_pairs(
                 *("margin", track[near], other[near], frame[near], strength[near], margin[near])

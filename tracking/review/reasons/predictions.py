@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from tracking.review.findings import Found, joined, of_pairs, of_tracks, ramp
+from tracking.review.findings import Found, join_findings, of_pairs, of_tracks, ramp
 from tracking.review.material import Material
 
 _LEAST_S, _LONG_S = 0.5, 4.0
@@ -40,7 +40,7 @@ def long_predictions(material: Material) -> Found:
     track, frame = evidence.track[rows], evidence.frame[rows]
     strength = 0.1 + ramp(seconds, _LEAST_S, _LONG_S)
     alone, near = np.flatnonzero(other == 0), np.flatnonzero(other > 0)
-    return joined(
+    return join_findings(
         (
             of_pairs(
                 *("predicted", track[near], other[near], frame[near], strength[near]),
