@@ -88,7 +88,7 @@ def test_every_tracker_and_command_has_a_row_in_its_page() -> None:
     assert [name for name in names if not re.search(rf"\n\| `{name}\b", commands)] == []
 
 
-@pytest.mark.parametrize("name", ["CONTRIBUTING.md"])
+@pytest.mark.parametrize("name", ["CONTRIBUTING.md", "docs/architecture.md"])
 def test_every_module_that_is_named_exists(name: str) -> None:
     text = (ROOT / name).read_text(encoding="utf-8")
     named = set(re.findall(r"`((?:app|tracking|tests)/[\w/]+\.py)`", text))
