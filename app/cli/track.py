@@ -10,7 +10,7 @@ from itertools import chain, count
 from pathlib import Path
 from typing import Any
 
-from app.cli.destination import check_file, is_session
+from app.cli.destination import check_file, is_session, read_file_kind
 from app.cli.failure import EndedEarlyError
 from app.cli.option_groups import Bare, Order
 from app.cli.output import print_json, print_line, progress, say
@@ -211,7 +211,7 @@ def refuse_to_lose(out: Path, *, force: bool) -> None:
         OutputError: another file, or a session with somebody's work in it; a link to anything
             but a session, even with `force`.
     """
-    if out.is_symlink() and not (out.is_file() and is_session(out)):
+    if out.is_symlink() and not (out.is_file() and read_file_kind(out) is not None):
         raise OutputError(
             f"cannot write {out}: it is a link that leads to no session",
             "name the file it leads to, or remove the link",
