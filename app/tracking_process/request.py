@@ -94,4 +94,4 @@ def _as_json(resume: Resume) -> dict[str, Any]:
 def _from_json(said: dict[str, Any]) -> Resume:
     """What `_as_json` said."""
     rows = {name: np.array(said["rows"][name], t) for name, t in CORRECTED_COLUMNS.items()}
-    return Resume(**{**said, "rows": rows, "looks": tuple(said["looks"])})
+    return Resume(**{**said, "rows": rows, "colour_frames": tuple(said["colour_frames"])})

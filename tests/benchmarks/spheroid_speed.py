@@ -11,10 +11,10 @@ import numpy as np
 from tracking.geometry import Camera, FlatView, Ground, View, standing_ellipses
 from tracking.recording.frame import StereoFrame
 from tracking.trackers.spheroid import SpheroidPerception, SpheroidSettings
-from tracking.trackers.spheroid.hypotheses import Followed, begun
-from tracking.trackers.spheroid.hypothesis_scores import Evidence, covered
+from tracking.trackers.spheroid.hypotheses import SpheroidPeople, begin_people
+from tracking.trackers.spheroid.hypothesis_scores import JudgedFrame, count_covering
 from tracking.trackers.spheroid.tracker import SpheroidTracker
-from tracking.trackers.spheroid.weights import judged_and_weighed, silhouettes
+from tracking.trackers.spheroid.weights import judge_and_weigh, silhouettes
 
 PEOPLE = (1, 5, 10, 20)
 HYPOTHESES = 300
@@ -65,14 +65,14 @@ def _likelihoods_ms(people: int) -> float:
     mean = np.column_stack((_places(people), np.zeros((people, 2))))
     track = np.arange(1, people + 1, dtype=np.int32)
     tall = np.full(people, 1.72)
-    followed = begun(track, mean, tall, 0.05, HYPOTHESES, (0.12, 0.3), random)
+    followed = begin_people(track, mean, tall, 0.05, HYPOTHESES, (0.12, 0.3), random)
     ramp = random.integers(0, 256, flat.size[::-1], dtype=np.uint8)
     counted = np.ones(ramp.shape, bool)
 
-    def weigh() -> Followed:
+    def weigh() -> SpheroidPeople:
         own = silhouettes(followed, flat, settings)
-        evidence = Evidence(ramp, counted, covered(ramp.shape, own))
-        return judged_and_weighed(followed, evidence, flat, settings)[0]
+        evidence = JudgedFrame(ramp, counted, count_covering(ramp.shape, own))
+        return judge_and_weigh(followed, evidence, flat, settings)[0]
 
     return 1000.0 * min(_seconds(weigh) for _ in range(_ROUNDS))
 

@@ -138,7 +138,7 @@ def test_tracking_that_goes_on_in_the_middle_is_paired_from_its_first_frame_on(
         before = TrackTable(ahead.run.tracks, highest_track=20)
         resume = Resume.of(before, GOES_ON_AT, recording.fps)
     again = tracked(troubled(folder, AHEAD), resume)
-    assert set(resume.looks) <= set(lags)
+    assert set(resume.colour_frames) <= set(lags)
     assert {lag for frame, lag in lags.items() if frame >= -AHEAD.lag} == {AHEAD.lag}
     assert agreeing(ahead, again, range(GOES_ON_AT, FRAMES)) > 0.95
     known = ahead.run.tracks["track"][ahead.run.tracks["frame"] == GOES_ON_AT - 1]

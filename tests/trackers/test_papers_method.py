@@ -57,14 +57,14 @@ class PlainMethod:
         weights = self.weigh(pairs, places, seen, elapsed_s)
         started = [k for k in range(len(places)) if k not in pairs and not seen.people.merged[k]]
         new = self.start(started, places, seen)
-        told = self.people + new
+        reported = self.people + new
         weights += [[1 / self.settings.particles] * self.settings.particles] * len(new)
-        kept = [n for n, p in enumerate(told) if p.missed_s <= self.settings.delete_after_s]
+        kept = [n for n, p in enumerate(reported) if p.missed_s <= self.settings.delete_after_s]
         offsets = self.random.random((len(kept), 1))
         for offset, n in zip(offsets[:, 0], kept, strict=True):
-            told[n].particles = drawn(told[n].particles, weights[n], offset)
-        self.people = [told[n] for n in kept]
-        return told
+            reported[n].particles = drawn(reported[n].particles, weights[n], offset)
+        self.people = [reported[n] for n in kept]
+        return reported
 
     def predict(self, elapsed_s: float) -> None:
         settings = self.settings
@@ -198,7 +198,9 @@ def crossing() -> list[Walker]:
     return [Walker(straight((1.2, 5.2), (-0.8, 0.1), 70), 2), Walker(hidden, 5), Walker(gone, 9)]
 
 
-def told(settings: StereoColourSettings | StereoDirectionSettings, seed: int) -> list[StepResult]:
+def reported(
+    settings: StereoColourSettings | StereoDirectionSettings, seed: int
+) -> list[StepResult]:
     directed = isinstance(settings, StereoDirectionSettings)
     cues = MiddleUpdated(settings) if directed else HalvesOfFirstFrames(settings)
     tracker = PaperTracker(view(), settings, cues, seed)
@@ -211,7 +213,9 @@ MISTAKES = Errors(noise_m=0.04, merged_below_m=0.4)
 @pytest.mark.parametrize("settings", [COLOUR, DIRECTION], ids=["colour", "direction"])
 def test_the_batched_steps_are_those_of_the_plain_method(settings):
     plain = PlainMethod(settings, 1)
-    for result, seen in zip(told(settings, 1), observations(crossing(), 3, MISTAKES), strict=True):
+    for result, seen in zip(
+        reported(settings, 1), observations(crossing(), 3, MISTAKES), strict=True
+    ):
         expected = plain.step(seen)
         assert result.tracks["track"].tolist() == [person.track for person in expected]
         places = np.array([person.place for person in expected]).reshape(-1, 2)
@@ -232,7 +236,7 @@ def test_whom_a_detection_costs_least_has_it_though_the_total_be_larger():
 
 
 def test_colours_count_once_the_model_is_made_of_the_first_frames():
-    results = told(replace(COLOUR, model_frames=5), 0)
+    results = reported(replace(COLOUR, model_frames=5), 0)
     colour = [np.isfinite(result.associations["colour"]) for result in results[:8]]
     assert [bool(each.any()) for each in colour] == [False] * 5 + [True] * 3
     early = results[3].associations
@@ -251,7 +255,7 @@ def test_two_frames_of_one_time_move_nobody():
 
 
 def test_an_id_is_given_at_the_first_sighting_and_ends_after_a_set_time():
-    results = told(replace(DIRECTION, delete_after_s=1.48), 0)
+    results = reported(replace(DIRECTION, delete_after_s=1.48), 0)
     assert results[0].tracks["track"].tolist() == [1, 2, 3]
     assert results[0].detections["track"].tolist() == [1, 2, 3]
     last = max(result.frame for result in results if 3 in result.tracks["track"])
@@ -260,6 +264,6 @@ def test_an_id_is_given_at_the_first_sighting_and_ends_after_a_set_time():
 
 def test_a_cue_without_weight_costs_nothing():
     blind = StereoDirectionSettings(**SETTINGS, colour_weight=0.0, direction_weight=0.0)
-    for result in told(blind, 0)[20:]:
+    for result in reported(blind, 0)[20:]:
         cues = result.associations
         np.testing.assert_allclose(cues["total"], cues["distance"], rtol=1e-6)

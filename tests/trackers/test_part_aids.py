@@ -111,7 +111,7 @@ def test_who_has_parts_in_two_people_was_both_in_one():
     new = np.array([1], np.intp)
     assert both_in_one(claims_of(mixed[None], seen), new).tolist() == [0]
     assert both_in_one(claims_of(whole[None], seen), new).tolist() == []
-    assert claims_of(mixed[None], seen).taken.tolist() == [True, False]
+    assert claims_of(mixed[None], seen).is_taken.tolist() == [True, False]
 
 
 def rectangles_on(above: Blocks, below: Blocks) -> np.ndarray:

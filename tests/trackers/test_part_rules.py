@@ -17,7 +17,7 @@ from people_of_three_blocks import (
 
 from tracking.trackers import Resume
 from tracking.trackers.three_part import ThreePartSettings
-from tracking.trackers.three_part.initiation import posed
+from tracking.trackers.three_part.initiation import pose_of
 from tracking.trackers.three_part.occlusion import behind_others
 from tracking.trackers.three_part.people import Layout
 from tracking.trackers.three_part.poses import log_prior, pose_faults
@@ -59,7 +59,7 @@ def test_standing_crouching_and_bending_are_possible_near_and_far(scale, pose):
 def test_a_body_is_less_likely_the_more_it_is_torn_apart():
     apart = np.repeat(STANDING[None], 4, axis=0)
     apart[:, 0, 0] += (0.0, 5.0, 30.0, 80.0)
-    pose = np.repeat(posed(STANDING[None])[..., :2], 4, axis=0)
+    pose = np.repeat(pose_of(STANDING[None])[..., :2], 4, axis=0)
     log = log_prior(apart, pose, np.full(4, 100.0))
     assert log[0] == 0.0
     assert (np.diff(log) < 0).all()
@@ -115,7 +115,7 @@ def test_tracking_goes_on_with_corrected_people_under_their_ids(layout):
     resume = Resume.of(TrackTable(rows, highest_track=11), 30, FPS)
     by = PartTracker(Camera(SIZE, FPS, None), ThreePartSettings(adjust=False), layout, 0)
     seen = list(observations([person, late], 60))
-    by.resume(resume, [seen[frame] for frame in resume.looks])
+    by.resume(resume, [seen[frame] for frame in resume.colour_frames])
     results = [by.step(each) for each in seen[30:]]
     assert results[0].tracks["track"].tolist() == [7]
     assert results[-1].tracks["track"].tolist() == [7, 12]

@@ -12,10 +12,10 @@ from tracking.people.observation import Observation
 from tracking.people.parts import ycbcr
 from tracking.trackers.three_part.births import without_pieces
 from tracking.trackers.three_part.bodies import outlined_boxes
-from tracking.trackers.three_part.claims import claims_of, seen_taller, seen_whole, sharing
-from tracking.trackers.three_part.initiation import begun, regions_rectangles
-from tracking.trackers.three_part.people import Followed, Layout
-from tracking.trackers.three_part.reidentification import found_again
+from tracking.trackers.three_part.claims import claims_of, is_sharing, seen_taller, seen_whole
+from tracking.trackers.three_part.initiation import begin_people, regions_rectangles
+from tracking.trackers.three_part.people import Layout, PartPeople
+from tracking.trackers.three_part.reidentification import reidentify
 from tracking.trackers.three_part.silhouettes import drawn_home, legs_elsewhere
 from tracking.tracks import HEAD, HIP_LEG
 
@@ -29,7 +29,7 @@ def seen() -> Observation:
     return next(observations([Blocks(walking((120.0, 60.0), (0.0, 0.0)), RED_BLUE)], 1))
 
 
-def _followed(seen: Observation, moved: tuple[int, float] | None = None) -> Followed:
+def _followed(seen: Observation, moved: tuple[int, float] | None = None) -> PartPeople:
     """The person, all parts in place, or one of them moved up by px."""
     assert seen.picture is not None
     picture = ycbcr(seen.picture)
@@ -37,11 +37,13 @@ def _followed(seen: Observation, moved: tuple[int, float] | None = None) -> Foll
     if moved is not None:
         rectangles[0, moved[0], 1] -= moved[1]
     random = np.random.default_rng(1)
-    people = begun(np.array([1], np.int32), rectangles, np.zeros((1, 2)), picture, LAYOUT, random)
+    people = begin_people(
+        np.array([1], np.int32), rectangles, np.zeros((1, 2)), picture, LAYOUT, random
+    )
     return people.replace(height=TALL)
 
 
-def _legs(seen: Observation, people: Followed) -> tuple[bool, np.ndarray]:
+def _legs(seen: Observation, people: PartPeople) -> tuple[bool, np.ndarray]:
     assert seen.picture is not None
     claims = claims_of(people.rectangles, seen.people)
     off, belong = legs_elsewhere(people, seen.people, claims, ycbcr(seen.picture))
@@ -104,17 +106,17 @@ def test_who_stands_in_somebody_else_goes_to_where_their_own_clothes_are(
     assert both.picture is not None
     picture, ids, still = ycbcr(both.picture), np.array([1, 2], np.int32), np.zeros((2, 2))
     places = regions_rectangles(both.people, np.arange(2), picture, LAYOUT)
-    people = begun(ids, places, still, picture, LAYOUT, np.random.default_rng(1))
+    people = begin_people(ids, places, still, picture, LAYOUT, np.random.default_rng(1))
     state = people.state.copy()
     state[1] = state[0]
     people = people.replace(state=state, height=np.full(2, float(HEIGHT)))
     claims = claims_of(people.rectangles, both.people)
-    two = sharing(claims, both.people)
+    two = is_sharing(claims, both.people)
     assert two.tolist() == [True, True]
     boxes = outlined_boxes(people.rectangles, people.outline)
     free = np.array([1], np.intp)
     lost = np.zeros(2, bool)
-    found, left = found_again(people, boxes, lost, two, both.people, free, picture, LAYOUT)
+    found, left = reidentify(people, boxes, lost, two, both.people, free, picture, LAYOUT)
     assert np.isfinite(found).all(axis=(1, 2)).tolist() == [False, goes]
     assert len(left) == (not goes)
 

@@ -69,7 +69,7 @@ def again(
     seen = list(observations(walkers, 1, QUIET))
     resume = Resume.of(table, cut, FPS)
     tracker = make(seed)
-    tracker.resume(resume, (seen[frame] for frame in resume.looks))
+    tracker.resume(resume, (seen[frame] for frame in resume.colour_frames))
     return [tracker.step(each) for each in seen[cut:]]
 
 
@@ -113,7 +113,7 @@ def resumed_people(table: TrackTable, walkers: Sequence[Walker]):
     seen = list(observations(walkers, 1, QUIET))
     resume = Resume.of(table, CUT, FPS)
     tracker = direction_tracker()
-    tracker.resume(resume, (seen[frame] for frame in resume.looks))
+    tracker.resume(resume, (seen[frame] for frame in resume.colour_frames))
     assert tracker._people is not None
     return tracker._people
 
@@ -161,9 +161,9 @@ def test_good_views_from_earlier_tell_more_than_bad_ones_of_late():
     seen = [*list(observations([hidden], 1, QUIET))[: CUT - 25]]
     seen += list(observations([front], 1, QUIET))[CUT - 25 :]
     resume = Resume.of(TrackTable(rows), CUT, FPS)
-    assert min(resume.looks) < CUT - 25
+    assert min(resume.colour_frames) < CUT - 25
     tracker = direction_tracker()
-    tracker.resume(resume, (seen[frame] for frame in resume.looks))
+    tracker.resume(resume, (seen[frame] for frame in resume.colour_frames))
     assert tracker._people.colour[0, 0].argmax() == 2
 
 
@@ -227,5 +227,5 @@ def test_only_the_rows_that_are_needed_are_kept():
     table = table_of({1: standing}, range(2000))
     resume = Resume.of(table, 1500, FPS)
     assert len(resume.rows["frame"]) == 40
-    assert resume.looks == tuple(range(1480, 1500))
+    assert resume.colour_frames == tuple(range(1480, 1500))
     assert resume.last(0.5)["frame"].tolist() == list(range(1490, 1500))

@@ -201,7 +201,7 @@ class Tracking:
         if watch is not None:
             timed("learn", begin_pairing, watch, instants, self.frames[0])
         if self._resume is not None:
-            seen = (perception.observe(instants.read(n)) for n in self._resume.looks)
+            seen = (perception.observe(instants.read(n)) for n in self._resume.colour_frames)
             timed("learn", tracker.resume, self._resume, seen)
         pictures = instants.frames(*self.frames)
         while (frame := timed("decode", next, pictures, None)) is not None:

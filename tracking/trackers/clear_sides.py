@@ -34,12 +34,12 @@ def clear_sides(tracks: Columns) -> Flags:
         stop = int(np.searchsorted(frame, frame[wanted - 1], side="right"))
         rows = order[start:stop]
         box = np.stack([tracks[name][rows] for name in SIDES], axis=1)
-        clear[rows] = _clear(box, tracks["predicted"][rows], frame[start:stop])
+        clear[rows] = _find_clear(box, tracks["predicted"][rows], frame[start:stop])
         start = stop
     return clear
 
 
-def _clear(box: Floats, predicted: Flags, frame: NDArray[np.int32]) -> Flags:
+def _find_clear(box: Floats, predicted: Flags, frame: NDArray[np.int32]) -> Flags:
     """The same of boxes (n, 4) px sorted by frame; feet lower in the picture are nearer."""
     clear = np.ones((len(frame), 2), np.bool_)
     edges = np.stack((box[:, 0], box[:, 0] + box[:, 2]))

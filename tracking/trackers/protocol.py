@@ -73,7 +73,7 @@ class Perception(Protocol):
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What the user should be told of what it sees by, a line each."""
+        """Notes for the user about the footage, a line each."""
 
     def learn(self, frames: Sequence[StereoFrame]) -> None:
         """Take the background from frames spread over the recording, before the first step."""
@@ -93,7 +93,8 @@ class Tracker(Protocol):
         """Before the first step: go on with people as corrected.
 
         Args:
-            observations: of the frames `resume.looks`, in order; their colours are learnt there.
+            observations: of the frames `resume.colour_frames`, in order; their colours are learnt
+            there.
         """
 
     def step(self, observation: Observation) -> StepResult:
@@ -105,4 +106,4 @@ class Tracker(Protocol):
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What the user should be told of how it works, a line each."""
+        """Notes for the user about the tracking, a line each."""

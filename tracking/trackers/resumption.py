@@ -38,15 +38,15 @@ class Resume:
         frame: the first frame to be tracked again.
         rows: `CORRECTED_COLUMNS` of frames before it, sorted by frame then track: those needed of
             the people who are followed on.
-        looks: the frames, ascending, in which these people are looked at first, to learn their
-            colours: the last ones before `frame` and earlier ones that show somebody well.
+        colour_frames: the frames, ascending, in which these people are looked at first, to learn
+            their colours: the last ones before `frame` and earlier ones that show somebody well.
         highest_track: the highest id ever used; new people get higher ones.
         fps: frames a second.
     """
 
     frame: int
     rows: Columns
-    looks: tuple[int, ...]
+    colour_frames: tuple[int, ...]
     highest_track: int
     fps: float
 
@@ -66,10 +66,12 @@ class Resume:
             raise SettingsError(f"frame {frame}: nothing stands before it; track from the start")
         rows = _rows_before(table, frame, fps)
         first = max(0, frame - max(1, round(learn_s * fps)))
-        looks = np.union1d(np.arange(first, frame), _earlier_looks(rows, first))
-        kept = (rows["frame"] >= frame - round(_WALKED_S * fps)) | np.isin(rows["frame"], looks)
+        colour_frames = np.union1d(np.arange(first, frame), _earlier_frames(rows, first))
+        kept = (rows["frame"] >= frame - round(_WALKED_S * fps)) | np.isin(
+            rows["frame"], colour_frames
+        )
         kept |= _last_of_each(rows, np.ones_like(kept)) | _last_of_each(rows, is_seen(rows))
-        return cls(frame, only(rows, kept), tuple(looks.tolist()), table.highest_track, fps)
+        return cls(frame, only(rows, kept), tuple(colour_frames.tolist()), table.highest_track, fps)
 
     def last(self, seconds: float) -> Columns:
         """The rows of the last seconds before the frame."""
@@ -113,7 +115,7 @@ def _rows_before(table: TrackTable, frame: int, fps: float) -> Columns:
     return only(rows, np.lexsort((rows["track"], rows["frame"])))
 
 
-def _earlier_looks(rows: Columns, first: int) -> Frames:
+def _earlier_frames(rows: Columns, first: int) -> Frames:
     """Frames before the first that show well who is seldom seen well from there on."""
     good = is_seen(rows) & (rows["visibility"] >= CLEAR) & is_apart(rows)
     late = rows["frame"] >= first

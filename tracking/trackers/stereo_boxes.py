@@ -24,7 +24,7 @@ _MIXED = 0.1
 _OUTLINE_MEMORY_S = 0.3
 _MIXED_MEMORY_S = 2.0
 _TRUST = 0.85
-"""Weight of the box seen against the remembered outline."""
+"""Weight of the box seen against the learnt outline."""
 _NO_SIDE = float(np.finfo(np.float64).tiny)
 """What boxes without width or height are divided by: nothing of them is anywhere."""
 
@@ -95,7 +95,7 @@ def update_outlines(
 def shown_boxes(
     box: Floats, pairs: Association, alone: NDArray[np.bool_], seen: Detections
 ) -> Floats:
-    """The boxes to report: what was seen this frame, drawn a little to the remembered outline.
+    """The boxes to report: what was seen this frame, drawn a little to the learnt outline.
 
     Where a region holds somebody else too, the outline alone counts.
 

@@ -41,7 +41,7 @@ class StereoFilter(Generic[SettingsT, CuesT]):
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """Nothing is to be told."""
+        """There are no notes."""
         return ()
 
     def resume(self, resume: Resume, observations: Iterable[Observation]) -> None:

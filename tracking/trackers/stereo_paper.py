@@ -151,8 +151,8 @@ def paper_costs(
     """
     distance, colour, direction = cue_values(people, measured, colours, cues)
     colour[~cues.is_complete(people.matches)] = np.nan
-    told = settings.colour_weight * np.nan_to_num(colour) + np.nan_to_num(direction)
-    total = distance + told
+    cues_cost = settings.colour_weight * np.nan_to_num(colour) + np.nan_to_num(direction)
+    total = distance + cues_cost
     return Costs(distance, colour, direction, total, distance <= settings.gate_m)
 
 

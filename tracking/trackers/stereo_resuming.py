@@ -71,7 +71,7 @@ def resume_people(
     started where the rows say, as one who was missed.
 
     Args:
-        observations: of the frames `resume.looks`, in order.
+        observations: of the frames `resume.colour_frames`, in order.
     """
     rows = _place_on_floor(resume.rows, view)
     people = np.unique(rows["track"])
@@ -233,7 +233,7 @@ def _outlines(rows: Columns, people: NDArray[np.int32], view: View) -> Floats:
 
 
 def _replay_anchors(people: Population, rows: Columns, resume: Resume, cues: Cues) -> Population:
-    """The people with the way told that they walked before, frame by frame."""
+    """The people with the anchors of their last rows, replayed frame by frame."""
     late = only(rows, rows["frame"] >= resume.frame - round(_WALK_S * resume.fps))
     number = np.searchsorted(people.track, late["track"])
     place = np.column_stack((late["x"], late["y"]))

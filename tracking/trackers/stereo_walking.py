@@ -80,9 +80,9 @@ def turning_cost(people: Population, measured: Floats, settings: WalkingSettings
 def move_anchors(people: Population, elapsed_s: float, step_m: float) -> Population:
     """Where a person is becomes the newer anchor once it is far enough from the last."""
     newer = people.anchors[:, 1]
-    gone = people.position - newer
+    moved_m = people.position - newer
     seen = people.missed_s == 0.0
-    far = seen & (np.hypot(gone[:, 0], gone[:, 1]) >= step_m)
+    far = seen & (np.hypot(moved_m[:, 0], moved_m[:, 1]) >= step_m)
     moved = np.stack((newer, people.position), axis=1)
     return people.replace(
         anchors=np.where(far[:, None, None], moved, people.anchors),

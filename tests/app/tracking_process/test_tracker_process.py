@@ -216,9 +216,9 @@ def test_a_child_goes_on_from_corrected_tracks_as_this_process_does(tiny_recordi
 def test_what_to_go_on_from_is_the_same_after_its_way_through_a_line(request_, resume):
     resume.rows["vx"][0] = np.nan
     back = TrackingRequest.from_line(replace(request_, resume=resume).as_line()).resume
-    assert (back.frame, back.looks, back.highest_track, back.fps) == (
+    assert (back.frame, back.colour_frames, back.highest_track, back.fps) == (
         resume.frame,
-        resume.looks,
+        resume.colour_frames,
         resume.highest_track,
         resume.fps,
     )

@@ -54,8 +54,8 @@ def test_feet_below_the_picture_and_points_in_the_sky_have_no_line() -> None:
 def test_feet_tell_the_distance_though_half_of_them_are_hidden_by_somebody_nearer() -> None:
     own = np.random.default_rng(5101).normal(0.15, 0.01, 40)
     hidden = np.linspace(-0.5, -0.1, 40)
-    ((told, weight),) = estimate_scale(np.concatenate((own, hidden)))
-    assert told == pytest.approx(0.15, abs=0.02)
+    ((log_scale, weight),) = estimate_scale(np.concatenate((own, hidden)))
+    assert log_scale == pytest.approx(0.15, abs=0.02)
     assert weight > 0
 
 

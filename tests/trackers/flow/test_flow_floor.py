@@ -75,18 +75,18 @@ def test_tracklets_say_how_far_people_walked(dx: float, dy: float) -> None:
     owners, _ = held(walkers)
     step = np.array([dx, dy])
     place = np.repeat(walkers.place + step, len(_SPOTS), axis=0)
-    told = estimate_places(walkers, owners, slopes_of(place, np.tile(_SPOTS, (2, 1))), FLOOR)
-    np.testing.assert_allclose(told.place, walkers.place + step, atol=0.05)
-    assert (told.count >= len(_SPOTS) - 2).all()
+    estimate = estimate_places(walkers, owners, slopes_of(place, np.tile(_SPOTS, (2, 1))), FLOOR)
+    np.testing.assert_allclose(estimate.place, walkers.place + step, atol=0.05)
+    assert (estimate.count >= len(_SPOTS) - 2).all()
 
 
 def test_a_few_tracklets_that_move_otherwise_move_nobody_and_are_released() -> None:
     walkers = walkers_at((0.3, 4.0))
     owners, slope = held(walkers)
     slope[:4] += (0.3, 0.0)
-    told = estimate_places(walkers, owners, slope, FLOOR)
-    np.testing.assert_allclose(told.place, walkers.place, atol=0.05)
-    after = release_misfits(owners, told.misfit, 0.3)
+    estimate = estimate_places(walkers, owners, slope, FLOOR)
+    np.testing.assert_allclose(estimate.place, walkers.place, atol=0.05)
+    after = release_misfits(owners, estimate.misfit, 0.3)
     assert (after.owner[:4] == 0).all()
     assert (after.owner[4:] == 1).all()
 
@@ -94,9 +94,9 @@ def test_a_few_tracklets_that_move_otherwise_move_nobody_and_are_released() -> N
 def test_people_without_tracklets_are_told_nothing_of() -> None:
     walkers = walkers_at((0.3, 4.0), (1.0, 6.0))
     owners, slope = held(walkers.select(np.array([True, False])))
-    told = estimate_places(walkers, owners, slope, FLOOR)
-    assert np.isfinite(told.place[0]).all()
-    assert np.isnan(told.place[1]).all()
+    estimate = estimate_places(walkers, owners, slope, FLOOR)
+    assert np.isfinite(estimate.place[0]).all()
+    assert np.isnan(estimate.place[1]).all()
 
 
 def test_tracklets_go_along_when_a_person_is_found_farther_away() -> None:

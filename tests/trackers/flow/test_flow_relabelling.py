@@ -1,4 +1,4 @@
-"""Finished runs told anew by their tracklets: who walked where."""
+"""Finished runs relabelled by their tracklets: who walked where."""
 
 from __future__ import annotations
 

@@ -193,7 +193,7 @@ def test_tracking_goes_on_with_corrected_people_and_new_ids_are_higher() -> None
     rows["width"], rows["height"] = np.full(16, 30.0), np.full(16, 90.0)
     rows["visibility"] = np.ones(16, np.float32)
     resume = Resume.of(TrackTable(rows), 16, FPS)
-    looks = [perception.observe(frame_of(n, pictures[n])) for n in resume.looks]
+    looks = [perception.observe(frame_of(n, pictures[n])) for n in resume.colour_frames]
     tracker.resume(resume, looks)
     steps = [tracker.step(perception.observe(frame_of(n, pictures[n]))) for n in range(16, FRAMES)]
     for step in steps:

@@ -113,7 +113,7 @@ def test_who_walks_along_the_edge_stays() -> None:
 
 
 def hidden(clothes: tuple[float, ...] = RED) -> Run:
-    """Somebody passes behind something, and is found again under another id."""
+    """Somebody passes behind something, and is detected again under another id."""
     way = straight((-1.5, 6), (1.5, 6), 140)
     return run_of(
         Stretch(1, 0, way[:70], RED, lost=range(50, 70)),

@@ -8,10 +8,10 @@ import pytest
 from people_of_one_colour import view
 
 from tracking.geometry import FlatView, ellipses_of, standing_ellipses
-from tracking.trackers.spheroid.births import unexplained
-from tracking.trackers.spheroid.feet import feet_of, feet_parts, feet_said
+from tracking.trackers.spheroid.births import find_candidates
+from tracking.trackers.spheroid.feet import feet_of, feet_parts, feet_scores
 from tracking.trackers.spheroid.floor_cells import FloorCells
-from tracking.trackers.spheroid.hypothesis_scores import Evidence, covered
+from tracking.trackers.spheroid.hypothesis_scores import JudgedFrame, count_covering
 
 FLAT = FlatView(view(2.5, 20.0))
 ALONG = np.arange(3.4, 7.0, 0.1)
@@ -34,10 +34,10 @@ def _seen(*places: tuple[float, float]) -> np.ndarray:
 def _said(ramp: np.ndarray, everybody: np.ndarray, row: int) -> np.ndarray:
     """What feet say of hypotheses along the view of who stands at a row."""
     own = standing_ellipses(FLAT.projection, everybody, np.full(len(everybody), 1.72), 0.25)
-    evidence = Evidence(ramp, np.ones(ramp.shape, bool), covered(ramp.shape, own))
+    judged = JudgedFrame(ramp, np.ones(ramp.shape, bool), count_covering(ramp.shape, own))
     feet = feet_of(FLAT, np.column_stack((np.zeros(len(ALONG)), ALONG))[None])
-    parts = feet_parts(evidence, FLAT, own, everybody, feet, np.array([row]))
-    return feet_said(parts, feet)[0]
+    parts = feet_parts(judged, FLAT, own, everybody, feet, np.array([row]))
+    return feet_scores(parts, feet)[0]
 
 
 @pytest.mark.parametrize("away_m", [4.5, 5.5])
@@ -62,16 +62,16 @@ def test_feet_out_of_the_picture_say_nothing() -> None:
     feet = feet_of(FLAT, below)
     own = standing_ellipses(FLAT.projection, below[0], np.array([1.72]), 0.25)
     ramp = np.full(FLAT.size[::-1], 255, np.uint8)
-    evidence = Evidence(ramp, np.ones(ramp.shape, bool), covered(ramp.shape, own))
-    parts = feet_parts(evidence, FLAT, own, below[0], feet, np.array([0]))
-    assert feet_said(parts, feet)[0, 0] == 0.0
+    judged = JudgedFrame(ramp, np.ones(ramp.shape, bool), count_covering(ramp.shape, own))
+    parts = feet_parts(judged, FLAT, own, below[0], feet, np.array([0]))
+    assert feet_scores(parts, feet)[0, 0] == 0.0
 
 
-def test_newcomers_begin_where_their_legs_end() -> None:
+def test_new_people_begin_where_their_legs_end() -> None:
     ramp = _seen((0.0, 5.0))
     cells = FloorCells(FLAT, 1.72, 0.25)
     everywhere = np.ones(ramp.shape, bool)
-    (place, *_) = unexplained(ramp, everywhere, cells, np.zeros((0, 2)), everywhere)
-    (without, *_) = unexplained(ramp, everywhere, cells, np.zeros((0, 2)))
+    (place, *_) = find_candidates(ramp, everywhere, cells, np.zeros((0, 2)), everywhere)
+    (without, *_) = find_candidates(ramp, everywhere, cells, np.zeros((0, 2)))
     assert abs(place[1] - 5.0) < 0.35
     assert abs(place[1] - 5.0) < abs(without[1] - 5.0)

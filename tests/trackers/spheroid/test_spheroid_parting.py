@@ -8,9 +8,9 @@ from people_of_one_colour import Body, followed, frames_of, places, standing, vi
 
 from tracking.geometry import FlatView, standing_ellipses
 from tracking.trackers.spheroid import SpheroidSettings
-from tracking.trackers.spheroid.hypotheses import begun
-from tracking.trackers.spheroid.hypothesis_scores import Evidence, covered
-from tracking.trackers.spheroid.split_merged import parted, two_places
+from tracking.trackers.spheroid.hypotheses import begin_people
+from tracking.trackers.spheroid.hypothesis_scores import JudgedFrame, count_covering
+from tracking.trackers.spheroid.split_merged import split_merged, two_places
 from tracking.trackers.spheroid.weights import silhouettes
 
 FLAT = FlatView(view())
@@ -21,12 +21,12 @@ BETWEEN = (ONE + OTHER) / 2
 
 def _ramp(*xy: np.ndarray) -> np.ndarray:
     outlines = standing_ellipses(FLAT.projection, np.array(xy), np.full(len(xy), 1.72), 0.22)
-    return np.where(covered(FLAT.size[::-1], outlines) > 0, np.uint8(255), np.uint8(0))
+    return np.where(count_covering(FLAT.size[::-1], outlines) > 0, np.uint8(255), np.uint8(0))
 
 
 def _seen(ramp: np.ndarray, *xy: np.ndarray):
     mean = np.array([(*place, 0.4, 0.2) for place in xy])
-    people = begun(
+    people = begin_people(
         np.arange(1, len(xy) + 1, dtype=np.int32),
         mean,
         np.full(len(xy), 1.72),
@@ -35,8 +35,8 @@ def _seen(ramp: np.ndarray, *xy: np.ndarray):
         (0.05, 0.0),
         np.random.default_rng(2),
     )
-    cover = covered(ramp.shape, silhouettes(people, FLAT, SETTINGS))
-    return people, Evidence(ramp, np.ones(ramp.shape, bool), cover)
+    cover = count_covering(ramp.shape, silhouettes(people, FLAT, SETTINGS))
+    return people, JudgedFrame(ramp, np.ones(ramp.shape, bool), cover)
 
 
 def test_two_places_are_found_about_who_stands_between_two() -> None:
@@ -55,8 +55,8 @@ def test_one_person_is_not_taken_for_two(off_m: float) -> None:
 
 
 def test_who_is_between_two_is_put_to_one_of_them_and_the_other_is_told() -> None:
-    people, evidence = _seen(_ramp(ONE, OTHER), BETWEEN)
-    moved, others = parted(people, np.array([0]), evidence, FLAT, 1.77, SETTINGS)
+    people, judged = _seen(_ramp(ONE, OTHER), BETWEEN)
+    moved, others = split_merged(people, np.array([0]), judged, FLAT, 1.77, SETTINGS)
     stands = np.array([moved.xy[0], others[0, :2]])
     assert np.abs(stands[np.argsort(stands[:, 0])] - (ONE, OTHER)).max() < 0.2
     assert np.allclose(others[0, 2:], (0.4, 0.2))
@@ -64,8 +64,8 @@ def test_who_is_between_two_is_put_to_one_of_them_and_the_other_is_told() -> Non
 
 
 def test_nobody_is_parted_from_somebody_who_is_followed_already() -> None:
-    people, evidence = _seen(_ramp(ONE, OTHER), ONE, OTHER)
-    moved, others = parted(people, np.array([0, 1]), evidence, FLAT, 1.77, SETTINGS)
+    people, judged = _seen(_ramp(ONE, OTHER), ONE, OTHER)
+    moved, others = split_merged(people, np.array([0, 1]), judged, FLAT, 1.77, SETTINGS)
     assert np.array_equal(moved.mean, people.mean)
     assert others.shape == (0, 4)
 

@@ -10,7 +10,12 @@ from hypothesis import strategies as st
 from people_of_one_colour import view
 
 from tracking.geometry import Ellipses, FlatView, standing_ellipses
-from tracking.trackers.spheroid.hypothesis_scores import Evidence, covered, judged, windows_of
+from tracking.trackers.spheroid.hypothesis_scores import (
+    JudgedFrame,
+    count_covering,
+    judge,
+    windows_of,
+)
 from tracking.trackers.spheroid.sums import sums_inside, window
 
 SHAPE = (240, 320)
@@ -59,11 +64,11 @@ def test_scores_by_running_sums_are_those_of_a_plain_double_loop(
     seen = standing_ellipses(flat.projection, state, tall, 0.25)
     region = standing_ellipses(flat.projection, state, tall, 0.25, 2.0)
     drawn = random.random(SHAPE) > 0.1
-    evidence = Evidence(ramp, drawn, covered(SHAPE, own))
-    windows = windows_of(evidence, region, own, 0)
-    found = judged(windows, seen, region).scores()
+    judged = JudgedFrame(ramp, drawn, count_covering(SHAPE, own))
+    windows = windows_of(judged, region, own, 0)
+    found = judge(windows, seen, region).scores()
     for k in range(len(people)):
-        others = covered(SHAPE, own[np.arange(len(people)) != k])
+        others = count_covering(SHAPE, own[np.arange(len(people)) != k])
         counted = drawn & (others == 0)
         for j in range(2):
             plain = _plain_score(ramp, counted, _one(seen, k, j), _one(region, k, j))
@@ -107,8 +112,8 @@ def test_people_far_apart_are_summed_in_windows_of_their_own() -> None:
     people = np.array([[-1.2, 0.4], [1.3, -0.5]])
     own = standing_ellipses(flat.projection, people, np.full(2, 1.7), 0.25)
     ramp = np.random.default_rng(2).integers(0, 256, SHAPE, dtype=np.uint8)
-    evidence = Evidence(ramp, np.ones(SHAPE, bool), covered(SHAPE, own))
-    windows = windows_of(evidence, own[:, None], own, 0)
+    judged = JudgedFrame(ramp, np.ones(SHAPE, bool), count_covering(SHAPE, own))
+    windows = windows_of(judged, own[:, None], own, 0)
     assert all(one.sums.shape[1] < 150 for one in windows)
     found = sums_inside(windows, own[:, None])
     for k in range(2):

@@ -25,10 +25,10 @@ from tracking.errors import SettingsError
 from tracking.recording.frame import StereoFrame
 from tracking.trackers import Resume
 from tracking.trackers.spheroid import SpheroidSettings
-from tracking.trackers.spheroid.filter_steps import predicted, weighed
-from tracking.trackers.spheroid.hypotheses import begun
-from tracking.trackers.spheroid.support import still_there
-from tracking.trackers.spheroid.weights import taken
+from tracking.trackers.spheroid.filter_steps import predict, weigh_hypotheses
+from tracking.trackers.spheroid.hypotheses import begin_people
+from tracking.trackers.spheroid.support import should_keep
+from tracking.trackers.spheroid.weights import is_taken
 from tracking.tracks.table import TrackTable
 
 BARREL = (-0.2, 0.05, 0.0, 0.0, 0.0)
@@ -118,24 +118,24 @@ def test_a_hypothesis_where_somebody_else_stands_counts_nothing() -> None:
     random = np.random.default_rng(1)
     mean = np.array([[0.0, 0.0, 0.0, 0.0], [0.8, 0.0, 0.0, 0.0]])
     track = np.array([1, 2], np.int32)
-    people = begun(track, mean, np.full(2, 1.8), 0.0, 200, (0.3, 0.1), random)
-    close = taken(people, settings)
+    people = begin_people(track, mean, np.full(2, 1.8), 0.0, 200, (0.3, 0.1), random)
+    close = is_taken(people, settings)
     apart = np.hypot(people.state[0, :, 0] - 0.8, people.state[0, :, 1])
     assert np.array_equal(close[0], apart < 0.5)
     log_weight = np.where(close, -np.inf, 0.0)
-    assert (weighed(people, log_weight).weight[close] == 0.0).all()
+    assert (weigh_hypotheses(people, log_weight).weight[close] == 0.0).all()
 
 
 def test_who_is_spread_too_wide_is_let_go() -> None:
     settings = SpheroidSettings(paper=True)
     random = np.random.default_rng(2)
     mean = np.zeros((1, 4))
-    people = begun(np.ones(1, np.int32), mean, np.array([1.8]), 0.0, 300, (0.1, 0.2), random)
-    assert still_there(people, settings).all()
+    people = begin_people(np.ones(1, np.int32), mean, np.array([1.8]), 0.0, 300, (0.1, 0.2), random)
+    assert should_keep(people, settings).all()
     for _ in range(200):
-        people = weighed(predicted(people, 1 / FPS, settings, random), np.zeros((1, 300)))
+        people = weigh_hypotheses(predict(people, 1 / FPS, settings, random), np.zeros((1, 300)))
     assert people.spread[0] > settings.max_spread_m
-    assert not still_there(people, settings).any()
+    assert not should_keep(people, settings).any()
 
 
 def test_no_ghost_stays_where_somebody_stood_when_the_scene_began() -> None:
@@ -197,7 +197,7 @@ def test_people_of_a_correction_are_followed_on_with_their_tracks() -> None:
     rows["track"] = np.where(rows["track"] == 1, 4, 7).astype(np.int32)
     resume = Resume.of(TrackTable(rows), 20, FPS)
     perception, tracker = built(seen_by)
-    tracker.resume(resume, [perception.observe(footage[k]) for k in resume.looks])
+    tracker.resume(resume, [perception.observe(footage[k]) for k in resume.colour_frames])
     results = [tracker.step(perception.observe(frame)) for frame in footage[20:]]
     assert all(list(result.tracks["track"]) == [4, 7] for result in results)
     owner = rows["track"][rows["frame"] == 19][np.argmin(rows["x"][rows["frame"] == 19])]

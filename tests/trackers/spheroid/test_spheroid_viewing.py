@@ -7,8 +7,8 @@ from people_of_one_colour import view
 
 from tracking.geometry import FlatView
 from tracking.trackers.spheroid import SpheroidSettings
-from tracking.trackers.spheroid.hypotheses import Followed, begun
-from tracking.trackers.spheroid.perception_hints import bodies_told
+from tracking.trackers.spheroid.hypotheses import SpheroidPeople, begin_people
+from tracking.trackers.spheroid.perception_hints import body_masks
 from tracking.trackers.spheroid.view_model import headless, near_side_hidden, seen_steeply
 from tracking.trackers.spheroid.weights import axes_of, hypotheses_of, silhouettes
 
@@ -16,9 +16,9 @@ DOWN = FlatView(view())
 SLOPING = FlatView(view(4.0, 40.0))
 
 
-def _people(*states: tuple[float, ...], spread: float = 0.0) -> Followed:
+def _people(*states: tuple[float, ...], spread: float = 0.0) -> SpheroidPeople:
     mean = np.array([(*state, 0.0, 0.0)[:4] for state in states])
-    people = begun(
+    people = begin_people(
         np.arange(1, len(mean) + 1, dtype=np.int32),
         mean,
         np.full(len(mean), 1.72),
@@ -59,9 +59,9 @@ def test_who_walks_leans_ahead_but_not_as_published() -> None:
 
 def test_what_lies_before_the_floor_near_somebodys_feet_teaches_no_bodies() -> None:
     people = _people((0.5, 0.4))
-    assert not bodies_told(people, DOWN, SpheroidSettings()).on.any()
+    assert not body_masks(people, DOWN, SpheroidSettings()).on.any()
     far = _people((0.3, 5.0))
-    on = bodies_told(far, SLOPING, SpheroidSettings()).on
+    on = body_masks(far, SLOPING, SpheroidSettings()).on
     rows = np.flatnonzero(on.any(axis=1))
     _, feet = SLOPING.flat_from_world(np.array([[0.3, 5.0, 0.0]]))[0]
     _, beyond = SLOPING.flat_from_world(np.array([[0.3, 6.0, 0.0]]))[0]

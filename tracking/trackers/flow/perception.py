@@ -55,7 +55,7 @@ class FlowPerception:
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """Nothing is to be told."""
+        """There are no notes."""
         return ()
 
     def learn(self, frames: Iterable[StereoFrame]) -> None:

@@ -66,7 +66,7 @@ class FlowTracker:
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What the user should be told, a line each."""
+        """Notes for the user, a line each."""
         if self._camera.moved_at is None:
             return ()
         return (

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.geometry import FlatView
-from tracking.trackers.spheroid.hypotheses import Floats, Followed
+from tracking.trackers.spheroid.hypotheses import Floats, SpheroidPeople
 
 Picture = NDArray[np.uint8]
 Colours = NDArray[np.float32]
@@ -71,24 +71,26 @@ def bgr_of(opponent: Colours) -> Colours:
     return np.stack((blue, (both - opponent[..., 2]) / 2, (both + opponent[..., 2]) / 2), axis=-1)
 
 
-def likeness(people: Followed, colours: Colours, known: NDArray[np.bool_], weight: float) -> Floats:
+def appearance_log_weights(
+    people: SpheroidPeople, colours: Colours, known: NDArray[np.bool_], weight: float
+) -> Floats:
     """(people, N) logarithms of weights by colour, of hypotheses.
 
     Args:
         colours: (people, N, cells, 3) seen there. known: (people, N, cells) in the picture.
         weight: of colours.
     """
-    apart = np.abs(colours - people.looks[:, None]).sum(axis=-1)
+    apart = np.abs(colours - people.appearance[:, None]).sum(axis=-1)
     apart = np.minimum(apart / np.float32(_FULL), 1.0)
-    told = (people.counts > _FEWEST)[:, None] & known
-    apart *= told
-    cells = np.maximum(told.sum(axis=-1), 1)
+    comparable = (people.counts > _FEWEST)[:, None] & known
+    apart *= comparable
+    cells = np.maximum(comparable.sum(axis=-1), 1)
     return np.asarray(-weight * apart.sum(axis=-1) / cells, np.float64)
 
 
-def colours_learnt(
-    people: Followed, colours: Colours, known: NDArray[np.bool_], alone: NDArray[np.bool_]
-) -> Followed:
+def learn_colours(
+    people: SpheroidPeople, colours: Colours, known: NDArray[np.bool_], alone: NDArray[np.bool_]
+) -> SpheroidPeople:
     """The people with the colours of those who are seen alone.
 
     Args:
@@ -97,20 +99,20 @@ def colours_learnt(
     """
     learn = (known & alone[:, None]).astype(np.float32)
     share = learn / np.minimum(people.counts + 1.0, _MEMORY)
-    looks = people.looks + share[..., None] * (colours - people.looks)
-    return people.replace(looks=looks, counts=people.counts + learn)
+    appearance = people.appearance + share[..., None] * (colours - people.appearance)
+    return people.replace(appearance=appearance, counts=people.counts + learn)
 
 
 def difference(
-    looks: Colours, counts: Colours, other: Colours, other_counts: Colours
+    appearance: Colours, counts: Colours, other: Colours, other_counts: Colours
 ) -> NDArray[np.float32]:
     """(...) 0 to 1, how far the colours of people are apart; 0.5 where nothing is known.
 
     Args:
-        looks, other: (..., cells, 3). counts, other_counts: (..., cells).
+        appearance, other: (..., cells, 3). counts, other_counts: (..., cells).
     """
-    apart = np.minimum(np.abs(looks - other).sum(axis=-1) / np.float32(_FULL), 1.0)
-    told = (counts > 0) & (other_counts > 0)
-    cells = told.sum(axis=-1)
-    mean = (apart * told).sum(axis=-1) / np.maximum(cells, 1)
+    apart = np.minimum(np.abs(appearance - other).sum(axis=-1) / np.float32(_FULL), 1.0)
+    comparable = (counts > 0) & (other_counts > 0)
+    cells = comparable.sum(axis=-1)
+    mean = (apart * comparable).sum(axis=-1) / np.maximum(cells, 1)
     return np.asarray(np.where(cells > 0, mean, 0.5), np.float32)

@@ -1,4 +1,4 @@
-"""Newcomers: blobs of the size of a person that nobody followed explains."""
+"""Track initiation: blobs of the size of a person in no track's silhouette."""
 
 from __future__ import annotations
 
@@ -8,9 +8,9 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.trackers.spheroid.feet import Feet, feet_said, part_of
+from tracking.trackers.spheroid.feet import Feet, feet_scores, part_of
 from tracking.trackers.spheroid.floor_cells import FloorCells
-from tracking.trackers.spheroid.hypothesis_scores import bounds, enlarged, silhouette
+from tracking.trackers.spheroid.hypothesis_scores import bounds, enlarge, silhouette
 from tracking.trackers.spheroid.sums import Window, sums_inside, window
 
 Floats = NDArray[np.float64]
@@ -33,7 +33,7 @@ _LIKELY = 0.2
 """Share of a silhouette's box that must be foreground to be looked at closely."""
 _LEAST_SEEN = 0.35
 """Share of a silhouette that must count: what peeps out between people is theirs."""
-EXPLAINED = 1.15
+ENLARGED = 1.15
 """Silhouettes of people explain what lies in them when they are so much larger: arms and feet."""
 TALLER_M = 0.05
 """Nor do they explain more than somebody so much taller than usual would: a spheroid that grew over
@@ -42,31 +42,31 @@ _MOST_NEW = 8
 _NEAR_M = 0.45
 """Nobody starts closer than this to somebody followed."""
 _SAME_M = 0.5
-"""How far a newcomer may be from one look to the next, besides walking."""
+"""How far a candidate may be from one search to the next, besides walking."""
 _WALK_M_PER_S = 2.5
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Candidates:
+class SpheroidCandidates:
     """Where somebody new seems to be.
 
     Attributes:
-        xy: (n, 2) m. velocity: (n, 2) m/s. looks: (n,) in how many looks they were seen.
-        time_s: of the last look.
+        xy: (n, 2) m. velocity: (n, 2) m/s. searches: (n,) in how many searches they were found.
+        time_s: of the last search.
     """
 
     xy: Floats
     velocity: Floats
-    looks: NDArray[np.intp]
+    searches: NDArray[np.intp]
     time_s: float
 
     @classmethod
-    def none(cls) -> Candidates:
+    def none(cls) -> SpheroidCandidates:
         """Nobody."""
         return cls(np.zeros((0, 2)), np.zeros((0, 2)), np.zeros(0, np.intp), 0.0)
 
 
-def unexplained(
+def find_candidates(
     ramp: Picture,
     counted: Flags,
     cells: FloorCells,
@@ -83,20 +83,20 @@ def unexplained(
         counted: (height, width) pixels that prove anything: behind nothing and nobody followed.
         cells: where people may stand. taken_xy: (people, 2) m of those followed.
         footless: (height, width) pixels where no feet of those followed may be; None: feet say
-            nothing of how far away newcomers are.
+            nothing of how far away candidates are.
     """
     counted = counted.copy()
     rows = _likely(ramp, counted, cells, taken_xy)
     found: list[Floats] = []
     while len(rows) and len(found) < _MOST_NEW:
         sums = window(ramp, counted, 0, 0, _STEP)
-        gain, coverage = _judged(sums, cells, rows)
+        gain, coverage = _gain_and_coverage(sums, cells, rows)
         if gain.max() < _GAIN:
             break
-        told = gain
+        total = gain
         if footless is not None:
-            told = gain + _feet_gains(ramp, counted & footless, cells, rows)
-        best = int(np.where(gain < _GAIN, -np.inf, told).argmax())
+            total = gain + _feet_gains(ramp, counted & footless, cells, rows)
+        best = int(np.where(gain < _GAIN, -np.inf, total).argmax())
         if coverage[best] < _COVERAGE:
             rows = np.delete(rows, best)
             continue
@@ -122,7 +122,9 @@ def _likely(ramp: Picture, counted: Flags, cells: FloorCells, taken_xy: Floats) 
     return np.asarray(rows[~near])
 
 
-def _judged(sums: Window, cells: FloorCells, rows: NDArray[np.intp]) -> tuple[Floats, Floats]:
+def _gain_and_coverage(
+    sums: Window, cells: FloorCells, rows: NDArray[np.intp]
+) -> tuple[Floats, Floats]:
     """(n,) gain and coverage of the cells at these rows."""
     inside = sums_inside([sums], cells.outlines[rows][None])
     seen, area = inside.ramp[0], inside.area[0]
@@ -137,33 +139,33 @@ def _feet_gains(ramp: Picture, counted: Flags, cells: FloorCells, rows: NDArray[
     gain = np.zeros(len(rows))
     flat = np.flatnonzero(~cells.steep[rows])
     legs, below = cells.feet.legs.at(rows[flat]), cells.feet.below.at(rows[flat])
-    gain[flat] = _FEET * feet_said([part_of(ramp, counted)], Feet(legs, below))[0]
+    gain[flat] = _FEET * feet_scores([part_of(ramp, counted)], Feet(legs, below))[0]
     return gain
 
 
 def _mask_out(counted: Flags, cells: FloorCells, row: int) -> None:
-    one = enlarged(cells.outlines[row : row + 1], EXPLAINED)
+    one = enlarge(cells.outlines[row : row + 1], ENLARGED)
     (left,), (top,), (right,), (bottom,) = bounds(one, counted.shape)
     drawn = silhouette((bottom - top, right - left), one.polygons(40)[0], left, top)
     counted[top:bottom, left:right] &= drawn == 0
 
 
-def waited_for(before: Candidates, xy: Floats, time_s: float) -> Candidates:
-    """The places found in this look, those that were found before with how they moved.
+def update_candidates(before: SpheroidCandidates, xy: Floats, time_s: float) -> SpheroidCandidates:
+    """The places found in this search, those that were found before with how they moved.
 
     Args:
-        before: of the last look. xy: (n, 2) m found now.
+        before: of the last search. xy: (n, 2) m found now.
     """
     elapsed_s = max(time_s - before.time_s, 1e-3)
     velocity = np.zeros_like(xy)
-    looks = np.ones(len(xy), np.intp)
-    reach = _SAME_M + _WALK_M_PER_S * elapsed_s
+    searches = np.ones(len(xy), np.intp)
+    gate_m = _SAME_M + _WALK_M_PER_S * elapsed_s
     for row, place in enumerate(xy):
         if len(before.xy) == 0:
             break
         apart = np.hypot(*(before.xy - place).T)
         nearest = int(apart.argmin())
-        if apart[nearest] <= reach:
-            looks[row] = before.looks[nearest] + 1
+        if apart[nearest] <= gate_m:
+            searches[row] = before.searches[nearest] + 1
             velocity[row] = (place - before.xy[nearest]) / elapsed_s / 2
-    return Candidates(xy, velocity, looks, time_s)
+    return SpheroidCandidates(xy, velocity, searches, time_s)

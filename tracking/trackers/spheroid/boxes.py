@@ -8,11 +8,11 @@ import numpy as np
 
 from tracking.geometry import Ellipses, FlatView
 from tracking.people.boxes import standing_boxes
-from tracking.trackers.spheroid.hypotheses import Floats, Followed
+from tracking.trackers.spheroid.hypotheses import Floats, SpheroidPeople
 from tracking.trackers.spheroid.hypothesis_scores import (
-    Evidence,
+    JudgedFrame,
     bounds,
-    enlarged,
+    enlarge,
     others_cover,
     silhouette,
 )
@@ -32,7 +32,7 @@ _MEMORY_S = 0.5
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Drawn:
+class ReportedBoxes:
     """What is shown of the people.
 
     Attributes:
@@ -44,9 +44,13 @@ class Drawn:
     outline: Floats
 
 
-def drawn(
-    people: Followed, outlines: Ellipses, evidence: Evidence, flat: FlatView, elapsed_s: float
-) -> Drawn:
+def draw_boxes(
+    people: SpheroidPeople,
+    outlines: Ellipses,
+    judged: JudgedFrame,
+    flat: FlatView,
+    elapsed_s: float,
+) -> ReportedBoxes:
     """Boxes of everybody, and what was learnt of how they differ from usual ones.
 
     Spheroids leave out arms and feet and are too broad at the head; boxes that people draw do not.
@@ -54,7 +58,7 @@ def drawn(
     what they differ by from a usual body's is remembered for when he is not.
 
     Args:
-        outlines: (people) the silhouettes of `evidence`'s cover.
+        outlines: (people) the silhouettes of `judged`'s cover.
     """
     usual = _sides(standing_boxes(flat.view, people.xy, people.height, _WIDTH_M))
     size = np.tile(usual[:, 2:] - usual[:, :2], 2)
@@ -62,7 +66,7 @@ def drawn(
     off = np.full((len(people), 4), np.nan)
     rows = np.flatnonzero(whole)
     if len(rows):
-        seen = _recorded(_measured(outlines[rows], evidence), flat)
+        seen = _undo_flattening(_measure(outlines[rows], judged), flat)
         off[rows] = (seen - usual[rows]) / size[rows]
     good = np.abs(np.nan_to_num(off, nan=9.0)).max(axis=1) < _FARTHEST
     share = 1.0 - np.exp(-max(elapsed_s, 1e-3) / _MEMORY_S)
@@ -71,7 +75,9 @@ def drawn(
     outline = people.outline + share[:, None] * change
     shown = np.where(good[:, None], np.nan_to_num(off), outline)
     corners = usual + shown * size
-    return Drawn(np.concatenate((corners[:, :2], corners[:, 2:] - corners[:, :2]), axis=1), outline)
+    return ReportedBoxes(
+        np.concatenate((corners[:, :2], corners[:, 2:] - corners[:, :2]), axis=1), outline
+    )
 
 
 def _sides(box: Floats) -> Floats:
@@ -79,18 +85,18 @@ def _sides(box: Floats) -> Floats:
     return np.concatenate((box[:, :2], box[:, :2] + box[:, 2:]), axis=1)
 
 
-def _measured(outlines: Ellipses, evidence: Evidence) -> Floats:
+def _measure(outlines: Ellipses, judged: JudgedFrame) -> Floats:
     """(people, 4) left, top, right, bottom flat px of the foreground of each; NaN for none."""
-    wide = enlarged(outlines, _REACH)
-    shape = evidence.ramp.shape
+    wide = enlarge(outlines, _REACH)
+    shape = judged.ramp.shape
     reach, own = wide.polygons(40), outlines.polygons(40)
     boxes = np.column_stack(bounds(outlines, shape))
     found = np.full((len(outlines.u), 4), np.nan)
     for k, (left, top, right, bottom) in enumerate(zip(*bounds(wide, shape), strict=True)):
         part = np.s_[top:bottom, left:right]
         size = (bottom - top, right - left)
-        others = others_cover(evidence.cover, (left, top, right, bottom), own[k], boxes[k])
-        body = (evidence.ramp[part] > _FOREGROUND) & (others == 0)
+        others = others_cover(judged.cover, (left, top, right, bottom), own[k], boxes[k])
+        body = (judged.ramp[part] > _FOREGROUND) & (others == 0)
         body &= silhouette(size, reach[k], left, top) > 0
         columns = np.flatnonzero(body.sum(axis=0) >= _FEWEST_PX)
         rows = np.flatnonzero(body.sum(axis=1) >= _FEWEST_PX)
@@ -100,7 +106,7 @@ def _measured(outlines: Ellipses, evidence: Evidence) -> Floats:
     return found - 0.5
 
 
-def _recorded(sides: Floats, flat: FlatView) -> Floats:
+def _undo_flattening(sides: Floats, flat: FlatView) -> Floats:
     """(n, 4) left, top, right, bottom of pixels as recorded round flat boxes."""
     left, top, right, bottom = sides.T
     across, down = (left + right) / 2, (top + bottom) / 2

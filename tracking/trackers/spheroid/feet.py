@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.geometry import Ellipses, FlatView, ellipses_of
-from tracking.trackers.spheroid.hypothesis_scores import Evidence
+from tracking.trackers.spheroid.hypothesis_scores import JudgedFrame
 
 Floats = NDArray[np.float64]
 Whole = NDArray[np.intp]
@@ -106,7 +106,7 @@ def foot_zones(flat: FlatView, xy: Floats) -> Ellipses:
 
 
 def feet_parts(
-    evidence: Evidence, flat: FlatView, own: Ellipses, axes: Floats, feet: Feet, rows: Whole
+    judged: JudgedFrame, flat: FlatView, own: Ellipses, axes: Floats, feet: Feet, rows: Whole
 ) -> list[Part]:
     """The parts in which feet are looked for, other people's silhouettes and feet masked out.
 
@@ -117,13 +117,13 @@ def feet_parts(
         own: (people) everybody's silhouettes. axes: (people, 2) m where everybody is.
         feet: of the hypotheses of those at the rows.
     """
-    shape = evidence.ramp.shape
+    shape = judged.ramp.shape
     whose = _whose(flat, shape, own, axes)
     parts = []
     for row, left, top, right, bottom in zip(rows, *_reach(feet, shape), strict=True):
         part = np.s_[top:bottom, left:right]
-        free = evidence.counted[part] & ((whose[part] == 0) | (whose[part] == row + 1))
-        parts.append(part_of(evidence.ramp[part], free, int(left), int(top)))
+        free = judged.counted[part] & ((whose[part] == 0) | (whose[part] == row + 1))
+        parts.append(part_of(judged.ramp[part], free, int(left), int(top)))
     return parts
 
 
@@ -154,7 +154,7 @@ def part_of(ramp: Picture, free: NDArray[np.bool_], left: int = 0, top: int = 0)
     return Part(left, top, *sums)
 
 
-def feet_said(parts: list[Part], feet: Feet) -> Floats:
+def feet_scores(parts: list[Part], feet: Feet) -> Floats:
     """(people, n) -1 to 1: how much more legs are seen where they should end than below.
 
     What is hidden by others or out of the picture says nothing.
@@ -162,11 +162,11 @@ def feet_said(parts: list[Part], feet: Feet) -> Floats:
     sums = tuple(
         np.concatenate([getattr(p, name).ravel() for p in parts]) for name in ("ramp", "area")
     )
-    legs = _filled(parts, sums, feet.legs, _LEGS_FULL)
-    return legs - _filled(parts, sums, feet.below, _BELOW_FULL)
+    legs = _fill_shares(parts, sums, feet.legs, _LEGS_FULL)
+    return legs - _fill_shares(parts, sums, feet.below, _BELOW_FULL)
 
 
-def _filled(
+def _fill_shares(
     parts: list[Part], sums: tuple[NDArray[np.int32], ...], strips: Strips, full: float
 ) -> Floats:
     """(people, n) 0 to 1, how full of foreground strips are, as far as they are in sight."""

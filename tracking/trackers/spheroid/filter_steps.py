@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.filtering import cloud_shapes, resample
-from tracking.trackers.spheroid.hypotheses import Floats, Followed
+from tracking.trackers.spheroid.hypotheses import Floats, SpheroidPeople
 from tracking.trackers.spheroid.settings import SpheroidSettings
 
 _FASTEST_M_PER_S = 3.5
@@ -14,9 +14,12 @@ _KNOWN_SD_M = 0.03
 """Body heights are never held for surer than this."""
 
 
-def predicted(
-    people: Followed, elapsed_s: float, settings: SpheroidSettings, random: np.random.Generator
-) -> Followed:
+def predict(
+    people: SpheroidPeople,
+    elapsed_s: float,
+    settings: SpheroidSettings,
+    random: np.random.Generator,
+) -> SpheroidPeople:
     """Everybody's hypotheses one frame on: constant velocity, disturbed ([Waechter2013] 3.1).
 
     Where we differ: each hypothesis has a body height of its own, drawn from what is thought of
@@ -38,7 +41,7 @@ def predicted(
 
 
 def _heights(
-    people: Followed, settings: SpheroidSettings, random: np.random.Generator
+    people: SpheroidPeople, settings: SpheroidSettings, random: np.random.Generator
 ) -> NDArray[np.float32]:
     """(people, N) m."""
     shape = people.weight.shape
@@ -50,7 +53,7 @@ def _heights(
     return np.asarray(np.clip(tall, low, high), np.float32)
 
 
-def weighed(people: Followed, log_weight: Floats) -> Followed:
+def weigh_hypotheses(people: SpheroidPeople, log_weight: Floats) -> SpheroidPeople:
     """The people with their hypotheses weighed and the estimates taken from them.
 
     Args:
@@ -69,23 +72,25 @@ def weighed(people: Followed, log_weight: Floats) -> Followed:
     )
 
 
-def heights_learnt(people: Followed, seen: NDArray[np.bool_], elapsed_s: float) -> Followed:
+def learn_heights(
+    people: SpheroidPeople, seen: NDArray[np.bool_], elapsed_s: float
+) -> SpheroidPeople:
     """The people with what their hypotheses tell of body heights.
 
     Args:
         seen: (people,) whose head and feet are in sight: only then is there something to learn.
     """
-    told = np.einsum("pn,pn->p", people.tall, people.weight)
-    apart = people.tall - told[:, None]
+    mean = np.einsum("pn,pn->p", people.tall, people.weight)
+    apart = people.tall - mean[:, None]
     variance = np.einsum("pn,pn,pn->p", apart, apart, people.weight)
     # Frames follow each other too closely to be looks of their own: so many of them are one.
     share = np.clip(elapsed_s / 0.35, 0.0, 1.0) * seen
-    height = people.height + share * (told - people.height)
+    height = people.height + share * (mean - people.height)
     narrower = people.height_sd + share * (np.sqrt(variance) - people.height_sd)
     sd = np.maximum(np.minimum(people.height_sd, narrower), _KNOWN_SD_M)
     return people.replace(height=height, height_sd=sd)
 
 
-def resampled(people: Followed, random: np.random.Generator) -> Followed:
+def resample_people(people: SpheroidPeople, random: np.random.Generator) -> SpheroidPeople:
     """Heavy hypotheses multiplied, light ones dropped."""
     return people.replace(state=resample(people.state, people.weight, random))

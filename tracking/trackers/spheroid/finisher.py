@@ -13,8 +13,8 @@ def finish_run(run: Run, view: View, fps: float, given: Columns | None = None) -
     """The run with one id for each person, smoothed from both ends; see `link_run`.
 
     Beyond [Waechter2013]: behind pillars and other people somebody seen by one camera is lost and
-    found again under a new id, and who meets somebody may be taken for them. Runs made as published
-    keep the ids they were given.
+    re-identified under a new id, and who meets somebody may be taken for them. Runs made as
+    published keep the ids they were given.
 
     Args:
         given: rows of frames before the run's that stand fast, as corrected by people.

@@ -14,7 +14,7 @@ Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Followed:
+class SpheroidPeople:
     """Everybody followed, a row each, sorted by track.
 
     Attributes:
@@ -32,7 +32,8 @@ class Followed:
         missed_s: (people,) seconds without foreground where they should be; 0 while seen.
         age_s: (people,) since they were found. quiet_s: (people,) how long they have hardly moved.
         outline: (people, 4) by what the sides of their boxes differ from usual ones.
-        looks: (people, cells, 3) float32 the colours they are known by; counts: (people, cells)
+        appearance: (people, cells, 3) float32 the colours they are known by; counts: (people,
+            cells)
             how much is known of each.
     """
 
@@ -51,7 +52,7 @@ class Followed:
     age_s: Floats
     quiet_s: Floats
     outline: Floats
-    looks: NDArray[np.float32]
+    appearance: NDArray[np.float32]
     counts: NDArray[np.float32]
 
     def __len__(self) -> int:
@@ -63,33 +64,37 @@ class Followed:
         """(people, 2) m where they stand."""
         return self.mean[:, :2]
 
-    def select(self, rows: NDArray[Any]) -> Followed:
+    def select(self, rows: NDArray[Any]) -> SpheroidPeople:
         """The people at these rows (indices or a mask)."""
-        return Followed(*(getattr(self, name)[rows] for name in _NAMES))
+        return SpheroidPeople(*(getattr(self, name)[rows] for name in _NAMES))
 
-    def replace(self, **columns: NDArray[Any]) -> Followed:
+    def replace(self, **columns: NDArray[Any]) -> SpheroidPeople:
         """The same people with some columns replaced."""
         return dataclasses.replace(self, **columns)
 
 
-_NAMES = tuple(field.name for field in dataclasses.fields(Followed))
-LOOK_CELLS = 8
+_NAMES = tuple(field.name for field in dataclasses.fields(SpheroidPeople))
+APPEARANCE_CELLS = 8
 """Places on a body at which its colours are known, from head to foot."""
 
 
-def nobody(count: int) -> Followed:
+def no_people(count: int) -> SpheroidPeople:
     """Nobody, with so many hypotheses each."""
     none = np.zeros(0)
     no_random = np.random.default_rng(0)
-    return begun(np.zeros(0, np.int32), np.zeros((0, 4)), none, 0.0, count, (0.0, 0.0), no_random)
+    return begin_people(
+        np.zeros(0, np.int32), np.zeros((0, 4)), none, 0.0, count, (0.0, 0.0), no_random
+    )
 
 
-def together(groups: Sequence[Followed]) -> Followed:
+def concatenate(groups: Sequence[SpheroidPeople]) -> SpheroidPeople:
     """The people of all groups, in order."""
-    return Followed(*(np.concatenate([getattr(each, name) for each in groups]) for name in _NAMES))
+    return SpheroidPeople(
+        *(np.concatenate([getattr(each, name) for each in groups]) for name in _NAMES)
+    )
 
 
-def begun(
+def begin_people(
     track: NDArray[np.int32],
     mean: Floats,
     height: Floats,
@@ -97,7 +102,7 @@ def begun(
     count: int,
     spreads: tuple[float, float],
     random: np.random.Generator,
-) -> Followed:
+) -> SpheroidPeople:
     """People at their start.
 
     Args:
@@ -108,7 +113,7 @@ def begun(
     noise = random.standard_normal((people, count, 4), dtype=np.float32)
     noise *= np.repeat(np.array(spreads, np.float32), 2)
     zero = np.zeros(people)
-    return Followed(
+    return SpheroidPeople(
         track=track,
         state=noise + mean[:, None].astype(np.float32),
         weight=np.full((people, count), 1.0 / count, np.float32),
@@ -124,6 +129,6 @@ def begun(
         age_s=zero,
         quiet_s=zero,
         outline=np.zeros((people, 4)),
-        looks=np.zeros((people, LOOK_CELLS, 3), np.float32),
-        counts=np.zeros((people, LOOK_CELLS), np.float32),
+        appearance=np.zeros((people, APPEARANCE_CELLS, 3), np.float32),
+        counts=np.zeros((people, APPEARANCE_CELLS), np.float32),
     )

@@ -22,7 +22,7 @@ _FINE = 3
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Evidence:
+class JudgedFrame:
     """A frame as hypotheses are judged by it.
 
     Attributes:
@@ -64,13 +64,13 @@ def silhouette(shape: tuple[int, ...], outline: Floats, left: int, top: int) -> 
     return drawn
 
 
-def enlarged(outlines: Ellipses, scale: float) -> Ellipses:
+def enlarge(outlines: Ellipses, scale: float) -> Ellipses:
     """Ellipses about the same centres, so many times as large."""
     wide = (getattr(outlines, name) * scale**2 for name in ("uu", "uv", "vv"))
     return Ellipses(outlines.u, outlines.v, *wide)
 
 
-def covered(shape: tuple[int, ...], people: Ellipses) -> Picture:
+def count_covering(shape: tuple[int, ...], people: Ellipses) -> Picture:
     """(height, width) uint8, in how many of the silhouettes (people) each flat pixel lies."""
     cover = np.zeros(shape[:2], np.uint8)
     corners = people.polygons(_CORNERS)
@@ -105,25 +105,25 @@ def bounds(
     return sides[0], sides[1], np.maximum(sides[2], sides[0]), np.maximum(sides[3], sides[1])
 
 
-def windows_of(evidence: Evidence, reach: Ellipses, own: Ellipses, lines: int) -> list[Window]:
+def windows_of(judged: JudgedFrame, reach: Ellipses, own: Ellipses, lines: int) -> list[Window]:
     """A window for each person, with the other people's silhouettes masked out.
 
     Args:
         reach: (people, n) what the window must hold. own: (people) each one's own silhouette,
             which is part of the cover. lines: most in a silhouette, 0: as many as it has.
     """
-    shape = evidence.ramp.shape
+    shape = judged.ramp.shape
     corners, boxes = own.polygons(_CORNERS), np.column_stack(bounds(own, shape))
     top, bottom = own.rows()
     tall = np.nan_to_num(bottom - top, nan=0.0)
     windows = []
     for k, (left, up, right, down) in enumerate(zip(*bounds(reach, shape), strict=True)):
         part = np.s_[up:down, left:right]
-        others = others_cover(evidence.cover, (left, up, right, down), corners[k], boxes[k])
-        counted = evidence.counted[part] & (others == 0)
+        others = others_cover(judged.cover, (left, up, right, down), corners[k], boxes[k])
+        counted = judged.counted[part] & (others == 0)
         step = max(1, int(np.ceil(tall[k] / lines))) if lines else 1
         step = min(step, max(int(down - up), 1))
-        windows.append(window(evidence.ramp[part], counted, int(left), int(up), step))
+        windows.append(window(judged.ramp[part], counted, int(left), int(up), step))
     return windows
 
 
@@ -132,8 +132,8 @@ def others_cover(
 ) -> Picture:
     """(height, width) uint8, how many other people's silhouettes lie in a part of the picture.
 
-    The own one is drawn in the box in which `covered` drew it: elsewhere its edge, where it leaves
-    the picture, may be a pixel off.
+    The own one is drawn in the box in which `count_covering` drew it: elsewhere its edge, where it
+    leaves the picture, may be a pixel off.
 
     Args:
         cover: everybody's. part: left, top, right, bottom. outline: (corners, 2) px of the own
@@ -149,6 +149,6 @@ def others_cover(
     return others
 
 
-def judged(windows: list[Window], hypotheses: Ellipses, regions: Ellipses) -> Judgement:
+def judge(windows: list[Window], hypotheses: Ellipses, regions: Ellipses) -> Judgement:
     """What lies in the hypotheses (people, n) and in regions of evaluation (people, 1 or n)."""
     return Judgement(sums_inside(windows, hypotheses), sums_inside(windows, regions).ramp)

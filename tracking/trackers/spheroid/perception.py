@@ -46,7 +46,7 @@ class FlatObservation(Observation):
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Bodies:
+class BodyMasks:
     """Where people are in a frame, as flat masks (height, width) uint8, non-zero there.
 
     Attributes:
@@ -85,11 +85,11 @@ class SpheroidPerception:
         self._shadows = ShadowWeights()
         self._ramp = ramp_settings or RampSettings()
         self._last: Subtraction | None = None
-        self._told: Bodies | None = None
+        self._masks: BodyMasks | None = None
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """Nothing is to be told."""
+        """There are no notes."""
         return ()
 
     def learn(self, frames: Iterable[StereoFrame]) -> None:
@@ -102,8 +102,8 @@ class SpheroidPerception:
         seen = self._background.subtract(self._working(frame.left))
         self.camera.look(frame.number, seen.picture)
         weight = self._shadows.weigh(seen)
-        flat = self.flat.flatten(self._weighed(seen, weight))
-        self._last, self._told = seen, None
+        flat = self.flat.flatten(self._weigh(seen, weight))
+        self._last, self._masks = seen, None
         return FlatObservation(
             frame.number,
             frame.time_s,
@@ -114,27 +114,27 @@ class SpheroidPerception:
             working=seen,
         )
 
-    def tell(self, people: Bodies) -> None:
+    def tell(self, people: BodyMasks) -> None:
         """Say where people are in the frame observed last, before the next is observed.
 
         The background stays as it is there, and shadows are learnt from what lies beside them.
         """
-        self._told = people
+        self._masks = people
 
     def overlays(self, frame: StereoFrame) -> Overlays:
-        """What a view may lay over a frame; nothing is remembered, frames come in any order."""
+        """What a view may lay over a frame; no state is kept, frames come in any order."""
         seen = self._background.subtract(self._working(frame.left))
         return self._overlays(seen.mask, self._shadows.weigh(seen), frame.left)
 
     def ramp_picture(self, frame: StereoFrame) -> Picture:
         """(height, width) uint8, B times 255 in pixels of the left picture as recorded.
 
-        Nothing is remembered, frames come in any order.
+        No state is kept, frames come in any order.
         """
         seen = self._background.subtract(self._working(frame.left))
-        return _in_full(self._weighed(seen, self._shadows.weigh(seen)), frame)
+        return _in_full(self._weigh(seen, self._shadows.weigh(seen)), frame)
 
-    def _weighed(self, seen: Subtraction, weight: Picture) -> Picture:
+    def _weigh(self, seen: Subtraction, weight: Picture) -> Picture:
         """B times 255 with shadows weighed down, not undistorted."""
         rising = ramp(seen, self._background, self._ramp)
         weighed = cv2.multiply(rising, weight, scale=1 / 255)
@@ -148,10 +148,10 @@ class SpheroidPerception:
         if self._last is None:
             return
         mask = None
-        if self._told is not None and self._background.update_is_due:
+        if self._masks is not None and self._background.update_is_due:
             on, beside, kept = (
                 self.flat.unflatten(part)
-                for part in (self._told.on, self._told.beside, self._told.kept)
+                for part in (self._masks.on, self._masks.beside, self._masks.kept)
             )
             self._shadows.learn(self._last.mask, on, beside)
             mask = np.asarray(cv2.dilate(kept, _PROTECTED), np.uint8)

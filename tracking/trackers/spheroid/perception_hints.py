@@ -1,13 +1,13 @@
-"""What perception is told of the people: where to leave the background, where shadows fall."""
+"""Hints to perception of where people are: where to leave the background, where shadows fall."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from tracking.geometry import FlatView, ellipses_of
-from tracking.trackers.spheroid.hypotheses import Followed
-from tracking.trackers.spheroid.hypothesis_scores import covered
-from tracking.trackers.spheroid.perception import Bodies
+from tracking.trackers.spheroid.hypotheses import SpheroidPeople
+from tracking.trackers.spheroid.hypothesis_scores import count_covering
+from tracking.trackers.spheroid.perception import BodyMasks
 from tracking.trackers.spheroid.settings import SpheroidSettings
 from tracking.trackers.spheroid.weights import axes_of, silhouettes
 
@@ -24,21 +24,21 @@ _KEPT, _BESIDE = 1.2, 2.2
 """Sizes of silhouettes that hold people generously, and that hold their shadows, too."""
 
 
-def bodies_told(people: Followed, flat: FlatView, settings: SpheroidSettings) -> Bodies:
+def body_masks(people: SpheroidPeople, flat: FlatView, settings: SpheroidSettings) -> BodyMasks:
     """The masks of the frame's people."""
     shape = flat.size[::-1]
     sure = people.select(
         (people.age_s > _SURE_S) & (people.coverage > _SURE) & (people.shown > _SURE)
     )
-    kept = covered(shape, silhouettes(people, flat, settings, _KEPT))
-    beside = covered(shape, silhouettes(sure, flat, settings, _BESIDE))
+    kept = count_covering(shape, silhouettes(people, flat, settings, _KEPT))
+    beside = count_covering(shape, silhouettes(sure, flat, settings, _BESIDE))
     beside[kept > 0] = 0
     middle, half = (share * sure.height for share in _UPPER)
     wide = np.full(len(sure), _SLIM * settings.radius_m)
     centre = np.column_stack((axes_of(sure, settings), middle))
     upper = ellipses_of(flat.projection, centre, np.column_stack((wide, wide, half)))
-    on = covered(shape, upper)
+    on = count_covering(shape, upper)
     feet = np.column_stack((sure.xy, np.zeros(len(sure))))
     shade = ellipses_of(flat.projection, feet, np.broadcast_to(_SHADE, feet.shape))
-    on[covered(shape, shade) > 0] = 0
-    return Bodies(on, beside, kept)
+    on[count_covering(shape, shade) > 0] = 0
+    return BodyMasks(on, beside, kept)

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from tracking.filtering import cloud_shapes
 from tracking.trackers.protocol import ASSOCIATION_COLUMNS, StepResult
 from tracking.trackers.spheroid.appearance import bgr_of
-from tracking.trackers.spheroid.hypotheses import Followed
+from tracking.trackers.spheroid.hypotheses import SpheroidPeople
 from tracking.tracks.columns import (
     CLOTHES,
     DETECTION_COLUMNS,
@@ -24,7 +24,7 @@ from tracking.tracks.columns import (
 
 
 def step_result(
-    frame: int, people: Followed, box: NDArray[np.float64], clothes: NDArray[np.float32]
+    frame: int, people: SpheroidPeople, box: NDArray[np.float64], clothes: NDArray[np.float32]
 ) -> StepResult:
     """The frame's result; the people are sorted by track.
 
@@ -46,20 +46,20 @@ def step_result(
     )
 
 
-def clothes_of(people: Followed) -> NDArray[np.float32]:
+def clothes_of(people: SpheroidPeople) -> NDArray[np.float32]:
     """(people, 6) CIELAB of upper and lower body as they are known; NaN where they are not."""
     colour = np.full((len(people), 2, 3), np.nan, np.float32)
     if len(people) == 0:
         return colour.reshape(0, 6)
     for half, cells in enumerate((slice(1, 4), slice(4, 7))):
         seen = people.counts[:, cells].sum(axis=1) > 0
-        colour[seen, half] = bgr_of(people.looks[seen, cells].mean(axis=1))
+        colour[seen, half] = bgr_of(people.appearance[seen, cells].mean(axis=1))
     lab = cv2.cvtColor(np.clip(np.nan_to_num(colour) / 255.0, 0, 1), cv2.COLOR_BGR2Lab)
     return np.where(np.isnan(colour), np.nan, lab).reshape(-1, 6)
 
 
 def _tracks(
-    frame: int, people: Followed, box: NDArray[np.float64], missed: NDArray[np.bool_]
+    frame: int, people: SpheroidPeople, box: NDArray[np.float64], missed: NDArray[np.bool_]
 ) -> Columns:
     values = {
         "frame": np.full(len(people), frame),
@@ -74,7 +74,7 @@ def _tracks(
 
 
 def _detections(
-    frame: int, people: Followed, box: NDArray[np.float64], rows: NDArray[np.intp]
+    frame: int, people: SpheroidPeople, box: NDArray[np.float64], rows: NDArray[np.intp]
 ) -> Columns:
     values = {
         "frame": np.full(len(rows), frame),
@@ -87,7 +87,7 @@ def _detections(
     return typed(values, DETECTION_COLUMNS)
 
 
-def _particles(people: Followed) -> Columns:
+def _particles(people: SpheroidPeople) -> Columns:
     values = {
         "track": np.repeat(people.track, people.weight.shape[1]),
         "x": people.state[..., 0].ravel(),
@@ -97,7 +97,7 @@ def _particles(people: Followed) -> Columns:
     return typed(values, PARTICLE_COLUMNS)
 
 
-def _signals(frame: int, people: Followed, clothes: NDArray[np.float32]) -> Columns:
+def _signals(frame: int, people: SpheroidPeople, clothes: NDArray[np.float32]) -> Columns:
     spread_m, split = cloud_shapes(people.state[..., :2], people.weight)
     values = {
         "frame": np.full(len(people), frame),

@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 from tracking.geometry import FlatView
 from tracking.people import Observation
 from tracking.trackers.resumption import Resume, is_apart, is_seen, only
-from tracking.trackers.spheroid.appearance import ColourLook, colours_learnt
-from tracking.trackers.spheroid.hypotheses import Floats, Followed, begun
+from tracking.trackers.spheroid.appearance import ColourLook, learn_colours
+from tracking.trackers.spheroid.hypotheses import Floats, SpheroidPeople, begin_people
 from tracking.trackers.spheroid.perception import FlatObservation
 from tracking.trackers.spheroid.settings import SpheroidSettings
 from tracking.tracks.columns import Columns
@@ -23,38 +23,38 @@ _LED_ON_S = 1.0
 """Who has no row in the last frames is thought to have walked on for so long."""
 
 
-def resumed(
+def resume_people(
     resume: Resume,
     observations: Iterable[Observation],
     flat: FlatView,
     settings: SpheroidSettings,
     usual_m: float,
     random: np.random.Generator,
-) -> tuple[Followed, float]:
+) -> tuple[SpheroidPeople, float]:
     """Everybody to be followed on, and the seconds at which they stand so.
 
     Rows without a place on the floor stand where their boxes end. Somebody hidden is started where
     the rows lead, as one who was missed.
 
     Args:
-        observations: of the frames `resume.looks`, in order.
+        observations: of the frames `resume.colour_frames`, in order.
     """
-    rows = _placed(resume.rows, flat)
+    rows = _place_on_floor(resume.rows, flat)
     track = np.unique(rows["track"])
     mean, missed_s = _now(rows, track, resume)
     height = np.full(len(track), usual_m)
-    people = begun(
+    people = begin_people(
         track.astype(np.int32), mean, height, _HEIGHT_SD_M, settings.particles, _SPREADS, random
     )
     time_s = 0.0
     for seen in observations:
         assert isinstance(seen, FlatObservation), "spheroids step on flat observations"
         time_s = seen.time_s
-        people = _looked_at(people, only(rows, rows["frame"] == seen.frame), seen, flat)
+        people = _learn_colours(people, only(rows, rows["frame"] == seen.frame), seen, flat)
     return people.replace(missed_s=missed_s), time_s
 
 
-def _placed(rows: Columns, flat: FlatView) -> Columns:
+def _place_on_floor(rows: Columns, flat: FlatView) -> Columns:
     """The rows that stand somewhere on the floor."""
     foot = np.column_stack((rows["left"] + rows["width"] / 2, rows["top"] + rows["height"]))
     below = flat.view.floor_from_pixel(foot)
@@ -79,12 +79,12 @@ def _now(rows: Columns, track: NDArray[np.int32], resume: Resume) -> tuple[Float
     return mean, missed_s
 
 
-def _looked_at(
-    people: Followed,
+def _learn_colours(
+    people: SpheroidPeople,
     rows: Columns,
     seen: FlatObservation,
     flat: FlatView,
-) -> Followed:
+) -> SpheroidPeople:
     """The people with the colours seen of them in one frame."""
     good = is_seen(rows) & is_apart(rows)
     place = np.searchsorted(people.track, rows["track"])
@@ -93,4 +93,4 @@ def _looked_at(
     alone = np.zeros(len(people), bool)
     alone[place] = good
     colours, known = ColourLook(flat, seen.working.picture).at(xy, people.height)
-    return colours_learnt(people, colours, known, alone)
+    return learn_colours(people, colours, known, alone)

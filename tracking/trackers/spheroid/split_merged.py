@@ -1,4 +1,4 @@
-"""Two people who came in close together and are followed as one: the second is found again."""
+"""Two people who came in close together and are followed as one: the second is recovered."""
 
 from __future__ import annotations
 
@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.geometry import Ellipses, FlatView, standing_ellipses
-from tracking.trackers.spheroid.hypotheses import Followed
-from tracking.trackers.spheroid.hypothesis_scores import Evidence, bounds, covered
+from tracking.trackers.spheroid.hypotheses import SpheroidPeople
+from tracking.trackers.spheroid.hypothesis_scores import JudgedFrame, bounds, count_covering
 from tracking.trackers.spheroid.settings import SpheroidSettings
 from tracking.trackers.spheroid.weights import axes_of, silhouettes
 
@@ -27,28 +27,28 @@ _ACROSS = 40
 """Samples of the picture along the longer side about somebody."""
 
 
-def parted(
-    people: Followed,
+def split_merged(
+    people: SpheroidPeople,
     rows: NDArray[np.intp],
-    evidence: Evidence,
+    judged: JudgedFrame,
     flat: FlatView,
     tallest_m: float,
     settings: SpheroidSettings,
-) -> tuple[Followed, Floats]:
+) -> tuple[SpheroidPeople, Floats]:
     """The people, each at one place if there are two in his, and states (n, 4) of the others.
 
     Args:
-        rows: of those who are looked at. evidence: with everybody's silhouettes as cover.
+        rows: of those who are looked at. judged: with everybody's silhouettes as cover.
         tallest_m: heights beyond are not trusted, they may be those of two.
     """
     own = silhouettes(people, flat, settings)
     axes = axes_of(people, settings)
     mean, state, found = people.mean.copy(), people.state.copy(), []
     for row in rows:
-        others = evidence.cover - covered(evidence.cover.shape, own[row : row + 1])
-        free = evidence.counted & (others == 0)
+        others = judged.cover - count_covering(judged.cover.shape, own[row : row + 1])
+        free = judged.counted & (others == 0)
         height_m = min(float(people.height[row]), tallest_m)
-        both = two_places(evidence.ramp, free, flat, axes[row], height_m, settings.radius_m)
+        both = two_places(judged.ramp, free, flat, axes[row], height_m, settings.radius_m)
         if both is None or _is_near(both[1], np.delete(axes, row, axis=0)):
             continue
         own_m, other_m = both - axes[row]
@@ -120,7 +120,7 @@ def pair_gains(
     step = max(1, int(max(right - left, bottom - top) // _ACROSS))
     part = np.s_[top:bottom:step, left:right:step]
     value = np.where(free[part], ramp[part] / 255.0 - _BALANCE, 0.0).ravel()
-    inside = _held(outlines, np.arange(left, right, step), np.arange(top, bottom, step))
+    inside = _is_inside(outlines, np.arange(left, right, step), np.arange(top, bottom, step))
     both = (inside * value) @ inside.T
     one = np.diag(both)
     scale = step**2 / float(np.median(outlines.areas()))
@@ -129,7 +129,7 @@ def pair_gains(
     return gain, places
 
 
-def _held(outlines: Ellipses, u: Floats, v: Floats) -> Floats:
+def _is_inside(outlines: Ellipses, u: Floats, v: Floats) -> Floats:
     """(n, lines * columns) 1 where pixels lie in each outline, else 0."""
     begin, end = outlines.ends(np.broadcast_to(v.astype(float), (len(outlines.u), len(v))))
     with np.errstate(invalid="ignore"):

@@ -91,7 +91,7 @@ def sums_inside(windows: Sequence[Window], outlines: Ellipses) -> Inside:
     flat = np.concatenate([one.sums.ravel() for one in windows])
     lines = _lines(windows, outlines)
     total = np.concatenate(
-        [_found(flat, lines[:, k : k + _BLOCK]) for k in range(0, lines.shape[1], _BLOCK)]
+        [_look_up(flat, lines[:, k : k + _BLOCK]) for k in range(0, lines.shape[1], _BLOCK)]
     ).reshape(outlines.shape)
     grey = total & ((1 << _COUNTED) - 1)
     return Inside(grey / 255.0, (total >> _COUNTED).astype(np.float64))
@@ -131,7 +131,7 @@ def _measures(windows: Sequence[Window]) -> Whole:
     return np.array(rows, np.int64)
 
 
-def _found(flat: Whole, lines: Floats) -> Whole:
+def _look_up(flat: Whole, lines: Floats) -> Whole:
     """(n,) packed sums in silhouettes, two look-ups a line.
 
     Args:

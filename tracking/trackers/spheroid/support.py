@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.geometry import FlatView
-from tracking.trackers.spheroid.hypotheses import Floats, Followed
+from tracking.trackers.spheroid.hypotheses import Floats, SpheroidPeople
 from tracking.trackers.spheroid.hypothesis_scores import bounds
 from tracking.trackers.spheroid.settings import SpheroidSettings
 from tracking.trackers.spheroid.sums import Window, sums_inside
@@ -27,13 +27,13 @@ _QUIET_M_PER_S = 0.12
 """Slower than this, somebody stands."""
 
 
-def supported(
-    people: Followed,
+def measure_support(
+    people: SpheroidPeople,
     windows: list[Window],
     flat: FlatView,
     settings: SpheroidSettings,
     elapsed_s: float,
-) -> Followed:
+) -> SpheroidPeople:
     """The people with how much is seen of them at their estimates.
 
     Args:
@@ -58,7 +58,7 @@ def supported(
     )
 
 
-def _inside(people: Followed, flat: FlatView, settings: SpheroidSettings) -> Floats:
+def _inside(people: SpheroidPeople, flat: FlatView, settings: SpheroidSettings) -> Floats:
     """(people,) share of each silhouette's box in the picture; 0 for who has none."""
     outlines = silhouettes(people, flat, settings)
     left, top, right, bottom = bounds(outlines, flat.size[::-1])
@@ -67,12 +67,12 @@ def _inside(people: Followed, flat: FlatView, settings: SpheroidSettings) -> Flo
     return np.clip(np.nan_to_num((right - left) * (bottom - top) / whole), 0.0, 1.0)
 
 
-def seen_whole(people: Followed) -> NDArray[np.bool_]:
+def seen_whole(people: SpheroidPeople) -> NDArray[np.bool_]:
     """(people,) who is in sight from head to foot."""
     return np.asarray((people.missed_s == 0.0) & (people.shown > _WHOLE))
 
 
-def still_there(people: Followed, settings: SpheroidSettings) -> NDArray[np.bool_]:
+def should_keep(people: SpheroidPeople, settings: SpheroidSettings) -> NDArray[np.bool_]:
     """(people,) who is followed on.
 
     [Waechter2013] 3.3: who has hypotheses spread too wide is not. Where we differ: who is not where

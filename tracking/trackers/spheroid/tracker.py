@@ -11,34 +11,39 @@ from tracking.people import Observation
 from tracking.trackers.protocol import StepResult
 from tracking.trackers.resumption import Resume
 from tracking.trackers.spheroid import births
-from tracking.trackers.spheroid.appearance import ColourLook, colours_learnt, likeness
-from tracking.trackers.spheroid.boxes import drawn
-from tracking.trackers.spheroid.coasted_people import Lost, found_again
+from tracking.trackers.spheroid.appearance import ColourLook, appearance_log_weights, learn_colours
+from tracking.trackers.spheroid.boxes import draw_boxes
+from tracking.trackers.spheroid.coasting import CoastingPeople, reidentify
 from tracking.trackers.spheroid.feet import foot_zones
-from tracking.trackers.spheroid.filter_steps import heights_learnt, predicted, resampled
+from tracking.trackers.spheroid.filter_steps import learn_heights, predict, resample_people
 from tracking.trackers.spheroid.floor_cells import FloorCells
 from tracking.trackers.spheroid.ghosts import are_ghosts
-from tracking.trackers.spheroid.hypotheses import Followed, begun, nobody, together
-from tracking.trackers.spheroid.hypothesis_scores import Evidence, covered
+from tracking.trackers.spheroid.hypotheses import (
+    SpheroidPeople,
+    begin_people,
+    concatenate,
+    no_people,
+)
+from tracking.trackers.spheroid.hypothesis_scores import JudgedFrame, count_covering
 from tracking.trackers.spheroid.perception import FlatObservation, SpheroidPerception
-from tracking.trackers.spheroid.perception_hints import bodies_told
+from tracking.trackers.spheroid.perception_hints import body_masks
 from tracking.trackers.spheroid.result import clothes_of, step_result
-from tracking.trackers.spheroid.resumption import resumed
+from tracking.trackers.spheroid.resumption import resume_people
 from tracking.trackers.spheroid.settings import SpheroidSettings
-from tracking.trackers.spheroid.split_merged import parted
-from tracking.trackers.spheroid.support import seen_whole, still_there, supported
+from tracking.trackers.spheroid.split_merged import split_merged
+from tracking.trackers.spheroid.support import measure_support, seen_whole, should_keep
 from tracking.trackers.spheroid.view_model import seen_steeply
 from tracking.trackers.spheroid.weights import (
     axes_of,
     hypotheses_of,
-    judged_and_weighed,
+    judge_and_weigh,
     silhouettes,
 )
 
 Flags = NDArray[np.bool_]
 
 _START_SPREADS = (0.2, 0.5)
-"""m and m/s, of a newcomer's hypotheses."""
+"""m and m/s, of a new person's hypotheses."""
 _HEIGHT_SD_M = 0.12
 """Of people, children among them."""
 _ALONE_M = 0.9
@@ -48,21 +53,22 @@ _STEEP_COLOURS = 0.15
 _GHOST_EVERY_S, _GHOST_QUIET_S = 1.0, 1.5
 """How often those who stand are looked at, and how long they must have stood."""
 _GHOST_SCALE = 1.3
-_PARTED_SLOPE = 2.0
+_SPLIT_SLOPE = 2.0
 """Only who is seen more steeply than this may be two: from the side it is often a shadow, or
 somebody behind, that seems to be the second."""
-_PARTED_LOOKS = 3
-"""In every so manieth look for newcomers somebody is looked at who may be two."""
+_SPLIT_SEARCHES = 3
+"""One in so many searches for new people tests whether somebody followed is two people."""
 
 
 class SpheroidTracker:
     """Follows people by hypotheses of where they stand ([Waechter2013]).
 
     A step, for all people at once: predict, judge the hypotheses' silhouettes on the ramp picture
-    with the other people's masked out, estimate, look for newcomers at intervals, let go, resample.
+    with the other people's masked out, estimate, search for new people at intervals, delete
+    tracks, resample.
 
     Where we differ from the source and why (`paper` in the settings leaves all of it out):
-        - weights are likelihood ratios of what lies in a silhouette (see `weighing`): plain scores
+        - weights are likelihood ratios of what lies in a silhouette (see `weights`): plain scores
           hardly tell near hypotheses apart;
         - other people are masked out where they are expected now, not where they were;
         - body heights are estimated: a fixed one errs by a share of the distance;
@@ -71,11 +77,11 @@ class SpheroidTracker:
         - colours of the body, looked up at a few places, weigh hypotheses too, so that people who
           meet keep their identities; little of those who are seen steeply;
         - shadows are weighed down by what was learnt of them beside people (`foreground`);
-        - newcomers are places on the floor whose silhouettes the blobs fill, taken one by one, so
-          that a group that comes in together is taken apart; who is followed between two people is
-          put to one of them (see `swallowed`);
+        - tracks are initiated at places on the floor whose silhouettes the blobs fill, taken one
+          by one, so that a group that comes in together is taken apart; who is followed between
+          two people is put to one of them (see `split_merged`);
         - who has left the picture or is not where he would be seen is let go before hypotheses
-          spread, and who is found again near by, in the same colours, keeps the track;
+          spread, and who is re-identified near by, in the same colours, keeps the track;
         - boxes are drawn from the foreground round the silhouettes, not from spheroids.
     """
 
@@ -89,7 +95,7 @@ class SpheroidTracker:
         """Nobody is followed yet; all randomness comes from the seed.
 
         Args:
-            perception: is told where people are, for its background.
+            perception: gets where people are, for its background.
             counted: (height, width) flat pixels that were recorded and are not behind what is
                 drawn.
         """
@@ -100,9 +106,9 @@ class SpheroidTracker:
         self._random = np.random.default_rng(seed)
         usual_m = self._usual_m = settings.newcomer_m
         self._cells = FloorCells(self._flat, usual_m, settings.radius_m)
-        self._people = nobody(settings.particles)
-        self._lost = Lost(self._people, np.zeros(0))
-        self._candidates = births.Candidates.none()
+        self._people = no_people(settings.particles)
+        self._coasting = CoastingPeople(self._people, np.zeros(0))
+        self._candidates = births.SpheroidCandidates.none()
         self._last_id = 0
         self._time_s: float | None = None
         self._next_look_s = self._next_ghosts_s = -np.inf
@@ -114,13 +120,13 @@ class SpheroidTracker:
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What the user should be told, a line each."""
+        """Notes for the user, a line each."""
         return self._perception.camera.told("spheroid")
 
     def resume(self, resume: Resume, observations: Iterable[Observation]) -> None:
         """Go on with the people as corrected; those who are new get ids above all there were."""
         settings, random = self._settings, self._random
-        self._people, self._time_s = resumed(
+        self._people, self._time_s = resume_people(
             resume, observations, self._flat, settings, self._usual_m, random
         )
         self._last_id = resume.highest_track
@@ -132,28 +138,28 @@ class SpheroidTracker:
         elapsed_s = 0.0 if self._time_s is None else time_s - self._time_s
         self._time_s = time_s
         look = ColourLook(self._flat, observation.working.picture)
-        people = predicted(self._people, elapsed_s, self._settings, self._random)
-        people = self._filtered(people, observation, look, elapsed_s)
-        people = self._without_the_gone(people, observation)
-        people = self._with_newcomers(people, observation, look)
-        people = self._learnt(people, look, elapsed_s)
+        people = predict(self._people, elapsed_s, self._settings, self._random)
+        people = self._update(people, observation, look, elapsed_s)
+        people = self._delete_lost(people, observation)
+        people = self._initiate(people, observation, look)
+        people = self._learn(people, look, elapsed_s)
         outlines = silhouettes(people, self._flat, self._settings)
-        evidence = self._evidence(people, observation)
-        shown = drawn(people, outlines, evidence, self._flat, elapsed_s)
+        judged = self._judged_frame(people, observation)
+        shown = draw_boxes(people, outlines, judged, self._flat, elapsed_s)
         people = people.replace(outline=shown.outline)
-        self._perception.tell(bodies_told(people, self._flat, self._settings))
+        self._perception.tell(body_masks(people, self._flat, self._settings))
         result = step_result(observation.frame, people, shown.box, clothes_of(people))
-        self._people = resampled(people, self._random)
+        self._people = resample_people(people, self._random)
         return result
 
-    def _evidence(self, people: Followed, seen: FlatObservation) -> Evidence:
+    def _judged_frame(self, people: SpheroidPeople, seen: FlatObservation) -> JudgedFrame:
         """The frame with the people's silhouettes as they are."""
         own = silhouettes(people, self._flat, self._settings)
-        return Evidence(seen.ramp, self._counted, covered(seen.ramp.shape, own))
+        return JudgedFrame(seen.ramp, self._counted, count_covering(seen.ramp.shape, own))
 
-    def _filtered(
-        self, people: Followed, seen: FlatObservation, look: ColourLook, elapsed_s: float
-    ) -> Followed:
+    def _update(
+        self, people: SpheroidPeople, seen: FlatObservation, look: ColourLook, elapsed_s: float
+    ) -> SpheroidPeople:
         """Everybody's hypotheses weighed, and what is seen of the estimates."""
         if len(people) == 0:
             return people
@@ -161,101 +167,107 @@ class SpheroidTracker:
         alike = None
         if settings.colour_weight > 0.0 and not settings.paper:
             colours, known = look.at(*hypotheses_of(people, settings))
-            alike = likeness(people, colours, known, settings.colour_weight)
+            alike = appearance_log_weights(people, colours, known, settings.colour_weight)
             alike[seen_steeply(people, flat)] *= _STEEP_COLOURS
-        evidence = self._evidence(people, seen)
-        people, windows = judged_and_weighed(people, evidence, flat, settings, alike)
-        return supported(people, windows, flat, settings, elapsed_s)
+        judged = self._judged_frame(people, seen)
+        people, windows = judge_and_weigh(people, judged, flat, settings, alike)
+        return measure_support(people, windows, flat, settings, elapsed_s)
 
-    def _without_the_gone(self, people: Followed, seen: FlatObservation) -> Followed:
-        """Those who are still there; the others are remembered for a while."""
-        there = still_there(people, self._settings)
+    def _delete_lost(self, people: SpheroidPeople, seen: FlatObservation) -> SpheroidPeople:
+        """Those who are still there; the tracks of the others coast for a while."""
+        there = should_keep(people, self._settings)
         if seen.time_s >= self._next_ghosts_s:
             self._next_ghosts_s = seen.time_s + _GHOST_EVERY_S
             still = np.flatnonzero(there & (people.quiet_s > _GHOST_QUIET_S))
             outlines = silhouettes(people.select(still), self._flat, self._settings, _GHOST_SCALE)
             there[still] = ~are_ghosts(self._flat, outlines, seen.ramp, seen.working)
-        lost = self._lost.with_others(people.select(~there), seen.time_s)
+        lost = self._coasting.append(people.select(~there), seen.time_s)
         kept_s = 0.0 if self._settings.paper else self._settings.coast_s
-        self._lost = lost.kept(seen.time_s - lost.at_s < kept_s)
+        self._coasting = lost.select(seen.time_s - lost.at_s < kept_s)
         return people.select(there)
 
-    def _with_newcomers(
-        self, people: Followed, seen: FlatObservation, look: ColourLook
-    ) -> Followed:
+    def _initiate(
+        self, people: SpheroidPeople, seen: FlatObservation, look: ColourLook
+    ) -> SpheroidPeople:
         """The people and those found new, at intervals ([Waechter2013] 3.3)."""
         settings = self._settings
         if seen.time_s < self._next_look_s:
             return people
         self._next_look_s = seen.time_s + settings.birth_interval_s - 1e-3
         modest = people.replace(height=np.minimum(people.height, self._usual_m + births.TALLER_M))
-        explained = silhouettes(modest, self._flat, settings, births.EXPLAINED)
-        free = self._counted & (covered(seen.ramp.shape, explained) == 0)
+        explained = silhouettes(modest, self._flat, settings, births.ENLARGED)
+        free = self._counted & (count_covering(seen.ramp.shape, explained) == 0)
         axes = axes_of(people, settings)
-        zones = covered(seen.ramp.shape, foot_zones(self._flat, axes))
+        zones = count_covering(seen.ramp.shape, foot_zones(self._flat, axes))
         footless = None if settings.paper else zones == 0
-        places = births.unexplained(seen.ramp, free, self._cells, axes, footless)
-        self._candidates = births.waited_for(self._candidates, places, seen.time_s)
-        ready = self._candidates.looks >= settings.birth_frames
+        places = births.find_candidates(seen.ramp, free, self._cells, axes, footless)
+        self._candidates = births.update_candidates(self._candidates, places, seen.time_s)
+        ready = self._candidates.searches >= settings.birth_frames
         states = np.concatenate((self._candidates.xy, self._candidates.velocity), axis=1)
-        people, others = self._parted(people, seen)
-        new = together([self._begun(states[ready]), others])
+        people, others = self._split_merged(people, seen)
+        new = concatenate([self._begin(states[ready]), others])
         if len(new) == 0:
             return people
         outlines = silhouettes(new, self._flat, settings, _GHOST_SCALE)
         new = new.select(~are_ghosts(self._flat, outlines, seen.ramp, seen.working))
-        return self._named(people, new, look, seen.time_s)
+        return self._give_ids(people, new, look, seen.time_s)
 
-    def _parted(self, people: Followed, seen: FlatObservation) -> tuple[Followed, Followed]:
+    def _split_merged(
+        self, people: SpheroidPeople, seen: FlatObservation
+    ) -> tuple[SpheroidPeople, SpheroidPeople]:
         """The people, and those who were followed as one with somebody close by."""
         if self._settings.paper:
-            return people, self._begun(np.zeros((0, 4)))
+            return people, self._begin(np.zeros((0, 4)))
         look = round(seen.time_s / self._settings.birth_interval_s)
-        due = (people.track + look) % _PARTED_LOOKS == 0
-        rows = np.flatnonzero(due & seen_steeply(people, self._flat, _PARTED_SLOPE))
-        evidence = self._evidence(people, seen)
+        due = (people.track + look) % _SPLIT_SEARCHES == 0
+        rows = np.flatnonzero(due & seen_steeply(people, self._flat, _SPLIT_SLOPE))
+        judged = self._judged_frame(people, seen)
         tallest_m = self._usual_m + births.TALLER_M
-        people, states = parted(people, rows, evidence, self._flat, tallest_m, self._settings)
-        return people, self._begun(states)
+        people, states = split_merged(people, rows, judged, self._flat, tallest_m, self._settings)
+        return people, self._begin(states)
 
-    def _begun(self, mean: NDArray[np.float64]) -> Followed:
+    def _begin(self, mean: NDArray[np.float64]) -> SpheroidPeople:
         """People without ids at these states (n, 4)."""
         settings = self._settings
         height = np.full(len(mean), self._usual_m)
         track = np.zeros(len(mean), np.int32)
         spreads = _START_SPREADS
-        return begun(track, mean, height, _HEIGHT_SD_M, settings.particles, spreads, self._random)
+        return begin_people(
+            track, mean, height, _HEIGHT_SD_M, settings.particles, spreads, self._random
+        )
 
-    def _named(self, people: Followed, new: Followed, look: ColourLook, now_s: float) -> Followed:
-        """The people with newcomers: those lost a moment ago keep their tracks, others get ids."""
+    def _give_ids(
+        self, people: SpheroidPeople, new: SpheroidPeople, look: ColourLook, now_s: float
+    ) -> SpheroidPeople:
+        """The people with new ones: those lost a moment ago keep their tracks, others get ids."""
         colours, known = look.at(new.xy, new.height)
-        new = colours_learnt(new, colours, known, np.ones(len(new), bool))
-        again = found_again(self._lost, new, now_s)
+        new = learn_colours(new, colours, known, np.ones(len(new), bool))
+        again = reidentify(self._coasting, new, now_s)
         old, fresh = again[again >= 0], again < 0
         track = new.track.copy()
-        track[~fresh] = self._lost.people.track[old]
+        track[~fresh] = self._coasting.people.track[old]
         track[fresh] = np.arange(fresh.sum(), dtype=np.int32) + self._last_id + 1
         self._last_id += int(fresh.sum())
         new = new.replace(track=track)
         for row, was in zip(np.flatnonzero(~fresh), old, strict=True):
-            for name in ("height", "height_sd", "outline", "looks", "counts", "age_s"):
-                getattr(new, name)[row] = getattr(self._lost.people, name)[was]
-        self._lost = self._lost.kept(~np.isin(np.arange(len(self._lost.at_s)), old))
-        everybody = together([people, new])
+            for name in ("height", "height_sd", "outline", "appearance", "counts", "age_s"):
+                getattr(new, name)[row] = getattr(self._coasting.people, name)[was]
+        self._coasting = self._coasting.select(~np.isin(np.arange(len(self._coasting.at_s)), old))
+        everybody = concatenate([people, new])
         return everybody.select(np.argsort(everybody.track, kind="stable"))
 
-    def _learnt(self, people: Followed, look: ColourLook, elapsed_s: float) -> Followed:
+    def _learn(self, people: SpheroidPeople, look: ColourLook, elapsed_s: float) -> SpheroidPeople:
         """The people with body heights and colours of those seen well."""
         whole = seen_whole(people)
         alone = whole & (_apart(people) > _ALONE_M)
         if not self._settings.paper:
             sure = np.where(seen_steeply(people, self._flat), alone, whole)
-            people = heights_learnt(people, sure, elapsed_s)
+            people = learn_heights(people, sure, elapsed_s)
         colours, known = look.at(axes_of(people, self._settings), people.height)
-        return colours_learnt(people, colours, known, alone)
+        return learn_colours(people, colours, known, alone)
 
 
-def _apart(people: Followed) -> NDArray[np.float64]:
+def _apart(people: SpheroidPeople) -> NDArray[np.float64]:
     """(people,) m to the next other person, infinite for who is alone."""
     apart = np.hypot(*(people.xy[:, None] - people.xy[None]).transpose(2, 0, 1))
     np.fill_diagonal(apart, np.inf)

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.geometry import Ellipses, FlatView
-from tracking.trackers.spheroid.hypotheses import Followed
+from tracking.trackers.spheroid.hypotheses import SpheroidPeople
 
 Flags = NDArray[np.bool_]
 
@@ -14,7 +14,7 @@ _BEFORE_M = 0.4
 """What hides the floor so far before somebody's feet hides the near side of the body."""
 
 
-def seen_steeply(people: Followed, flat: FlatView, slope: float = 1.0) -> Flags:
+def seen_steeply(people: SpheroidPeople, flat: FlatView, slope: float = 1.0) -> Flags:
     """(people,) whom the camera looks down on by more than 45 degrees, or than another slope."""
     return steep_places(people.xy, flat, slope)
 
@@ -25,14 +25,14 @@ def steep_places(xy: NDArray[np.float64], flat: FlatView, slope: float = 1.0) ->
     return np.asarray(slope * np.hypot(*(xy - camera_position[:2]).T) < camera_position[2])
 
 
-def headless(people: Followed, flat: FlatView) -> Flags:
+def headless(people: SpheroidPeople, flat: FlatView) -> Flags:
     """(people,) whose head is out of the picture where they are expected."""
     head = flat.flat_from_world(np.column_stack((people.xy, people.height)))
     inside = (head >= 0) & (head <= np.array(flat.size) - 1)
     return np.asarray(~inside.all(axis=1))
 
 
-def near_side_hidden(people: Followed, outlines: Ellipses, flat: FlatView) -> Flags:
+def near_side_hidden(people: SpheroidPeople, outlines: Ellipses, flat: FlatView) -> Flags:
     """(people,) before whose feet, as the camera sees it, there is somebody else.
 
     Args:

@@ -6,10 +6,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.geometry import Ellipses, FlatView, standing_ellipses
-from tracking.trackers.spheroid.feet import feet_of, feet_parts, feet_said
-from tracking.trackers.spheroid.filter_steps import weighed
-from tracking.trackers.spheroid.hypotheses import Floats, Followed
-from tracking.trackers.spheroid.hypothesis_scores import LINES, Evidence, judged, windows_of
+from tracking.trackers.spheroid.feet import feet_of, feet_parts, feet_scores
+from tracking.trackers.spheroid.filter_steps import weigh_hypotheses
+from tracking.trackers.spheroid.hypotheses import Floats, SpheroidPeople
+from tracking.trackers.spheroid.hypothesis_scores import LINES, JudgedFrame, judge, windows_of
 from tracking.trackers.spheroid.settings import SpheroidSettings
 from tracking.trackers.spheroid.sums import Window, sums_inside
 from tracking.trackers.spheroid.view_model import headless, near_side_hidden, seen_steeply
@@ -36,19 +36,19 @@ _FEET = 4.0
 
 
 def silhouettes(
-    people: Followed, flat: FlatView, settings: SpheroidSettings, scale: float = 1.0
+    people: SpheroidPeople, flat: FlatView, settings: SpheroidSettings, scale: float = 1.0
 ) -> Ellipses:
     """(people) the spheroids at their estimates, px of the flat picture; enlarged by a scale."""
     axes = axes_of(people, settings)
     return standing_ellipses(flat.projection, axes, people.height, settings.radius_m, scale)
 
 
-def axes_of(people: Followed, settings: SpheroidSettings) -> Floats:
+def axes_of(people: SpheroidPeople, settings: SpheroidSettings) -> Floats:
     """(people, 2) m where the axes of the bodies are, that of those who walk ahead of the feet."""
     return people.xy + _lean_s(settings) * people.mean[:, 2:]
 
 
-def hypotheses_of(people: Followed, settings: SpheroidSettings) -> tuple[Floats, Floats]:
+def hypotheses_of(people: SpheroidPeople, settings: SpheroidSettings) -> tuple[Floats, Floats]:
     """Axes (people, N, 2) and body heights (people, N) of all hypotheses, m."""
     ahead_m = axes_of(people, settings) - people.xy
     return people.state[..., :2] + ahead_m[:, None], people.tall.astype(np.float64)
@@ -58,17 +58,17 @@ def _lean_s(settings: SpheroidSettings) -> float:
     return 0.0 if settings.paper else _LEAN_S
 
 
-def judged_and_weighed(
-    people: Followed,
-    evidence: Evidence,
+def judge_and_weigh(
+    people: SpheroidPeople,
+    judged: JudgedFrame,
     flat: FlatView,
     settings: SpheroidSettings,
     alike: Floats | None = None,
-) -> tuple[Followed, list[Window]]:
+) -> tuple[SpheroidPeople, list[Window]]:
     """The people with their hypotheses weighed, and the windows in which that was done.
 
     Args:
-        evidence: with the silhouettes of everybody's expected places as cover.
+        judged: with the silhouettes of everybody's expected places as cover.
         alike: (people, N) logarithms of weights by colour; None: colours say nothing.
     """
     axes, tall = hypotheses_of(people, settings)
@@ -79,23 +79,23 @@ def judged_and_weighed(
     seen = standing_ellipses(flat.projection, axes, tall, settings.radius_m)
     own = silhouettes(people, flat, settings)
     if settings.paper:
-        log_weight, windows = _scored(people, evidence, seen, own, flat, settings)
+        log_weight, windows = _score(people, judged, seen, own, flat, settings)
     else:
-        windows = windows_of(evidence, seen, own, LINES)
+        windows = windows_of(judged, seen, own, LINES)
         balance = _balances(people, own, flat, short, steep)
         log_weight = _gains(windows, seen, own, balance)
         rows = np.flatnonzero(~steep)
-        log_weight[rows] += _feet_gains(people, evidence, own, axes, rows, flat, settings)
+        log_weight[rows] += _feet_gains(people, judged, own, axes, rows, flat, settings)
         log_weight -= 0.5 * ((tall - settings.initial_height_m) / _HEIGHT_SD_M) ** 2
     if alike is not None:
         log_weight += alike
-    log_weight[taken(people, settings) | ~np.isfinite(seen.u)] = -np.inf
-    return weighed(people, log_weight), windows
+    log_weight[is_taken(people, settings) | ~np.isfinite(seen.u)] = -np.inf
+    return weigh_hypotheses(people, log_weight), windows
 
 
-def _scored(
-    people: Followed,
-    evidence: Evidence,
+def _score(
+    people: SpheroidPeople,
+    judged: JudgedFrame,
     seen: Ellipses,
     own: Ellipses,
     flat: FlatView,
@@ -108,9 +108,9 @@ def _scored(
     scale = settings.region_scale
     axes, tall = hypotheses_of(people, settings)
     region = standing_ellipses(flat.projection, axes, tall, settings.radius_m, scale)
-    windows = windows_of(evidence, _joined(seen, region), own, 0)
+    windows = windows_of(judged, _concatenate(seen, region), own, 0)
     with np.errstate(divide="ignore"):
-        return np.log(judged(windows, seen, region).scores()), windows
+        return np.log(judge(windows, seen, region).scores()), windows
 
 
 def _gains(windows: list[Window], seen: Ellipses, own: Ellipses, balance: Floats) -> Floats:
@@ -127,8 +127,8 @@ def _gains(windows: list[Window], seen: Ellipses, own: Ellipses, balance: Floats
 
 
 def _feet_gains(
-    people: Followed,
-    evidence: Evidence,
+    people: SpheroidPeople,
+    judged: JudgedFrame,
     own: Ellipses,
     axes: Floats,
     rows: NDArray[np.intp],
@@ -139,12 +139,12 @@ def _feet_gains(
     if len(rows) == 0:
         return np.zeros((0, axes.shape[1]))
     feet = feet_of(flat, axes[rows])
-    parts = feet_parts(evidence, flat, own, axes_of(people, settings), feet, rows)
-    return _FEET * feet_said(parts, feet)
+    parts = feet_parts(judged, flat, own, axes_of(people, settings), feet, rows)
+    return _FEET * feet_scores(parts, feet)
 
 
 def _balances(
-    people: Followed, own: Ellipses, flat: FlatView, short: Flags, steep: Flags
+    people: SpheroidPeople, own: Ellipses, flat: FlatView, short: Flags, steep: Flags
 ) -> Floats:
     """(people,) B from which on a pixel speaks for them.
 
@@ -160,7 +160,7 @@ def _balances(
     return balance
 
 
-def taken(people: Followed, settings: SpheroidSettings) -> Flags:
+def is_taken(people: SpheroidPeople, settings: SpheroidSettings) -> Flags:
     """(people, N) hypotheses too close to where somebody else stands ([Waechter2013] 3.2.2)."""
     close = np.zeros(people.weight.shape, bool)
     reach = 2 * settings.radius_m if settings.paper else settings.min_separation_m
@@ -173,7 +173,7 @@ def taken(people: Followed, settings: SpheroidSettings) -> Flags:
     return close
 
 
-def _joined(one: Ellipses, other: Ellipses) -> Ellipses:
+def _concatenate(one: Ellipses, other: Ellipses) -> Ellipses:
     """Both of each person's, (people, n + k)."""
     pairs = ((getattr(one, name), getattr(other, name)) for name in one.__slots__)
     return Ellipses(*(np.concatenate(pair, axis=1) for pair in pairs))

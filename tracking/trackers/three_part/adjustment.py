@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 from tracking.people import Detections
 from tracking.people.parts import inner_rectangle, part_regions
 from tracking.trackers.three_part.claims import Claims, seen_whole
-from tracking.trackers.three_part.part_filter import carried
-from tracking.trackers.three_part.people import Flags, Floats, Followed
+from tracking.trackers.three_part.part_filter import carry_along
+from tracking.trackers.three_part.people import Flags, Floats, PartPeople
 from tracking.trackers.three_part.poses import pose_faults
 from tracking.tracks import HEAD, HIP_LEG, TORSO
 
@@ -29,7 +29,7 @@ _LEAST_SEEN = 0.15
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Scene:
+class AdjustmentInput:
     """What adjustment looks at.
 
     Attributes:
@@ -42,12 +42,12 @@ class Scene:
     picture: NDArray[np.uint8]
 
 
-def adjusted(
-    people: Followed,
+def adjust(
+    people: PartPeople,
     boxes: Floats,
     lost: Flags,
     several: Flags,
-    scene: Scene,
+    scene: AdjustmentInput,
     *,
     by_body: bool,
 ) -> Floats:
@@ -66,21 +66,21 @@ def adjusted(
     found = np.full((len(people), 3, 4), np.nan)
     whole = np.zeros(len(people), bool)
     if by_body:
-        found[lost] = carried(people.state, people.pose, lost)[..., :4][lost]
+        found[lost] = carry_along(people.state, people.pose, lost)[..., :4][lost]
         whole = seen_whole(scene.claims, scene.seen, people.height)
     apart = ~people.hidden & (~people.touching | whole)
     for row in np.flatnonzero(lost.any(axis=1) & apart):
         mask = _own_foreground(int(row), scene)
         if several[row] or whole[row]:
-            parts = _anew(mask, boxes[row], scene, int(row))
+            parts = _cut_out(mask, boxes[row], scene, int(row))
         else:
-            parts = np.stack([_one(part, people.rectangles[row], mask) for part in range(3)])
+            parts = np.stack([_place_part(part, people.rectangles[row], mask) for part in range(3)])
         wanted = np.isfinite(parts) & (lost[row] | several[row])[:, None]
         found[row] = np.where(wanted, parts, found[row])
     return found
 
 
-def clear_failures(people: Followed, scene: Scene) -> Flags:
+def clear_failures(people: PartPeople, scene: AdjustmentInput) -> Flags:
     """(people, 3) parts that are lost whatever the detector says.
 
     Where we go past [ZhaoLee2009]: a machine that learnt from failures near the body says nothing
@@ -103,19 +103,19 @@ def _inside(rectangles: Floats, shape: tuple[int, ...]) -> Flags:
     return np.asarray((low >= 0).all(axis=-1) & (high < np.array(shape[::-1])).all(axis=-1))
 
 
-def _out_of_place(people: Followed) -> Flags:
+def _out_of_place(people: PartPeople) -> Flags:
     """(people, 3) the part farthest from where the other two take it, where that is far."""
     away = np.zeros(people.failed.shape)
     for part in range(people.failed.shape[1]):
         which = np.zeros(people.failed.shape, bool)
         which[:, part] = True
-        there = carried(people.state, people.pose, which)[:, part, :2]
+        there = carry_along(people.state, people.pose, which)[:, part, :2]
         away[:, part] = np.linalg.norm(there - people.state[:, part, :2], axis=1)
     farthest = away >= away.max(axis=1, keepdims=True)
     return np.asarray(farthest & (away > _OUT_OF_PLACE * people.height[:, None]))
 
 
-def _own_foreground(row: int, scene: Scene) -> Flags:
+def _own_foreground(row: int, scene: AdjustmentInput) -> Flags:
     """(height, width) foreground that is not somebody else's alone."""
     share = scene.claims.share
     others = np.delete(share, row, axis=0).max(axis=0, initial=0.0)
@@ -123,7 +123,7 @@ def _own_foreground(row: int, scene: Scene) -> Flags:
     return np.concatenate(([False], ~theirs))[scene.seen.regions]
 
 
-def _one(part: int, rectangles: Floats, mask: Flags) -> Floats:
+def _place_part(part: int, rectangles: Floats, mask: Flags) -> Floats:
     """(4,) the rectangle of a part alone, from the other two and the foreground.
 
     Only of people not seen alone and whole; the parts of those are cut out of their region. The
@@ -144,19 +144,19 @@ def _one(part: int, rectangles: Floats, mask: Flags) -> Floats:
     return inner_rectangle(mask, np.array((x - width, top, 2 * width, reach)))
 
 
-def _anew(mask: Flags, box: Floats, scene: Scene, row: int) -> Floats:
+def _cut_out(mask: Flags, box: Floats, scene: AdjustmentInput, row: int) -> Floats:
     """(3, 4) all three parts from the foreground around the place expected."""
     region = scene.claims.region[row]
     if region >= 0 and scene.claims.alone[row]:
         own, where = scene.seen.regions == region + 1, scene.seen.box[region]
     else:
-        own, where = mask, _within(mask, box)
+        own, where = mask, _foreground_box(mask, box)
     if where is None:
         return np.full((3, 4), np.nan)
     return part_regions(own, 1, scene.picture, where).rectangles
 
 
-def _within(mask: Flags, box: Floats) -> Floats | None:
+def _foreground_box(mask: Flags, box: Floats) -> Floats | None:
     """The box (4,) of the foreground around a place; None where there is hardly any."""
     middle, size = box[:2] + box[2:] / 2, box[2:] * _AROUND
     low = np.clip(np.rint(middle - size / 2), 0, mask.shape[::-1]).astype(int)

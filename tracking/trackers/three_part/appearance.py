@@ -41,7 +41,7 @@ def log_likelihoods(
     return log
 
 
-def looked_at(picture: NDArray[np.uint8], rectangles: Floats) -> Levels:
+def measure_levels(picture: NDArray[np.uint8], rectangles: Floats) -> Levels:
     """(people, parts, 3, 256) histograms Q of rectangles (people, parts, 4)."""
     people, parts = rectangles.shape[:2]
     found = level_histograms(picture, rectangles.reshape(-1, 4))

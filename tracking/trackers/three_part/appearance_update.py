@@ -7,28 +7,28 @@ from numpy.typing import NDArray
 
 from tracking.geometry import View
 from tracking.people import Detections
-from tracking.trackers.three_part.appearance import looked_at, resemblance
+from tracking.trackers.three_part.appearance import measure_levels, resemblance
 from tracking.trackers.three_part.bodies import heights_after
 from tracking.trackers.three_part.claims import Claims
-from tracking.trackers.three_part.initiation import posed
-from tracking.trackers.three_part.people import Flags, Floats, Followed
+from tracking.trackers.three_part.initiation import pose_of
+from tracking.trackers.three_part.people import Flags, Floats, PartPeople
 from tracking.trackers.three_part.settings import WholeBodySettings
 
 _USUAL_MEMORY = 0.9
-_LOOKS_MEMORY = 0.97
+_APPEARANCE_MEMORY = 0.97
 _GOOD_VIEW = 0.6
 """Share of foreground under a part from which on its colours are the person's."""
 _PLACE_MEMORY_S = 0.12
 _POSE_MEMORY_S = 0.2
 
 
-def colours_learnt(
-    people: Followed,
+def learn_colours(
+    people: PartPeople,
     picture: NDArray[np.uint8],
     claims: Claims,
     lost: Flags,
     settings: WholeBodySettings,
-) -> Followed:
+) -> PartPeople:
     """Colour models after a frame: `H_t = 0.9 H_(t-1) + 0.1 Q_t` [ZhaoLee2009] eq. 1.
 
     Q is taken at the estimate, unequalised. Models of parts that are occluded or lost are frozen.
@@ -37,25 +37,25 @@ def colours_learnt(
         picture: (height, width, 3) of `ycbcr`.
         lost: (people, parts).
     """
-    seen = looked_at(picture, people.rectangles)
+    seen = measure_levels(picture, people.rectangles)
     alike = resemblance(seen, people.model)
     learnt = ~people.occluded & ~lost & (seen.sum(axis=(2, 3)) > 0)
-    model = _blended(people.model, seen, learnt, settings.colour_forgetting_factor)
+    model = _blend(people.model, seen, learnt, settings.colour_forgetting_factor)
     good = learnt & claims.alone[:, None] & (claims.support >= _GOOD_VIEW)
-    looks = _blended(people.looks, seen, good, _LOOKS_MEMORY)
+    appearance = _blend(people.appearance, seen, good, _APPEARANCE_MEMORY)
     usual = people.usual + (1.0 - _USUAL_MEMORY) * learnt * (alike - people.usual)
-    return people.replace(model=model, looks=looks, similarity=alike, usual=usual)
+    return people.replace(model=model, appearance=appearance, similarity=alike, usual=usual)
 
 
-def poses_learnt(
-    people: Followed,
+def learn_poses(
+    people: PartPeople,
     box: Floats,
     claims: Claims,
     whole: Flags,
     taller: Flags,
     unsure: Flags,
     elapsed_s: float,
-) -> Followed:
+) -> PartPeople:
     """How the parts stand to each other and how high people are, from clear views of them.
 
     Args:
@@ -67,19 +67,19 @@ def poses_learnt(
     clear &= claims.support.min(axis=1) >= _GOOD_VIEW
     share = np.where(clear, 1.0 - np.exp(-elapsed_s / _POSE_MEMORY_S), 0.0)[:, None, None]
     return people.replace(
-        pose=people.pose + share * (posed(people.rectangles) - people.pose),
+        pose=people.pose + share * (pose_of(people.rectangles) - people.pose),
         height=heights_after(people.height, box, whole | taller, elapsed_s),
     )
 
 
-def places_learnt(
-    people: Followed,
+def learn_places(
+    people: PartPeople,
     box: Floats,
     seen: Detections,
     claims: Claims,
     elapsed_s: float,
     view: View | None,
-) -> Followed:
+) -> PartPeople:
     """Where people stand on the floor: as perception measured them, else below their box."""
     if view is None:
         return people
@@ -99,7 +99,7 @@ def places_learnt(
     )
 
 
-def _blended(
+def _blend(
     model: NDArray[np.float32], seen: NDArray[np.float32], learnt: Flags, memory: float
 ) -> NDArray[np.float32]:
     share = ((1.0 - memory) * learnt).astype(np.float32)[..., None, None]

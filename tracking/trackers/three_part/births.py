@@ -9,7 +9,7 @@ import numpy as np
 from tracking.people import Detections
 from tracking.trackers.three_part.bodies import covered_shares, share_inside
 from tracking.trackers.three_part.claims import Claims
-from tracking.trackers.three_part.people import Flags, Floats, Followed, Indices
+from tracking.trackers.three_part.people import Flags, Floats, Indices, PartPeople
 from tracking.trackers.three_part.settings import WholeBodySettings
 
 _SAME = 0.5
@@ -37,7 +37,7 @@ height against theirs, from which and up to which it is a piece of them."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Newcomers:
+class TentativeRegions:
     """Regions nobody followed is in, waited for until they are somebody.
 
     Attributes:
@@ -58,7 +58,7 @@ def free_regions(seen: Detections, claims: Claims, boxes: Floats) -> Indices:
     # One before the other covers most of a box; the same person is in both.
     same = (covered >= _OCCUPIED) & ((covering >= _OCCUPIED) | (covered >= _INSIDE))
     tall = seen.box[:, 3] >= _LEAST_HEIGHT_PX
-    return np.flatnonzero(~claims.taken & ~same.any(axis=1) & ~seen.merged & tall)
+    return np.flatnonzero(~claims.is_taken & ~same.any(axis=1) & ~seen.merged & tall)
 
 
 def without_pieces(free: Indices, seen: Detections, boxes: Floats, height: Floats) -> Indices:
@@ -90,49 +90,51 @@ def _heights_seen(seen: Detections, rows: Indices) -> Floats:
     return heights
 
 
-def waited_for(
-    newcomers: Newcomers, seen: Detections, free: Indices, elapsed_s: float
-) -> Newcomers:
+def update_tentative(
+    tentative: TentativeRegions, seen: Detections, free: Indices, elapsed_s: float
+) -> TentativeRegions:
     """The free regions with how long each has been there, in the order of `free`."""
     box = seen.box[free]
-    if not len(newcomers.box) or not len(box) or elapsed_s <= 0.0:
-        return Newcomers(box, np.zeros(len(box)), np.zeros(len(box)), np.zeros((len(box), 2)))
-    same = np.minimum(covered_shares(box, newcomers.box), covered_shares(newcomers.box, box).T)
+    if not len(tentative.box) or not len(box) or elapsed_s <= 0.0:
+        return TentativeRegions(
+            box, np.zeros(len(box)), np.zeros(len(box)), np.zeros((len(box), 2))
+        )
+    same = np.minimum(covered_shares(box, tentative.box), covered_shares(tentative.box, box).T)
     best = same.argmax(axis=1)
     known = same.max(axis=1) >= _SAME
-    old = newcomers.box[best]
+    old = tentative.box[best]
     step = (box[:, :2] + box[:, 2:] / 2 - old[:, :2] - old[:, 2:] / 2) / elapsed_s
-    seen_s = newcomers.seen_s[best]
+    seen_s = tentative.seen_s[best]
     frames = seen_s / elapsed_s
-    mean = newcomers.pace[best] + (step - newcomers.pace[best]) / (frames[:, None] + 1.0)
+    mean = tentative.pace[best] + (step - tentative.pace[best]) / (frames[:, None] + 1.0)
     clear = known & ~seen.truncated[free]
-    return Newcomers(
+    return TentativeRegions(
         box,
         np.where(known, seen_s + elapsed_s, 0.0),
-        np.where(clear, newcomers.clear_s[best] + elapsed_s, 0.0),
+        np.where(clear, tentative.clear_s[best] + elapsed_s, 0.0),
         np.where(known[:, None], mean, 0.0),
     )
 
 
-def somebody(
-    newcomers: Newcomers, seen: Detections, free: Indices, settings: WholeBodySettings
+def confirm_regions(
+    tentative: TentativeRegions, seen: Detections, free: Indices, settings: WholeBodySettings
 ) -> Indices:
     """Which of the free regions are people by now, as rows of `free`."""
-    at_edge = seen.truncated[free] & (newcomers.seen_s >= max(_AT_EDGE_S, settings.confirm_s))
-    ready = at_edge | (~seen.truncated[free] & (newcomers.clear_s >= settings.confirm_s))
-    covered = covered_shares(newcomers.box, newcomers.box)
-    taller = newcomers.box[None, :, 3] > newcomers.box[:, None, 3]
+    at_edge = seen.truncated[free] & (tentative.seen_s >= max(_AT_EDGE_S, settings.confirm_s))
+    ready = at_edge | (~seen.truncated[free] & (tentative.clear_s >= settings.confirm_s))
+    covered = covered_shares(tentative.box, tentative.box)
+    taller = tentative.box[None, :, 3] > tentative.box[:, None, 3]
     piece = (taller & (covered >= _OCCUPIED) & ready).any(axis=1)
     return np.flatnonzero(ready & ~piece)
 
 
-def supported(claims: Claims) -> Flags:
+def is_supported(claims: Claims) -> Flags:
     """(people,) whose parts lie on foreground."""
     return np.asarray(claims.support.mean(axis=1) >= _SUPPORTED)
 
 
-def still_there(
-    people: Followed, boxes: Floats, size: tuple[int, int], settings: WholeBodySettings
+def should_keep(
+    people: PartPeople, boxes: Floats, size: tuple[int, int], settings: WholeBodySettings
 ) -> Flags:
     """(people,) who is followed on."""
     inside = share_inside(boxes, size)

@@ -17,7 +17,7 @@ _OUTLINE_MEMORY_S = 0.5
 _RISEN_MEMORY_S = 0.4
 _SUNK_MEMORY_S = 5.0
 _TRUST = 0.85
-"""Weight of the box seen against the remembered outline."""
+"""Weight of the box seen against the learnt outline."""
 
 
 def parts_boxes(rectangles: Floats) -> Floats:

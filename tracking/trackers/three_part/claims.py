@@ -48,7 +48,7 @@ class Claims:
         return np.asarray(padded[np.arange(len(padded)), self.region])
 
     @property
-    def taken(self) -> Flags:
+    def is_taken(self) -> Flags:
         """(regions,) in which somebody followed is, or part of them.
 
         Who is alone in a region has no part in another: there is somebody else.
@@ -62,7 +62,7 @@ class Claims:
 def claims_of(rectangles: Floats, seen: Detections) -> Claims:
     """Look up in which regions the parts (people, parts, 4) lie."""
     people, parts = rectangles.shape[:2]
-    label = _probed(rectangles, seen.regions)
+    label = _probe(rectangles, seen.regions)
     count = len(seen) + 1
     flat = label + (np.arange(people) * count)[:, None, None]
     votes = np.bincount(flat.ravel(), minlength=people * count).reshape(people, count)
@@ -96,7 +96,7 @@ def seen_taller(claims: Claims, seen: Detections, height: Floats) -> Flags:
     return np.asarray(claims.alone & ~cut & (ratio >= _WHOLE[1]) & (ratio < _TWICE))
 
 
-def sharing(claims: Claims, seen: Detections) -> Flags:
+def is_sharing(claims: Claims, seen: Detections) -> Flags:
     """(people,) who has somebody else in a region that shows no more than one person."""
     count = np.bincount(claims.region[claims.region >= 0], minlength=len(seen))
     two = np.append((count > 1) & ~seen.merged, False)
@@ -117,10 +117,10 @@ def both_in_one(claims: Claims, new: Indices) -> Indices:
 
 def shares_on(mask: NDArray[np.integer], rectangles: Floats) -> Floats:
     """(people, parts) the share of each rectangle (people, parts, 4) where a mask is not 0."""
-    return np.asarray((_probed(rectangles, mask) > 0).mean(axis=2))
+    return np.asarray((_probe(rectangles, mask) > 0).mean(axis=2))
 
 
-def _probed(rectangles: Floats, regions: NDArray[np.integer]) -> NDArray[np.int64]:
+def _probe(rectangles: Floats, regions: NDArray[np.integer]) -> NDArray[np.int64]:
     """(people, parts, points) the regions' labels on a grid in each rectangle; 0 outside."""
     u = rectangles[..., 0, None] + rectangles[..., 2, None] * np.tile(_GRID, len(_GRID))
     v = rectangles[..., 1, None] + rectangles[..., 3, None] * np.repeat(_GRID, len(_GRID))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from tracking.failure import Detector, Judgement, PastStates, part_features
-from tracking.trackers.three_part.people import Flags, Followed
+from tracking.trackers.three_part.people import Flags, PartPeople
 
 
 class Watch:
@@ -16,7 +16,7 @@ class Watch:
         self.detector = detector
         self._past = PastStates()
 
-    def judge(self, time_s: float, people: Followed, watched: Flags) -> Judgement:
+    def judge(self, time_s: float, people: PartPeople, watched: Flags) -> Judgement:
         """What the detector says of the people; of those not watched nothing.
 
         Args:
@@ -34,6 +34,6 @@ class Watch:
             failed[rows], score[rows], several[rows] = said.failed, said.score, said.several
         return Judgement(failed, score, several)
 
-    def remember(self, time_s: float, people: Followed) -> None:
+    def remember(self, time_s: float, people: PartPeople) -> None:
         """Keep where the parts are, after any adjustment."""
         self._past.remember(time_s, people.track, people.state)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from tracking.people import Detections, Observation
 from tracking.people.parts import ycbcr
 from tracking.trackers.three_part.claims import Claims, claims_of
-from tracking.trackers.three_part.people import Floats, Followed
+from tracking.trackers.three_part.people import Floats, PartPeople
 
 
 class Frame:
@@ -25,10 +25,10 @@ class Frame:
         self.elapsed_s = 0.0 if before_s is None else observation.time_s - before_s
         self._claims: tuple[Floats, Claims] | None = None
 
-    def claims(self, people: Followed) -> Claims:
+    def claims(self, people: PartPeople) -> Claims:
         """Which regions are whose; worked out anew only where parts stand elsewhere than before.
 
-        The columns of `Followed` are never changed in place: the same array is the same places.
+        The columns of `PartPeople` are never changed in place: the same array is the same places.
         """
         if self._claims is None or self._claims[0] is not people.state:
             self._claims = people.state, claims_of(people.rectangles, self.seen)

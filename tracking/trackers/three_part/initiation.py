@@ -10,9 +10,16 @@ from numpy.typing import NDArray
 from tracking.filtering import restarted, scattered
 from tracking.people import Detections
 from tracking.people.parts import inner_rectangle, part_regions
-from tracking.trackers.three_part.appearance import looked_at
+from tracking.trackers.three_part.appearance import measure_levels
 from tracking.trackers.three_part.bodies import outlined_boxes
-from tracking.trackers.three_part.people import Flags, Floats, Followed, Indices, Layout, unknown
+from tracking.trackers.three_part.people import (
+    Flags,
+    Floats,
+    Indices,
+    Layout,
+    PartPeople,
+    unknown_people,
+)
 
 _START_PARTICLES = 400
 _START_SPREAD = (0.1, 0.1, 0.08, 0.08, 1.0, 1.0)
@@ -47,14 +54,14 @@ def rectangles_in(
     return part_regions(regions, label, picture, box).rectangles
 
 
-def begun(
+def begin_people(
     track: NDArray[np.int32],
     rectangles: Floats,
     pace: Floats,
     picture: NDArray[np.uint8],
     layout: Layout,
     random: np.random.Generator,
-) -> Followed:
+) -> PartPeople:
     """People followed from here on.
 
     Args:
@@ -64,30 +71,30 @@ def begun(
     people, parts = rectangles.shape[:2]
     state = np.empty((people, parts, 6))
     state[..., :4], state[..., 4:] = rectangles, pace[:, None]
-    filters = by_filter(state, layout)
+    filters = group_by_filter(state, layout)
     count = np.full(len(filters), _START_PARTICLES, np.int64)
     clouds = scattered(filters, _start_spread(filters), count, random)
-    model = looked_at(picture, rectangles)
+    model = measure_levels(picture, rectangles)
     alike = np.full((people, parts), _ALIKE_AT_FIRST)
-    return unknown(track, parts, clouds).replace(
+    return unknown_people(track, parts, clouds).replace(
         state=state,
         pace=pace,
         model=model,
-        looks=model,
+        appearance=model,
         similarity=alike,
         usual=alike,
-        pose=posed(rectangles),
+        pose=pose_of(rectangles),
         height=outlined_boxes(rectangles, np.zeros((people, 4)))[:, 3],
     )
 
 
-def begun_anew(
-    people: Followed,
+def begin_anew(
+    people: PartPeople,
     rectangles: Floats,
     picture: NDArray[np.uint8],
     layout: Layout,
     random: np.random.Generator,
-) -> Followed:
+) -> PartPeople:
     """The people with some parts put elsewhere, particles and colour model re-made there.
 
     Args:
@@ -99,20 +106,20 @@ def begun_anew(
     state, model = people.state.copy(), people.model.copy()
     state[which, :4] = rectangles[which]
     state[which, 4:] = np.broadcast_to(people.pace[:, None], (*which.shape, 2))[which]
-    model[which] = looked_at(picture, rectangles[which][:, None])[:, 0]
-    filters = by_filter(state, layout)
+    model[which] = measure_levels(picture, rectangles[which][:, None])[:, 0]
+    filters = group_by_filter(state, layout)
     chosen = which.reshape(-1, layout.together)
     spread = _start_spread(filters)
     clouds = restarted(people.clouds, chosen, filters, spread, random)
     return people.replace(state=state, model=model, clouds=clouds)
 
 
-def known_anew(people: Followed, rows: Indices) -> Followed:
+def reset_people(people: PartPeople, rows: Indices) -> PartPeople:
     """The people, of some of whom nothing counts but where their parts are now."""
     rectangles = people.rectangles[rows]
     changed = {
-        "looks": people.model[rows],
-        "pose": posed(rectangles),
+        "appearance": people.model[rows],
+        "pose": pose_of(rectangles),
         "outline": np.zeros((len(rows), 4)),
         "height": outlined_boxes(rectangles, np.zeros((len(rows), 4)))[:, 3],
     }
@@ -122,14 +129,14 @@ def known_anew(people: Followed, rows: Indices) -> Followed:
     return people.replace(**columns)
 
 
-def posed(rectangles: Floats) -> Floats:
-    """(people, parts, 4) `Followed.pose` of rectangles (people, parts, 4)."""
+def pose_of(rectangles: Floats) -> Floats:
+    """(people, parts, 4) `PartPeople.pose` of rectangles (people, parts, 4)."""
     middle = rectangles[..., :2]
     away = middle - middle.mean(axis=1, keepdims=True)
     return np.concatenate((away, rectangles[..., 2:]), axis=-1)
 
 
-def by_filter(state: NDArray[Any], layout: Layout) -> NDArray[Any]:
+def group_by_filter(state: NDArray[Any], layout: Layout) -> NDArray[Any]:
     """States (people, parts, n) as (filters of all people, parts together, n)."""
     return state.reshape(-1, layout.together, state.shape[-1])
 
@@ -143,6 +150,6 @@ def _start_spread(filters: Floats) -> Floats:
     return np.asarray(part_sizes(filters)[..., None] * np.array(_START_SPREAD))
 
 
-def all_seen(rectangles: Floats) -> Flags:
+def is_all_seen(rectangles: Floats) -> Flags:
     """(n,) of whom all parts (n, parts, 4) are known."""
     return np.asarray(np.isfinite(rectangles).all(axis=(1, 2)))

@@ -16,45 +16,45 @@ from tracking.filtering import (
 )
 from tracking.filtering.rectangles import DX
 from tracking.trackers.three_part.appearance import log_likelihoods
-from tracking.trackers.three_part.initiation import by_filter, part_sizes
-from tracking.trackers.three_part.people import Flags, Floats, Followed, Layout
+from tracking.trackers.three_part.initiation import group_by_filter, part_sizes
+from tracking.trackers.three_part.people import Flags, Floats, Layout, PartPeople
 from tracking.trackers.three_part.poses import log_prior
 from tracking.trackers.three_part.settings import WholeBodySettings
 
 _PACE_MEMORY_S = 0.3
 
 
-def moved(
-    people: Followed,
+def move_parts(
+    people: PartPeople,
     elapsed_s: float,
     settings: WholeBodySettings,
     layout: Layout,
     random: np.random.Generator,
-) -> Followed:
+) -> PartPeople:
     """Everybody resampled and predicted; estimates too, as far as the state says.
 
     Parts that were occluded move at the person's pace: their own velocity is not measured.
     """
     count = _next_counts(people, settings, layout)
     clouds = redrawn(people.clouds, count, random)
-    clouds = _at_pace(clouds, people, layout)
+    clouds = _set_pace(clouds, people, layout)
     spread = _spread(people.state, elapsed_s, settings)
-    clouds = drifted(clouds, elapsed_s, by_filter(spread, layout), random)
+    clouds = drifted(clouds, elapsed_s, group_by_filter(spread, layout), random)
     state = people.state.copy()
     velocity = np.where(people.occluded[..., None], people.pace[:, None], state[..., DX:])
     state[..., :2] += velocity * elapsed_s
     return people.replace(clouds=clouds, state=state)
 
 
-def weighed(
-    people: Followed,
-    before: Followed,
+def weigh_parts(
+    people: PartPeople,
+    before: PartPeople,
     picture: NDArray[np.uint8],
     elapsed_s: float,
     settings: WholeBodySettings,
     layout: Layout,
     random: np.random.Generator,
-) -> Followed:
+) -> PartPeople:
     """Particles weighed by their colours, and what follows: estimates, entropy, pace.
 
     Parts that are occluded stay where motion put them.
@@ -69,15 +69,15 @@ def weighed(
         clouds = weighed_by(people.clouds, log[:, 0])
         entropy = entropies(clouds).reshape(filtered.shape)
     else:
-        clouds, entropy = _weighed_together(people, log, random)
+        clouds, entropy = _weigh_together(people, log, random)
     estimate = mean_states(clouds).reshape(people.state.shape)
     state = np.where(filtered[..., None], estimate, people.state)
     people = people.replace(clouds=clouds, state=state, entropy=np.where(filtered, entropy, np.nan))
-    return people.replace(pace=_paced(people, before, elapsed_s))
+    return people.replace(pace=_update_pace(people, before, elapsed_s))
 
 
-def _weighed_together(
-    people: Followed, log: NDArray[np.float32], random: np.random.Generator
+def _weigh_together(
+    people: PartPeople, log: NDArray[np.float32], random: np.random.Generator
 ) -> tuple[Clouds, Floats]:
     """Particles of three parts each, and the entropy of each part's own weights.
 
@@ -100,7 +100,7 @@ def _weighed_together(
     return joint, np.stack([entropies(one) for one in own], axis=1)
 
 
-def carried(state: Floats, pose: Floats, which: Flags) -> Floats:
+def carry_along(state: Floats, pose: Floats, which: Flags) -> Floats:
     """States (people, parts, 6) with some parts where the person's other parts take them.
 
     Where we differ from [ZhaoLee2009]: an occluded part does not drift off by its last motion, but
@@ -108,7 +108,7 @@ def carried(state: Floats, pose: Floats, which: Flags) -> Floats:
     counts.
 
     Args:
-        pose: (people, parts, 4) px, see `Followed`. which: (people, parts) to be carried.
+        pose: (people, parts, 4) px, see `PartPeople`. which: (people, parts) to be carried.
     """
     others = ~which
     known = np.asarray(others.any(axis=1) & which.any(axis=1))
@@ -123,7 +123,7 @@ def carried(state: Floats, pose: Floats, which: Flags) -> Floats:
 
 
 def _next_counts(
-    people: Followed, settings: WholeBodySettings, layout: Layout
+    people: PartPeople, settings: WholeBodySettings, layout: Layout
 ) -> NDArray[np.int64]:
     """(filters of all people,) as many as before where nothing was weighed."""
     entropy = _widest(people.entropy.reshape(-1, layout.together))
@@ -144,12 +144,12 @@ def _widest(entropy: Floats) -> Floats:
     return np.asarray(np.where(known.any(axis=1), largest, np.nan))
 
 
-def _at_pace(clouds: Clouds, people: Followed, layout: Layout) -> Clouds:
+def _set_pace(clouds: Clouds, people: PartPeople, layout: Layout) -> Clouds:
     """The velocities of occluded parts' particles set to the person's pace."""
     if not people.occluded.any():
         return clouds
     owner = clouds.owner
-    occluded = by_filter(people.occluded[..., None], layout)[owner, :, 0]
+    occluded = group_by_filter(people.occluded[..., None], layout)[owner, :, 0]
     pace = people.pace[owner // layout.filters].astype(np.float32)
     state = clouds.state.copy()
     state[..., DX:] = np.where(occluded[..., None], pace[:, None], state[..., DX:])
@@ -166,7 +166,7 @@ def _spread(state: Floats, elapsed_s: float, settings: WholeBodySettings) -> Flo
     return np.asarray(root * np.concatenate((place, grown, speed), axis=-1))
 
 
-def _paced(people: Followed, before: Followed, elapsed_s: float) -> Floats:
+def _update_pace(people: PartPeople, before: PartPeople, elapsed_s: float) -> Floats:
     """(people, 2) px/s smoothed; of those with no part filtered as it was."""
     pace = before.pace.copy()
     rows = np.flatnonzero(~people.occluded.all(axis=1))

@@ -35,7 +35,7 @@ class Layout:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Followed:
+class PartPeople:
     """The people followed; nothing is changed in place.
 
     Attributes:
@@ -44,8 +44,8 @@ class Followed:
         state: (people, parts, 6) the estimates: X, Y, W, H in px as recorded, dX, dY in px/s.
         pace: (people, 2) px/s, how the person as a whole moves, smoothed.
         model: (people, parts, 3, 256) float32 histograms of levels: H of [ZhaoLee2009] eq. 1.
-        looks: (people, parts, 3, 256) the same, learnt slowly and from good views only; who
-            somebody is when found again.
+        appearance: (people, parts, 3, 256) the same, learnt slowly and from good views only; who
+            somebody is when re-identified.
         similarity: (people, parts) of the part to its model at the estimate, 0 to 1.
         usual: (people, parts) the same, smoothed.
         entropy: (people, parts) of the weights, 0 to 1; NaN where a part was not filtered.
@@ -70,7 +70,7 @@ class Followed:
     state: Floats
     pace: Floats
     model: NDArray[np.float32]
-    looks: NDArray[np.float32]
+    appearance: NDArray[np.float32]
     similarity: Floats
     usual: Floats
     entropy: Floats
@@ -91,15 +91,15 @@ class Followed:
         """The number of people followed."""
         return len(self.track)
 
-    def replace(self, **columns: Any) -> Followed:
+    def replace(self, **columns: Any) -> PartPeople:
         """The same people with some columns replaced."""
         return dataclasses.replace(self, **columns)
 
-    def select(self, rows: Indices, filters: int) -> Followed:
+    def select(self, rows: Indices, filters: int) -> PartPeople:
         """The people at these rows, each with so many filters."""
         targets = (rows[:, None] * filters + np.arange(filters)).ravel()
         columns = {name: getattr(self, name)[rows] for name in _COLUMNS}
-        return Followed(clouds=self.clouds.select(targets), **columns)
+        return PartPeople(clouds=self.clouds.select(targets), **columns)
 
     @property
     def hidden(self) -> Flags:
@@ -112,33 +112,33 @@ class Followed:
         return self.state[..., :4]
 
 
-_COLUMNS = tuple(field.name for field in dataclasses.fields(Followed) if field.name != "clouds")
+_COLUMNS = tuple(field.name for field in dataclasses.fields(PartPeople) if field.name != "clouds")
 
 
-def together(one: Followed, other: Followed) -> Followed:
+def concatenate(one: PartPeople, other: PartPeople) -> PartPeople:
     """The people of one, then those of the other."""
     columns = {
         name: np.concatenate((getattr(one, name), getattr(other, name))) for name in _COLUMNS
     }
-    return Followed(clouds=joined_clouds(one.clouds, other.clouds), **columns)
+    return PartPeople(clouds=joined_clouds(one.clouds, other.clouds), **columns)
 
 
-def nobody(layout: Layout) -> Followed:
+def no_people(layout: Layout) -> PartPeople:
     """Nobody yet, ready to be joined."""
-    return unknown(np.zeros(0, np.int32), layout.parts, no_clouds(layout.together))
+    return unknown_people(np.zeros(0, np.int32), layout.parts, no_clouds(layout.together))
 
 
-def unknown(track: NDArray[np.int32], parts: int, clouds: Clouds) -> Followed:
+def unknown_people(track: NDArray[np.int32], parts: int, clouds: Clouds) -> PartPeople:
     """People (people,) of so many parts of whom nothing is known but their particles."""
     people = len(track)
     each = (people, parts)
-    return Followed(
+    return PartPeople(
         track=track,
         clouds=clouds,
         state=np.zeros((*each, 6)),
         pace=np.zeros((people, 2)),
         model=np.zeros((*each, 3, 256), np.float32),
-        looks=np.zeros((*each, 3, 256), np.float32),
+        appearance=np.zeros((*each, 3, 256), np.float32),
         similarity=np.zeros(each),
         usual=np.zeros(each),
         entropy=np.full(each, np.nan),

@@ -1,4 +1,4 @@
-"""People who were lost, found again by their colours."""
+"""Re-identification of lost people by their colours."""
 
 from __future__ import annotations
 
@@ -7,12 +7,12 @@ from numpy.typing import NDArray
 
 from tracking.filtering import associate
 from tracking.people import Detections
-from tracking.trackers.three_part.appearance import looked_at, resemblance
-from tracking.trackers.three_part.initiation import all_seen, regions_rectangles
-from tracking.trackers.three_part.people import Flags, Floats, Followed, Indices, Layout
+from tracking.trackers.three_part.appearance import measure_levels, resemblance
+from tracking.trackers.three_part.initiation import is_all_seen, regions_rectangles
+from tracking.trackers.three_part.people import Flags, Floats, Indices, Layout, PartPeople
 
-_REACH = 0.6
-_REACH_GROWTH = 1.2
+_GATE = 0.6
+_GATE_GROWTH = 1.2
 """How far from the place expected somebody is looked for, in body heights: at once, and more for
 each second they were missed."""
 _ALIKE = 0.75
@@ -23,8 +23,8 @@ _BETTER = 0.06
 """By how much more somebody who shares a region must look like themselves elsewhere."""
 
 
-def found_again(
-    people: Followed,
+def reidentify(
+    people: PartPeople,
     boxes: Floats,
     lost: Flags,
     sharing: Flags,
@@ -51,28 +51,32 @@ def found_again(
     if not len(who) or not len(free):
         return parts, free
     rectangles = regions_rectangles(seen, free, picture, layout)
-    look = looked_at(picture, np.nan_to_num(rectangles))
+    look = measure_levels(picture, np.nan_to_num(rectangles))
     alike = resemblance(
         np.broadcast_to(look[None], (len(who), *look.shape)),
-        np.broadcast_to(people.looks[who][:, None], (len(who), *look.shape)),
+        np.broadcast_to(people.appearance[who][:, None], (len(who), *look.shape)),
     ).mean(axis=2)
-    here = resemblance(looked_at(picture, people.rectangles[who]), people.looks[who]).mean(axis=1)
+    here = resemblance(
+        measure_levels(picture, people.rectangles[who]), people.appearance[who]
+    ).mean(axis=1)
     needed = np.where(sharing[who], np.maximum(here + _BETTER, _ALIKE), _ALIKE)[:, None]
-    possible = _near(people, boxes, who, seen, free) & (alike >= needed) & all_seen(rectangles)
+    possible = _near(people, boxes, who, seen, free) & (alike >= needed) & is_all_seen(rectangles)
     # Who gains most goes: of two in a region only one does not belong there.
     pairs = associate(1.0 - alike + needed, possible, 2.0)
     parts[who[pairs.track]] = rectangles[pairs.detection]
     return parts, np.delete(free, pairs.detection)
 
 
-def _near(people: Followed, boxes: Floats, who: Indices, seen: Detections, free: Indices) -> Flags:
-    """(lost, regions) within reach, and of about the size."""
+def _near(
+    people: PartPeople, boxes: Floats, who: Indices, seen: Detections, free: Indices
+) -> Flags:
+    """(lost, regions) within the gate, and of about the size."""
     height = boxes[who, 3]
     middle = boxes[who, :2] + boxes[who, 2:] / 2
     there = seen.box[free, :2] + seen.box[free, 2:] / 2
     away = np.linalg.norm(middle[:, None] - there[None], axis=2)
     missed_s = np.maximum(people.missed_s, people.hidden_s)[who]
-    reach = height * (_REACH + _REACH_GROWTH * missed_s)
+    gate = height * (_GATE + _GATE_GROWTH * missed_s)
     ratio = seen.box[free, 3][None] / np.maximum(height, 1.0)[:, None]
     fits = (ratio > _SIZE[0]) & (ratio < _SIZE[1])
-    return np.asarray((away <= reach[:, None]) & fits)
+    return np.asarray((away <= gate[:, None]) & fits)

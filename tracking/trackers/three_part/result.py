@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from tracking.people import Detections, Observation
 from tracking.trackers.protocol import ASSOCIATION_COLUMNS, StepResult
-from tracking.trackers.three_part.people import Flags, Floats, Followed, Indices, Layout
+from tracking.trackers.three_part.people import Flags, Floats, Indices, Layout, PartPeople
 from tracking.tracks.columns import (
     CLOTHES,
     DETECTION_COLUMNS,
@@ -38,19 +38,19 @@ class Shown:
         inside: (people,) share of that in the picture.
         region: (people,) the detection they are in; -1: none.
         alone: (people,) whether nobody else is in it.
-        gone: (people,) nothing of them was seen.
+        unseen: (people,) nothing of them was seen.
     """
 
     box: Floats
     inside: Floats
     region: Indices
     alone: Flags
-    gone: Flags
+    unseen: Flags
 
 
 def step_result(
     observation: Observation,
-    people: Followed,
+    people: PartPeople,
     shown: Shown,
     layout: Layout,
     fps: float,
@@ -74,7 +74,7 @@ def step_result(
     )
 
 
-def _tracks(frame: int, people: Followed, shown: Shown) -> Columns:
+def _tracks(frame: int, people: PartPeople, shown: Shown) -> Columns:
     in_sight = 1.0 - people.occluded.mean(axis=1)
     values = {
         "frame": np.full(len(people), frame),
@@ -86,12 +86,12 @@ def _tracks(frame: int, people: Followed, shown: Shown) -> Columns:
         "vy": np.where(np.isfinite(people.place[:, 0]), people.walk[:, 1], np.nan),
         "confidence": people.similarity.mean(axis=1) * in_sight,
         "visibility": shown.inside * in_sight,
-        "predicted": shown.gone | people.occluded.all(axis=1),
+        "predicted": shown.unseen | people.occluded.all(axis=1),
     }
     return typed(values, TRACK_COLUMNS)
 
 
-def _detections(frame: int, seen: Detections, people: Followed, shown: Shown) -> Columns:
+def _detections(frame: int, seen: Detections, people: PartPeople, shown: Shown) -> Columns:
     track = np.zeros(len(seen), np.int32)
     own = shown.alone & (shown.region >= 0)
     track[shown.region[own]] = people.track[own]
@@ -107,7 +107,7 @@ def _detections(frame: int, seen: Detections, people: Followed, shown: Shown) ->
     return typed(values, DETECTION_COLUMNS)
 
 
-def _signals(frame: int, seen: Detections, people: Followed, shown: Shown) -> Columns:
+def _signals(frame: int, seen: Detections, people: PartPeople, shown: Shown) -> Columns:
     """What is noticed of the people beside where they are, from regions they are alone in."""
     own = np.where(shown.alone, shown.region, -1)
     height_m = np.append(np.where(seen.truncated, np.nan, seen.size[:, 1]), np.nan)
@@ -123,7 +123,7 @@ def _signals(frame: int, seen: Detections, people: Followed, shown: Shown) -> Co
     return typed(values, SIGNAL_COLUMNS)
 
 
-def _parts(frame: int, people: Followed, layout: Layout, fps: float) -> Columns:
+def _parts(frame: int, people: PartPeople, layout: Layout, fps: float) -> Columns:
     if layout.parts == 1:
         return empty(PART_COLUMNS)
     rows = people.occluded.size
@@ -145,7 +145,7 @@ def _parts(frame: int, people: Followed, layout: Layout, fps: float) -> Columns:
     return typed(values, PART_COLUMNS)
 
 
-def _part_particles(people: Followed, layout: Layout, kept: int) -> Columns:
+def _part_particles(people: PartPeople, layout: Layout, kept: int) -> Columns:
     """An even choice of every filter's particles, a row for each rectangle they hold.
 
     Of a person followed whole the part is 0.

@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 from tracking.people import Detections, Observation
 from tracking.people.parts import ycbcr
 from tracking.trackers.resumption import CLEAR, Resume, is_seen, only
-from tracking.trackers.three_part.appearance import looked_at
-from tracking.trackers.three_part.initiation import begun, rectangles_in
-from tracking.trackers.three_part.people import Floats, Followed, Indices, Layout
+from tracking.trackers.three_part.appearance import measure_levels
+from tracking.trackers.three_part.initiation import begin_people, rectangles_in
+from tracking.trackers.three_part.people import Floats, Indices, Layout, PartPeople
 from tracking.tracks.columns import Columns
 
 _USUAL = ((0.5, 0.08, 0.25, 0.09), (0.5, 0.30, 0.45, 0.19), (0.5, 0.62, 0.40, 0.25))
@@ -30,12 +30,12 @@ _MEMORY = 0.9
 
 
 @dataclass(slots=True, eq=False)
-class _Looks:
+class _Observed:
     """What was seen of the people; filled look by look.
 
     Attributes:
         shares: person -> (parts, 4) rectangles as shares of the box, a look each.
-        model: (people, parts, 3, 256), running mean. seen: (people,) how many looks it is of.
+        model: (people, parts, 3, 256), running mean. seen: (people,) how many views it is of.
         picture: the last one. time_s: its time.
     """
 
@@ -46,12 +46,12 @@ class _Looks:
     time_s: float = 0.0
 
 
-def resumed(
+def resume_people(
     resume: Resume,
     observations: Iterable[Observation],
     layout: Layout,
     random: np.random.Generator,
-) -> tuple[Followed, float]:
+) -> tuple[PartPeople, float]:
     """Everybody to be followed on, and the seconds at which they stand so.
 
     Boxes are those of the corrected rows; where parts lie in them, and their colours, is learnt
@@ -59,45 +59,47 @@ def resumed(
     lead, as one who was missed.
 
     Args:
-        observations: of the frames `resume.looks`, in order.
+        observations: of the frames `resume.colour_frames`, in order.
     """
     people = np.unique(resume.rows["track"])
-    looks = _looks(resume.rows, people, observations, layout)
+    observed = _collect(resume.rows, people, observations, layout)
     box, pace, missed_s = _now(resume, people)
     usual = np.array(_USUAL if layout.parts > 1 else _USUAL_WHOLE)
-    share = np.array([np.median(looks.shares.get(k, [usual]), axis=0) for k in range(len(people))])
+    share = np.array(
+        [np.median(observed.shares.get(k, [usual]), axis=0) for k in range(len(people))]
+    )
     rectangles = share.reshape(-1, layout.parts, 4) * np.tile(box[:, None, 2:], 2)
     rectangles[..., :2] += box[:, None, :2]
-    new = begun(people.astype(np.int32), rectangles, pace, looks.picture, layout, random)
-    known = (looks.seen > 0)[:, None, None, None]
-    model = np.where(known, looks.model, new.model)
-    return new.replace(model=model, looks=model, missed_s=missed_s), looks.time_s
+    new = begin_people(people.astype(np.int32), rectangles, pace, observed.picture, layout, random)
+    known = (observed.seen > 0)[:, None, None, None]
+    model = np.where(known, observed.model, new.model)
+    return new.replace(model=model, appearance=model, missed_s=missed_s), observed.time_s
 
 
-def _looks(
+def _collect(
     rows: Columns, people: NDArray[np.int32], observations: Iterable[Observation], layout: Layout
-) -> _Looks:
+) -> _Observed:
     shape = (len(people), layout.parts, 3, 256)
-    looks = _Looks(np.zeros(shape, np.float32), np.zeros(len(people), np.int64))
+    observed = _Observed(np.zeros(shape, np.float32), np.zeros(len(people), np.int64))
     for observation in observations:
         assert observation.picture is not None, "perception of one camera hands the picture on"
-        looks.picture, looks.time_s = ycbcr(observation.picture), observation.time_s
+        observed.picture, observed.time_s = ycbcr(observation.picture), observation.time_s
         here = only(rows, (rows["frame"] == observation.frame) & is_seen(rows))
-        for row, rectangles in _parts_of(here, observation.people, looks.picture, layout):
+        for row, rectangles in _parts_of(here, observation.people, observed.picture, layout):
             person = int(np.searchsorted(people, here["track"][row]))
-            _look(looks, person, rectangles, _box(here)[row])
-    return looks
+            _add(observed, person, rectangles, _box(here)[row])
+    return observed
 
 
-def _look(looks: _Looks, person: int, rectangles: Floats, box: Floats) -> None:
-    seen = looked_at(looks.picture, rectangles[None])[0]
-    count = looks.seen[person]
+def _add(observed: _Observed, person: int, rectangles: Floats, box: Floats) -> None:
+    seen = measure_levels(observed.picture, rectangles[None])[0]
+    count = observed.seen[person]
     share = np.float32(max(1.0 - _MEMORY, 1.0 / (count + 1)))
-    looks.model[person] += share * (seen - looks.model[person])
-    looks.seen[person] += 1
+    observed.model[person] += share * (seen - observed.model[person])
+    observed.seen[person] += 1
     share_of_box = rectangles.copy()
     share_of_box[:, :2] -= box[:2]
-    looks.shares.setdefault(person, []).append(share_of_box / np.tile(box[2:], 2))
+    observed.shares.setdefault(person, []).append(share_of_box / np.tile(box[2:], 2))
 
 
 def _parts_of(

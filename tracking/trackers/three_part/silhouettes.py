@@ -9,8 +9,8 @@ from tracking.filtering import Clouds
 from tracking.people import Detections
 from tracking.people.parts import around, part_regions
 from tracking.trackers.three_part.claims import Claims, seen_whole
-from tracking.trackers.three_part.initiation import by_filter, regions_rectangles
-from tracking.trackers.three_part.people import Flags, Floats, Followed, Layout
+from tracking.trackers.three_part.initiation import group_by_filter, regions_rectangles
+from tracking.trackers.three_part.people import Flags, Floats, Layout, PartPeople
 from tracking.tracks import HIP_LEG
 from tracking.tracks.on_part import MOST_FOREIGN, corners_of, foreign_share
 
@@ -22,7 +22,7 @@ _HOME_S = 0.1
 
 
 def legs_elsewhere(
-    people: Followed, seen: Detections, claims: Claims, picture: NDArray[np.uint8]
+    people: PartPeople, seen: Detections, claims: Claims, picture: NDArray[np.uint8]
 ) -> tuple[Flags, Floats]:
     """Whose hip-leg is not where the silhouette has its legs, and where it belongs.
 
@@ -47,13 +47,13 @@ def legs_elsewhere(
 
 
 def drawn_home(
-    people: Followed,
+    people: PartPeople,
     seen: Detections,
     claims: Claims,
     picture: NDArray[np.uint8],
     elapsed_s: float,
     layout: Layout,
-) -> Followed:
+) -> PartPeople:
     """The people with their parts drawn to where the silhouettes have them.
 
     Where we go past [ZhaoLee2009]: colours alone let a head slide to the neck long before anything
@@ -73,7 +73,7 @@ def drawn_home(
     state, clouds = people.state.copy(), people.clouds
     state[..., :4] += step
     moved = clouds.state.copy()
-    moved[..., :4] += by_filter(step, layout)[clouds.owner].astype(np.float32)
+    moved[..., :4] += group_by_filter(step, layout)[clouds.owner].astype(np.float32)
     return people.replace(state=state, clouds=Clouds(moved, clouds.weight, clouds.start))
 
 

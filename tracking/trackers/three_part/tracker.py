@@ -16,12 +16,12 @@ from tracking.trackers.protocol import StepResult
 from tracking.trackers.resumption import Resume
 from tracking.trackers.stages import Stages
 from tracking.trackers.three_part import births
-from tracking.trackers.three_part.adjustment import Scene, adjusted, clear_failures
-from tracking.trackers.three_part.appearance import looked_at, resemblance
+from tracking.trackers.three_part.adjustment import AdjustmentInput, adjust, clear_failures
+from tracking.trackers.three_part.appearance import measure_levels, resemblance
 from tracking.trackers.three_part.appearance_update import (
-    colours_learnt,
-    places_learnt,
-    poses_learnt,
+    learn_colours,
+    learn_places,
+    learn_poses,
 )
 from tracking.trackers.three_part.bodies import (
     outlined_boxes,
@@ -32,40 +32,40 @@ from tracking.trackers.three_part.bodies import (
 from tracking.trackers.three_part.claims import (
     Claims,
     both_in_one,
+    is_sharing,
     own_boxes,
     seen_taller,
     seen_whole,
     shares_on,
-    sharing,
 )
 from tracking.trackers.three_part.detectors import NO_DETECTOR
 from tracking.trackers.three_part.failure_watch import Watch
 from tracking.trackers.three_part.frame import Frame
 from tracking.trackers.three_part.initiation import (
-    all_seen,
-    begun,
-    begun_anew,
-    known_anew,
+    begin_anew,
+    begin_people,
+    is_all_seen,
     regions_rectangles,
+    reset_people,
 )
 from tracking.trackers.three_part.occlusion import (
     behind_others,
     behind_what_is_drawn,
     covered_mask,
 )
-from tracking.trackers.three_part.part_filter import carried, moved, weighed
+from tracking.trackers.three_part.part_filter import carry_along, move_parts, weigh_parts
 from tracking.trackers.three_part.people import (
     Flags,
     Floats,
-    Followed,
     Indices,
     Layout,
-    nobody,
-    together,
+    PartPeople,
+    concatenate,
+    no_people,
 )
-from tracking.trackers.three_part.reidentification import found_again
+from tracking.trackers.three_part.reidentification import reidentify
 from tracking.trackers.three_part.result import Shown, step_result
-from tracking.trackers.three_part.resumption import resumed
+from tracking.trackers.three_part.resumption import resume_people
 from tracking.trackers.three_part.settings import WholeBodySettings
 from tracking.trackers.three_part.silhouettes import drawn_home, legs_elsewhere
 from tracking.tracks import HIP_LEG
@@ -124,8 +124,8 @@ class PartTracker:
         self._watch = Watch(detector)
         self._fixed = CameraWatch(camera.fps)
         self._cover = covered_mask(camera.occluders, camera.size[::-1])
-        self._people = nobody(layout)
-        self._newcomers = births.Newcomers()
+        self._people = no_people(layout)
+        self._tentative = births.TentativeRegions()
         self._last_id = 0
         self._time_s: float | None = None
         self._stages = Stages("filters", "failures", "births", "boxes")
@@ -142,13 +142,13 @@ class PartTracker:
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What the user should be told, a line each."""
+        """Notes for the user, a line each."""
         missing = self._aids.adjust and self._watch.detector is None
         return (*((NO_DETECTOR,) if missing else ()), *self._fixed.told("three-part"))
 
     def resume(self, resume: Resume, observations: Iterable[Observation]) -> None:
         """Go on with the people as corrected; those who are new get ids above all there were."""
-        people, time_s = resumed(resume, observations, self._layout, self._random)
+        people, time_s = resume_people(resume, observations, self._layout, self._random)
         self._people, self._time_s = people, time_s
         self._last_id = resume.highest_track
 
@@ -157,13 +157,13 @@ class PartTracker:
         frame, timed = Frame(observation, self._time_s), self._stages.timed
         self._time_s = frame.time_s
         self._fixed.look(observation.frame, frame.picture[..., 0])
-        people = timed("filters", self._filtered, frame)
-        people = timed("failures", self._put_right, people, frame)
-        claims, wrong = frame.claims(people), self._put_back(people)
-        people = colours_learnt(people, frame.picture, claims, wrong, self._settings)
-        people = self._aged(people, claims, frame.elapsed_s)
-        people = timed("births", self._with_newcomers, people, frame)
-        people, shown = timed("boxes", self._seen, people, frame)
+        people = timed("filters", self._update, frame)
+        people = timed("failures", self._adjust, people, frame)
+        claims, wrong = frame.claims(people), self._restart(people)
+        people = learn_colours(people, frame.picture, claims, wrong, self._settings)
+        people = self._age(people, claims, frame.elapsed_s)
+        people = timed("births", self._initiate, people, frame)
+        people, shown = timed("boxes", self._learn, people, frame)
         self._watch.remember(frame.time_s, people)
         self._people = people
         layout, settings = self._layout, self._settings
@@ -171,20 +171,22 @@ class PartTracker:
             observation, people, shown, layout, self._camera.fps, settings.stored_particles
         )
 
-    def _filtered(self, frame: Frame) -> Followed:
+    def _update(self, frame: Frame) -> PartPeople:
         """Everybody one frame on."""
         before, settings, layout = self._people, self._settings, self._layout
-        people = self._hidden(moved(before, frame.elapsed_s, settings, layout, self._random), frame)
-        people = weighed(
+        people = self._hidden(
+            move_parts(before, frame.elapsed_s, settings, layout, self._random), frame
+        )
+        people = weigh_parts(
             people, before, frame.picture, frame.elapsed_s, settings, layout, self._random
         )
         if not self._aids.pose_constraints:
             return people
-        return people.replace(state=carried(people.state, people.pose, people.occluded))
+        return people.replace(state=carry_along(people.state, people.pose, people.occluded))
 
-    def _hidden(self, people: Followed, frame: Frame) -> Followed:
+    def _hidden(self, people: PartPeople, frame: Frame) -> PartPeople:
         """The people with who touches whom and who is hidden, at the places predicted."""
-        look = looked_at(frame.picture, people.rectangles)
+        look = measure_levels(frame.picture, people.rectangles)
         alike = resemblance(look, people.model) - people.usual
         claims = frame.claims(people)
         box = outlined_boxes(people.rectangles, people.outline)
@@ -199,7 +201,7 @@ class PartTracker:
             hidden |= behind_what_is_drawn(cover, claims.support)
         return people.replace(occluded=hidden, touching=touching)
 
-    def _put_right(self, people: Followed, frame: Frame) -> Followed:
+    def _adjust(self, people: PartPeople, frame: Frame) -> PartPeople:
         """Failures judged and, where that is wanted, adjusted."""
         if self._layout.parts == 1:
             return people
@@ -211,7 +213,7 @@ class PartTracker:
         people = people.replace(failed=said.failed, score=said.score)
         if not aids.adjust:
             return people
-        scene = Scene(seen, frame.claims(people), picture)
+        scene = AdjustmentInput(seen, frame.claims(people), picture)
         failed = said.failed.copy()
         if aids.pose_constraints:
             failed |= clear_failures(people, scene)
@@ -222,76 +224,76 @@ class PartTracker:
             return people
         several = said.several | (failed.sum(axis=1) > 1)
         boxes = outlined_boxes(people.rectangles, people.outline)
-        places = adjusted(people, boxes, failed, several, scene, by_body=aids.pose_constraints)
+        places = adjust(people, boxes, failed, several, scene, by_body=aids.pose_constraints)
         if aids.fit_silhouettes:
             places[off, HIP_LEG] = legs[off]
         people = people.replace(failed=failed)
-        return begun_anew(people, places, picture, self._layout, self._random)
+        return begin_anew(people, places, picture, self._layout, self._random)
 
-    def _put_back(self, people: Followed) -> Flags:
+    def _restart(self, people: PartPeople) -> Flags:
         """(people, parts) that failed; none where nothing acts on it, as in the paper without."""
         return people.failed & self._aids.adjust
 
-    def _aged(self, people: Followed, claims: Claims, elapsed_s: float) -> Followed:
-        there = births.supported(claims)
+    def _age(self, people: PartPeople, claims: Claims, elapsed_s: float) -> PartPeople:
+        there = births.is_supported(claims)
         return people.replace(
             missed_s=np.where(there, 0.0, people.missed_s + elapsed_s),
             hidden_s=np.where(people.hidden, people.hidden_s + elapsed_s, 0.0),
             age_s=people.age_s + elapsed_s,
         )
 
-    def _with_newcomers(self, people: Followed, frame: Frame) -> Followed:
-        """The lost found again or let go, and newcomers begun."""
+    def _initiate(self, people: PartPeople, frame: Frame) -> PartPeople:
+        """The lost re-identified or deleted, and new tracks begun."""
         seen, picture, claims = frame.seen, frame.picture, frame.claims(people)
         boxes = outlined_boxes(people.rectangles, people.outline)
         free = births.free_regions(seen, claims, own_boxes(boxes, claims, seen))
         free = births.without_pieces(free, seen, boxes, people.height)
         if self._aids.reidentify:
-            people, free = self._found_again(people, frame, boxes, free)
+            people, free = self._reidentify(people, frame, boxes, free)
         boxes = outlined_boxes(people.rectangles, people.outline)
-        kept = births.still_there(people, boxes, self._camera.size, self._settings)
+        kept = births.should_keep(people, boxes, self._camera.size, self._settings)
         if not kept.all():
             people = people.select(np.flatnonzero(kept), self._layout.filters)
-        self._newcomers = births.waited_for(self._newcomers, seen, free, frame.elapsed_s)
-        ready = births.somebody(self._newcomers, seen, free, self._settings)
+        self._tentative = births.update_tentative(self._tentative, seen, free, frame.elapsed_s)
+        ready = births.confirm_regions(self._tentative, seen, free, self._settings)
         rectangles = regions_rectangles(seen, free[ready], picture, self._layout)
-        ready, rectangles = ready[all_seen(rectangles)], rectangles[all_seen(rectangles)]
+        ready, rectangles = ready[is_all_seen(rectangles)], rectangles[is_all_seen(rectangles)]
         if not len(ready):
             return people
-        people = self._parted(people, frame, free[ready])
+        people = self._split(people, frame, free[ready])
         track = np.arange(self._last_id + 1, self._last_id + 1 + len(ready), dtype=np.int32)
         self._last_id += len(ready)
-        pace = self._newcomers.pace[ready]
-        new = begun(track, rectangles, pace, picture, self._layout, self._random)
-        return together(people, new)
+        pace = self._tentative.pace[ready]
+        new = begin_people(track, rectangles, pace, picture, self._layout, self._random)
+        return concatenate(people, new)
 
-    def _found_again(
-        self, people: Followed, frame: Frame, boxes: Floats, free: Indices
-    ) -> tuple[Followed, Indices]:
+    def _reidentify(
+        self, people: PartPeople, frame: Frame, boxes: Floats, free: Indices
+    ) -> tuple[PartPeople, Indices]:
         """The people, those lost who came up again begun there; the regions still free."""
         lost = people.missed_s > _MISSED_S
-        two = sharing(frame.claims(people), frame.seen) & ~lost
-        places, free = found_again(
+        two = is_sharing(frame.claims(people), frame.seen) & ~lost
+        places, free = reidentify(
             people, boxes, lost, two, frame.seen, free, frame.picture, self._layout
         )
-        people = begun_anew(people, places, frame.picture, self._layout, self._random)
-        again = all_seen(places)
+        people = begin_anew(people, places, frame.picture, self._layout, self._random)
+        again = is_all_seen(places)
         return people.replace(missed_s=np.where(again, 0.0, people.missed_s)), free
 
-    def _parted(self, people: Followed, frame: Frame, new: Indices) -> Followed:
+    def _split(self, people: PartPeople, frame: Frame, new: Indices) -> PartPeople:
         """The people, those begun as one with somebody now seen beside them begun anew alone."""
         claims = frame.claims(people)
         rows = both_in_one(claims, new)
         if not self._aids.reidentify or not len(rows):
             return people
         own = regions_rectangles(frame.seen, claims.region[rows], frame.picture, self._layout)
-        rows, own = rows[all_seen(own)], own[all_seen(own)]
+        rows, own = rows[is_all_seen(own)], own[is_all_seen(own)]
         places = np.full(people.rectangles.shape, np.nan)
         places[rows] = own
-        people = begun_anew(people, places, frame.picture, self._layout, self._random)
-        return known_anew(people, rows)
+        people = begin_anew(people, places, frame.picture, self._layout, self._random)
+        return reset_people(people, rows)
 
-    def _seen(self, people: Followed, frame: Frame) -> tuple[Followed, Shown]:
+    def _learn(self, people: PartPeople, frame: Frame) -> tuple[PartPeople, Shown]:
         """The people with outlines and places brought up to date, and what is shown of them."""
         seen, elapsed_s, claims = frame.seen, frame.elapsed_s, frame.claims(people)
         own = np.append(seen.box, np.zeros((1, 4)), axis=0)[claims.region]
@@ -299,8 +301,8 @@ class PartTracker:
         alone = claims.alone & ~people.hidden
         whole = seen_whole(claims, seen, people.height) & ~people.hidden
         taller = seen_taller(claims, seen, people.height) & ~people.hidden
-        unsure = people.hidden | self._put_back(people).any(axis=1)
-        people = poses_learnt(people, own, claims, whole, taller, unsure, elapsed_s)
+        unsure = people.hidden | self._restart(people).any(axis=1)
+        people = learn_poses(people, own, claims, whole, taller, unsure, elapsed_s)
         outline = outlines_after(
             people.outline, people.rectangles, own, alone & ~cut, elapsed_s, people.age_s
         )
@@ -310,7 +312,7 @@ class PartTracker:
         box = outlined_boxes(people.rectangles, outline)
         people = people.replace(outline=outline)
         shown = shown_boxes(box, own, alone)
-        people = places_learnt(people, shown, seen, claims, elapsed_s, self._camera.view)
-        gone = claims.support.max(axis=1, initial=0.0) == 0.0
+        people = learn_places(people, shown, seen, claims, elapsed_s, self._camera.view)
+        unseen = claims.support.max(axis=1, initial=0.0) == 0.0
         inside = share_inside(shown, self._camera.size)
-        return people, Shown(shown, inside, claims.region, claims.alone, gone)
+        return people, Shown(shown, inside, claims.region, claims.alone, unseen)

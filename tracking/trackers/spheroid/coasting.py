@@ -1,0 +1,73 @@
+"""Tracks that coast after a loss, and their re-identification."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.trackers.spheroid.appearance import difference
+from tracking.trackers.spheroid.hypotheses import Floats, SpheroidPeople, concatenate
+
+_GATE_M, _WALK_M_PER_S, _FARTHEST_M = 0.7, 1.3, 4.0
+"""Gate of re-identification, around where people were expected."""
+_UNLIKE = 0.3
+"""Difference of colours from which on somebody is somebody else."""
+_FAR = 0.3
+"""What the whole gate counts beside the colours."""
+_LED_ON_S = 1.0
+"""Somebody out of sight is thought to walk on for so long."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class CoastingPeople:
+    """Coasting tracks.
+
+    Attributes:
+        people: as they were last. at_s: (people,) when.
+    """
+
+    people: SpheroidPeople
+    at_s: Floats
+
+    def append(self, people: SpheroidPeople, now_s: float) -> CoastingPeople:
+        """With the people lost now."""
+        at_s = np.concatenate((self.at_s, np.full(len(people), now_s)))
+        return CoastingPeople(concatenate([self.people, people]), at_s)
+
+    def select(self, rows: NDArray[np.bool_]) -> CoastingPeople:
+        """Some of them."""
+        return CoastingPeople(self.people.select(rows), self.at_s[rows])
+
+
+def reidentify(lost: CoastingPeople, tentative: SpheroidPeople, now_s: float) -> NDArray[np.intp]:
+    """(tentative,) the row of the lost each of them is; -1: somebody new.
+
+    The pair that fits best is taken first.
+    """
+    found = np.full(len(tentative), -1)
+    if len(lost.people) == 0 or len(tentative) == 0:
+        return found
+    cost = _costs(lost, tentative, now_s)
+    while np.isfinite(cost).any():
+        new, old = np.unravel_index(int(cost.argmin()), cost.shape)
+        found[new] = old
+        cost[new], cost[:, old] = np.inf, np.inf
+    return found
+
+
+def _costs(lost: CoastingPeople, tentative: SpheroidPeople, now_s: float) -> Floats:
+    """(tentative, lost) infinite where they cannot be the same."""
+    missed_s = now_s - lost.at_s + lost.people.missed_s
+    led_on = lost.people.mean[:, 2:] * np.minimum(missed_s, _LED_ON_S)[:, None]
+    apart = tentative.xy[:, None] - (lost.people.xy + led_on)
+    gate_m = np.minimum(_GATE_M + _WALK_M_PER_S * missed_s, _FARTHEST_M)
+    far = np.hypot(apart[..., 0], apart[..., 1]) / gate_m
+    unlike = difference(
+        tentative.appearance[:, None],
+        tentative.counts[:, None],
+        lost.people.appearance,
+        lost.people.counts,
+    )
+    return np.where((far < 1.0) & (unlike < _UNLIKE), unlike + _FAR * far, np.inf)
