@@ -109,7 +109,7 @@ class OnFloor:
     ] = None
     jitter: Annotated[
         float,
-        typer.Option(help="Passing to and fro within this distance of a line is no passage, m."),
+        typer.Option(help="Ignore re-crossings within this distance of a line, m."),
     ] = 0.0
 
 

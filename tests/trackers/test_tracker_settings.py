@@ -2,6 +2,7 @@ from __future__ import annotations
 
 import dataclasses
 import json
+import re
 
 import pytest
 from hypothesis import given
@@ -21,12 +22,28 @@ from tracking.trackers import (
 SPEC = TRACKERS["stereo-direction"]
 ALL = [(spec, field) for spec in TRACKERS.values() for field in settings_fields(spec.settings_type)]
 
+NOT_OUR_WORDS = {"somebody", "nobody", "whoever", "guess", "newcomer", "newcomers", "looks"} | {
+    *("sighting", "sightings", "eye", "eyes", "picture", "pictures", "remembered", "shown"),
+}
+"""There are words of the field for what these say: person, tentative track, detection, camera."""
+
 
 @pytest.mark.parametrize(("spec", "field"), ALL, ids=lambda value: getattr(value, "name", ""))
 def test_every_setting_is_described_and_its_default_allowed(spec, field):
     assert field.help
     assert field.help == field.help.strip(". ")
     settings_from(spec.settings_type, {field.name: field.default})
+
+
+@pytest.mark.parametrize(("spec", "field"), ALL, ids=lambda value: getattr(value, "name", ""))
+def test_help_says_what_a_setting_is_and_what_other_values_do_in_the_fields_words(spec, field):
+    assert field.help[0].isupper(), spec.name
+    words = set(re.findall(r"[a-z]+", field.help.lower()))
+    assert not words & NOT_OUR_WORDS
+    if field.type is bool:
+        assert "Off" in field.help or "without our additions" in field.help
+    elif field.type is not str:
+        assert "higher: " in field.help or "lower: " in field.help
 
 
 @pytest.mark.parametrize(("spec", "field"), ALL, ids=lambda value: getattr(value, "name", ""))

@@ -32,19 +32,29 @@ class TrainingSettings:
         FALSE_ALARMS,
         "",
         (0.0, 0.5),
-        "highest share of false alarms: of parts on their place, how many may be called failed",
+        "Highest false alarm rate: share of correct parts that are called failed; higher: more "
+        "failures are found",
     )
     folds: int = setting(
-        _PLAN.folds, "", (2, 20), "people are split into so many groups, each held out once"
+        _PLAN.folds,
+        "",
+        (2, 20),
+        "Folds of the cross-validation, split by person; higher: more certain figures, more time",
     )
-    searched: int = setting(
-        _PLAN.searched, "", (100, 20000), "most samples of a part in the search for parameters"
+    search_samples: int = setting(
+        _PLAN.searched,
+        "",
+        (100, 20000),
+        "Most samples of a part in the search for parameters; higher: more time",
     )
-    learnt: int = setting(
-        _PLAN.learnt, "", (100, 50000), "most samples of a part that the detector learns from"
+    training_samples: int = setting(
+        _PLAN.learnt,
+        "",
+        (100, 50000),
+        "Most samples of a part that the detector is trained on; higher: more time",
     )
     seed: int = setting(
-        0, "", (0, 999_999), "of the random numbers; the same seed gives the same detector"
+        0, "", (0, 999_999), "Seed of the random numbers; the same seed gives the same detector"
     )
 
     def plan(self) -> TrainingPlan:
@@ -53,8 +63,8 @@ class TrainingSettings:
             _PLAN,
             false_alarms=self.false_alarms,
             folds=self.folds,
-            searched=self.searched,
-            learnt=self.learnt,
+            searched=self.search_samples,
+            learnt=self.training_samples,
         )
 
 

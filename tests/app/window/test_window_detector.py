@@ -66,7 +66,7 @@ def _train_dialog(window, qtbot):
 def result(labelled, window, qtbot):
     """A detector was trained from what is labelled, and its page is open."""
     dialog = _train_dialog(window, qtbot)
-    dialog._form.put("searched", 100)
+    dialog._form.put("search_samples", 100)
     dialog._form.put("folds", 2)
     dialog._train.click()
     assert window.progress.isVisible()

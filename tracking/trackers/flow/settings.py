@@ -76,8 +76,8 @@ class PointSettings:
         0.15,
         "m/s",
         (0.0, 2.0),
-        "Slower points belong to nobody; higher: the background is ignored more surely, but slow "
-        "walkers are missed",
+        "Smallest speed of the points of a person; higher: the background is ignored more surely, "
+        "but slow walkers are missed",
         formerly=("still_m_s",),
     )
     foreground_only: bool = setting(

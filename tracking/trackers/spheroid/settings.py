@@ -99,8 +99,8 @@ class SpheroidSettings:
         6.0,
         "",
         (0.0, 100.0),
-        "Weight of colours beside foreground; higher: fewer id switches where clothes differ. 0, "
-        "or with paper: colours do not count",
+        "Weight of colours beside foreground (0, or with paper: they do not count); higher: fewer "
+        "id switches where clothes differ",
     )
     birth_interval_s: float = setting(
         0.2,
@@ -137,8 +137,9 @@ class SpheroidSettings:
         5.0,
         "s",
         (0.0, 120.0),
-        "Seconds an unreported track coasts before it is deleted. Until then it keeps its id "
-        "when the person is detected near by. 0, or with paper: it is deleted at once",
+        "Seconds an unreported track coasts before it is deleted (with paper: at once). Until "
+        "then the person gets the id back when detected near by; higher: more ids come back, and "
+        "more go to the wrong person",
         formerly=("remembered_s",),
     )
     smooth: bool = setting(
