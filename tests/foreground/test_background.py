@@ -129,9 +129,9 @@ def test_where_somebody_stood_for_most_of_the_time_the_scene_is_put_back() -> No
     stood = np.zeros(scene.shape[:2], np.uint8)
     stood[PERSON] = 255
     model = BackgroundModel(FPS)
-    other = model.learn_both_looks([with_person(scene)] * 9 + [scene] * 6)
+    other = model.learn_both_modes([with_person(scene)] * 9 + [scene] * 6)
     assert (model.subtract(scene).mask[PERSON] > 0).mean() > 0.9
-    model.put_back(other, stood)
+    model.restore_secondary(other, stood)
     assert not model.subtract(scene).mask.any()
     assert (model.subtract(with_person(scene)).mask[PERSON] > 0).mean() > 0.9
 
@@ -140,9 +140,9 @@ def test_where_the_scene_was_seen_most_and_nobody_stood_nothing_is_put_back() ->
     scene = textured()
     plain, asked = BackgroundModel(FPS), BackgroundModel(FPS)
     plain.learn([scene] * 9 + [with_person(scene)] * 6)
-    other = asked.learn_both_looks([scene] * 9 + [with_person(scene)] * 6)
+    other = asked.learn_both_modes([scene] * 9 + [with_person(scene)] * 6)
     assert other.where[PERSON].all()
-    asked.put_back(other, np.zeros(scene.shape[:2], np.uint8))
+    asked.restore_secondary(other, np.zeros(scene.shape[:2], np.uint8))
     np.testing.assert_array_equal(asked.background, plain.background)
     np.testing.assert_array_equal(asked.limit, plain.limit)
     assert not asked.subtract(scene).mask.any()
@@ -152,8 +152,8 @@ def test_what_stood_where_the_scene_was_put_back_is_absorbed_no_sooner_than_anyt
     scene, everywhere = textured(), np.full((96, 128), 255, np.uint8)
     plain, mended = (BackgroundModel(FPS, ForegroundSettings(absorb_s=2.0)) for _ in range(2))
     plain.learn([scene])
-    other = mended.learn_both_looks([with_person(scene)] * 9 + [scene] * 6)
-    mended.put_back(other, everywhere)
+    other = mended.learn_both_modes([with_person(scene)] * 9 + [scene] * 6)
+    mended.restore_secondary(other, everywhere)
     for _ in range(round(4 * FPS)):
         seen = [model.subtract(with_person(scene)) for model in (plain, mended)]
         assert seen[0].mask[PERSON].any() == seen[1].mask[PERSON].any()
@@ -164,7 +164,7 @@ def test_what_stood_where_the_scene_was_put_back_is_absorbed_no_sooner_than_anyt
 def test_what_passes_by_is_no_other_look_of_the_scene() -> None:
     places = [(slice(10, 80), slice(8 + 20 * i, 22 + 20 * i)) for i in range(5)]
     pictures = [with_person(textured(), place) for place in places]
-    assert not BackgroundModel(FPS).learn_both_looks(pictures + [textured()] * 4).where.any()
+    assert not BackgroundModel(FPS).learn_both_modes(pictures + [textured()] * 4).where.any()
 
 
 @settings(max_examples=30, deadline=None)

@@ -49,7 +49,7 @@ def _watched(pictures: Sequence[NDArray[np.uint8]], fps: float = 1.0) -> CameraW
 def test_a_camera_that_was_knocked_is_told_with_its_frame(motion: NDArray[np.float64]) -> None:
     watch = _watched([_seen(STILL)] * 4 + [_seen(motion)] * 4)
     assert watch.moved_at == 44
-    (line,) = watch.told("flow")
+    (line,) = watch.notes("flow")
     assert line.startswith("the camera moved between frames 43 and 44: flow needs a fixed one")
     assert line.endswith("--frames 40:44")
 
@@ -71,7 +71,7 @@ def test_a_camera_that_stands_still_in_changing_light_is_not_moved() -> None:
     pictures = [(FLOOR * (1.0 - 0.03 * number)).astype(np.uint8) for number in range(8)]
     watch = _watched(pictures)
     assert watch.moved_at is None
-    assert watch.told("flow") == ()
+    assert watch.notes("flow") == ()
 
 
 def test_something_that_crosses_half_the_picture_is_no_moved_camera() -> None:

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.people import PeopleSettings
-from tracking.people.heads_above import told_by_heads
+from tracking.people.heads_above import split_by_heads
 from tracking.people.plan_view import SurfacePoints
 
 EYE = np.zeros(2, np.float32)
@@ -34,7 +34,7 @@ def heads(*bodies: Floats) -> Floats:
     points = SurfacePoints(np.arange(count), world, area, noise, mass=area)
     middle = world[:, :2].mean(axis=0, keepdims=True)
     owner = np.zeros(count, np.intp)
-    return told_by_heads(middle, owner, points, EYE, PeopleSettings())
+    return split_by_heads(middle, owner, points, EYE, PeopleSettings())
 
 
 def test_two_people_arm_in_arm_are_two() -> None:

@@ -32,7 +32,7 @@ def found(monkeypatch: pytest.MonkeyPatch, heads: int) -> Detections:
         across = np.linspace(-0.2, 0.2, heads, dtype=np.float32)
         return np.stack((across, np.full(heads, AWAY_M, np.float32)), axis=1)
 
-    monkeypatch.setattr(finder, "told_by_heads", told)
+    monkeypatch.setattr(finder, "split_by_heads", told)
     picture = np.full((*SIZE[::-1], 3), 90, np.uint8)
     return people.find(people.points(disparity), body[::STEP, ::STEP], picture)
 

@@ -54,7 +54,7 @@ def test_a_camera_that_is_a_little_late_is_found_to_be_so_many_frames(late: int)
     watch = watched(late)
     assert watch.lag == late
     assert not watch.failing
-    assert bool(watch.told()) == (late != 0)
+    assert bool(watch.notes()) == (late != 0)
 
 
 def noisy(picture: Picture, seed: int) -> Picture:
@@ -134,14 +134,14 @@ def test_a_lag_of_half_a_second_is_unknown_first_and_then_found(late: int) -> No
     watch, said = followed([late] * 80)
     assert set(said) == {0, None, late}
     assert said[-20:] == [late] * 20
-    assert "the lag is unknown" in watch.told()[0]
-    assert f"{abs(late)} frames late, found at frame" in watch.told()[1]
+    assert "the lag is unknown" in watch.notes()[0]
+    assert f"{abs(late)} frames late, found at frame" in watch.notes()[1]
 
 
 def test_a_lag_that_is_known_before_is_told_and_stays() -> None:
     watch, said = followed([5] * 60, known=5)
     assert set(said) == {5}
-    assert watch.told() == (
+    assert watch.notes() == (
         "the right camera is 5 frames late: pictures of the same instant are paired",
     )
 
@@ -152,14 +152,14 @@ def test_a_lag_that_is_told_wrong_is_given_up_and_looked_for(told: int) -> None:
     assert said[0] == told
     assert said[-60:] == [3] * 60
     hint = f"recording.toml says {told}: leave `lag` out to have it looked for"
-    assert watch.told()[0].endswith("as recording.toml says: pictures are paired so")
-    assert all(line.endswith(hint) for line in watch.told()[1:])
+    assert watch.notes()[0].endswith("as recording.toml says: pictures are paired so")
+    assert all(line.endswith(hint) for line in watch.notes()[1:])
 
 
 def test_a_lag_that_is_told_and_true_stays() -> None:
     watch, said = followed([30] * 100, known=30, told=30)
     assert set(said) == {30}
-    assert watch.told() == (
+    assert watch.notes() == (
         "the right camera is 30 frames late, as recording.toml says: pictures are paired so",
     )
 
@@ -167,7 +167,7 @@ def test_a_lag_that_is_told_and_true_stays() -> None:
 def test_a_lag_that_is_told_and_that_footage_disproves_is_named() -> None:
     watch = StereoWatch(FPS)
     watch.begin(0, told=-12)
-    assert watch.told() == (
+    assert watch.notes() == (
         "neither camera is late: pictures of the same instant are paired; recording.toml says -12: "
         "leave `lag` out to have it looked for",
     )
@@ -183,7 +183,7 @@ def test_a_lag_that_changes_all_the_time_is_unknown() -> None:
     lates = np.random.default_rng(2).integers(-12, 13, 100).tolist()
     watch, said = followed(lates)
     assert said[-60:] == [None] * 60
-    assert len(watch.told()) == 1
+    assert len(watch.notes()) == 1
 
 
 def test_a_lag_that_is_not_found_twice_on_end_is_not_taken(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -201,7 +201,7 @@ def test_a_camera_that_freezes_fails_until_it_moves_again() -> None:
     assert not any(failing[:16])
     assert all(failing[18:30])
     assert not any(failing[30:])
-    assert "frames 18 to 29" in watch.told()[0]
+    assert "frames 18 to 29" in watch.notes()[0]
 
 
 def test_a_camera_that_is_no_longer_late_is_told_to_be_well() -> None:
@@ -209,7 +209,7 @@ def test_a_camera_that_is_no_longer_late_is_told_to_be_well() -> None:
     for k in range(70, 130):
         watch.look(k, side(k), side(k, SHIFT_PX))
     assert watch.lag == 0
-    late, well = watch.told()[1], watch.told()[-1]
+    late, well = watch.notes()[1], watch.notes()[-1]
     assert "the right camera is 2 frames late" in late
     assert "both cameras show the same instant" in well
 
@@ -219,7 +219,7 @@ def test_a_camera_that_fails_again_and_again_is_told_in_a_few_lines() -> None:
     for k in range(30 * 8):
         right = side(k, SHIFT_PX) if k % 30 else np.zeros_like(side(k))
         watch.look(k, side(k), right)
-    told = watch.told()
+    told = watch.notes()
     assert len(told) == 6
     assert told[-1] == "and 3 more times like this"
 

@@ -86,7 +86,9 @@ def test_a_lamp_at_night_tells_whether_cameras_differ(
     left, right = np.zeros((2, 240, 320, 3), np.uint8)
     left[100:110, 150:160] = 200
     right[100:110, 150 - apart_px : 160 - apart_px] = 200
-    monkeypatch.setattr(set_up, "seen_scene", lambda *_: set_up.Scene(*np.zeros((2, 0, 2)), 1.0))
+    monkeypatch.setattr(
+        set_up, "measure_scene", lambda *_: set_up.SceneDistances(*np.zeros((2, 0, 2)), 1.0)
+    )
     with open_recording(lobby) as recording:
         frame = replace(recording.read(0), left=left, right=right)
         assert ("show the same pictures" in set_up.doubt_of(recording, [frame])) is same

@@ -1,9 +1,9 @@
 """Foreground: the background learnt and subtracted, shadows removed, the camera watched."""
 
 from tracking.foreground.background import BackgroundModel, Subtraction
+from tracking.foreground.background_modes import SecondaryMode
 from tracking.foreground.camera_watch import CameraWatch
-from tracking.foreground.first_look import OtherLook
-from tracking.foreground.look import in_size
+from tracking.foreground.light_and_chroma import in_size
 from tracking.foreground.marks import Marks
 from tracking.foreground.ramp import RampSettings, ramp
 from tracking.foreground.settings import ForegroundSettings
@@ -17,8 +17,8 @@ __all__ = [
     "CameraWatch",
     "ForegroundSettings",
     "Marks",
-    "OtherLook",
     "RampSettings",
+    "SecondaryMode",
     "ShadeColour",
     "ShadowRemover",
     "ShadowWeights",

@@ -9,13 +9,17 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.foreground.background_modes import (
+    SecondaryMode,
+    primary_and_secondary_mode,
+    primary_mode,
+)
 from tracking.foreground.difference import (
     ChannelDifference,
     Channels,
     channels_of,
     split_into,
 )
-from tracking.foreground.first_look import OtherLook, commonest_look, commonest_looks
 from tracking.foreground.gain import brightness_ratio
 from tracking.foreground.local_light import MUCH_CHANGED, change_of_light, patches_of_light
 from tracking.foreground.settings import ForegroundSettings
@@ -34,7 +38,7 @@ _LIT_AFTER_S = (0.8, 1.6)
 """How long a patch of more light, or of less, keeps still before it joins the background. Shadows
 of people who walk by keep still for less, and less light is told from people anyway."""
 _PATCHES_EVERY = 2
-"""Updates of the background between two looks for such patches."""
+"""Updates of the background between two searches for such patches."""
 _NOISE_AT_FIRST = 2.0
 _OPENING = cv2.getStructuringElement(cv2.MORPH_CROSS, (3, 3))
 
@@ -78,20 +82,20 @@ class BackgroundModel:
         self._channels: Channels = []
 
     def learn(self, pictures: Sequence[Picture]) -> None:
-        """Start from the commonest look of pictures spread over some time, people or not.
+        """Start from the primary mode of pictures spread over some time, people or not.
 
         Args:
             pictures: at least one (height, width, 3), in any order.
         """
-        self._begin_with(*commonest_look(pictures))
+        self._begin_with(*primary_mode(pictures))
 
-    def learn_both_looks(self, pictures: Sequence[Picture]) -> OtherLook:
-        """Start as `learn` does; the next commonest look, for `put_back`.
+    def learn_both_modes(self, pictures: Sequence[Picture]) -> SecondaryMode:
+        """Start as `learn` does; returns the secondary mode, for `restore_secondary`.
 
         Args:
             pictures: see `learn`.
         """
-        picture, deviation, other = commonest_looks(pictures)
+        picture, deviation, other = primary_and_secondary_mode(pictures)
         self._begin_with(picture, deviation)
         return other
 
@@ -101,11 +105,11 @@ class BackgroundModel:
         self._refresh()
         self._primed = True
 
-    def put_back(self, other: OtherLook, people: Mask) -> None:
-        """Take the other look of what was learnt where somebody stood for most of the time.
+    def restore_secondary(self, other: SecondaryMode, people: Mask) -> None:
+        """Take the secondary mode of what was learnt where somebody stood for most of the time.
 
         Args:
-            other: as `learn_both_looks` gave it.
+            other: as `learn_both_modes` gave it.
             people: (height, width) uint8, non-zero where they stood.
         """
         here = (people != 0) & (other.where != 0)
@@ -126,16 +130,16 @@ class BackgroundModel:
         if self._frames == 0 and not self._primed:
             self._start(smooth)
         self._follow_exposure(smooth)
-        mask, differs = self._compared(smooth)
-        if differs > MUCH_CHANGED and self._took_light(smooth, mask):
-            mask, differs = self._compared(smooth)
+        mask, differs = self._threshold(smooth)
+        if differs > MUCH_CHANGED and self._take_light(smooth, mask):
+            mask, differs = self._threshold(smooth)
         changed = differs > self._settings.scene_change
         self._explained = differs < MUCH_CHANGED
         if changed or not _within(self._exposure, _READABLE_EXPOSURE):
             return Subtraction(smooth, self._background, np.zeros(mask.shape, np.uint8), True)
         return Subtraction(smooth, self._background, mask, False)
 
-    def _compared(self, picture: Picture) -> tuple[Mask, float]:
+    def _threshold(self, picture: Picture) -> tuple[Mask, float]:
         """Where a picture differs from the background, and in how large a share of it."""
         # Both are kept for the update with the same frame, the difference until `_absorb`.
         self._channels = split_into(self._channels, picture)
@@ -144,7 +148,7 @@ class BackgroundModel:
         mask = cv2.morphologyEx(mask, cv2.MORPH_OPEN, _OPENING)
         return np.asarray(mask, np.uint8), cv2.countNonZero(mask) / mask.size
 
-    def _took_light(self, picture: Picture, mask: Mask) -> bool:
+    def _take_light(self, picture: Picture, mask: Mask) -> bool:
         """Whether light changed on a part of the scene; the background then has it, too."""
         ratio = change_of_light(picture, self.background, mask)
         if ratio is None:
@@ -165,7 +169,7 @@ class BackgroundModel:
 
     @property
     def update_is_due(self) -> bool:
-        """Whether the next `update` will look at its frame."""
+        """Whether the next `update` will use its frame."""
         return self._frames % self._every == 0
 
     def skip(self) -> None:

@@ -21,8 +21,8 @@ _MOVED_PX, _ALIKE_PX = 1.0, 0.75
 _SHARE, _OUTWEIGH = 0.25, 2.0
 """Of all marks so many must have moved as one picture does, shifted, turned and scaled, and so many
 times as many as stay where they were: people hide most of the marks, a camera leaves none."""
-_LOOKS = 2
-"""It must stand otherwise in so many looks on end: people walk on."""
+_CHECKS = 2
+"""It must stand otherwise in so many checks on end: people walk on."""
 
 
 class CameraWatch:
@@ -60,15 +60,15 @@ class CameraWatch:
         self._count += 1
         if self._before is None:
             self.still_at = frame
-            self._take(_evened(picture))
+            self._take(_equalise(picture))
             return
         if self.moved_at is not None or self._count % self._every:
             return
-        now = _evened(picture)
+        now = _equalise(picture)
         found, stayed, moved = self._counts(self._before, now)
         if moved >= _SHARE * _MARKS.most and moved > _OUTWEIGH * stayed:
             self._seen_moved.append(frame)
-            if len(self._seen_moved) == _LOOKS:
+            if len(self._seen_moved) == _CHECKS:
                 self.moved_at = self._seen_moved[0]
             return
         self._seen_moved.clear()
@@ -76,8 +76,8 @@ class CameraWatch:
         if found < _LEFT * len(self._marks):
             self._take(now)
 
-    def told(self, tracker: str) -> tuple[str, ...]:
-        """What the user of a tracker should know, a line; nothing while the camera stands still."""
+    def notes(self, tracker: str) -> tuple[str, ...]:
+        """Notes for the user of a tracker, a line; nothing while the camera stands still."""
         if self.moved_at is None or self.first is None:
             return ()
         return (
@@ -100,16 +100,16 @@ class CameraWatch:
         if len(self._marks) == 0:
             return 0, 0, 0
         still = np.zeros(2, np.float32)
-        starts, ends = _found_again(before, now, self._marks, still)
+        starts, ends = _match_marks(before, now, self._marks, still)
         stayed = int((np.hypot(*(ends - starts).T) < _ALIKE_PX).sum())
-        moved = _moved_as_one(starts, ends)
+        moved = _moves_as_one(starts, ends)
         shift = _shift_of_most(before, now)
         if np.hypot(*shift) > _MOVED_PX:
-            moved = max(moved, _moved_as_one(*_found_again(before, now, self._marks, shift)))
+            moved = max(moved, _moves_as_one(*_match_marks(before, now, self._marks, shift)))
         return len(starts), stayed, moved
 
 
-def _evened(picture: Picture) -> Picture:
+def _equalise(picture: Picture) -> Picture:
     """A small grey picture in which contrast is the same everywhere, and light says nothing."""
     light = picture if picture.ndim == 2 else cv2.extractChannel(picture, 1)
     shrink = min(1.0, _WIDE_PX / light.shape[1])
@@ -128,7 +128,7 @@ def _shift_of_most(before: Picture, now: Picture) -> Points:
     return np.array(cv2.phaseCorrelate(one, other, window)[0], np.float32)
 
 
-def _found_again(
+def _match_marks(
     before: Picture, now: Picture, marks: Points, shift: Points
 ) -> tuple[Points, Points]:
     """Where marks that are found again were and are, (k, 2) px each.
@@ -142,7 +142,7 @@ def _found_again(
     return marks[good], there[good]
 
 
-def _moved_as_one(start: Points, end: Points) -> int:
+def _moves_as_one(start: Points, end: Points) -> int:
     """How many marks agree that the picture as a whole is elsewhere."""
     if len(start) < 3:
         return 0

@@ -36,13 +36,13 @@ def ratio_of_light(
     """
     size = mask.shape[1], mask.shape[0]
     changed = np.asarray(cv2.morphologyEx(mask, cv2.MORPH_CLOSE, _HOLES), np.uint8)
-    lit_px = changed & _enlarged(white(lit), size)
+    lit_px = changed & _enlarge(white(lit), size)
     ratio = _spread(picture, background, lit_px, (lit.shape[1], lit.shape[0]))
     there = np.asarray(cv2.multiply(background, ratio, dtype=cv2.CV_8U), np.uint8)
     explained = white(largest_difference(picture, there) < _EXPLAINED)
     near = cv2.dilate(white(lit), np.ones(NEAR, np.uint8))
-    taken = changed & explained & _enlarged(np.asarray(near, np.uint8), size)
-    taken |= lit_px | _enlarged(white(guessed), size)
+    taken = changed & explained & _enlarge(np.asarray(near, np.uint8), size)
+    taken |= lit_px | _enlarge(white(guessed), size)
     ratio[taken == 0] = 1.0
     return ratio
 
@@ -62,6 +62,6 @@ def _spread(picture: Picture, background: Picture, lit_px: Mask, size: tuple[int
     return ratio
 
 
-def _enlarged(blocks: Mask, size: tuple[int, int]) -> Mask:
+def _enlarge(blocks: Mask, size: tuple[int, int]) -> Mask:
     """Blocks in pixels."""
     return np.asarray(cv2.resize(blocks, size, interpolation=cv2.INTER_NEAREST), np.uint8)

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.foreground.background import Subtraction
-from tracking.foreground.look import DARK_OFFSET
+from tracking.foreground.light_and_chroma import DARK_OFFSET
 
 Floats = NDArray[np.float32]
 

@@ -7,13 +7,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.foreground.background import Subtraction
-from tracking.foreground.look import (
-    BackgroundLook,
-    Look,
+from tracking.foreground.light_and_chroma import (
+    BackgroundChroma,
+    LightAndChroma,
     chroma_distance,
     even_box,
     half_box,
-    halved,
+    halve,
     in_size,
     is_grey,
     log_ratio,
@@ -45,7 +45,7 @@ class ShadowRemover:
 
     def __init__(self, settings: ForegroundSettings | None = None) -> None:
         self._settings = settings or ForegroundSettings()
-        self._usual = BackgroundLook()
+        self._usual = BackgroundChroma()
 
     def score(self, picture: Picture, background: Picture) -> Scores:
         """(height, width) theta, infinite where no shadow is possible.
@@ -53,7 +53,9 @@ class ShadowRemover:
         Args:
             picture, background: (height, width, 3) at half resolution.
         """
-        theta, possible = self._scored(Look.of(picture), Look.of(background), is_grey(picture))
+        theta, possible = self._scored(
+            LightAndChroma.of(picture), LightAndChroma.of(background), is_grey(picture)
+        )
         theta[~possible] = np.inf
         return theta
 
@@ -75,16 +77,18 @@ class ShadowRemover:
         box = even_box(seen.mask)
         if box is None:
             return found
-        settings, picture = self._settings, halved(seen.picture[box])
+        settings, picture = self._settings, halve(seen.picture[box])
         usual = self._usual.within(seen.background, box)
-        theta, possible = self._scored(Look.of(picture), usual, is_grey(picture))
+        theta, possible = self._scored(LightAndChroma.of(picture), usual, is_grey(picture))
         certain = possible & (theta < settings.shadow_threshold)
         dark = (possible & (theta < settings.floor_shadow_threshold)).view(np.uint8) * _PERHAPS
         dark |= certain.view(np.uint8) * _CERTAIN
         found[half_box(box)] = dark
         return found
 
-    def _scored(self, now: Look, usual: Look, grey: bool) -> tuple[Scores, NDArray[np.bool_]]:
+    def _scored(
+        self, now: LightAndChroma, usual: LightAndChroma, grey: bool
+    ) -> tuple[Scores, NDArray[np.bool_]]:
         """Theta, and where a shadow is possible at all; (height, width) both."""
         settings = self._settings
         alpha, beta = settings.shadow_texture, settings.shadow_hue

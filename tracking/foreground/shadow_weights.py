@@ -7,13 +7,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.foreground.background import Subtraction
-from tracking.foreground.look import (
-    BackgroundLook,
-    Look,
+from tracking.foreground.light_and_chroma import (
+    BackgroundChroma,
+    LightAndChroma,
     chroma_distance,
     even_box,
     half_box,
-    halved,
+    halve,
     is_grey,
     log_ratio,
     texture_change,
@@ -53,7 +53,7 @@ class ShadowWeights:
         self._off = (1.0 - self._first) * _PRIOR_PX
         self._kinds: NDArray[np.uint16] = np.zeros((0, 0), np.uint16)
         self._table = self._weights()
-        self._usual = BackgroundLook()
+        self._usual = BackgroundChroma()
 
     def weigh(self, seen: Subtraction) -> Picture:
         """(height, width) uint8: 255 what is a body for sure, 0 what is a shadow for sure.
@@ -65,7 +65,7 @@ class ShadowWeights:
         box = even_box(seen.mask, _LEAST_PX)
         if box is None:
             return weight
-        kinds = _kinds(halved(seen.picture[box]), self._usual.within(seen.background, box))
+        kinds = _kinds(halve(seen.picture[box]), self._usual.within(seen.background, box))
         self._kinds[half_box(box)] = kinds
         size = (box[1].stop - box[1].start, box[0].stop - box[0].start)
         weight[box] = cv2.resize(self._table[kinds], size, interpolation=cv2.INTER_LINEAR)
@@ -98,9 +98,9 @@ class ShadowWeights:
         return np.append(np.rint(255 * level), 255).astype(np.uint8)
 
 
-def _kinds(picture: Picture, usual: Look) -> NDArray[np.uint16]:
-    """(height, width) the kind of each pixel of a picture, beside its background's look."""
-    now = Look.of(picture)
+def _kinds(picture: Picture, usual: LightAndChroma) -> NDArray[np.uint16]:
+    """(height, width) the kind of each pixel, by light and chroma beside its background."""
+    now = LightAndChroma.of(picture)
     ratio = log_ratio(now, usual)
     change = texture_change(ratio)
     hue = change if is_grey(picture) else chroma_distance(now, usual)

@@ -11,7 +11,7 @@ from tracking.people.body_boxes import BodyBoxes, axis_positions
 from tracking.people.boxes import behind_things, hidden_sides, region_boxes
 from tracking.people.colours import clothes_colours, colour_histograms
 from tracking.people.detections import Detections
-from tracking.people.heads_above import told_by_heads
+from tracking.people.heads_above import split_by_heads
 from tracking.people.plan_view import SurfacePoints, find_people, surface_points
 from tracking.people.regions import Extent, assign_points, measure, paint
 from tracking.people.seams import without_seams
@@ -87,7 +87,7 @@ class PeopleFinder:
         high = points.world[:, 2] > settings.min_point_height_m
         places = find_people(points.chosen(np.flatnonzero(high)), self._camera_xy, settings)
         owner = assign_points(places, points, self._camera_xy, settings)
-        told = told_by_heads(places, owner, points, self._camera_xy, settings)
+        told = split_by_heads(places, owner, points, self._camera_xy, settings)
         if len(places) < len(told) <= _MOST_PEOPLE:
             places, owner = told, assign_points(told, points, self._camera_xy, settings)
         # What lies on the floor and looks like shadow is nobody's foot.

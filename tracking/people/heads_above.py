@@ -34,7 +34,7 @@ _FEWEST = 15
 """Points that no head has yet, in which another one is looked for."""
 
 
-def told_by_heads(
+def split_by_heads(
     places: Floats,
     owner: NDArray[np.intp],
     points: SurfacePoints,

@@ -13,7 +13,7 @@ from tracking.errors import RecordingError
 from tracking.foreground import (
     BackgroundModel,
     ForegroundSettings,
-    OtherLook,
+    SecondaryMode,
     ShadowRemover,
     Subtraction,
     in_size,
@@ -92,7 +92,7 @@ class StereoPerception:
     @property
     def notes(self) -> tuple[str, ...]:
         """What the user should be told of the cameras, a line each."""
-        return self.stereo_watch.told()
+        return self.stereo_watch.notes()
 
     def learn(self, frames: Iterable[StereoFrame]) -> None:
         """Learn both backgrounds from frames spread over some time, before the first `observe`.
@@ -103,19 +103,19 @@ class StereoPerception:
         pairs = [self.rectify(frame) for frame in frames]
         pairs = [pair for pair in pairs if not shows_nothing(*pair)] or pairs
         others = [
-            background.learn_both_looks(pictures)
+            background.learn_both_modes(pictures)
             for background, pictures in zip(
                 self._backgrounds, zip(*pairs, strict=True), strict=True
             )
         ]
         self._learn_scene()
-        self._put_back(others[0], others[1])
+        self._restore_secondary(others[0], others[1])
 
-    def _put_back(self, left: OtherLook, right: OtherLook) -> None:
+    def _restore_secondary(self, left: SecondaryMode, right: SecondaryMode) -> None:
         """Give the scene back where somebody stood so long as to be learnt as background.
 
-        Of two lasting looks of a place the farther one is the scene: people stand before it. So
-        the learnt looks are taken for a picture of people before the other ones.
+        Of two lasting modes of a place the farther one is the scene: people stand before it. So
+        the primary modes are taken for a picture of people before the secondary ones.
         """
         if not cv2.hasNonZero(left.where):
             return
@@ -128,7 +128,7 @@ class StereoPerception:
         body = np.ascontiguousarray(left.where[::STEP, ::STEP])
         masks = self._protected(self._finder.find(points, body, learnt[0]), left.where.shape)
         for background, other, mask in zip(self._backgrounds, (left, right), masks, strict=True):
-            background.put_back(other, mask)
+            background.restore_secondary(other, mask)
         self._stereo.suppose_scene(*(_grey(image.background) for image in self._backgrounds))
         self._finder.scene = self._stereo.scene
 

@@ -108,7 +108,7 @@ class StereoWatch:
         if self._count % self._every == 0:
             self._look_for_lag(frame)
 
-    def told(self) -> tuple[str, ...]:
+    def notes(self) -> tuple[str, ...]:
         """What the user should know, a line each; nothing while both cameras are well."""
         failed = [
             f"the right camera shows nothing new in frames {first} to {last}: people are followed "

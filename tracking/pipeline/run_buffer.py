@@ -12,7 +12,7 @@ import numpy as np
 import tracking
 from tracking.pipeline.spool import IN_MEMORY_BYTES, Spool
 from tracking.pipeline.spool_tables import SpooledTable
-from tracking.pipeline.ticks import Ticks, finished
+from tracking.pipeline.ticks import Ticks, finish_with_ticks
 from tracking.recording import Recording
 from tracking.trackers import (
     ASSOCIATION_COLUMNS,
@@ -155,7 +155,9 @@ class KeptSteps:
             return run
         given = resume.last(_TIED_S) if resume is not None else None
         finisher = tracker_named(tracker).finish
-        return finished(finisher, run, recording.view, recording.fps, given, Ticks.of(recording))
+        return finish_with_ticks(
+            finisher, run, recording.view, recording.fps, given, Ticks.of(recording)
+        )
 
     def run_so_far(
         self,

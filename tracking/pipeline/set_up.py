@@ -44,7 +44,7 @@ _SAME, _LEAST_DETAIL = 0.5, 3.0
 
 
 @dataclass(frozen=True, slots=True)
-class Scene:
+class SceneDistances:
     """Places of a scene whose distance is known, whatever the floor is.
 
     Attributes:
@@ -106,14 +106,14 @@ def doubt_of(recording: Recording, frames: Sequence[StereoFrame]) -> str:
             f"{recording.name}: both cameras show the same pictures, which tell no distance: give "
             "the right camera's own source, or choose a tracker for one camera"
         )
-    scene = seen_scene(rectification, frame.left, frame.right)
+    scene = measure_scene(rectification, frame.left, frame.right)
     if scene.is_behind:
         return f"{recording.name}: no distance for what moves: are the cameras swapped?"
     better = better_floor(scene, ground)
     if better is None:
         return ""
     return (
-        f"{recording.name}: {_told(ground)} do not suit the scene, {_told(better)} would: "
+        f"{recording.name}: {_describe(ground)} do not suit the scene, {_describe(better)} would: "
         "check how the camera stands"
     )
 
@@ -135,11 +135,11 @@ def _differ(left: Picture, right: Picture) -> float:
     return float(cv2.absdiff(left, right)[shown].mean()) if shown.any() else np.inf
 
 
-def _told(ground: Ground) -> str:
+def _describe(ground: Ground) -> str:
     return f"height {ground.height_m:.3g} m and tilt {ground.tilt_deg:.3g} degrees"
 
 
-def seen_scene(rectification: Rectification, left: Picture, right: Picture) -> Scene:
+def measure_scene(rectification: Rectification, left: Picture, right: Picture) -> SceneDistances:
     """The distances of everything in one frame.
 
     Args:
@@ -154,7 +154,7 @@ def seen_scene(rectification: Rectification, left: Picture, right: Picture) -> S
     some = np.linspace(0, max(len(rows) - 1, 0), min(len(rows), _MOST)).astype(int)
     rows, columns = rows[some], columns[some]
     sight = lines.rays[rows, columns, 1:].astype(np.float64)
-    return Scene(sight, found[rows, columns] - lines.offset, lines.focal_baseline)
+    return SceneDistances(sight, found[rows, columns] - lines.offset, lines.focal_baseline)
 
 
 def _grey_in(size: Sequence[int], image: Picture) -> Picture:
@@ -179,7 +179,7 @@ def _ranged(images: Sequence[Picture], middle: int, reach: int) -> Floats:
     return np.where(good, found, np.nan)
 
 
-def better_floor(scene: Scene, ground: Ground) -> Ground | None:
+def better_floor(scene: SceneDistances, ground: Ground) -> Ground | None:
     """Another floor that the scene lies on where it does not on the one told; None: it may.
 
     A level seen through two lines of sight is a plane of disparities that are linear in `sight`.
@@ -189,18 +189,18 @@ def better_floor(scene: Scene, ground: Ground) -> Ground | None:
     sight, disparity = scene.sight[before], scene.disparity[before]
     if len(disparity) < _FEWEST:
         return None
-    planes = _guessed(sight, disparity, scene.focal_baseline, ground)
+    planes = _guess(sight, disparity, scene.focal_baseline, ground)
     told = np.array([[0.0, -scene.focal_baseline / ground.height_m]])
     worth = _worth(np.concatenate((told, planes)), sight, disparity)
     best = int(np.argmax(worth))
     if worth[best] < _LEAST_FLOOR or worth[0] >= _SUITS * worth[best]:
         return None
-    plane = _fitted(planes[best - 1], sight, disparity)
+    plane = _fit(planes[best - 1], sight, disparity)
     height, tilt = _stands(plane[None], scene.focal_baseline, ground)
     return Ground(float(height[0]), float(np.clip(tilt[0], -90, 90)), ground.roll_deg)
 
 
-def _guessed(sight: Floats, disparity: Floats, product: float, ground: Ground) -> Floats:
+def _guess(sight: Floats, disparity: Floats, product: float, ground: Ground) -> Floats:
     """(k, 2) planes through two places each, which a camera about as told could stand over."""
     pairs = np.random.default_rng(0).integers(0, len(disparity), (_GUESSES, 2))
     pairs = pairs[np.abs(np.linalg.det(sight[pairs])) > 1e-3]
@@ -226,7 +226,7 @@ def _worth(planes: Floats, sight: Floats, disparity: Floats) -> Floats:
     return np.asarray(((on.astype(np.float64) - below) * (there > 0)).mean(axis=1))
 
 
-def _fitted(plane: Floats, sight: Floats, disparity: Floats) -> Floats:
+def _fit(plane: Floats, sight: Floats, disparity: Floats) -> Floats:
     """The plane, drawn to what lies on it."""
     for _ in range(_FITS):
         slack = _FINE * (_NOISE_PX + _SLOPE * disparity)

@@ -45,7 +45,7 @@ class Ticks:
         of_frame = np.concatenate(([0], np.cumsum(steps)))
         return cls(of_frame) if of_frame[-1] <= _MOST else None
 
-    def told(self, table: Columns) -> Columns:
+    def to_ticks(self, table: Columns) -> Columns:
         """The rows of a table at the ticks of their frames."""
         return {**table, "frame": self.of_frame[table["frame"]].astype(table["frame"].dtype)}
 
@@ -57,7 +57,7 @@ class Ticks:
         own = {name: column[rows] for name, column in table.items()}
         return {**own, "frame": frame[rows].astype(table["frame"].dtype)}
 
-    def told_particles(self, particles: Particles) -> Particles:
+    def particles_to_ticks(self, particles: Particles) -> Particles:
         """The particles by tick; none at ticks without a frame."""
         tick = np.arange(self.of_frame[-1] + 2)
         frame = np.searchsorted(self.of_frame, tick)
@@ -65,10 +65,10 @@ class Ticks:
         return Particles(start, particles.columns)
 
 
-def finished(
+def finish_with_ticks(
     finish: Finish, run: Run, view: View, fps: float, given: Columns | None, ticks: Ticks | None
 ) -> Run:
-    """The run looked over by a tracker's `finish`, which takes frames for even time.
+    """The run finished by a tracker's `finish`, which takes frames for even time.
 
     Where some are missing, it sees ticks for frames, and rows that it adds where no frame was
     recorded are left out again. Runs with tracklets are seen as they are: points are followed from
@@ -81,12 +81,12 @@ def finished(
     if ticks is None or stop <= first or len(run.tracklets.columns["track"]):
         return finish(run, view, fps, given)
     even = replace(
-        _with_tables(run, ticks.told),
+        _with_tables(run, ticks.to_ticks),
         frames=(int(ticks.of_frame[first]), int(ticks.of_frame[stop - 1]) + 1),
-        particles=ticks.told_particles(run.particles),
-        part_particles=ticks.told_particles(run.part_particles),
+        particles=ticks.particles_to_ticks(run.particles),
+        part_particles=ticks.particles_to_ticks(run.part_particles),
     )
-    found = finish(even, view, fps, None if given is None else ticks.told(given))
+    found = finish(even, view, fps, None if given is None else ticks.to_ticks(given))
     return replace(
         _with_tables(found, ticks.recorded),
         frames=run.frames,
@@ -96,6 +96,6 @@ def finished(
 
 
 def _with_tables(run: Run, changed: Callable[[Columns], Columns]) -> Run:
-    """The run with the tables that tell frames changed."""
+    """The run with the tables that hold frames changed."""
     tables: dict[str, Any] = {name: changed(getattr(run, name)) for name in _TABLES}
     return replace(run, **tables)

@@ -9,7 +9,7 @@ import pytest
 from linked_runs import FPS, VIEW, Stretch, corrected, run_of, straight
 from numpy.typing import NDArray
 
-from tracking.pipeline.ticks import Ticks, finished
+from tracking.pipeline.ticks import Ticks, finish_with_ticks
 from tracking.trackers import tracker_named
 from tracking.tracks import Columns, Particles, Run
 
@@ -65,7 +65,7 @@ def test_frames_in_pairs_lose_nobody_who_is_seen_for_a_moment():
     run = run_of(
         Stretch(1, 0, LINE[:120]), Stretch(2, 50, LINE[50:65] + np.array([0.0, 3.0])), frames=120
     )
-    found = finished(FINISH, run, VIEW, FPS, None, Ticks.of(Timed(times)))
+    found = finish_with_ticks(FINISH, run, VIEW, FPS, None, Ticks.of(Timed(times)))
     assert np.count_nonzero(found.tracks["frame"] >= 0) >= 120 + 15
 
 
@@ -81,14 +81,16 @@ def test_a_rate_told_a_little_too_low_leaves_gaps_as_long_as_they_were():
 
 def test_a_run_of_no_frames_is_finished_as_it_is():
     run = replace(run_of(Stretch(1, 0, LINE[:9]), frames=9), frames=(5, 5))
-    assert finished(lambda run, *_: run, run, VIEW, FPS, None, Ticks(np.arange(9) * 2)) is run
+    assert (
+        finish_with_ticks(lambda run, *_: run, run, VIEW, FPS, None, Ticks(np.arange(9) * 2)) is run
+    )
 
 
 def test_particles_bear_the_ids_of_the_finished_run():
     tick = without(slice(60, 80))
     stretches = Stretch(1, 0, LINE[tick][:75]), Stretch(2, 78, LINE[tick][78:])
     run = run_of(*stretches, frames=len(tick))
-    found = finished(FINISH, run, VIEW, FPS, None, Ticks(tick))
+    found = finish_with_ticks(FINISH, run, VIEW, FPS, None, Ticks(tick))
     assert set(found.tracks["track"].tolist()) == {1}
     assert np.array_equal(found.particles.start, run.particles.start)
     for frame in (10, 58, 62, 74, 79, 100):
@@ -102,7 +104,7 @@ def test_particles_bear_the_ids_of_the_finished_run():
 def test_frames_that_were_not_recorded_neither_part_nor_move_anybody(missing: int):
     tick = without(slice(60, 60 + missing))
     run = run_of(Stretch(1, 0, LINE[tick]), frames=len(tick))
-    found = finished(FINISH, run, VIEW, FPS, None, Ticks(tick))
+    found = finish_with_ticks(FINISH, run, VIEW, FPS, None, Ticks(tick))
     assert set(found.tracks["track"].tolist()) == {1}
     assert found.frames == run.frames
     assert found.tracks["frame"].tolist() == list(range(len(tick)))
@@ -119,7 +121,7 @@ def test_rows_stand_in_recorded_frames_only_and_all_tables_fit():
     whole = run_of(lost, Stretch(2, 30, LINE[tick][30:] + np.array([0.0, 2.0])), frames=len(tick))
     run = replace(whole, **{name: since(getattr(whole, name), 5) for name in TABLES})
     run = replace(run, frames=(5, len(tick)), known_tracks=1)
-    found = finished(FINISH, run, VIEW, FPS, corrected(whole, 0, 5), Ticks(tick))
+    found = finish_with_ticks(FINISH, run, VIEW, FPS, corrected(whole, 0, 5), Ticks(tick))
     assert found.frames == run.frames
     rows = np.stack([found.tracks[name] for name in ("frame", "track")], axis=1)
     assert len(np.unique(rows, axis=0)) == len(rows)
@@ -141,6 +143,6 @@ def test_even_footage_and_tracklets_are_finished_as_they_are():
     run = run_of(Stretch(1, 0, LINE[:50]), frames=50)
     points: Columns = {"track": np.zeros(3, np.int32)}
     followed = replace(run, tracklets=Particles(np.array([0, 3]), points))
-    finished(finish, run, VIEW, FPS, None, None)
-    finished(finish, followed, VIEW, FPS, None, Ticks(np.arange(50) * 2))
+    finish_with_ticks(finish, run, VIEW, FPS, None, None)
+    finish_with_ticks(finish, followed, VIEW, FPS, None, Ticks(np.arange(50) * 2))
     assert given == [run, followed]

@@ -121,7 +121,7 @@ class SpheroidTracker:
     @property
     def notes(self) -> tuple[str, ...]:
         """Notes for the user, a line each."""
-        return self._perception.camera.told("spheroid")
+        return self._perception.camera.notes("spheroid")
 
     def resume(self, resume: Resume, observations: Iterable[Observation]) -> None:
         """Go on with the people as corrected; those who are new get ids above all there were."""

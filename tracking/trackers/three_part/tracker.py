@@ -144,7 +144,7 @@ class PartTracker:
     def notes(self) -> tuple[str, ...]:
         """Notes for the user, a line each."""
         missing = self._aids.adjust and self._watch.detector is None
-        return (*((NO_DETECTOR,) if missing else ()), *self._fixed.told("three-part"))
+        return (*((NO_DETECTOR,) if missing else ()), *self._fixed.notes("three-part"))
 
     def resume(self, resume: Resume, observations: Iterable[Observation]) -> None:
         """Go on with the people as corrected; those who are new get ids above all there were."""

@@ -1,4 +1,4 @@
-"""What of a picture tells shadows from bodies, at half resolution."""
+"""Light and chroma of pictures at half resolution, which tell shadows from bodies."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _LOGARITHM = np.log(np.arange(256, dtype=np.float32) + DARK_OFFSET)
 
 
 @dataclass(frozen=True, slots=True)
-class Look:
+class LightAndChroma:
     """Light and colour of a picture; all (height, width).
 
     Attributes:
@@ -40,30 +40,30 @@ class Look:
     red: Scores
 
     @classmethod
-    def of(cls, picture: Picture) -> Look:
-        """The look of (height, width, 3)."""
+    def of(cls, picture: Picture) -> LightAndChroma:
+        """Those of a picture (height, width, 3)."""
         light = np.asarray(cv2.cvtColor(picture, cv2.COLOR_BGR2GRAY), np.uint8)
         logarithm = np.asarray(cv2.LUT(light, _LOGARITHM), np.float32)
         return cls(light, logarithm, *_shares_of_light(picture))
 
-    def within(self, box: Box) -> Look:
+    def within(self, box: Box) -> LightAndChroma:
         """That of a part of the picture."""
-        return Look(self.light[box], self.logarithm[box], self.blue[box], self.red[box])
+        return LightAndChroma(self.light[box], self.logarithm[box], self.blue[box], self.red[box])
 
 
-class BackgroundLook:
-    """The look of a background at half resolution, taken anew only when it is another one."""
+class BackgroundChroma:
+    """Light and chroma of a background at half resolution, computed once a background."""
 
     def __init__(self) -> None:
         self._background: Picture | None = None
-        self._look: Look | None = None
+        self._look: LightAndChroma | None = None
 
-    def within(self, background: Picture, box: Box) -> Look:
-        """What it looks like in a box of even corners; `background` is not changed in place."""
+    def within(self, background: Picture, box: Box) -> LightAndChroma:
+        """Those of a box of even corners; `background` is not changed in place."""
         if self._look is None or self._background is not background:
             self._background = background
             rows, columns = (side // 2 * 2 for side in background.shape[:2])
-            self._look = Look.of(halved(background[:rows, :columns]))
+            self._look = LightAndChroma.of(halve(background[:rows, :columns]))
         return self._look.within(half_box(box))
 
 
@@ -87,7 +87,7 @@ def half_box(box: Box) -> Box:
     return rows, columns
 
 
-def halved(picture: Picture) -> Picture:
+def halve(picture: Picture) -> Picture:
     """At half the size, each pixel the mean of four."""
     size = (picture.shape[1] // 2, picture.shape[0] // 2)
     return np.asarray(cv2.resize(picture, size, interpolation=cv2.INTER_AREA), np.uint8)
@@ -110,7 +110,7 @@ def is_grey(picture: Picture) -> bool:
     return bool(np.array_equal(picture[::4, ::4, 0], picture[::4, ::4, 2]))
 
 
-def log_ratio(now: Look, usual: Look) -> Scores:
+def log_ratio(now: LightAndChroma, usual: LightAndChroma) -> Scores:
     """(height, width) logarithm of the ratio of light."""
     return np.asarray(cv2.subtract(now.logarithm, usual.logarithm), np.float32)
 
@@ -130,7 +130,7 @@ def texture_change(ratio: Scores) -> Scores:
     return _share_of(cv2.erode(cv2.blur(change, _NEAR), _WIDE), _TEXTURE_FULL)
 
 
-def chroma_distance(now: Look, usual: Look) -> Scores:
+def chroma_distance(now: LightAndChroma, usual: LightAndChroma) -> Scores:
     """Lambda of [Kawashita2014] eq. 1, 0 to 1: distance in the plane of hue and saturation."""
     apart = cv2.magnitude(cv2.subtract(now.blue, usual.blue), cv2.subtract(now.red, usual.red))
     return _share_of(cv2.blur(apart, _NEAR), _HUE_FULL)

@@ -1,4 +1,8 @@
-"""The commonest looks of a fixed scene, from a few pictures of it."""
+"""Primary and secondary background modes of a fixed scene, from a few pictures of it.
+
+The primary mode of a pixel is what most pictures show there, the secondary one what most of the
+others do.
+"""
 
 from __future__ import annotations
 
@@ -15,7 +19,7 @@ from tracking.foreground.one_light import in_one_light
 _SAME_WITHIN = 20
 _MOST_PICTURES = 25
 _LASTING = 3
-"""Pictures that must share another look: two people who pass may look alike by chance."""
+"""Pictures that must share a secondary mode: two people who pass may look alike by chance."""
 _LASTING_SPREAD = 0.75
 """How far two of them may be from the third, together, in times of `_SAME_WITHIN`: as noise, and
 light that was not quite taken out, make it. Clothes that are not the same mostly differ by more."""
@@ -24,19 +28,19 @@ Picture = NDArray[np.uint8]
 
 
 @dataclass(frozen=True, slots=True)
-class OtherLook:
-    """How a scene looks at other times, where that lasts as well.
+class SecondaryMode:
+    """The secondary mode of the background, where there is one.
 
     Attributes:
-        picture: (height, width, 3) uint8; the commonest look itself where there is no other.
-        where: (height, width) uint8, 255 where there is another, else 0.
+        picture: (height, width, 3) uint8; the primary mode where there is no secondary one.
+        where: (height, width) uint8, 255 where there is a secondary mode, else 0.
     """
 
     picture: Picture
     where: NDArray[np.uint8]
 
 
-def commonest_look(pictures: Sequence[Picture]) -> tuple[Picture, NDArray[np.float32]]:
+def primary_mode(pictures: Sequence[Picture]) -> tuple[Picture, NDArray[np.float32]]:
     """Per pixel, the one of the pictures' values that most others are close to.
 
     Unlike a median it needs no majority: people may cover a pixel in most pictures as long as
@@ -50,22 +54,22 @@ def commonest_look(pictures: Sequence[Picture]) -> tuple[Picture, NDArray[np.flo
         picture: (height, width, 3) uint8.
         deviation: (height, width) float32, mean difference of the values close to it.
     """
-    _, _, best, distances = _compared(pictures)
+    _, _, best, distances = _compare(pictures)
     return best, _deviation(distances)
 
 
-def commonest_looks(
+def primary_and_secondary_mode(
     pictures: Sequence[Picture],
-) -> tuple[Picture, NDArray[np.float32], OtherLook]:
-    """As `commonest_look`, and what is commonest among the pictures that look otherwise."""
-    smooth, costs, best, distances = _compared(pictures)
-    return best, _deviation(distances), _other_look(best, smooth, costs, distances)
+) -> tuple[Picture, NDArray[np.float32], SecondaryMode]:
+    """As `primary_mode`, and what is commonest among the values unlike it."""
+    smooth, costs, best, distances = _compare(pictures)
+    return best, _deviation(distances), _secondary_mode(best, smooth, costs, distances)
 
 
-def _compared(
+def _compare(
     pictures: Sequence[Picture],
 ) -> tuple[list[Picture], list[NDArray[np.float32]], Picture, list[NDArray[np.uint8]]]:
-    """The pictures in one light, their strangeness, the commonest look, and how far from it."""
+    """The pictures in one light, their strangeness, the primary mode, and how far from it."""
     chosen = [pictures[i] for i in _spread(len(pictures))]
     smooth = in_one_light([np.asarray(cv2.blur(picture, (3, 3)), np.uint8) for picture in chosen])
     costs = [_strangeness(picture, smooth) for picture in smooth]
@@ -84,13 +88,13 @@ def _least_strange(pictures: Sequence[Picture], costs: Sequence[NDArray[np.float
     return best
 
 
-def _other_look(
+def _secondary_mode(
     best: Picture,
     pictures: Sequence[Picture],
     costs: Sequence[NDArray[np.float32]],
     distances: Sequence[NDArray[np.uint8]],
-) -> OtherLook:
-    """The commonest look among the values unlike the best, where several pictures share it.
+) -> SecondaryMode:
+    """The commonest value among those unlike the best, where several pictures share it.
 
     Args:
         distances: (height, width) each, of the pictures from the best.
@@ -111,7 +115,7 @@ def _other_look(
     for number, other in enumerate(pictures):
         here = place[chosen == number]
         picture.reshape(-1, 3)[here] = other.reshape(-1, 3)[here]
-    return OtherLook(picture, where)
+    return SecondaryMode(picture, where)
 
 
 def _spread(count: int) -> NDArray[np.intp]:
