@@ -7,7 +7,7 @@ and waits for its thread in `close`.
 from app.background.frames import FrameReader
 from app.background.jobs import Job, Progress
 from app.background.live import LiveTracker
-from app.background.newest import Newest
+from app.background.newest import LatestJob
 from app.background.overlays import OverlayMaker
 
-__all__ = ["FrameReader", "Job", "LiveTracker", "Newest", "OverlayMaker", "Progress"]
+__all__ = ["FrameReader", "Job", "LatestJob", "LiveTracker", "OverlayMaker", "Progress"]

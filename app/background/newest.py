@@ -14,7 +14,7 @@ Work = Callable[[Progress], Any]
 _QUIET_MS = 80
 
 
-class Newest(QObject):
+class LatestJob(QObject):
     """Works one subject out at a time; asked for another meanwhile, it goes on with the newest.
 
     A subject is a value: two that are equal come to the same.

@@ -21,7 +21,7 @@ _HARDLY_ANY = 0.02
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Loaded:
+class LoadedSequence:
     """A sequence in memory.
 
     Attributes:
@@ -41,7 +41,7 @@ def load_sequence(
     results: Mapping[str, Path],
     frames: str | None,
     stated: Stated | None = None,
-) -> Loaded:
+) -> LoadedSequence:
     """Read one sequence.
 
     Args:
@@ -68,7 +68,7 @@ def load_sequence(
         source_of(true),
         {result: source_of(tracks) for result, tracks in found.items()},
     )
-    return Loaded(subject, true, found, chosen)
+    return LoadedSequence(subject, true, found, chosen)
 
 
 def _read(
@@ -146,7 +146,7 @@ def part_rates(result: Tracks, truth: Path, frames: tuple[int, int] | None = Non
     return rates_of(judge(true, tracked, footage.fps))
 
 
-def tell_oddities(one: Loaded) -> None:
+def tell_oddities(one: LoadedSequence) -> None:
     """Note what may make the numbers other than expected, a line each."""
     for tracks in (one.truth, *one.results.values()):
         for note in tracks.notes:
@@ -167,7 +167,7 @@ def tell_oddities(one: Loaded) -> None:
             _tell_untracked(tracks, one.truth)
 
 
-def tell_unlike(one: Loaded, result: str, score: Score) -> None:
+def tell_unlike(one: LoadedSequence, result: str, score: Score) -> None:
     """Note that hardly anything matches, as where a truth is of another recording.
 
     What both say of themselves is told by `tell_oddities`, and then not again.

@@ -11,7 +11,13 @@ import typer
 
 from app.cli.output import progress
 from app.cli.ranges import ANY_END, parse_range
-from app.cli.score_inputs import Loaded, load_sequence, part_rates, tell_oddities, tell_unlike
+from app.cli.score_inputs import (
+    LoadedSequence,
+    load_sequence,
+    part_rates,
+    tell_oddities,
+    tell_unlike,
+)
 from app.cli.score_passages import with_passages
 from app.cli.sequences import Pairing
 from tracking.errors import FormatError, SettingsError
@@ -33,7 +39,7 @@ _LONG_BYTES = 16 << 20
 
 
 @dataclass(frozen=True, slots=True)
-class Asked:
+class MeasureRequest:
     """What is to be measured and told, as typed.
 
     Attributes:
@@ -69,7 +75,7 @@ class Asked:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Measured:
+class SequenceMeasurement:
     """One result on one sequence.
 
     Attributes:
@@ -98,7 +104,7 @@ def radius_of(match: str, radius_m: float | None) -> float:
     return radius_m
 
 
-def yardstick_of(asked: Asked) -> Yardstick:
+def yardstick_of(asked: MeasureRequest) -> Yardstick:
     """How it is measured.
 
     Raises SettingsError where a range, a radius or distances are none.
@@ -121,12 +127,14 @@ def _distances(text: str) -> tuple[float, ...]:
     return edges_m
 
 
-def measure_all(asked: Asked, pairing: Pairing, yardstick: Yardstick) -> list[Measured]:
+def measure_all(
+    asked: MeasureRequest, pairing: Pairing, yardstick: Yardstick
+) -> list[SequenceMeasurement]:
     """Every result on every sequence, sequence by sequence, of which one is in memory at a time.
 
     Raises as `run_score`.
     """
-    measured: list[Measured] = []
+    measured: list[SequenceMeasurement] = []
     total = len(pairing.results) * len(pairing.truths)
     with _progress(asked, pairing) as told:
         for name, truth in pairing.truths.items():
@@ -149,8 +157,8 @@ def measure_all(asked: Asked, pairing: Pairing, yardstick: Yardstick) -> list[Me
 
 
 def _measured(
-    asked: Asked, one: Loaded, subject: Subject, result: str, yardstick: Yardstick
-) -> Measured:
+    asked: MeasureRequest, one: LoadedSequence, subject: Subject, result: str, yardstick: Yardstick
+) -> SequenceMeasurement:
     """One result on one sequence.
 
     Args:
@@ -161,17 +169,17 @@ def _measured(
         if not asked.is_detailed:
             score = yardstick.score(subject, result)
             score = with_passages(score, one, result, asked.lines)
-            return Measured(result, subject.name, score, parts)
+            return SequenceMeasurement(result, subject.name, score, parts)
         finding = finding_of(subject, result, yardstick)
     except FormatError as error:
         raise FormatError(f"{result} on {subject.name}: {error}") from error
     score = with_passages(finding.score, one, result, asked.lines)
     finding = replace(finding, score=score, parts=parts)
-    return Measured(result, subject.name, score, parts, finding)
+    return SequenceMeasurement(result, subject.name, score, parts, finding)
 
 
 @contextmanager
-def _footage(asked: Asked, one: Loaded) -> Iterator[tuple[Subject, str]]:
+def _footage(asked: MeasureRequest, one: LoadedSequence) -> Iterator[tuple[Subject, str]]:
     """The sequence, with its pictures where they are shown."""
     if asked.report is None:
         yield one.subject, ""
@@ -183,7 +191,7 @@ def _footage(asked: Asked, one: Loaded) -> Iterator[tuple[Subject, str]]:
 
 
 @contextmanager
-def _progress(asked: Asked, pairing: Pairing) -> Iterator[Callable[[int, int], None]]:
+def _progress(asked: MeasureRequest, pairing: Pairing) -> Iterator[Callable[[int, int], None]]:
     """Says how far it is, unless it is done in a moment."""
     files = [*pairing.truths.values(), *(p for r in pairing.results.values() for p in r.values())]
     size = sum(path.stat().st_size for path in files if path.is_file())
@@ -195,7 +203,7 @@ def _progress(asked: Asked, pairing: Pairing) -> Iterator[Callable[[int, int], N
         yield told
 
 
-def _check_ranges(asked: Asked, measured: Sequence[Measured]) -> None:
+def _check_ranges(asked: MeasureRequest, measured: Sequence[SequenceMeasurement]) -> None:
     """Refuse ranges that lie in no sequence."""
     findings = [each.finding for each in measured if each.finding is not None]
     if asked.ranges and not any(finding.ranges for finding in findings):

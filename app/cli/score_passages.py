@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from app.cli.output import say
-from app.cli.score_inputs import Loaded
+from app.cli.score_inputs import LoadedSequence
 from app.cli.shape_options import line_of, refuse_repeated
 from app.cli.tracks import Tracks
 from tracking.counting import Passages, check_countable, compare_passages, passages
@@ -25,7 +25,9 @@ def lines_named(floor: Sequence[str], picture: Sequence[str]) -> tuple[CountingL
     return tuple(lines)
 
 
-def with_passages(score: Score, one: Loaded, result: str, named: Sequence[CountingLine]) -> Score:
+def with_passages(
+    score: Score, one: LoadedSequence, result: str, named: Sequence[CountingLine]
+) -> Score:
     """The score with how well passages were found, over lines that were named or else drawn.
 
     Lines drawn in a session over which these tracks cannot be counted are told and left out.
@@ -45,13 +47,13 @@ def with_passages(score: Score, one: Loaded, result: str, named: Sequence[Counti
         return score
 
 
-def _drawn(one: Loaded, result: str) -> tuple[CountingLine, ...]:
+def _drawn(one: LoadedSequence, result: str) -> tuple[CountingLine, ...]:
     """Lines of a session: of the truth's, else of the result's."""
     return one.truth.lines or one.results[result].lines
 
 
 def _passages(
-    one: Loaded, result: str, lines: tuple[CountingLine, ...]
+    one: LoadedSequence, result: str, lines: tuple[CountingLine, ...]
 ) -> tuple[PassageScore, ...]:
     fps = one.subject.footage.fps
     if fps is None:
@@ -71,7 +73,9 @@ def _passages(
     )
 
 
-def _counted(one: Loaded, tracks: Tracks, lines: tuple[CountingLine, ...], fps: float) -> Passages:
+def _counted(
+    one: LoadedSequence, tracks: Tracks, lines: tuple[CountingLine, ...], fps: float
+) -> Passages:
     """Passages within the frames that are measured."""
     frame = np.asarray(tracks.columns["frame"])
     kept = (frame >= one.subject.start) & (frame < one.subject.stop)

@@ -8,7 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from app.cli.destination import is_session
-from app.cli.score_inputs import Loaded
+from app.cli.score_inputs import LoadedSequence
 from tracking.errors import TrackwrightError
 from tracking.recording import MANIFEST_NAME, Recording, open_recording
 from tracking.scoring.report import Footage, Subject
@@ -18,7 +18,7 @@ _PICTURES = "img1"
 
 
 @contextmanager
-def open_recording_of(one: Loaded, *, allow_outside: bool) -> Iterator[tuple[Subject, str]]:
+def open_recording_of(one: LoadedSequence, *, allow_outside: bool) -> Iterator[tuple[Subject, str]]:
     """A sequence with its recording open for as long as the block runs, and why it is not.
 
     Args:
@@ -37,7 +37,9 @@ def open_recording_of(one: Loaded, *, allow_outside: bool) -> Iterator[tuple[Sub
         yield one.subject, reason
 
 
-def _ways(one: Loaded, *, allow_outside: bool) -> Iterator[Callable[[ExitStack], Recording]]:
+def _ways(
+    one: LoadedSequence, *, allow_outside: bool
+) -> Iterator[Callable[[ExitStack], Recording]]:
     """Where the recording may be: beside the truth, or where a session says."""
     truth = one.truth.path
     if (truth.parent / MANIFEST_NAME).is_file():

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from app.cli.output import escape_controls
-from app.cli.score_measuring import Asked, Measured
+from app.cli.score_measuring import MeasureRequest, SequenceMeasurement
 from app.cli.sequences import Pairing
 from tracking.scoring import Score, combined
 from tracking.scoring.report import (
@@ -21,7 +21,9 @@ from tracking.scoring.report.measures import Measure, measures_by
 from tracking.scoring.report.tables import COMBINED, people_rows
 
 
-def document_of(asked: Asked, pairing: Pairing, measured: Sequence[Measured]) -> dict[str, Any]:
+def document_of(
+    asked: MeasureRequest, pairing: Pairing, measured: Sequence[SequenceMeasurement]
+) -> dict[str, Any]:
     """The JSON document; of a single pair its measures alone."""
     by_result: dict[str, dict[str, Any]] = {}
     for result in pairing.results:
@@ -38,7 +40,9 @@ def document_of(asked: Asked, pairing: Pairing, measured: Sequence[Measured]) ->
     return document | ({"left_out": list(pairing.unmatched)} if pairing.is_batch else {})
 
 
-def text_of(asked: Asked, pairing: Pairing, measured: Sequence[Measured]) -> str:
+def text_of(
+    asked: MeasureRequest, pairing: Pairing, measured: Sequence[SequenceMeasurement]
+) -> str:
     """The same for people."""
     if len(measured) == 1 and not pairing.is_batch:
         return "\n\n".join([measured[0].score.as_text(), *_more(asked, measured[0])])
@@ -57,7 +61,7 @@ def text_of(asked: Asked, pairing: Pairing, measured: Sequence[Measured]) -> str
     return "\n\n".join(pieces)
 
 
-def _single_document(asked: Asked, one: Measured) -> dict[str, Any]:
+def _single_document(asked: MeasureRequest, one: SequenceMeasurement) -> dict[str, Any]:
     document = one.score.as_json()
     if one.parts is not None:
         document["parts"] = one.parts.as_json()
@@ -70,7 +74,7 @@ def _single_document(asked: Asked, one: Measured) -> dict[str, Any]:
     return document
 
 
-def _more(asked: Asked, one: Measured) -> Iterator[str]:
+def _more(asked: MeasureRequest, one: SequenceMeasurement) -> Iterator[str]:
     """What is told beside the scores."""
     if one.parts is not None:
         yield one.parts.as_text()

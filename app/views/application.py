@@ -24,7 +24,7 @@ from app.presenters import i18n
 from app.presenters.files import document_loader
 from app.views.look.icons import application_icon
 from app.views.look.theme import Look, apply_look
-from app.views.widgets.user_settings import Remembered
+from app.views.widgets.user_settings import UserSettings
 from app.views.window.look_choice import look_of
 from app.views.window.main_window import MainWindow
 from app.views.window.shutdown_signals import EndBySignal, EndSignals, take_down
@@ -52,7 +52,7 @@ def run(
         save_at: the place that is proposed for the session.
     """
     map_large_blocks()
-    remembered = Remembered()
+    remembered = UserSettings()
     application = start_application(remembered)
     signals = EndSignals(application)  # before the first widget
     window = MainWindow(remembered)
@@ -72,7 +72,7 @@ def run(
         take_down(window)
 
 
-def start_application(remembered: Remembered) -> QApplication:
+def start_application(remembered: UserSettings) -> QApplication:
     """The one QApplication of this process, named and dressed as the user chose."""
     there = QApplication.instance()
     application = there if isinstance(there, QApplication) else QApplication(sys.argv[:1])
@@ -117,7 +117,7 @@ def borrowed_window(look: str, size: tuple[int, int]) -> Iterator[MainWindow]:
     """A window that nobody sits before, which remembers nothing and asks nothing at the end."""
     with TemporaryDirectory(prefix="trackwright-") as folder:
         path = str(Path(folder) / "settings.ini")
-        remembered = Remembered(QSettings(path, QSettings.Format.IniFormat))
+        remembered = UserSettings(QSettings(path, QSettings.Format.IniFormat))
         remembered.set_text("look", look)
         application = start_application(remembered)
         interrupts: list[None] = []

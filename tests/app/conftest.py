@@ -17,7 +17,7 @@ from run_with_parts import with_parts
 from app.background import late_camera
 from app.presenters.files import document_loader
 from app.views.application import start_application
-from app.views.widgets.user_settings import Remembered
+from app.views.widgets.user_settings import UserSettings
 from app.views.window.main_window import MainWindow
 from tracking.people import first_lag, lag_looks
 from tracking.pipeline import track
@@ -125,14 +125,14 @@ def no_threads_left() -> Iterator[None]:
 
 
 @pytest.fixture
-def remembered(tmp_path: Path) -> Remembered:
+def remembered(tmp_path: Path) -> UserSettings:
     """Settings kept in a file of the test's own."""
-    return Remembered(QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat))
+    return UserSettings(QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat))
 
 
 @pytest.fixture
 def window(
-    qtbot: QtBot, no_threads_left: None, remembered: Remembered, lag_known: None
+    qtbot: QtBot, no_threads_left: None, remembered: UserSettings, lag_known: None
 ) -> Iterator[MainWindow]:
     """The real window on the welcome page; closed without questions afterwards."""
     start_application(remembered)

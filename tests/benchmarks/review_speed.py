@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.editing import apply_change, plan_swap
-from tracking.review import Lookout, ReviewItem
+from tracking.review import ReviewItem, ReviewItemFinder
 from tracking.tracks import (
     ASSOCIATION_COLUMNS,
     CLOTHES,
@@ -44,15 +44,17 @@ def main() -> None:
     )
     parser.add_argument("--tracks", type=int, default=1000, help="of 1000 rows each")
     run = wandering(parser.parse_args().tracks, np.random.default_rng(3103))
-    table, lookout = TrackTable(run.tracks), Lookout()
+    table, lookout = TrackTable(run.tracks), ReviewItemFinder()
     _look("as a whole", lookout, table, run)
     one, other, frame = _together(table)
     apply_change(table, Labels(), plan_swap(table, one, other, frame))
     again = _look("after a swap", lookout, table, run)
-    print("the same:", again == _look("as a whole again", Lookout(), table, run))
+    print("the same:", again == _look("as a whole again", ReviewItemFinder(), table, run))
 
 
-def _look(name: str, lookout: Lookout, table: TrackTable, run: Run) -> tuple[ReviewItem, ...]:
+def _look(
+    name: str, lookout: ReviewItemFinder, table: TrackTable, run: Run
+) -> tuple[ReviewItem, ...]:
     cpu, wall = time.process_time(), time.perf_counter()
     found = lookout.find(table.snapshot(), run, _FPS, size=_SIZE)
     cpu, wall = time.process_time() - cpu, time.perf_counter() - wall

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tracking.editing import Change, History, State, Written
+from tracking.editing import Change, History, State, StoredChange
 from tracking.errors import EditError
 
 
@@ -85,7 +85,7 @@ def test_a_change_that_was_written_ahead_is_logged_as_one_that_was_not() -> None
     change = Change("rename", "edit 1", 0, State(np.array([[3, 0, 9]])), State())
     drafted = [
         History().draft(change, "now", "ada", written=written)
-        for written in (None, Written.of(change), Written(replace(change), "{", "{"))
+        for written in (None, StoredChange.of(change), StoredChange(replace(change), "{", "{"))
     ]
     assert drafted == [drafted[0]] * 3
     assert '"stretches":[[3,0,9]]' in drafted[0].before

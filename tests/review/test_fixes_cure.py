@@ -29,7 +29,7 @@ from tracking.editing import (
 )
 from tracking.review import find_review_items
 from tracking.review.evidence import gather_signals
-from tracking.review.findings import Found
+from tracking.review.findings import FlaggedPlaces
 from tracking.review.material import Material
 from tracking.review.reason_phrases import fix
 from tracking.review.reasons import REASONS
@@ -109,7 +109,7 @@ SCENES: dict[str, Callable[[], Scene]] = {
 happened, whoever is who: they go by a verdict."""
 
 
-def looked(kind: str, run: Run, table: TrackTable) -> Found:
+def looked(kind: str, run: Run, table: TrackTable) -> FlaggedPlaces:
     return REASONS[kind](Material.of(gather_signals(table, run, FPS), SIZE, ()))
 
 

@@ -18,14 +18,14 @@ from walks_on_a_floor import (
 )
 
 from tracking.review.evidence import gather_signals
-from tracking.review.findings import Found
+from tracking.review.findings import FlaggedPlaces
 from tracking.review.material import Material
 from tracking.review.reason_phrases import sentence
 from tracking.review.reasons import REASONS
 from tracking.tracks import PART_COLUMNS, Run, TrackTable
 
 
-def found(kind: str, run: Run, table: TrackTable | None = None) -> Found:
+def found(kind: str, run: Run, table: TrackTable | None = None) -> FlaggedPlaces:
     tracks = TrackTable(run.tracks) if table is None else table
     return REASONS[kind](Material.of(gather_signals(tracks, run, FPS), SIZE, ()))
 
@@ -174,7 +174,7 @@ def test_the_parts_that_failed_are_named(which: int, parts: str) -> None:
     assert sentence("part", 3, 0, which, 7.2) == f"the {parts} of 3 failed at 00:07"
 
 
-def there_and_back(predicted: range) -> Found:
+def there_and_back(predicted: range) -> FlaggedPlaces:
     path = straight((-3, 5), (1.0, 0), 160)
     path[80:] = path[80] - (path[80:] - path[80])
     return found("reversal", made_run([Walk(path, predicted=predicted)]))

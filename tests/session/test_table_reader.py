@@ -10,7 +10,7 @@ import pytest
 
 from tracking.errors import SessionError
 from tracking.session.hdf5 import open_readonly, read_columns
-from tracking.session.table_reader import Unpacking
+from tracking.session.table_reader import PendingColumns
 
 KINDS = [np.bool_, np.uint8, np.int32, np.int64, np.float32, np.float64]
 
@@ -35,7 +35,7 @@ def test_a_column_reads_the_same_however_it_is_packed(tmp_path, kind, rows, pack
     values = column(rows, kind)
     with h5py.File(tmp_path / "s.h5", "w") as file:
         file.create_dataset("x", data=values, maxshape=(None,) if packing else None, **packing)
-    with h5py.File(tmp_path / "s.h5") as file, Unpacking() as unpacking:
+    with h5py.File(tmp_path / "s.h5") as file, PendingColumns() as unpacking:
         read = unpacking.read(file["x"], np.dtype(kind))
         unpacking.finish()
     assert read.dtype == values.dtype
@@ -47,7 +47,7 @@ def test_pieces_that_were_never_written_read_as_the_library_fills_them(tmp_path)
     with h5py.File(tmp_path / "s.h5", "w") as file:
         file.create_dataset("x", shape=(5000,), dtype=np.float64, fillvalue=7.0, **packed)
         file["x"][:1000] = 1.0
-    with h5py.File(tmp_path / "s.h5") as file, Unpacking() as unpacking:
+    with h5py.File(tmp_path / "s.h5") as file, PendingColumns() as unpacking:
         read = unpacking.read(file["x"], np.dtype(np.float64))
         unpacking.finish()
     assert read.tolist() == [1.0] * 1000 + [7.0] * 4000

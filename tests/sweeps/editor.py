@@ -11,7 +11,7 @@ from PySide6.QtCore import QCoreApplication, QSettings, Qt
 from PySide6.QtTest import QTest
 
 from app.views.application import start_application, wait_until
-from app.views.widgets.user_settings import Remembered
+from app.views.widgets.user_settings import UserSettings
 from app.views.window.main_window import MainWindow
 from tests.sweeps.session_state import state
 from tracking.session import Session
@@ -35,7 +35,7 @@ class Editor:
         tell: Callable[[str], None],
         steps: int = STEPS_BEFORE_GOING,
     ):
-        remembered = Remembered(QSettings(str(settings), QSettings.Format.IniFormat))
+        remembered = UserSettings(QSettings(str(settings), QSettings.Format.IniFormat))
         start_application(remembered)
         self._window = MainWindow(remembered)
         self._window.show()

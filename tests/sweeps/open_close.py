@@ -22,7 +22,7 @@ from app.memory import map_large_blocks
 from app.views.application import start_application, wait_until
 from app.views.files.files import GIVE_BACK_MS
 from app.views.recording.recording_controller import RecordingController
-from app.views.widgets.user_settings import Remembered
+from app.views.widgets.user_settings import UserSettings
 from app.views.window.main_window import MainWindow
 from app.views.window.shutdown_signals import take_down
 from tests.sweeps.long_run import resident_mb
@@ -52,7 +52,7 @@ def main() -> int:
 def resident_after(session: Path, cycles: int, folder: Path) -> list[float]:
     """What the process has in memory, in MiB, after each cycle."""
     map_large_blocks()
-    remembered = Remembered(QSettings(str(folder / "settings.ini"), QSettings.Format.IniFormat))
+    remembered = UserSettings(QSettings(str(folder / "settings.ini"), QSettings.Format.IniFormat))
     start_application(remembered)
     window = MainWindow(remembered)
     window.resize(1600, 1000)

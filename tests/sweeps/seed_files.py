@@ -148,11 +148,11 @@ def show_window(settings: Path, opened: Sequence[Path] = ()) -> int:
     from PySide6.QtCore import QCoreApplication, QSettings
 
     from app.views.application import start_application
-    from app.views.widgets.user_settings import Place, Remembered
+    from app.views.widgets.user_settings import Place, UserSettings
     from app.views.window.main_window import MainWindow
 
     kept = QSettings(str(settings), QSettings.Format.IniFormat)
-    remembered = Remembered(kept)
+    remembered = UserSettings(kept)
     for path in opened:
         remembered.add_recent(path)
     if opened:

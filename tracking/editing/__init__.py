@@ -39,11 +39,11 @@ from tracking.editing.labels.shapes import plan_lines, plan_occluders, plan_regi
 from tracking.editing.labels.track_labels import plan_rename, plan_set_attribute, plan_set_notes
 from tracking.editing.log.alone import plan_undo_alone
 from tracking.editing.log.edit_footprint import footprint_of
-from tracking.editing.log.history import Entry, History, Written
+from tracking.editing.log.history import Entry, History, StoredChange
 from tracking.editing.log.text import rows_beyond_the_log, state_as_text, state_from_text
 from tracking.editing.log.touch_index import TOUCHED_COLUMNS, TouchIndex
 from tracking.editing.scope import Scope
-from tracking.editing.track_import import Thinned, on_the_floor, plan_import, thin_dense
+from tracking.editing.track_import import ThinningResult, on_the_floor, plan_import, thin_dense
 from tracking.editing.tracking_again.differences import (
     Difference,
     compare_runs,
@@ -66,10 +66,10 @@ __all__ = [
     "Protection",
     "Scope",
     "State",
+    "StoredChange",
     "SwapFrame",
-    "Thinned",
+    "ThinningResult",
     "TouchIndex",
-    "Written",
     "apply_change",
     "body_position",
     "compare_runs",

@@ -41,7 +41,7 @@ SeenAs = Callable[[NDArray[Any], NDArray[Any]], NDArray[Any]]
 
 
 @dataclass(frozen=True, slots=True)
-class Thinned:
+class ThinningResult:
     """How far tracks were thinned.
 
     Attributes:
@@ -112,7 +112,7 @@ def thin_dense(
     view: View | None = None,
     fps: float | None = None,
     report: Progress = no_progress,
-) -> tuple[Rows, Thinned]:
+) -> tuple[Rows, ThinningResult]:
     """Rows in which tracks without interpolated rows are keyframes with interpolation between.
 
     A track whose every row is a keyframe, or of which nobody says which rows are, is thinned as
@@ -132,7 +132,7 @@ def thin_dense(
     )
     keys = int(np.count_nonzero(thin["source"][changed] == Source.PERSON))
     tracks = len(np.unique(thin["track"][changed]))
-    told = Thinned(tracks, int(np.count_nonzero(changed)), keys)
+    told = ThinningResult(tracks, int(np.count_nonzero(changed)), keys)
     return stack_rows([select_rows(rows, ~dense), thin]), told
 
 

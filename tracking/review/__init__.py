@@ -4,13 +4,13 @@ from tracking.review.measures import Mistake, ReviewMeasures, ReviewMeter, revie
 from tracking.review.queue import filter_undecided, rank
 from tracking.review.reason_phrases import KINDS
 from tracking.review.review_item import ReviewItem, ReviewItemKey
-from tracking.review.review_search import Lookout, find_review_items
+from tracking.review.review_search import ReviewItemFinder, find_review_items
 
 __all__ = [
     "KINDS",
-    "Lookout",
     "Mistake",
     "ReviewItem",
+    "ReviewItemFinder",
     "ReviewItemKey",
     "ReviewMeasures",
     "ReviewMeter",

@@ -13,7 +13,7 @@ Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Found:
+class FlaggedPlaces:
     """Places, a row each.
 
     Attributes:
@@ -36,9 +36,9 @@ class Found:
         """The number of places."""
         return len(self.frame)
 
-    def some(self, chosen: NDArray[np.bool_] | Rows) -> Found:
+    def some(self, chosen: NDArray[np.bool_] | Rows) -> FlaggedPlaces:
         """Some of the places."""
-        return Found(
+        return FlaggedPlaces(
             self.kind,
             self.first[chosen],
             self.second[chosen],
@@ -50,25 +50,27 @@ class Found:
 
 def of_pairs(
     kind: str, one: Rows, other: Rows, frame: Rows, strength: Floats, figure: Floats
-) -> Found:
+) -> FlaggedPlaces:
     """Places of two tracks each; those without strength are left out."""
     kept = strength > 0.0
     strength = np.minimum(strength[kept], 1.0)
-    return Found(kind, one[kept], other[kept], frame[kept], strength, figure[kept])
+    return FlaggedPlaces(kind, one[kept], other[kept], frame[kept], strength, figure[kept])
 
 
-def of_tracks(kind: str, track: Rows, frame: Rows, strength: Floats, figure: Floats) -> Found:
+def of_tracks(
+    kind: str, track: Rows, frame: Rows, strength: Floats, figure: Floats
+) -> FlaggedPlaces:
     """Places of one track each; those without strength are left out."""
     nobody = np.zeros(len(track), np.int64)
     kept = strength > 0.0
     strength = np.minimum(strength[kept], 1.0)
-    return Found(kind, track[kept], nobody[kept], frame[kept], strength, figure[kept])
+    return FlaggedPlaces(kind, track[kept], nobody[kept], frame[kept], strength, figure[kept])
 
 
-def join_findings(parts: Sequence[Found]) -> Found:
+def join_findings(parts: Sequence[FlaggedPlaces]) -> FlaggedPlaces:
     """Places of one kind, one list behind the other."""
     columns = zip(*((p.first, p.second, p.frame, p.strength, p.figure) for p in parts), strict=True)
-    return Found(parts[0].kind, *(np.concatenate(column) for column in columns))
+    return FlaggedPlaces(parts[0].kind, *(np.concatenate(column) for column in columns))
 
 
 def peaks(group: Rows, frame: Rows, value: Floats, apart: int) -> Rows:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.review.findings import Found, peaks
+from tracking.review.findings import FlaggedPlaces, peaks
 from tracking.tracks import row_keys
 
 Rows = NDArray[np.int64]
@@ -21,7 +21,7 @@ class Reasons:
 
     Attributes:
         kinds: names. kind: (n,) number among them.
-        first, second, frame, strength, figure: (n,) see `Found`.
+        first, second, frame, strength, figure: (n,) see `FlaggedPlaces`.
         pair: (n,) one number for both tracks, whichever is first.
         weight: (n,) what it counts for against reasons of other kinds.
     """
@@ -53,7 +53,7 @@ class Places:
     strength: Floats
 
 
-def stack_findings(found: Sequence[Found], weights: Sequence[float]) -> Reasons:
+def stack_findings(found: Sequence[FlaggedPlaces], weights: Sequence[float]) -> Reasons:
     """All that was found; weights: of a reason of full strength, by kind."""
     number = np.repeat(np.arange(len(found)), [len(each) for each in found])
     first, second, frame, strength, figure = (

@@ -44,10 +44,10 @@ def find_review_items(
         progress: told how far it is; what it raises ends the search.
         size: of the picture in px, where there is no view.
     """
-    return Lookout().find(table, run, fps, labels, view, progress, size=size)
+    return ReviewItemFinder().find(table, run, fps, labels, view, progress, size=size)
 
 
-class Lookout:
+class ReviewItemFinder:
     """Looks through tracks again after each edit, anew only where something is another.
 
     The footage is looked through block after block, each with some seconds around it; a block

@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from tracking.editing import Change, Entry, Written, plan_undo_alone, with_parts_carried
+from tracking.editing import Change, Entry, StoredChange, plan_undo_alone, with_parts_carried
 from tracking.errors import EditError, OutputError, SessionError
 from tracking.owned_files import real_path
 from tracking.session.backups import read_backup, with_runs_from
@@ -129,7 +129,7 @@ class Session(OnDisk):
 
     # Changing
 
-    def apply(self, change: Change, written: Written | None = None) -> Entry:
+    def apply(self, change: Change, written: StoredChange | None = None) -> Entry:
         """Make an edit; it is on disk when this returns. written: it, where that is at hand.
 
         Raises EditError where it does not apply, OutputError where it cannot be put on disk

@@ -10,7 +10,7 @@ from tracking.session.journal import Act
 from tracking.tracks import Labels, TrackTable
 
 
-class Edited:
+class EditedTracks:
     """The corrected table, the labels and their history, always in step with each other."""
 
     def __init__(self, tracks: TrackTable, labels: Labels, history: History) -> None:

@@ -13,7 +13,7 @@ import numpy as np
 
 from tracking.errors import SessionError
 from tracking.session.layout import TEXT, Types
-from tracking.session.table_reader import Unpacking
+from tracking.session.table_reader import PendingColumns
 
 _FAILURES = (
     *(OSError, KeyError, ValueError, TypeError),
@@ -42,13 +42,13 @@ def open_readonly(path: Path) -> Iterator[h5py.File]:
 
 def read_columns(group: h5py.Group, types: Types) -> dict[str, Any]:
     """All columns of a table, numbers as arrays, text as lists."""
-    with Unpacking() as unpacking:
+    with PendingColumns() as unpacking:
         columns = begin_columns(group, types, unpacking)
         unpacking.finish()
     return columns
 
 
-def begin_columns(group: h5py.Group, types: Types, unpacking: Unpacking) -> dict[str, Any]:
+def begin_columns(group: h5py.Group, types: Types, unpacking: PendingColumns) -> dict[str, Any]:
     """The same; the numbers count when the unpacking is finished.
 
     The columns of a checked file are equally long: where one is empty, all are.

@@ -12,7 +12,7 @@ import h5py
 import numpy as np
 
 from tracking.errors import EditError, SessionError
-from tracking.session.edited_tracks import Edited
+from tracking.session.edited_tracks import EditedTracks
 from tracking.session.hdf5 import open_readonly, text_attribute
 from tracking.session.label_tables import read_labels
 from tracking.session.pending_edits import may_wait, read_with_waiting
@@ -113,7 +113,7 @@ def _in_file(file: h5py.File) -> dict[str, Any]:
     }
 
 
-def _as_opened(edited: Edited, waiting: int) -> dict[str, Any]:
+def _as_opened(edited: EditedTracks, waiting: int) -> dict[str, Any]:
     """The same with the journal's steps."""
     undone = sum(entry.undone for entry in edited.history.entries)
     return {

@@ -15,14 +15,14 @@ from tracking.editing import History
 from tracking.errors import EditError, OutputError, SessionError, UnsafeFileError
 from tracking.owned_files import check_folder, open_file
 from tracking.recording.plurals import counted
-from tracking.session.edited_tracks import Edited
+from tracking.session.edited_tracks import EditedTracks
 from tracking.session.image import Snapshot, Stamps
 from tracking.session.journal import ENDINGS, Journal, Step
 from tracking.session.journal_files import JOURNAL, NEXT, are_there, find_main, list_set_aside
 from tracking.session.journal_limits import MOST_BYTES, MOST_COUNT_BYTES
 from tracking.session.journal_sizes import files_to_copy
 from tracking.session.notes import MAY_MISS, tell_damage
-from tracking.session.recovery import Missing, explain_misfit, find_missing_steps
+from tracking.session.recovery import MissingSteps, explain_misfit, find_missing_steps
 from tracking.session.session_reader import read_session
 from tracking.session.session_writer import companions, file_state
 
@@ -43,7 +43,7 @@ class ReadSession:
     """
 
     snapshot: Snapshot
-    edited: Edited
+    edited: EditedTracks
     waiting: int = 0
     damage: tuple[str, ...] = ()
 
@@ -97,7 +97,7 @@ def read_with_waiting(path: Path) -> ReadSession:
 
 def _read(path: Path) -> ReadSession:
     snapshot = read_session(path)
-    edited = Edited(snapshot.tracks, snapshot.labels, snapshot.history())
+    edited = EditedTracks(snapshot.tracks, snapshot.labels, snapshot.history())
     steps: Sequence[Step] = ()
     made = 0
     try:
@@ -163,10 +163,10 @@ def _written_s(file: Path) -> float:
         return 0.0
 
 
-def _missing(path: Path, stamps: Stamps) -> Missing:
+def _missing(path: Path, stamps: Stamps) -> MissingSteps:
     """The steps that wait. Raises SessionError, OutputError or OSError where nobody can tell."""
     if not _lies_beside(path):
-        return Missing()
+        return MissingSteps()
     with _copied(find_main(companions(path))) as journal:
         return find_missing_steps(journal, stamps)
 

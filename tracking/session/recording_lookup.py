@@ -24,7 +24,7 @@ _MANIFEST = "recording.toml"
 
 
 @dataclass(frozen=True, slots=True)
-class Found:
+class FoundRecording:
     """A recording that was found.
 
     Attributes:
@@ -45,7 +45,7 @@ def find_recording(
     known: Path | None = None,
     *,
     allow_outside: bool = False,
-) -> Found:
+) -> FoundRecording:
     """Find a session's recording, check it against the fingerprints and open it.
 
     Looks, in this order: in the places the user named (search: the recording itself or a folder
@@ -73,7 +73,9 @@ def find_recording(
                 continue
             if _is_it(reference, recording):
                 moved = _moved(reference, session_folder, search, place)
-                return Found(recording, place, (*failures, *moved, *_changes(reference, recording)))
+                return FoundRecording(
+                    recording, place, (*failures, *moved, *_changes(reference, recording))
+                )
             recording.close()
             failures.append(f"what stands at {place} is another one")
         problems += failures

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from tracking.errors import EditError, OutputError, SessionError
-from tracking.session.edited_tracks import Edited
+from tracking.session.edited_tracks import EditedTracks
 from tracking.session.image import Stamps
 from tracking.session.journal import Journal, Step
 from tracking.session.notes import MAY_MISS
@@ -32,7 +32,7 @@ class Recovery:
 
 
 @dataclass(frozen=True, slots=True)
-class Missing:
+class MissingSteps:
     """What a journal holds that a session file misses.
 
     Attributes:
@@ -44,7 +44,7 @@ class Missing:
     problem: str = ""
 
 
-def recover(edited: Edited, store: Store, stamps: Stamps) -> Recovery:
+def recover(edited: EditedTracks, store: Store, stamps: Stamps) -> Recovery:
     """Make the journal's edits again that the file misses; then the journal builds on this file.
 
     A journal, or the end of one, that is damaged or does not fit the file is kept aside and told,
@@ -111,7 +111,7 @@ def explain_misfit(steps: Sequence[Step]) -> str:
     return f"{_edits(left)} {'does' if left == 1 else 'do'} not fit"
 
 
-def find_missing_steps(journal: Journal, stamps: Stamps) -> Missing:
+def find_missing_steps(journal: Journal, stamps: Stamps) -> MissingSteps:
     """The journal's steps that were made after the file was saved, in order.
 
     The journal builds on this save, or on the one before it where the program ended between
@@ -122,7 +122,7 @@ def find_missing_steps(journal: Journal, stamps: Stamps) -> Missing:
     if origin is None or not journal.may_have_steps:
         # Begun by a program that died before its first edit, whatever it built on; or it has lost
         # them all.
-        return Missing(problem=_lost(journal.acknowledged(*own), 0))
+        return MissingSteps(problem=_lost(journal.acknowledged(*own), 0))
     if origin == own:
         included = 0
     elif stamps.previous_save and origin == (stamps.session, stamps.previous_save):
@@ -132,7 +132,7 @@ def find_missing_steps(journal: Journal, stamps: Stamps) -> Missing:
     contents = journal.contents()
     steps = tuple(step for step in contents.steps if step.number > included)
     there = max(len(contents.steps), included)
-    return Missing(steps, contents.problem or _lost(journal.acknowledged(*origin), there))
+    return MissingSteps(steps, contents.problem or _lost(journal.acknowledged(*origin), there))
 
 
 def _lost(acknowledged: int, there: int) -> str:

@@ -25,7 +25,7 @@ from tracking.session.seal import holds as is_sealed
 from tracking.session.seal import is_changed, is_missing
 from tracking.session.session_writer import find_backups
 from tracking.session.stamps import now
-from tracking.session.table_reader import Unpacking
+from tracking.session.table_reader import PendingColumns
 from tracking.tracks import CORRECTED_COLUMNS, LARGEST_NUMBER, TrackTable
 from tracking.untrusted import DAMAGED, verdicts_of
 
@@ -144,7 +144,7 @@ def _way_out(path: Path, refused: str) -> str:
 def _read_version_1(file: h5py.File, path: Path) -> Snapshot:
     tracks = file["tracks"]
     try:
-        with Unpacking() as unpacking:
+        with PendingColumns() as unpacking:
             columns = begin_columns(tracks, CORRECTED_COLUMNS, unpacking)
             labels, edits = read_labels(file), read_edits(file)
             touches = _read_touched(file["edits"], edits)

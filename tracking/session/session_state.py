@@ -7,7 +7,7 @@ from pathlib import Path
 
 from tracking.editing import History
 from tracking.session.backups import Backup, list_backups
-from tracking.session.edited_tracks import Edited
+from tracking.session.edited_tracks import EditedTracks
 from tracking.session.image import Snapshot, Stamps
 from tracking.session.pending_save import PendingSave
 from tracking.session.reference import RecordingReference
@@ -31,7 +31,7 @@ class SessionState:
         """Use `create` or `open`."""
         self._stamps = snapshot.stamps
         self._whereabouts = Whereabouts(snapshot.recording)
-        self._edited = Edited(snapshot.tracks, snapshot.labels, snapshot.history())
+        self._edited = EditedTracks(snapshot.tracks, snapshot.labels, snapshot.history())
         self._adopted = snapshot.adopted
         self.colours: Mapping[int, int] = snapshot.colours
         self._runs = Runs(snapshot.runs)

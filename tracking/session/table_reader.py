@@ -23,7 +23,7 @@ _Packed = tuple[bytes, NDArray[Any], int]
 """A packed piece, the stretch of a column it belongs into, and the rows of a whole piece."""
 
 
-class Unpacking:
+class PendingColumns:
     """Columns on their way into memory; `finish` says when they are there.
 
     What was packed as this program packs is unpacked by threads while further columns are read:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.editing import Entry, Thinned, on_the_floor, plan_import, thin_dense
+from tracking.editing import Entry, ThinningResult, on_the_floor, plan_import, thin_dense
 from tracking.editing.labels.track_labels import LONGEST_NOTES
 from tracking.errors import EditError
 from tracking.formats import BadRow, Filmed, Imported
@@ -80,7 +80,7 @@ class Importable:
     labels: Mapping[int, TrackLabel] = field(default_factory=dict)
     bad_rows: tuple[BadRow, ...] = ()
     bad_count: int = 0
-    thinned: Thinned = field(default_factory=Thinned)
+    thinned: ThinningResult = field(default_factory=ThinningResult)
     notes: tuple[str, ...] = ()
     view: View | None = None
     seen_as: SeenAs | None = None

@@ -32,11 +32,11 @@ def score(
 ) -> None:
     """Measure results against truth."""
     from app.cli.score import run_score
-    from app.cli.score_measuring import Asked, radius_of
+    from app.cli.score_measuring import MeasureRequest, radius_of
     from app.cli.score_passages import lines_named
     from tracking.formats import Stated
 
-    asked = Asked(
+    asked = MeasureRequest(
         results=tuple(results),
         truth=truth,
         match=match,

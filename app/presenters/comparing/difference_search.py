@@ -19,7 +19,7 @@ from tracking.tracks import Labels, Run, TrackTable
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Found:
+class ComparisonResult:
     """What comparing gave.
 
     Attributes:
@@ -34,7 +34,7 @@ class Found:
 
 def search_in(
     session: Session, run: int, base: int | None, frames: tuple[int, int] | None, fps: float
-) -> Callable[[Progress], Found]:
+) -> Callable[[Progress], ComparisonResult]:
     """What compares a run with another one, or (base None) with the tracks as they are now."""
     if base is not None:
         return partial(_two_runs, session.runs[base], session.runs[run], fps)
@@ -42,9 +42,9 @@ def search_in(
     return partial(_with_tracks, (table, labels, history), session.runs[run], frames, fps)
 
 
-def _two_runs(base: Run, run: Run, fps: float, report: Progress) -> Found:
+def _two_runs(base: Run, run: Run, fps: float, report: Progress) -> ComparisonResult:
     found, solid, dashed = compare_runs(base, run, fps=fps, progress=report)
-    return Found(_by_time(found), solid, dashed)
+    return ComparisonResult(_by_time(found), solid, dashed)
 
 
 def _with_tracks(
@@ -53,12 +53,12 @@ def _with_tracks(
     frames: tuple[int, int] | None,
     fps: float,
     report: Progress,
-) -> Found:
+) -> ComparisonResult:
     report(0, 1)
     protection = find_protected(*corrected, fps=fps)
     table = corrected[0]
     found, rows = compare_to_table(table, run, frames, protection, fps=fps, progress=report)
-    return Found(_by_time(found), table, TrackTable(rows))
+    return ComparisonResult(_by_time(found), table, TrackTable(rows))
 
 
 def _by_time(found: Iterable[Difference]) -> tuple[Difference, ...]:

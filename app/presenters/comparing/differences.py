@@ -9,12 +9,12 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from app.presenters.comparing.difference_search import Found, search_in
+from app.presenters.comparing.difference_search import ComparisonResult, search_in
 from app.presenters.comparing.differences_scene import (
     DifferenceItem,
+    DifferenceOrder,
     DifferencesScene,
     Side,
-    Sorted,
 )
 from app.presenters.document.session_tracks import SessionTracks
 from app.presenters.i18n import span_text, tr
@@ -70,10 +70,10 @@ class Comparison:
         goes_on = base is None and bool(session.runs[run].known_tracks)
         self._everything = everything or goes_on
         self._colour_of = colour_of
-        self.order = Sorted.TIME
+        self.order = DifferenceOrder.TIME
         self.person = 0
         self._session, self._fps, self._frames = session, fps, frames
-        self._found: Found | None = None
+        self._found: ComparisonResult | None = None
         self._shown: tuple[int, ...] = ()
         self._ticked: set[int] = set()
         self._current: int | None = None
@@ -81,11 +81,11 @@ class Comparison:
 
     # finding
 
-    def search(self) -> Callable[[Progress], Found]:
+    def search(self) -> Callable[[Progress], ComparisonResult]:
         """What finds the differences of the tracks as they are now; to be called in any thread."""
         return search_in(self._session, self.run, self.base, self._frames, self._fps)
 
-    def take(self, found: Found) -> None:
+    def take(self, found: ComparisonResult) -> None:
         """Take what differs by now; ticks and the one that is looked at stay where they can."""
         before = self._found.differences if self._found is not None else ()
         ticked = {_same_place(before[number]) for number in self._ticked}
@@ -166,7 +166,7 @@ class Comparison:
         self.person = person
         self._list()
 
-    def sort(self, order: Sorted) -> None:
+    def sort(self, order: DifferenceOrder) -> None:
         """List in another order."""
         self.order = order
         self._list()
@@ -352,7 +352,7 @@ class Comparison:
         if self.person not in {track for one in found for track in one.tracks}:
             self.person = 0
         numbers = [n for n, one in enumerate(found) if self.person in (0, *one.tracks)]
-        if self.order is Sorted.PERSON:
+        if self.order is DifferenceOrder.PERSON:
             numbers.sort(key=lambda number: (found[number].track, found[number].start))
         self._shown = tuple(numbers)
 

@@ -8,7 +8,7 @@ from enum import Enum
 from app.presenters.reviewing.review_scene import ReviewPerson
 
 
-class Sorted(Enum):
+class DifferenceOrder(Enum):
     """In which order differences are listed."""
 
     TIME = "time"
@@ -70,7 +70,7 @@ class DifferencesScene:
     current: int = -1
     people: tuple[ReviewPerson, ...] = ()
     person: int = 0
-    order: Sorted = Sorted.TIME
+    order: DifferenceOrder = DifferenceOrder.TIME
     ticked: int = 0
     takeable: int = 0
     locked: int = 0

@@ -35,7 +35,7 @@ _BOX_STEP_PX, _PLACE_STEP_M, _FAR = 1.0, 0.05, 10.0
 _MOST_OTHERS = 5
 
 
-class Correcting:
+class CorrectionPresenter:
     """The edit on its way in one document; nothing is changed by it.
 
     Attributes:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from app.presenters.correcting.flow import EditFlow, Fill, Option
-from app.presenters.correcting.kinds import EditKind, EditScope, Longest, Way
+from app.presenters.correcting.kinds import EditKind, EditScope, LongestGap, Way
 from app.presenters.i18n import tr
 
 
@@ -37,7 +37,7 @@ def question(option: Option) -> str:
         return tr("How far")
     if isinstance(option, Fill):
         return tr("Where neither stands")
-    if isinstance(option, Longest):
+    if isinstance(option, LongestGap):
         return tr("Gaps of up to")
     of_merge = option in (Way.KEEP_FIRST, Way.KEEP_SECOND, Way.KEEP_SURER)
     return tr("Where both stand") if of_merge else tr("How they walk there")
@@ -47,7 +47,7 @@ def option_name(option: Option, flow: EditFlow) -> str:
     """One of the things that can be chosen between."""
     if isinstance(option, EditScope):
         return _scope_name(option)
-    if isinstance(option, Longest):
+    if isinstance(option, LongestGap):
         return _length_name(option)
     others = flow.also or (flow.other,)
     second = str(others[0]) if len(others) == 1 and others[0] else tr("the other")
@@ -76,12 +76,12 @@ def _scope_name(scope: EditScope) -> str:
     return names[scope]
 
 
-def _length_name(longest: Longest) -> str:
+def _length_name(longest: LongestGap) -> str:
     names = {
-        Longest.SHORT: tr("half a second"),
-        Longest.SECOND: tr("a second"),
-        Longest.SECONDS: tr("3 seconds"),
-        Longest.LONG: tr("10 seconds"),
-        Longest.ANY: tr("any length"),
+        LongestGap.SHORT: tr("half a second"),
+        LongestGap.SECOND: tr("a second"),
+        LongestGap.SECONDS: tr("3 seconds"),
+        LongestGap.LONG: tr("10 seconds"),
+        LongestGap.ANY: tr("any length"),
     }
     return names[longest]

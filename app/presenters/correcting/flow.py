@@ -12,7 +12,7 @@ from app.presenters.correcting.kinds import (
     WAYS,
     EditKind,
     EditScope,
-    Longest,
+    LongestGap,
     Way,
 )
 from app.presenters.correcting.recording_geometry import Place
@@ -30,7 +30,7 @@ class Fill(Enum):
     FILL = "fill between them"
 
 
-Option = EditScope | Way | Fill | Longest
+Option = EditScope | Way | Fill | LongestGap
 """One of the things that can be chosen between."""
 
 
@@ -61,7 +61,7 @@ class EditFlow:
     scope: EditScope = EditScope.ON
     way: Way = Way.FLOOR
     fill: Fill = Fill.LEAVE
-    longest: Longest = Longest.SECOND
+    longest: LongestGap = LongestGap.SECOND
     proposed: bool = False
     cuts: tuple[SwapFrame, ...] = ()
     others: tuple[int, ...] = ()
@@ -201,7 +201,7 @@ class EditFlow:
         if self.kind is EditKind.MERGE:
             return ways, tuple(Fill)
         if self.kind is EditKind.FILL_ALL:
-            return tuple(Longest), ways
+            return tuple(LongestGap), ways
         if self.kind is EditKind.DRAW and not self.track:
             return (EditScope.FRAME,), ()
         return SCOPES[self.kind], ways
@@ -220,7 +220,7 @@ class EditFlow:
         option = options[number % len(options)]
         if isinstance(option, EditScope):
             return self.with_scope(option)
-        if isinstance(option, Longest):
+        if isinstance(option, LongestGap):
             return replace(self, longest=option)
         return replace(self, way=option) if isinstance(option, Way) else replace(self, fill=option)
 

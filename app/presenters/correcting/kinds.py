@@ -41,7 +41,7 @@ class EditScope(Enum):
     JOINED = "this frame and the gap beside it"
 
 
-class Longest(Enum):
+class LongestGap(Enum):
     """The longest gaps that are filled."""
 
     SHORT = 0.5

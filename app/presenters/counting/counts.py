@@ -15,7 +15,7 @@ from app.presenters.counting.counting_scene import (
 )
 from app.presenters.counting.flow_scene import flow_scene
 from app.presenters.counting.plots import plots_of
-from app.presenters.counting.subject import SHOWN, Counted, Subject, version_of
+from app.presenters.counting.subject import SHOWN, CountResult, CountSubject, version_of
 from app.presenters.counting.tallies import Tallies, people_inside
 from app.presenters.document.document import Document
 from app.presenters.document.frame_state import FrameState
@@ -48,8 +48,8 @@ class CountingPresenter:
         self._document = document
         shortest_s = least_step_s(document.recording.fps)
         self.choice = CountingChoice(settings=CountSettings(max(PAPER_STEP_S, shortest_s)))
-        self.counted: Counted | None = None
-        self._refused: tuple[Subject, str] | None = None
+        self.counted: CountResult | None = None
+        self._refused: tuple[CountSubject, str] | None = None
         self._tallies: Tallies | None = None
         self._plots: tuple[tuple[object, int], tuple[CountPlot, ...]] = ((None, -1), ())
         self._flow: tuple[object, FlowScene | None] = (None, None)
@@ -62,13 +62,15 @@ class CountingPresenter:
         session = self._document.session
         return Labels() if session is None else session.labels
 
-    def wanted(self, *, mapped: bool) -> Subject:
+    def wanted(self, *, mapped: bool) -> CountSubject:
         """What is to be counted now."""
         labels, choice = self.labels, self.choice
         mapped = mapped and self._document.recording.view is not None
         track_source = self.track_source
         version = version_of(self._document, track_source)
-        return Subject(track_source, version, labels.lines, labels.regions, choice.settings, mapped)
+        return CountSubject(
+            track_source, version, labels.lines, labels.regions, choice.settings, mapped
+        )
 
     @property
     def track_source(self) -> int:
@@ -84,12 +86,12 @@ class CountingPresenter:
             return session.runs[track_source].frames
         return self._document.tracks.frames
 
-    def take(self, counted: Counted) -> None:
+    def take(self, counted: CountResult) -> None:
         """Show what was counted."""
         self.counted, self._refused = counted, None
         self._tallies = Tallies(counted.counts)
 
-    def refuse(self, subject: Subject, error: Exception) -> None:
+    def refuse(self, subject: CountSubject, error: Exception) -> None:
         """This cannot be counted, and why."""
         self.counted, self._tallies = None, None
         self._refused = (subject, explain(error))
@@ -242,12 +244,12 @@ class CountingPresenter:
             return None
         return counted.occupancy_of(self.labels.regions[number])
 
-    def _is_theirs(self, counted: Counted) -> bool:
+    def _is_theirs(self, counted: CountResult) -> bool:
         """Whether it is of those who are wanted: the same, or a moment before."""
         return counted.subject.track_source == self.track_source
 
     @property
-    def _shown(self) -> Counted | None:
+    def _shown(self) -> CountResult | None:
         """What was counted, where it is over what is drawn now."""
         counted, labels = self.counted, self.labels
         if counted is None or not self._is_theirs(counted):

@@ -31,7 +31,7 @@ Bounds = tuple[float, float, float, float]
 
 
 @dataclass(frozen=True, slots=True)
-class Subject:
+class CountSubject:
     """What is asked for. Two that are equal are counted alike.
 
     Attributes:
@@ -54,7 +54,7 @@ class Subject:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Counted:
+class CountResult:
     """What came of a subject.
 
     Attributes:
@@ -64,7 +64,7 @@ class Counted:
         left_out: the lines and regions that cannot be counted, each with why.
     """
 
-    subject: Subject
+    subject: CountSubject
     counts: Counts
     flow: FlowMap | None = None
     left_out: tuple[tuple[Drawn, str], ...] = ()
@@ -125,8 +125,8 @@ class Length:
 
 
 def count_subject(
-    subject: Subject, load: Load, length: Length, bounds: Bounds, report: Progress
-) -> Counted:
+    subject: CountSubject, load: Load, length: Length, bounds: Bounds, report: Progress
+) -> CountResult:
     """Count what can be counted; a line of which nothing is known leaves the others alone.
 
     Args:
@@ -145,10 +145,10 @@ def count_subject(
     counts = count(columns, fps, length.frame_count, lines, regions, subject.settings)
     report(2, 3)
     flow = flow_map(columns, fps, length.frames, bounds=bounds) if subject.mapped else None
-    return Counted(subject, counts, flow, left_out)
+    return CountResult(subject, counts, flow, left_out)
 
 
-def _left_out(subject: Subject, columns: Columns) -> Iterator[tuple[Drawn, str]]:
+def _left_out(subject: CountSubject, columns: Columns) -> Iterator[tuple[Drawn, str]]:
     """What lies where these tracks have no places, each with why."""
     for line in subject.lines:
         if why := _why_not(columns, lines=(line,)):

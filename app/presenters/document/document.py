@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Sequence
 
 from app.presenters.comparing.differences import Comparison
 from app.presenters.correcting import EditContext, EditFlow, PlannedEdit, RecordingGeometry
-from app.presenters.correcting.correction import Correcting
+from app.presenters.correcting.correction import CorrectionPresenter
 from app.presenters.correcting.edit_planner import refuse_too_large
 from app.presenters.document.frame_state import FrameState
 from app.presenters.document.frame_state_builder import FrameStateBuilder
@@ -16,7 +16,7 @@ from app.presenters.document.track_reader import WholeTracks
 from app.presenters.document.track_source import TrackSource
 from app.presenters.i18n import tr
 from app.presenters.panels import EditMarks, HistoryList, track_card
-from app.presenters.parts.detector_choice import DetectorChoice, PartsAsked
+from app.presenters.parts.detector_choice import DetectorChoice, PartSettings
 from app.presenters.parts.part_curve import LaneScore
 from app.presenters.pictures.of_run import AtWork, MadeBy
 from app.presenters.pictures.overhead import OverheadPresenter
@@ -24,7 +24,7 @@ from app.presenters.pictures.pictures import PicturePresenter
 from app.presenters.scenes import Colour, HistoryItem, TimelineMark, TimelineScene, TrackCard
 from app.presenters.timeline.lanes import TimelinePresenter
 from app.presenters.track_colours import TrackColours
-from tracking.editing import Change, Written
+from tracking.editing import Change, StoredChange
 from tracking.errors import EditError, SessionError
 from tracking.pipeline import KeptSteps
 from tracking.recording import Recording
@@ -52,7 +52,7 @@ class Document:
         self._track_source = TrackSource(session)
         self._author = ""
         self._geometry = RecordingGeometry.of(recording)
-        self.correcting = Correcting(self.selection, self._geometry, self._edit_context)
+        self.correcting = CorrectionPresenter(self.selection, self._geometry, self._edit_context)
         self.pictures = PicturePresenter(recording)
         self.overhead = OverheadPresenter(recording)
         self._timeline = TimelinePresenter(recording.frame_count, recording.fps)
@@ -108,10 +108,10 @@ class Document:
     # tracking
 
     @property
-    def parts_asked(self) -> PartsAsked:
+    def parts_asked(self) -> PartSettings:
         """What trackers that follow parts are told: the detector in use, what is drawn."""
         occluders = self.session.labels.occluders if self.session is not None else ()
-        return PartsAsked(self.detector, occluders)
+        return PartSettings(self.detector, occluders)
 
     def begin_live(
         self,
@@ -273,7 +273,7 @@ class Document:
             self.selection.choose(new[0])
         return change
 
-    def apply(self, change: Change, written: Written | None = None) -> None:
+    def apply(self, change: Change, written: StoredChange | None = None) -> None:
         """Do a change: on disk first, then shown. written: it, where that is at hand.
 
         Raises:

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from app.presenters.comparing.differences import Comparison
 from app.presenters.correcting import PreviewedTracks, preview_trails, rows_replaced_by
-from app.presenters.correcting.correction import Correcting
+from app.presenters.correcting.correction import CorrectionPresenter
 from app.presenters.document.frame_state import FrameState
 from app.presenters.document.selection import Selection
 from app.presenters.document.track_reader import TrackReader
@@ -23,7 +23,7 @@ class FrameStateBuilder:
         self,
         track_source: TrackSource,
         selection: Selection,
-        correcting: Correcting,
+        correcting: CorrectionPresenter,
         pictures: PicturePresenter,
     ) -> None:
         self._track_source, self._selection = track_source, selection

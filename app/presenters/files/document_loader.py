@@ -33,7 +33,7 @@ from tracking.tracks import Run
 
 
 @dataclass(frozen=True, slots=True)
-class Opened:
+class OpenedDocument:
     """What was opened.
 
     Attributes:
@@ -64,7 +64,7 @@ def window_lock() -> Path:
 
 def open_path(
     path: Path, recording: Path | None = None, options: OpenOptions | None = None
-) -> Opened:
+) -> OpenedDocument:
     """Open a recording or a session (`*.h5`) with its recording.
 
     Args:
@@ -77,13 +77,13 @@ def open_path(
         TrackwrightError: it cannot be opened; `RecordingMissing` where only the recording is gone.
     """
     if path.suffix.lower() != ".h5":
-        return Opened(path, Document(open_recording(path, options)))
+        return OpenedDocument(path, Document(open_recording(path, options)))
     session = Session.open(path)
     try:
         search = [recording] if recording is not None else []
         allowed = options is not None and options.allow_outside
         found = session.open_recording(search, known_recordings(), allow_outside=allowed)
-        return Opened(path, Document(found, session))
+        return OpenedDocument(path, Document(found, session))
     except BaseException:
         session.close()
         raise

@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from app.presenters.files.document_loader import (
-    Opened,
+    OpenedDocument,
     is_unsaved_place,
     open_path,
     unsaved_folder,
@@ -25,7 +25,7 @@ _MOST = 20
 
 def open_with_unsaved(
     path: Path, recording: Path | None, options: OpenOptions | None, report: Progress
-) -> Opened:
+) -> OpenedDocument:
     """The same as `open_path`, with what was never saved of a recording.
 
     Raises:

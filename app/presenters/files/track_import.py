@@ -10,7 +10,7 @@ import numpy as np
 
 from app.presenters.correcting.edit_planner import refuse_too_large
 from app.presenters.i18n import count_text, tr
-from tracking.editing import Written, plan_import
+from tracking.editing import StoredChange, plan_import
 from tracking.errors import EditError, FormatError
 from tracking.formats import TRACK_ENDINGS, Filmed, Imported, TrackFormat, format_of
 from tracking.progress import Progress
@@ -99,7 +99,7 @@ def read_tracks(
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Fitted:
+class FittedTracks:
     """The tracks of a file fitted to the recording, as somebody chose.
 
     Attributes:
@@ -110,13 +110,13 @@ class Fitted:
     choice: ImportChoice
     found: Importable
     known: int
-    written: Written | None
+    written: StoredChange | None
     into: TrackTable | None = field(default=None, repr=False)
 
 
 def prepare_fit(
     read: ReadFile, choice: ImportChoice, table: TrackTable | None, labels: Labels
-) -> Callable[[Progress], Fitted]:
+) -> Callable[[Progress], FittedTracks]:
     """What fits tracks to the recording; to be called in any thread.
 
     It raises EditError for a tolerance that is none, FormatError where no ids are left.
@@ -125,21 +125,21 @@ def prepare_fit(
         table: the corrected tracks of now, which nobody changes meanwhile; None: no session yet.
     """
 
-    def work(report: Progress) -> Fitted:
+    def work(report: Progress) -> FittedTracks:
         found = fit_to_recording(read.imported, read.filmed, choice.wish, table, report)
         ids = set(np.unique(found.rows["track"]).tolist())
         known = len(ids & set(table.track_ids)) if table is not None else 0
         written = None
         if table is not None:
             written = _planned(read, found, table, labels)
-        return Fitted(choice, found, known, written, table)
+        return FittedTracks(choice, found, known, written, table)
 
     return work
 
 
 def _planned(
     read: ReadFile, found: Importable, table: TrackTable, labels: Labels
-) -> Written | None:
+) -> StoredChange | None:
     """The edit, ready to be kept; None where the file says what the session says."""
     rows, told, source = found.rows, found.labels, read.path.name
     try:
@@ -149,10 +149,10 @@ def _planned(
     except EditError:
         return None
     refuse_too_large(change)
-    return Written.of(change)
+    return StoredChange.of(change)
 
 
-def import_scene(read: ReadFile, fitted: Fitted | None, own: int) -> ImportScene:
+def import_scene(read: ReadFile, fitted: FittedTracks | None, own: int) -> ImportScene:
     """The dialog; fitted: None while it is worked out. own: how many tracks the session has."""
     imported = read.imported
     classes = any("class" in label.attributes for label in imported.labels.values())
@@ -169,12 +169,12 @@ def import_scene(read: ReadFile, fitted: Fitted | None, own: int) -> ImportScene
     )
 
 
-def with_good(fitted: Fitted, takes_good: bool) -> Fitted:
+def with_good(fitted: FittedTracks, takes_good: bool) -> FittedTracks:
     """The same tracks, where somebody says whether they are taken beside bad rows."""
     return replace(fitted, choice=replace(fitted.choice, takes_good=takes_good))
 
 
-def _lines(fitted: Fitted, own: int) -> tuple[str, ...]:
+def _lines(fitted: FittedTracks, own: int) -> tuple[str, ...]:
     found, rows = fitted.found, fitted.found.rows["frame"]
     if not len(rows):
         return (tr("The file holds no tracks that can be taken."),)
@@ -200,7 +200,7 @@ def _lines(fitted: Fitted, own: int) -> tuple[str, ...]:
     return tuple(lines)
 
 
-def _beside_own(fitted: Fitted, own: int) -> list[str]:
+def _beside_own(fitted: FittedTracks, own: int) -> list[str]:
     """What becomes of the session's own tracks."""
     lines = []
     new = fitted.found.tracks - fitted.known
@@ -236,7 +236,7 @@ def _beside_own(fitted: Fitted, own: int) -> list[str]:
     return lines
 
 
-def _rows_gone(written: Written | None) -> int:
+def _rows_gone(written: StoredChange | None) -> int:
     """How many rows an edit takes away without another one in their place."""
     if written is None:
         return 0
@@ -247,7 +247,7 @@ def _rows_gone(written: Written | None) -> int:
     return len(np.setdiff1d(was, will, assume_unique=True))
 
 
-def _why_not(fitted: Fitted) -> str:
+def _why_not(fitted: FittedTracks) -> str:
     if not len(fitted.found.rows["frame"]):
         return tr("there is nothing to take")
     if fitted.found.bad_count and not fitted.choice.takes_good:

@@ -114,7 +114,7 @@ class PartLine:
 
 
 @dataclass(frozen=True, slots=True)
-class Suggested:
+class SuggestedPart:
     """A part that is worth labelling.
 
     Attributes:
@@ -168,7 +168,7 @@ class LabellingScene:
     proposed: tuple[int, int] = (0, 0)
     selected: str = ""
     scope: ChoiceRow | None = None
-    suggestions: tuple[Suggested, ...] | None = None
+    suggestions: tuple[SuggestedPart, ...] | None = None
     current: int = -1
     doing: str = ""
     refused: str = ""

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from app.presenters.correcting import EditScope
 from app.presenters.document.document import Document
 from app.presenters.i18n import tr
-from app.presenters.labelling.labelling_scene import PartLine, Suggested
+from app.presenters.labelling.labelling_scene import PartLine, SuggestedPart
 from app.presenters.labelling.parts import parts_of, parts_over
 from app.presenters.parts.part_views import part_name
 from app.presenters.scenes import ChoiceRow
@@ -34,7 +34,7 @@ class PartChoice:
     part: int = 0
     step: int = 1
     scope: EditScope = EditScope.FRAME
-    suggested: Suggested | None = None
+    suggested: SuggestedPart | None = None
 
 
 class PartLabelling:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from app.presenters.i18n import tr
-from app.presenters.labelling.labelling_scene import PartMark, Suggested
+from app.presenters.labelling.labelling_scene import PartMark, SuggestedPart
 from app.presenters.labelling.part_labelling import SAID
 from app.presenters.parts.part_views import part_name
 from app.presenters.parts.parts_scene import CardLine, PartBox, PartCard, Verdict
@@ -18,7 +18,7 @@ def cards_of(
     marks: Sequence[PartMark],
     selected: int,
     colour_of: ColourOf,
-    suggested: Suggested | None = None,
+    suggested: SuggestedPart | None = None,
 ) -> tuple[PartCard, ...]:
     """All that is said of the selected person's parts, and of others, by id, what people said.
 
@@ -74,7 +74,7 @@ def _text(box: PartBox | None, mark: PartMark | None) -> str:
     return f"{name}: {label}" if label else name
 
 
-def _foot(boxes: Sequence[PartBox], suggested: Suggested | None) -> Iterable[str]:
+def _foot(boxes: Sequence[PartBox], suggested: SuggestedPart | None) -> Iterable[str]:
     """Whose the scores are: a detector chosen since may say something else."""
     if any(box.scored for box in boxes):
         yield tr("score of the run, above 0: off")

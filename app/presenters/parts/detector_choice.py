@@ -67,7 +67,7 @@ def restore_choice(path: str) -> DetectorChoice:
 
 
 @dataclass(frozen=True, slots=True)
-class PartsAsked:
+class PartSettings:
     """What trackers that follow parts are told beside their own settings.
 
     Attributes:

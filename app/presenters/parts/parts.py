@@ -8,7 +8,7 @@ import numpy as np
 
 from app.presenters.document.document import Document
 from app.presenters.document.frame_state import FrameState, ViewOptions
-from app.presenters.labelling.labelling_scene import PictureLabels, Suggested
+from app.presenters.labelling.labelling_scene import PictureLabels, SuggestedPart
 from app.presenters.parts.cards import cards_of
 from app.presenters.parts.failures import PartFailures
 from app.presenters.parts.part_curve import LaneScore, PartCurve
@@ -73,7 +73,7 @@ class PartsPresenter:
         state: FrameState,
         view_options: ViewOptions,
         labels: PictureLabels = _NO_LABELS,
-        suggested: Suggested | None = None,
+        suggested: SuggestedPart | None = None,
     ) -> PicturedParts:
         """What is laid over the left camera.
 

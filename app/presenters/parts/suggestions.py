@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from app.presenters.i18n import time_text, tr
-from app.presenters.labelling.labelling_scene import Suggested
+from app.presenters.labelling.labelling_scene import SuggestedPart
 from app.presenters.palette import NOBODY
 from app.presenters.parts.detector_choice import DetectorChoice
 from app.presenters.parts.part_views import part_name
@@ -19,7 +19,7 @@ def suggestions_for(
     labels: Labels,
     fps: float,
     choice: DetectorChoice,
-) -> tuple[Suggested, ...]:
+) -> tuple[SuggestedPart, ...]:
     """The parts nearest to the detector's operating point, the nearest first, in no colour yet.
 
     On any thread: it reads nothing that may change meanwhile.
@@ -32,8 +32,8 @@ def suggestions_for(
     return tuple(_suggested(one, labels, fps, choice.name_in_text) for one in found)
 
 
-def _suggested(one: Suggestion, labels: Labels, fps: float, scored_by: str) -> Suggested:
-    return Suggested(
+def _suggested(one: Suggestion, labels: Labels, fps: float, scored_by: str) -> SuggestedPart:
+    return SuggestedPart(
         key=one.key,
         reason=f"unsure: score {one.score:+z.2f} of {scored_by}",
         title=part_name(one.part),

@@ -7,7 +7,7 @@ import numpy as np
 _FARTHEST_STEP_S = 1.0
 
 
-class Watching:
+class WatchedRanges:
     """Follows which frames were shown one after the other.
 
     Playing and stepping go on with a stretch, a jump of more than a second begins another one.

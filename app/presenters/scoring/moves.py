@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from app.presenters.i18n import count_text, tr
 from app.presenters.scoring.figures import hota_moved
-from app.presenters.scoring.subject import Scored
+from app.presenters.scoring.subject import ScoreResult
 from tracking.editing import History
 from tracking.scoring import Score
 
@@ -19,12 +19,12 @@ class Moves:
     """
 
     def __init__(self) -> None:
-        self._first: Scored | None = None
-        self._before: Scored | None = None
-        self._now: Scored | None = None
+        self._first: ScoreResult | None = None
+        self._before: ScoreResult | None = None
+        self._now: ScoreResult | None = None
         self.by_edit: dict[int, str] = {}
 
-    def take(self, scored: Scored) -> None:
+    def take(self, scored: ScoreResult) -> None:
         """A further score."""
         now = self._now
         if now is None or now.subject.asked != scored.subject.asked:

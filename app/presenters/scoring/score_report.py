@@ -10,7 +10,7 @@ from pathlib import Path
 from app.presenters.document.document import Document
 from app.presenters.i18n import tr
 from app.presenters.runs.track_sources import name_of_run
-from app.presenters.scoring.subject import Scored, ScoringInput
+from app.presenters.scoring.subject import ScoreResult, ScoringInput
 from tracking.errors import TrackwrightError
 from tracking.progress import Progress
 from tracking.recording import Recording
@@ -31,7 +31,7 @@ from tracking.tracks import Run
 
 
 @dataclass(frozen=True, slots=True)
-class Reported:
+class WrittenReport:
     """A report that was written: its page, and which runs are not in it, by name, and why."""
 
     page: Path
@@ -48,8 +48,8 @@ class Reported:
 
 
 def prepare_report(
-    document: Document, scored: Scored, given: ScoringInput, name: str, folder: Path
-) -> Callable[[Progress], Reported]:
+    document: Document, scored: ScoreResult, given: ScoringInput, name: str, folder: Path
+) -> Callable[[Progress], WrittenReport]:
     """Takes hold of what is reported; what it gives writes the report, on any thread.
 
     Beside the tracks that are scored stand all runs over the same frames.
@@ -65,7 +65,7 @@ def prepare_report(
     recording = document.recording
     beside, left_out = _runs_beside(document, scored)
 
-    def work(report: Progress) -> Reported:
+    def work(report: Progress) -> WrittenReport:
         check_score_folder(folder)
         results = {name: ScoringTable.from_columns(given.load()), **_tables(beside)}
         subject = _subject(recording, scored, results)
@@ -78,12 +78,12 @@ def prepare_report(
             shown[finding] = shown_of(finding, len(findings), tell, why_none)
         page = write_score_report(folder, report_of(findings, yardstick), shown)
         report(len(findings), len(findings))
-        return Reported(page, {**left_out, **unscored})
+        return WrittenReport(page, {**left_out, **unscored})
 
     return work
 
 
-def _runs_beside(document: Document, scored: Scored) -> tuple[dict[str, Run], dict[str, str]]:
+def _runs_beside(document: Document, scored: ScoreResult) -> tuple[dict[str, Run], dict[str, str]]:
     """The runs over the frames that are scored, by what they are called; why others are not."""
     session = document.session
     runs = tuple(session.runs[n] for n in range(len(session.runs))) if session is not None else ()
@@ -123,7 +123,7 @@ def _tell_of_results(report: Progress, done: int, results: int, *_: int) -> None
     report(done, results)
 
 
-def _is_truth(scored: Scored, run: int) -> bool:
+def _is_truth(scored: ScoreResult, run: int) -> bool:
     source = scored.subject.source
     return source.is_run and source.run == run
 
@@ -132,7 +132,9 @@ def _tables(runs: dict[str, Run]) -> dict[str, ScoringTable]:
     return {name: ScoringTable.from_columns(run.tracks) for name, run in runs.items()}
 
 
-def _subject(recording: Recording, scored: Scored, results: dict[str, ScoringTable]) -> Subject:
+def _subject(
+    recording: Recording, scored: ScoreResult, results: dict[str, ScoringTable]
+) -> Subject:
     """What was tracked of the recording, frames counted from the first of it."""
     start, stop = scored.subject.frames
     return Subject(

@@ -25,7 +25,13 @@ from app.presenters.scoring.score_scene import (
     ScoreRow,
     ScoreScene,
 )
-from app.presenters.scoring.subject import Matching, Range, Scored, ScoreSubject, ScoringInput
+from app.presenters.scoring.subject import (
+    MatchingRule,
+    Range,
+    ScoreResult,
+    ScoreSubject,
+    ScoringInput,
+)
 from app.presenters.scoring.truth_people import TruthPeople
 from app.presenters.scoring.truths import TruthKind, TruthSource, capture_truth, name_of, refuse_own
 from tracking.scoring import ErrorKind
@@ -51,7 +57,7 @@ class ScoringChoice:
     source: TruthSource | None = None
     files: list[TruthSource] = field(default_factory=list)
     track_source: int = SHOWN
-    matching: Matching = field(default_factory=Matching)
+    matching: MatchingRule = field(default_factory=MatchingRule)
     kinds: set[ErrorKind] = field(default_factory=lambda: set(ErrorKind))
 
 
@@ -66,10 +72,10 @@ class ScoringPresenter:
         self._document = document
         self.choice = ScoringChoice()
         self.visible: Range = (0, document.recording.frame_count)
-        self.scored: Scored | None = None
+        self.scored: ScoreResult | None = None
         self._refused: tuple[ScoreSubject, str] | None = None
         self._moves = Moves()
-        self._people: tuple[Scored | None, TruthPeople | None] = (None, None)
+        self._people: tuple[ScoreResult | None, TruthPeople | None] = (None, None)
         self._lanes: tuple[object, ErrorLanes | None] = (None, None)
 
     # what is chosen
@@ -173,7 +179,7 @@ class ScoringPresenter:
             return session.runs[track_source].frames
         return self._document.tracks.frames
 
-    def take(self, scored: Scored) -> None:
+    def take(self, scored: ScoreResult) -> None:
         """Show what was scored."""
         self.scored, self._refused = scored, None
         if not self._document.is_live:

@@ -28,7 +28,7 @@ _STEPS = 4
 
 
 @dataclass(frozen=True, slots=True)
-class Matching:
+class MatchingRule:
     """How rows of truth and result are paired.
 
     Attributes:
@@ -50,7 +50,7 @@ class Matching:
         """The overlap, or the distance in metres."""
         return self.radius_m if self.on_floor else self.overlap
 
-    def with_threshold(self, value: float) -> Matching:
+    def with_threshold(self, value: float) -> MatchingRule:
         """The same with another one."""
         return replace(self, radius_m=value) if self.on_floor else replace(self, overlap=value)
 
@@ -62,14 +62,14 @@ class ScoreSubject:
     Attributes:
         source: of the truth. track_source: `SHOWN` or a run's number. version: tells these
             tracks from others.
-        matching: see `Matching`.
+        matching: see `MatchingRule`.
         frames: the half-open range that was tracked. visible: what of it the timeline shows.
     """
 
     source: TruthSource
     track_source: int
     version: Version
-    matching: Matching
+    matching: MatchingRule
     frames: Range
     visible: Range
 
@@ -85,7 +85,7 @@ class ScoreSubject:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Scored:
+class ScoreResult:
     """What came of a subject.
 
     Attributes:
@@ -118,8 +118,8 @@ class ScoringInput:
 
 
 def score_subject(
-    subject: ScoreSubject, before: Scored | None, given: ScoringInput, report: Progress
-) -> Scored:
+    subject: ScoreSubject, before: ScoreResult | None, given: ScoringInput, report: Progress
+) -> ScoreResult:
     """Score a result; of what was worked out before is kept what stays.
 
     Args:
@@ -146,7 +146,7 @@ def score_subject(
         start, stop = subject.visible
         parts = truth.table.within(start, stop), result.within(start, stop)
         visible = score(*parts, subject.matching.match, stop - start)
-    return Scored(subject, truth, whole, visible, errors, events, given.edits)
+    return ScoreResult(subject, truth, whole, visible, errors, events, given.edits)
 
 
 def _examined(

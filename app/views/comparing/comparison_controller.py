@@ -7,13 +7,13 @@ from collections.abc import Callable, Iterable
 from PySide6.QtCore import QObject, Signal
 
 from app.background import Job
-from app.presenters.comparing.difference_search import Found
+from app.presenters.comparing.difference_search import ComparisonResult
 from app.presenters.comparing.differences import Comparison
-from app.presenters.comparing.differences_scene import Sorted
+from app.presenters.comparing.differences_scene import DifferenceOrder
 from app.presenters.comparing.other_people import OtherPeople
 from app.presenters.document.document import Document
 from app.presenters.i18n import tr
-from app.views.correcting.edit_controller import Editing
+from app.views.correcting.edit_controller import EditController
 from app.views.playing.playback import Playback
 from app.views.recording.workspace import Workspace
 from tracking.editing import Change, Difference
@@ -23,7 +23,7 @@ from tracking.session import Session
 _BEFORE_S = 0.5
 
 
-class Comparing(QObject):
+class ComparisonController(QObject):
     """The comparison that is shown, and what is taken from it.
 
     Signals: `changed()`, another one or none is shown; `failed(error)`; `said(text)`.
@@ -37,7 +37,7 @@ class Comparing(QObject):
         self,
         document: Document,
         playback: Playback,
-        editing: Editing,
+        editing: EditController,
         workspace: Workspace,
         parent: QObject,
     ) -> None:
@@ -198,7 +198,7 @@ class Comparing(QObject):
         self._share = done / total if total else None
         self._show()
 
-    def _found(self, comparison: Comparison, found: Found) -> None:
+    def _found(self, comparison: Comparison, found: ComparisonResult) -> None:
         self._forget_job()
         first, taken = comparison.current is None, self._taken
         self._taken = False
@@ -274,7 +274,7 @@ class Comparing(QObject):
         self._with(lambda one: one.narrow(track))
 
     def _sort(self, order: str) -> None:
-        self._with(lambda one: one.sort(Sorted(order)))
+        self._with(lambda one: one.sort(DifferenceOrder(order)))
 
     def _with(self, step: Callable[[Comparison], object]) -> None:
         if self._comparison is not None:

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.presenters.comparing.differences_scene import DifferencesScene, Sorted
+from app.presenters.comparing.differences_scene import DifferenceOrder, DifferencesScene
 from app.presenters.i18n import count_text, tr
 from app.views.comparing.difference_list import DifferenceModel, DifferenceView
 from app.views.look.icons import IconButton
@@ -30,7 +30,7 @@ class DifferencesPanel(Panel):
         chosen(int): the number of a difference that was clicked or walked to.
         ticked(int, bool): a difference is to be taken, or not.
         all_ticked(bool): all that are listed.
-        person_chosen(int): 0 for all. order_chosen(str): the value of a `Sorted`.
+        person_chosen(int): 0 for all. order_chosen(str): the value of a `DifferenceOrder`.
         taken(int): take what is ticked: 1 from the dashed version, 0 from the solid one.
         cancelled(): compare no further.
         dropped(), closed(): forget the run; leave everything as it is.
@@ -91,8 +91,8 @@ class DifferencesPanel(Panel):
             lambda at: self.person_chosen.emit(self._people.itemData(at))
         )
         self._orders = self._combo(self.tr("Order of the differences"))
-        self._orders.addItem(self.tr("by time"), Sorted.TIME.value)
-        self._orders.addItem(self.tr("by person"), Sorted.PERSON.value)
+        self._orders.addItem(self.tr("by time"), DifferenceOrder.TIME.value)
+        self._orders.addItem(self.tr("by person"), DifferenceOrder.PERSON.value)
         self._orders.activated.connect(lambda at: self.order_chosen.emit(self._orders.itemData(at)))
         line = QHBoxLayout()
         line.addWidget(self._people, 1)

@@ -6,15 +6,15 @@ from PySide6.QtCore import QObject
 
 from app.presenters.correcting import EditKind
 from app.presenters.document.document import Document
-from app.views.correcting.edit_controller import Editing
+from app.views.correcting.edit_controller import EditController
 from app.views.playing.playback import Playback
 from tracking.tracks import Box
 
 
-class Dragging(QObject):
+class DragController(QObject):
     """Turns drags into edits; Esc while the button is held leaves everything as it was."""
 
-    def __init__(self, document: Document, playback: Playback, editing: Editing) -> None:
+    def __init__(self, document: Document, playback: Playback, editing: EditController) -> None:
         super().__init__(editing)
         self._document = document
         self._playback = playback

@@ -21,7 +21,7 @@ from tracking.editing import (
 from tracking.errors import TrackwrightError
 
 
-class Editing(QObject):
+class EditController(QObject):
     """Turns gestures into edits of a document.
 
     Signals: `changed()`, the tracks, the labels or the waiting edit are others than before;

@@ -8,13 +8,13 @@ from functools import cache, partial
 
 from PySide6.QtCore import QObject, Qt, Signal
 
-from app.background import Newest
+from app.background import LatestJob
 from app.presenters.counting.counts import CountingPresenter
 from app.presenters.counting.subject import (
     SHOWN,
-    Counted,
+    CountResult,
+    CountSubject,
     Length,
-    Subject,
     capture_rows,
     count_subject,
 )
@@ -27,10 +27,10 @@ from app.views.recording.workspace import Workspace
 from tracking.counting import Counts
 from tracking.progress import Progress
 
-Work = Callable[[Progress], Counted]
+Work = Callable[[Progress], CountResult]
 
 
-class Counting(QObject):
+class CountController(QObject):
     """Counts in the background what is asked for, and shows it.
 
     Signals: `changed()`, there are other counts; `said(text)`.
@@ -45,7 +45,7 @@ class Counting(QObject):
         super().__init__(parent)
         self._document, self._workspace = document, workspace
         self.presenter = CountingPresenter(document)
-        self._search = Newest("counting", self._prepare, self)
+        self._search = LatestJob("counting", self._prepare, self)
         self._search.found.connect(self._take)
         self._search.failed.connect(self._refuse)
         self._search.changed.connect(self.changed, Qt.ConnectionType.QueuedConnection)
@@ -91,11 +91,11 @@ class Counting(QObject):
             return lambda *_: ""
         return cache(partial(self.presenter.said_of, state))
 
-    def _ask(self, subject: Subject) -> None:
+    def _ask(self, subject: CountSubject) -> None:
         if not subject.is_empty:
             self._search.ask(subject)
 
-    def _prepare(self, subject: Subject) -> Work:
+    def _prepare(self, subject: CountSubject) -> Work:
         """Takes hold of the tracks; counting them is for another thread."""
         document = self._document
         load, recording = capture_rows(document, subject.track_source), document.recording
@@ -103,10 +103,10 @@ class Counting(QObject):
         bounds = document.overhead.bounds
         return lambda report: count_subject(subject, load, length, bounds, report)
 
-    def _take(self, found: Counted) -> None:
+    def _take(self, found: CountResult) -> None:
         self.presenter.take(found)
 
-    def _refuse(self, subject: Subject, error: Exception) -> None:
+    def _refuse(self, subject: CountSubject, error: Exception) -> None:
         self.presenter.refuse(subject, error)
 
     # choices

@@ -8,7 +8,7 @@ from PySide6.QtCore import QObject, Qt
 from PySide6.QtWidgets import QInputDialog
 
 from app.presenters.i18n import tr
-from app.views.widgets.user_settings import Remembered
+from app.views.widgets.user_settings import UserSettings
 
 if TYPE_CHECKING:
     from app.views.window.main_window import MainWindow
@@ -20,7 +20,7 @@ _LONGEST = 80
 class Author(QObject):
     """Asks for the user's name, remembers it, and has the open document log edits under it."""
 
-    def __init__(self, window: MainWindow, remembered: Remembered, parent: QObject) -> None:
+    def __init__(self, window: MainWindow, remembered: UserSettings, parent: QObject) -> None:
         super().__init__(parent)
         self._window = window
         self._remembered = remembered

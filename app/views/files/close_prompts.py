@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 Then = Callable[[], object]
 
 
-class Leaving:
+class ClosePrompts:
     """Asks before a tracker's findings or unsaved changes of the open document are lost."""
 
     def __init__(self, files: Files, window: MainWindow) -> None:

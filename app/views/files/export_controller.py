@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
-from app.presenters.counting.subject import Counted
+from app.presenters.counting.subject import CountResult
 from app.presenters.document.document import Document
 from app.presenters.files import document_loader
 from app.presenters.files.export import prepare_export, refuse_to_lose
@@ -20,8 +20,8 @@ from app.presenters.files.export_formats import (
 )
 from app.presenters.files.own_files import remember
 from app.presenters.i18n import tr
-from app.presenters.scoring.score_report import Reported, prepare_report
-from app.presenters.scoring.subject import Scored, score_subject
+from app.presenters.scoring.score_report import WrittenReport, prepare_report
+from app.presenters.scoring.subject import ScoreResult, score_subject
 from app.views.files.export_dialog import ExportDialog
 from app.views.widgets.questions import choose_file, choose_new_file
 from app.views.widgets.work import Work
@@ -39,7 +39,7 @@ if TYPE_CHECKING:
 _LOGS = "CSV (*.csv);;JSON (*.json)"
 
 
-class Exporting(QObject):
+class ExportController(QObject):
     """Writes files of the session that is open in a window.
 
     Signals: `said(text)`.
@@ -137,7 +137,7 @@ class Exporting(QObject):
                 tr("Scoring"), work, lambda scored: self._report(controller, scored, place)
             )
 
-    def _report(self, controller: RecordingController, scored: Scored, place: Path) -> None:
+    def _report(self, controller: RecordingController, scored: ScoreResult, place: Path) -> None:
         if controller is not self._window.controller:
             return
         presenter, document = controller.scoring.presenter, controller.document
@@ -147,7 +147,7 @@ class Exporting(QObject):
         work = prepare_report(document, scored, given, name, folder)
         self._work.run(tr("Writing the report"), work, self._tell_of_report)
 
-    def _tell_of_report(self, done: Reported) -> None:
+    def _tell_of_report(self, done: WrittenReport) -> None:
         """Where it is; and what is not in it stays said until it is read."""
         where = tr("Report: {path}", path=done.page)
         self.said.emit(where)
@@ -194,7 +194,7 @@ class Exporting(QObject):
         self._work.run(title, work, done)
 
 
-def _written(counted: Counted, path: Path) -> str:
+def _written(counted: CountResult, path: Path) -> str:
     """Write what could be counted; gives what was left out and why.
 
     Raises CountingError where nothing could be counted.

@@ -13,7 +13,7 @@ from app.memory import give_back
 from app.presenters.document.frame_state import parse_view_options
 from app.presenters.files import document_loader, left_behind
 from app.presenters.files.demonstration import Demonstration
-from app.presenters.files.document_loader import Opened
+from app.presenters.files.document_loader import OpenedDocument
 from app.presenters.files.first_page import first_page
 from app.presenters.files.track_import import holds_tracks_alone
 from app.presenters.i18n import tr
@@ -21,20 +21,20 @@ from app.presenters.runs.run_summary import list_tracking_notes
 from app.presenters.scenes import WelcomeScene
 from app.views.files.author import Author
 from app.views.files.backup_controller import BackupController
-from app.views.files.close_prompts import Leaving, Then
+from app.views.files.close_prompts import ClosePrompts, Then
 from app.views.files.compare import SessionsBeside
-from app.views.files.export_controller import Exporting
-from app.views.files.import_controller import Importing
+from app.views.files.export_controller import ExportController
+from app.views.files.import_controller import ImportController
 from app.views.files.open_recovery import OpenRecovery
-from app.views.files.result_storage import Keeping
-from app.views.files.save_controller import Saving
+from app.views.files.result_storage import ResultStorage
+from app.views.files.save_controller import SaveController
 from app.views.files.whereabouts import Whereabouts
 from app.views.parts.detectors import Detectors
 from app.views.recording.recording_controller import RecordingController
 from app.views.runs.track_dialog import TrackDialog
 from app.views.widgets.literal import literal_title
 from app.views.widgets.questions import choose_file
-from app.views.widgets.user_settings import Remembered
+from app.views.widgets.user_settings import UserSettings
 from app.views.widgets.work import Work
 from tracking.recording import OpenOptions
 from tracking.session import Session
@@ -59,7 +59,7 @@ class Files(QObject):
     failed = Signal(object)
     said = Signal(str)
 
-    def __init__(self, window: MainWindow, work: Work, remembered: Remembered) -> None:
+    def __init__(self, window: MainWindow, work: Work, remembered: UserSettings) -> None:
         super().__init__(window)
         self._window = window
         self._work = work
@@ -68,12 +68,12 @@ class Files(QObject):
         self.open_recovery.failed.connect(self.failed)
         self._whereabouts = Whereabouts(remembered, self)
         self._greeting = ""
-        self._leaving = Leaving(self, window)
+        self._leaving = ClosePrompts(self, window)
         self.controller: RecordingController | None = None
         self.author = Author(window, remembered, self)
-        self.exporting = Exporting(window, work, self)
+        self.exporting = ExportController(window, work, self)
         self.exporting.said.connect(self.said)
-        self.importing = Importing(window, work, self)
+        self.importing = ImportController(window, work, self)
         self.importing.said.connect(self.said)
         self.importing.failed.connect(self.failed)
         self.detectors = Detectors(window, work, remembered, self)
@@ -84,9 +84,9 @@ class Files(QObject):
         self.backups.said.connect(self.said)
         self.backups.changed.connect(self.changed)
         self.beside = SessionsBeside(window, work, self)
-        self.keeping = Keeping(window, work, self)
+        self.keeping = ResultStorage(window, work, self)
         self.keeping.changed.connect(self.changed)
-        self.saving = Saving(self, window, work, remembered)
+        self.saving = SaveController(self, window, work, remembered)
         self.saving.changed.connect(self.changed)
         self.saving.failed.connect(self.failed)
         self.saving.said.connect(self.said)
@@ -135,7 +135,7 @@ class Files(QObject):
         if not asks:
             self._remembered.note_closed()  # what crashes as it opens is not opened again unasked
 
-        def show(opened: Opened) -> None:
+        def show(opened: OpenedDocument) -> None:
             if asks:  # it does open: only now is it worth asking what becomes of the other one
                 opened.close()
                 if self.may_leave(again):
@@ -156,7 +156,7 @@ class Files(QObject):
         play = partial(self.open_path, play=True, save_at=demo.session)
         self._work.run(tr("Making the demo recording"), demo.make, play)
 
-    def _show(self, opened: Opened, from_start: bool) -> None:
+    def _show(self, opened: OpenedDocument, from_start: bool) -> None:
         self.close()
         path = opened.path
         self.controller = controller = RecordingController(
@@ -186,7 +186,7 @@ class Files(QObject):
         """Say, with what is opened next, that it was open when the program ended in a crash."""
         self._greeting = tr("trackwright ended unexpectedly. Here is where you were.")
 
-    def _tell_oddities(self, opened: Opened) -> None:
+    def _tell_oddities(self, opened: OpenedDocument) -> None:
         session = opened.document.session
         greeting, self._greeting = self._greeting, ""
         lines = [

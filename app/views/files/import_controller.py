@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
-from app.background import Newest
+from app.background import LatestJob
 from app.presenters.commands.enablement import drawable
 from app.presenters.files import document_loader
 from app.presenters.files.track_import import (
-    Fitted,
+    FittedTracks,
     ImportChoice,
     ReadFile,
     import_scene,
@@ -37,7 +37,7 @@ if TYPE_CHECKING:
     from app.views.window.main_window import MainWindow
 
 
-class Importing(QObject):
+class ImportController(QObject):
     """Imports tracks into what is open in a window.
 
     Signals: `said(text)`; `failed(error)`.
@@ -98,7 +98,7 @@ class Importing(QObject):
 
         self._work.run(tr("Reading {name}", name=path.name), work, done)
 
-    def take(self, controller: RecordingController, read: ReadFile, fitted: Fitted) -> None:
+    def take(self, controller: RecordingController, read: ReadFile, fitted: FittedTracks) -> None:
         """Take the tracks: as an edit, or where there is no session as a new one.
 
         Nothing is taken where another session came since the file was looked over, or a tracker's
@@ -122,11 +122,13 @@ class Importing(QObject):
             return
         self._tell(controller, fitted)
 
-    def _show(self, controller: RecordingController, fitted: Fitted, session: Session) -> None:
+    def _show(
+        self, controller: RecordingController, fitted: FittedTracks, session: Session
+    ) -> None:
         controller.tracking.take_session(session)
         self._tell(controller, fitted)
 
-    def _tell(self, controller: RecordingController, fitted: Fitted) -> None:
+    def _tell(self, controller: RecordingController, fitted: FittedTracks) -> None:
         controller.draw()
         told = count_text(fitted.found.tracks, "{n} track imported", "{n} tracks imported")
         bad = fitted.found.bad_count
@@ -138,14 +140,14 @@ class LookedOver(QObject):
     """A file that was read, in its dialog; what is chosen there is worked out in the background."""
 
     def __init__(
-        self, importing: Importing, controller: RecordingController, read: ReadFile
+        self, importing: ImportController, controller: RecordingController, read: ReadFile
     ) -> None:
         super().__init__(importing)
         self._importing, self._controller, self._read = importing, controller, read
         formats = [(each.name, each.title) for each in READABLE]
         self._dialog = ImportDialog(read.path.name, formats, controller.window_page)
-        self._fitted: Fitted | None = None
-        self._search = Newest("import", self._prepare, self)
+        self._fitted: FittedTracks | None = None
+        self._search = LatestJob("import", self._prepare, self)
         self._search.progressed.connect(self._dialog.show_progress)
         self._search.found.connect(self._take)
         self._search.failed.connect(lambda _, error: self._fail(error))
@@ -168,7 +170,7 @@ class LookedOver(QObject):
         scene = import_scene(self._read, self._fitted, own)
         self._dialog.show_scene(scene, self._read.format.name)
 
-    def _prepare(self, choice: ImportChoice) -> Callable[[Progress], Fitted]:
+    def _prepare(self, choice: ImportChoice) -> Callable[[Progress], FittedTracks]:
         session = self._session
         table = session.tracks.snapshot() if session is not None else None
         labels = session.labels if session is not None else Labels()
@@ -183,7 +185,7 @@ class LookedOver(QObject):
             self._search.ask(choice)
         self._show()
 
-    def _take(self, fitted: Fitted) -> None:
+    def _take(self, fitted: FittedTracks) -> None:
         choice = self._dialog.choice
         if fitted.choice.wish == choice.wish:
             self._fitted = with_good(fitted, choice.takes_good)
@@ -211,7 +213,7 @@ class LookedOver(QObject):
 
 
 def _kept(
-    controller: RecordingController, read: ReadFile, fitted: Fitted, report: Progress
+    controller: RecordingController, read: ReadFile, fitted: FittedTracks, report: Progress
 ) -> Session:
     """The tracks as a session of their own."""
     report(0, 1)

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from app.views.window.main_window import MainWindow
 
 
-class Keeping(QObject):
+class ResultStorage(QObject):
     """Puts a finished run into the open session, or into a new one that is on disk at once.
 
     Signals: `changed()`, something is held or let go.

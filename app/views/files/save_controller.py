@@ -14,7 +14,7 @@ from app.presenters.i18n import tr
 from app.views.files.close_prompts import Then
 from app.views.files.export_controller import beside
 from app.views.widgets.questions import choose_new_file
-from app.views.widgets.user_settings import Remembered
+from app.views.widgets.user_settings import UserSettings
 from app.views.widgets.work import Work
 from tracking.errors import TrackwrightError
 from tracking.session import Session
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 _SESSIONS = "trackwright (*.h5)"
 
 
-class Saving(QObject):
+class SaveController(QObject):
     """Saves the open document in the background.
 
     Signals: `changed()`, it is saved; `failed(error)`; `said(text)`.
@@ -40,7 +40,7 @@ class Saving(QObject):
     said = Signal(str)
 
     def __init__(
-        self, files: Files, window: MainWindow, work: Work, remembered: Remembered
+        self, files: Files, window: MainWindow, work: Work, remembered: UserSettings
     ) -> None:
         super().__init__(files)
         self._files, self._window = files, window

@@ -7,7 +7,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject, QTimer
 
 from app.views.recording.recording_controller import RecordingController
-from app.views.widgets.user_settings import Place, Remembered
+from app.views.widgets.user_settings import Place, UserSettings
 
 _NOTE_MS = 2000
 
@@ -15,7 +15,7 @@ _NOTE_MS = 2000
 class Whereabouts(QObject):
     """Goes to where a document was left, and notes every few seconds where it is now."""
 
-    def __init__(self, remembered: Remembered, parent: QObject) -> None:
+    def __init__(self, remembered: UserSettings, parent: QObject) -> None:
         super().__init__(parent)
         self._remembered = remembered
         self._controller: RecordingController | None = None

@@ -15,7 +15,7 @@ from app.presenters.labelling.labelling_scene import (
     FloorLabels,
     LabellingScene,
     PictureLabels,
-    Suggested,
+    SuggestedPart,
     Tool,
 )
 from app.presenters.scenes import Side
@@ -30,7 +30,7 @@ from tracking.editing import Change, plan_mark_reviewed, plan_unmark_reviewed
 from tracking.errors import TrackwrightError
 
 
-class Labelling(QObject):
+class LabelController(QObject):
     """Turns what is drawn and said into edits of a document, and shows it.
 
     Signals: `changed()`, labels or the tool are others than before; `failed(error)`; `said(text)`.
@@ -176,7 +176,7 @@ class Labelling(QObject):
         self._keys.suggesting.colour_anew()
 
     @property
-    def suggested(self) -> Suggested | None:
+    def suggested(self) -> SuggestedPart | None:
         """What is looked at because the detector is unsure of it; None where it is not shown."""
         now = self._presenter.parts.choice.suggested
         here = (self._playback.number, self._document.selection.track)

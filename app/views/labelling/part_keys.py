@@ -9,10 +9,10 @@ from PySide6.QtCore import QObject, Signal
 from app.presenters.correcting import EditScope
 from app.presenters.document.document import Document
 from app.presenters.i18n import tr
-from app.presenters.labelling.labelling_scene import Suggested
+from app.presenters.labelling.labelling_scene import SuggestedPart
 from app.presenters.labelling.part_labelling import PartLabelling
 from app.presenters.parts.part_views import part_name
-from app.views.labelling.suggestion_search import Suggesting
+from app.views.labelling.suggestion_search import SuggestionSearch
 from app.views.playing.playback import Playback
 from tracking.editing import Change
 from tracking.tracks import PART_NAMES, Box, PartLabels
@@ -44,7 +44,7 @@ class PartKeys(QObject):
         self._document, self._playback = document, playback
         self._presenter, self._do = presenter, do
         self._seen = PartLabels()
-        self.suggesting = Suggesting(document, self)
+        self.suggesting = SuggestionSearch(document, self)
         self.suggesting.changed.connect(self._follow)
 
     @property
@@ -167,7 +167,7 @@ class PartKeys(QObject):
         else:
             self.changed.emit()
 
-    def _look_at(self, suggested: Suggested | None) -> None:
+    def _look_at(self, suggested: SuggestedPart | None) -> None:
         choice = self._presenter.choice
         choice.suggested = suggested
         if suggested is None:

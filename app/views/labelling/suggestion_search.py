@@ -11,12 +11,12 @@ from app.background import Job, Progress
 from app.presenters.document.document import Document
 from app.presenters.error_messages import explain
 from app.presenters.i18n import tr
-from app.presenters.labelling.labelling_scene import LabellingScene, Suggested, Tool
+from app.presenters.labelling.labelling_scene import LabellingScene, SuggestedPart, Tool
 from app.presenters.labelling.suggestion_list import SuggestionQueue
 from app.presenters.parts.suggestions import suggestions_for
 
 
-class Suggesting(QObject):
+class SuggestionSearch(QObject):
     """Finds suggestions of the open session, once they are asked for.
 
     Signals: `changed()`, others were found.
@@ -45,7 +45,7 @@ class Suggesting(QObject):
         table, labels, run = session.tracks.snapshot(), session.labels, session.corrected_run
         fps, detector = self._document.recording.fps, self._document.detector
 
-        def work(_: Progress) -> tuple[Suggested, ...]:
+        def work(_: Progress) -> tuple[SuggestedPart, ...]:
             return suggestions_for(table, run, labels, fps, detector)
 
         self._job = Job("suggestions of parts", work, self)
@@ -83,7 +83,7 @@ class Suggesting(QObject):
             "track again with it."
         )
 
-    def _take(self, found: tuple[Suggested, ...]) -> None:
+    def _take(self, found: tuple[SuggestedPart, ...]) -> None:
         self._drop()
         session = self._document.session
         if session is not None:
@@ -94,7 +94,7 @@ class Suggesting(QObject):
         """Tracks have other colours by now."""
         self.queue.replace_each(self._coloured)
 
-    def _coloured(self, found: Iterable[Suggested]) -> list[Suggested]:
+    def _coloured(self, found: Iterable[SuggestedPart]) -> list[SuggestedPart]:
         colour_of = self._document.colour_of
         return [replace(one, colour=colour_of(one.key[1])) for one in found]
 

@@ -12,7 +12,7 @@ from PySide6.QtCore import (
 )
 from PySide6.QtWidgets import QListView, QVBoxLayout, QWidget
 
-from app.presenters.labelling.labelling_scene import LabellingScene, Suggested
+from app.presenters.labelling.labelling_scene import LabellingScene, SuggestedPart
 from app.presenters.reviewing.review_scene import ReviewPerson
 from app.views.reviewing.queue_list import ITEM, PeopleDelegate, row_height
 from app.views.widgets.parts import heading, quiet
@@ -24,7 +24,7 @@ _Index = QModelIndex | QPersistentModelIndex
 class _Row:
     """A suggestion as the rows of queues are drawn: what, who, when; below it why."""
 
-    def __init__(self, one: Suggested) -> None:
+    def __init__(self, one: SuggestedPart) -> None:
         self.title, self.when, self.why = one.title, one.when, one.reason
         self.people = (ReviewPerson(one.key[1], one.label, one.colour),)
         self.text = f"{one.title} {one.label} {one.when}: {one.reason}"
@@ -35,10 +35,10 @@ class SuggestionsModel(QAbstractListModel):
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
-        self._from: tuple[Suggested, ...] = ()
+        self._from: tuple[SuggestedPart, ...] = ()
         self._rows: list[_Row] = []
 
-    def take(self, suggestions: tuple[Suggested, ...]) -> None:
+    def take(self, suggestions: tuple[SuggestedPart, ...]) -> None:
         """Show others."""
         if suggestions is not self._from:
             self.beginResetModel()

@@ -24,7 +24,7 @@ from app.views.parts.result_dialog import ResultDialog
 from app.views.parts.train_dialog import TrainDialog
 from app.views.recording.recording_controller import RecordingController
 from app.views.widgets.questions import choose_file, choose_new_file
-from app.views.widgets.user_settings import Remembered
+from app.views.widgets.user_settings import UserSettings
 from app.views.widgets.work import Work
 from tracking.editing import Change
 from tracking.errors import TrackwrightError
@@ -50,7 +50,7 @@ class Detectors(QObject):
     said = Signal(str)
 
     def __init__(
-        self, window: MainWindow, work: Work, remembered: Remembered, parent: QObject
+        self, window: MainWindow, work: Work, remembered: UserSettings, parent: QObject
     ) -> None:
         super().__init__(parent)
         self._window, self._work, self._remembered = window, work, remembered

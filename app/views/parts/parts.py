@@ -10,7 +10,7 @@ from app.presenters.i18n import tr
 from app.presenters.parts.part_views import part_name
 from app.presenters.parts.parts import PartsPresenter
 from app.presenters.parts.parts_scene import Failure, PicturedParts
-from app.views.labelling.label_controller import Labelling
+from app.views.labelling.label_controller import LabelController
 from app.views.playing.playback import Playback
 from app.views.recording.workspace import Workspace
 
@@ -32,7 +32,7 @@ class Parts(QObject):
         document: Document,
         playback: Playback,
         workspace: Workspace,
-        labelling: Labelling,
+        labelling: LabelController,
         parent: QObject,
     ) -> None:
         super().__init__(parent)

@@ -34,7 +34,7 @@ _EDGE_PX = 2.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Boxed:
+class BoxNameInput:
     """All that decides where names stand, but for the cursor.
 
     Attributes:
@@ -49,7 +49,7 @@ class Boxed:
     font: QFont
     small: bool = False
 
-    def is_as(self, other: Boxed | None) -> bool:
+    def is_as(self, other: BoxNameInput | None) -> bool:
         """Whether names stand where they stood; people are the very same or others."""
         if other is None or self.people is not other.people or self.taken != other.taken:
             return False
@@ -88,7 +88,7 @@ class _Plate:
     rect: QRectF
 
 
-class BoxNaming:
+class BoxNamePainter:
     """Draws names where they hide no head and no other name, or else not at all.
 
     Above the box, or beside or below it, if possible where nobody else is; a long name is shortened
@@ -97,7 +97,7 @@ class BoxNaming:
     """
 
     def __init__(self) -> None:
-        self._boxed: Boxed | None = None
+        self._boxed: BoxNameInput | None = None
         self._crowd = _Crowd()
         self._sides: dict[int, int] = {}
         self._usual: list[_Plate] = []
@@ -114,7 +114,7 @@ class BoxNaming:
         """The track that has a plate only because the cursor is there; 0: none."""
         return self._forced
 
-    def draw(self, painter: QPainter, boxed: Boxed, over: int = 0) -> list[QRectF]:
+    def draw(self, painter: QPainter, boxed: BoxNameInput, over: int = 0) -> list[QRectF]:
         """Draw the plates of those in sight, and tell where they stand.
 
         Args:
@@ -130,7 +130,7 @@ class BoxNaming:
             draw_plate(painter, one.rect, one.text, QColor(*one.mark.colour), one.mark.selected)
         return [one.rect for one in self._plates]
 
-    def _point_at(self, track: int, boxed: Boxed) -> None:
+    def _point_at(self, track: int, boxed: BoxNameInput) -> None:
         """Whoever is under the cursor and has no name usually goes first; else all is as usual."""
         unnamed = {one.mark.track for one in self._crowd.people} - self.named
         forced = track if track in unnamed else 0
@@ -138,7 +138,7 @@ class BoxNaming:
             self._forced = forced
             self._plates = self._placed(boxed, forced)[0] if forced else self._usual
 
-    def _placed(self, boxed: Boxed, over: int = 0) -> tuple[list[_Plate], dict[int, int]]:
+    def _placed(self, boxed: BoxNameInput, over: int = 0) -> tuple[list[_Plate], dict[int, int]]:
         """Plates of those who have one, and on which side; earlier people have the right of way."""
         crowd, kept = self._crowd, dict(self._sides)
         places, plates = np.zeros((len(crowd.people), 4)), list[_Plate]()
@@ -170,7 +170,7 @@ def _free(one: _Person, sides: Floats, closed: Flags, usual: int) -> tuple[_Plat
     return _Plate(one.mark, one.texts[size], as_rect(sides[size, side])), side
 
 
-def _least_bad(sides: Floats, plates: Floats, boxed: Boxed) -> QRectF:
+def _least_bad(sides: Floats, plates: Floats, boxed: BoxNameInput) -> QRectF:
     """Where a name stands that has no free side: if possible on no name, nor on what is taken."""
     inside = [within(as_rect(side), boxed.area) for side in sides]
     inside += [within(above(one, boxed.taken), boxed.area) for one in inside]
@@ -178,7 +178,7 @@ def _least_bad(sides: Floats, plates: Floats, boxed: Boxed) -> QRectF:
     return inside[int(np.argmin(2 * covers(at, plates) + covers(at, coords(boxed.taken))))]
 
 
-def _crowd(boxed: Boxed) -> _Crowd:
+def _crowd(boxed: BoxNameInput) -> _Crowd:
     """Those in sight, who is selected first."""
     metrics, view = QFontMetricsF(boxed.font), boxed.viewport
     seen = [one for one in boxed.people if view.rect(QRectF(*one.box)).intersects(boxed.area)]

@@ -32,7 +32,7 @@ Owner = int | str
 
 
 @dataclass(frozen=True, slots=True)
-class Wanted:
+class WantedName:
     """A name that is to stand beside a ring.
 
     Attributes:
@@ -62,7 +62,7 @@ def discs(middles: Floats, reach: float = DOT_PX) -> Floats:
 
 
 def place_names(
-    names: Sequence[Wanted],
+    names: Sequence[WantedName],
     seen: Floats,
     radius: float,
     area: QRectF,
@@ -90,11 +90,13 @@ def place_names(
     return placed
 
 
-def _most_sizes(names: Sequence[Wanted]) -> int:
+def _most_sizes(names: Sequence[WantedName]) -> int:
     return max(len(one.sizes) for one in names)
 
 
-def _free(name: Wanted, sides: Floats, barred: Flags, plates: Floats, usual: int) -> Stands | None:
+def _free(
+    name: WantedName, sides: Floats, barred: Flags, plates: Floats, usual: int
+) -> Stands | None:
     """The first free side, of the longest name that has one."""
     count = len(name.sizes)
     found = first_free(barred[:count] | covers(sides[:count], plates), usual)
@@ -104,13 +106,13 @@ def _free(name: Wanted, sides: Floats, barred: Flags, plates: Floats, usual: int
     return Stands(name.owner, as_rect(sides[size, side]), size, side)
 
 
-def _anywhere(name: Wanted, sides: Floats, area: QRectF) -> Stands:
+def _anywhere(name: WantedName, sides: Floats, area: QRectF) -> Stands:
     """The shortest name where it would stand if it were alone."""
     number = len(name.sizes) - 1
     return Stands(name.owner, within(as_rect(sides[number, 0]), area), number, 0)
 
 
-def _sides(names: Sequence[Wanted], number: int, radius: float) -> Floats:
+def _sides(names: Sequence[WantedName], number: int, radius: float) -> Floats:
     """(n, k, 4) left, top, right, bottom of plates on each side of their rings, near ones first."""
     sizes = [one.sizes[min(number, len(one.sizes) - 1)] for one in names]
     half = np.array(sizes)[:, None] / 2

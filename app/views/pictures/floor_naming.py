@@ -12,7 +12,7 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
 from app.presenters.scenes import FloorPerson, OverheadScene
 from app.presenters.scoring.score_scene import FlooredTruth, TruthPlace
 from app.views.look.theme import Theme, faded, scaled_font
-from app.views.pictures.floor_names import NEAR, Owner, Stands, Wanted, discs, place_names
+from app.views.pictures.floor_names import NEAR, Owner, Stands, WantedName, discs, place_names
 from app.views.pictures.name_plates import (
     draw_leader,
     draw_note,
@@ -27,7 +27,7 @@ _EDGE_PX = 4.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Floored:
+class FloorNameInput:
     """All that decides where names stand.
 
     Attributes:
@@ -41,7 +41,7 @@ class Floored:
     area: QRectF
     font: QFont
 
-    def is_as(self, other: Floored | None) -> bool:
+    def is_as(self, other: FloorNameInput | None) -> bool:
         """Whether names stand where they stood; scenes are the very same or others."""
         if other is None or self.scene is not other.scene or self.truth is not other.truth:
             return False
@@ -49,7 +49,7 @@ class Floored:
         return where == (other.viewport, other.radius, other.area, other.font)
 
 
-class FloorNaming:
+class FloorNamePainter:
     """Draws names where they hide nobody.
 
     First who is selected and who is missed, who are always named; then other people, then others
@@ -57,7 +57,7 @@ class FloorNaming:
     """
 
     def __init__(self) -> None:
-        self._floored: Floored | None = None
+        self._floored: FloorNameInput | None = None
         self._sides: dict[Owner, int] = {}
         self._placed: list[Stands] = []
         self._texts: dict[Owner, tuple[str, ...]] = {}
@@ -74,7 +74,7 @@ class FloorNaming:
         named = ((one.owner, one.rect) for one in self._placed)
         return tuple((owner, rect) for owner, rect in named if isinstance(owner, str))
 
-    def draw(self, painter: QPainter, floored: Floored, theme: Theme) -> None:
+    def draw(self, painter: QPainter, floored: FloorNameInput, theme: Theme) -> None:
         """Draw the names; they are placed anew only where anything is another."""
         if not floored.is_as(self._floored):
             self._floored = floored
@@ -90,19 +90,19 @@ class FloorNaming:
                 painter.setFont(_plain(floored.font))
                 _draw_truth(painter, truth[name.owner], name, text, floored, theme)
 
-    def _place(self, floored: Floored) -> None:
+    def _place(self, floored: FloorNameInput) -> None:
         people, truth, view = floored.scene.people, floored.truth.people, floored.viewport
         rings = view.to_widget(_matrix([one.position for one in people]))
         crosses = view.to_widget(_matrix([one.trail[-1] for one in truth]))
         bold, plain = QFontMetricsF(_bold(floored.font)), QFontMetricsF(_plain(floored.font))
         self._texts = {one.track: _texts(bold, one) for one in people}
         own = [
-            Wanted(one.track, at, plate_sizes(bold, self._texts[one.track]), one.selected)
+            WantedName(one.track, at, plate_sizes(bold, self._texts[one.track]), one.selected)
             for one, at in zip(people, _pairs(rings), strict=True)
         ]
         self._texts |= {one.label: (one.label,) for one in truth}
         true = [
-            Wanted(one.label, at, plate_sizes(plain, (one.label,)), one.wrong is not None)
+            WantedName(one.label, at, plate_sizes(plain, (one.label,)), one.wrong is not None)
             for one, at in zip(truth, _pairs(crosses), strict=True)
         ]
         wanted = [one for one in (*own, *true) if floored.area.contains(QPointF(*one.at))]
@@ -120,7 +120,12 @@ class FloorNaming:
 
 
 def _draw_person(
-    painter: QPainter, person: FloorPerson, name: Stands, text: str, floored: Floored, theme: Theme
+    painter: QPainter,
+    person: FloorPerson,
+    name: Stands,
+    text: str,
+    floored: FloorNameInput,
+    theme: Theme,
 ) -> None:
     colour = theme.track(person.colour)
     at = floored.viewport.point(*person.position)
@@ -129,7 +134,12 @@ def _draw_person(
 
 
 def _draw_truth(
-    painter: QPainter, person: TruthPlace, name: Stands, text: str, floored: Floored, theme: Theme
+    painter: QPainter,
+    person: TruthPlace,
+    name: Stands,
+    text: str,
+    floored: FloorNameInput,
+    theme: Theme,
 ) -> None:
     at = floored.viewport.point(*person.trail[-1])
     _draw_leader(painter, at, name, CROSS_PX, faded(theme.text, 0.75))

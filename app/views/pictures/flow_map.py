@@ -17,7 +17,7 @@ _LEAST_PX = 7.0
 """Shorter arrows could not be read."""
 
 
-class FlowDrawing:
+class FlowMapPainter:
     """Draws a :class:`FlowScene`; it is kept until the scene, the view or the look is another."""
 
     def __init__(self, widget: QWidget) -> None:

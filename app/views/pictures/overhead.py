@@ -25,9 +25,9 @@ from app.views.pictures.floor import (
     inner_corner,
 )
 from app.views.pictures.floor_legend import FloorLegend
-from app.views.pictures.floor_naming import Floored, FloorNaming
+from app.views.pictures.floor_naming import FloorNameInput, FloorNamePainter
 from app.views.pictures.floor_people import draw_floor_ghost, draw_floor_person
-from app.views.pictures.flow_map import FlowDrawing
+from app.views.pictures.flow_map import FlowMapPainter
 from app.views.pictures.legend import draw_legend
 from app.views.pictures.marks import draw_fading_trail, draw_preview
 from app.views.pictures.measurement_marks import draw_measured
@@ -67,11 +67,11 @@ class OverheadView(Canvas):
         self._others: tuple[OtherPlace, ...] = ()
         self._truth = NO_TRUTH[1]
         self._flow: FlowScene | None = None
-        self._flow_drawing = FlowDrawing(self)
+        self._flow_drawing = FlowMapPainter(self)
         self._held: FloorPerson | None = None
         self._held_off = QPointF()
         self._dragged = False
-        self._naming = FloorNaming()
+        self._naming = FloorNamePainter()
         self._legend = FloorLegend()
         self._floor_key: tuple[object, ...] = ()
         self._floor_drawn = QPixmap()
@@ -274,9 +274,9 @@ class OverheadView(Canvas):
             painter.end()
         return self._floor_drawn
 
-    def _floored(self, scene: OverheadScene) -> Floored:
+    def _floored(self, scene: OverheadScene) -> FloorNameInput:
         area, font = QRectF(self.rect()), self.font()
-        return Floored(scene, self._truth, self.viewport, self._radius(), area, font)
+        return FloorNameInput(scene, self._truth, self.viewport, self._radius(), area, font)
 
     def _draw_trails(self, painter: QPainter, scene: OverheadScene, theme: Theme) -> None:
         for person in scene.people:

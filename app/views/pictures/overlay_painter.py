@@ -32,7 +32,7 @@ class _AtWork:
     maker: OverlayMaker
 
 
-class Overlaying(QObject):
+class OverlayController(QObject):
     """Says what lies over the frame that is shown; nothing is computed before it is asked for.
 
     Signals: `changed()`, the overlay of the frame shown has come; `failed(error)`, there is none.

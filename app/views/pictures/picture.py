@@ -21,7 +21,7 @@ from app.views.look.theme import Theme, scaled_font
 from app.views.parts.cards import draw_cards
 from app.views.parts.marks import draw_part_boxes, draw_part_particles, part_box_at, said_at
 from app.views.pictures.box_handles import INSIDE, Grip, cursor_of, draw_handles, handle_at
-from app.views.pictures.box_names import Boxed, BoxNaming
+from app.views.pictures.box_names import BoxNameInput, BoxNamePainter
 from app.views.pictures.canvas import Canvas
 from app.views.pictures.captions import Captions, draw_captions, lay_out
 from app.views.pictures.compare_marks import draw_other_boxes
@@ -77,7 +77,7 @@ class PictureView(Canvas):
         self._held = 0
         self._dragged = False
         self._hover: QPointF | None = None
-        self._naming = BoxNaming()
+        self._naming = BoxNamePainter()
         self._over = 0
         self._rename()
 
@@ -304,7 +304,7 @@ class PictureView(Canvas):
         """Where they stand; small ones in a low picture, in which they would hide most of all."""
         font = scaled_font(self.font(), _SMALL if self._low else 0.92, bold=True)
         people, view = self._scene.people, self.viewport
-        boxed = Boxed(people, view, shown, taken, font, small=self._low)
+        boxed = BoxNameInput(people, view, shown, taken, font, small=self._low)
         return self._naming.draw(painter, boxed, self._over)
 
     def _draw_parts(self, painter: QPainter, shown: QRectF) -> None:

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from PySide6.QtCore import QObject, Signal
 
-from app.background.newest import Newest, Work
+from app.background.newest import LatestJob, Work
 from app.presenters.document.document import Document
 from app.presenters.document.session_colours import PendingColours
 from app.presenters.track_colours import TrackColours
 
 
-class Colouring(QObject):
+class ColourWorker(QObject):
     """Makes the colours of the document's tracks where that takes long; old ones stay till then.
 
     Signals: `changed()`, tracks have other colours by now; `failed(error)`, they keep those.
@@ -22,7 +22,7 @@ class Colouring(QObject):
     def __init__(self, document: Document, parent: QObject) -> None:
         super().__init__(parent)
         self._document = document
-        self._making = Newest("colours of tracks", _work_of, self)
+        self._making = LatestJob("colours of tracks", _work_of, self)
         self._making.found.connect(self._take)
         self._making.failed.connect(self._give_up)
 

@@ -15,7 +15,7 @@ _EVERY_S = 0.1
 """Pictures are read for this, which takes time from the tracker: ten a second look fluent."""
 
 
-class Following(QObject):
+class FollowMode(QObject):
     """Shows the frame the tracker at work has come to, as it goes on.
 
     Whoever moves the playhead or plays looks at something else: the playhead stays with them

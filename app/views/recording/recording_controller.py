@@ -9,21 +9,21 @@ from app.presenters.document.document import Document
 from app.presenters.document.frame_state import ViewOptions
 from app.presenters.labelling.labelling_scene import Tool
 from app.presenters.scenes import Side, TransportScene
-from app.views.comparing.comparison_controller import Comparing
-from app.views.correcting.drag_controller import Dragging
-from app.views.correcting.edit_controller import Editing
-from app.views.counting.count_controller import Counting
+from app.views.comparing.comparison_controller import ComparisonController
+from app.views.correcting.drag_controller import DragController
+from app.views.correcting.edit_controller import EditController
+from app.views.counting.count_controller import CountController
 from app.views.history.history import HistoryWalk
-from app.views.labelling.label_controller import Labelling
+from app.views.labelling.label_controller import LabelController
 from app.views.parts.parts import Parts
-from app.views.pictures.overlay_painter import Overlaying
+from app.views.pictures.overlay_painter import OverlayController
 from app.views.playing.playback import Playback
-from app.views.recording.colour_worker import Colouring
+from app.views.recording.colour_worker import ColourWorker
 from app.views.recording.gestures import connect_gestures
 from app.views.recording.tracker_at_work import TrackerAtWork
 from app.views.recording.workspace import Workspace
-from app.views.reviewing.review_controller import Reviewing
-from app.views.scoring.score_controller import Scoring
+from app.views.reviewing.review_controller import ReviewController
+from app.views.scoring.score_controller import ScoreController
 from tracking.errors import TrackwrightError
 
 
@@ -44,20 +44,22 @@ class RecordingController(QObject):
         super().__init__(parent)
         self.document = document
         self.playback = Playback(document.recording, self)
-        self.colouring = Colouring(document, self)
-        self.editing = Editing(document, self.playback, self)
-        self.dragging = Dragging(document, self.playback, self.editing)
-        self.overlaying = Overlaying(document, self.playback, self)
+        self.colouring = ColourWorker(document, self)
+        self.editing = EditController(document, self.playback, self)
+        self.dragging = DragController(document, self.playback, self.editing)
+        self.overlaying = OverlayController(document, self.playback, self)
         self.walk = HistoryWalk(document, self.playback, workspace.history, self)
-        self.labelling = Labelling(document, self.playback, workspace, self)
+        self.labelling = LabelController(document, self.playback, workspace, self)
         self.parts = Parts(document, self.playback, workspace, self.labelling, self)
-        self.counting = Counting(document, self.playback, workspace, self)
-        self.scoring = Scoring(document, self.playback, workspace, self)
-        self.comparing = Comparing(document, self.playback, self.editing, workspace, self)
+        self.counting = CountController(document, self.playback, workspace, self)
+        self.scoring = ScoreController(document, self.playback, workspace, self)
+        self.comparing = ComparisonController(
+            document, self.playback, self.editing, workspace, self
+        )
         self.tracking = TrackerAtWork(document, self.playback, self.comparing, self)
         self.live = self.tracking.live
         panel = workspace.review
-        self.reviewing = Reviewing(document, self.playback, self.editing, panel, self)
+        self.reviewing = ReviewController(document, self.playback, self.editing, panel, self)
         self.view_options = ViewOptions()
         self.cameras = "left"
         self._told_unread = ""

@@ -17,9 +17,9 @@ from app.presenters.runs.run_summary import (
     meanwhile,
 )
 from app.presenters.runs.tracker_state import TrackerState, TrackerWords
-from app.views.comparing.comparison_controller import Comparing
+from app.views.comparing.comparison_controller import ComparisonController
 from app.views.playing.playback import Playback
-from app.views.recording.follow_mode import Following
+from app.views.recording.follow_mode import FollowMode
 from app.views.runs.live import LiveTracking
 from tracking.session import Session
 from tracking.trackers import Resume, StepResult, tracker_named
@@ -46,7 +46,11 @@ class TrackerAtWork(QObject):
     noted = Signal(object, bool)
 
     def __init__(
-        self, document: Document, playback: Playback, comparing: Comparing, parent: QObject
+        self,
+        document: Document,
+        playback: Playback,
+        comparing: ComparisonController,
+        parent: QObject,
     ) -> None:
         super().__init__(parent)
         self._document, self._playback, self._comparing = document, playback, comparing
@@ -56,7 +60,7 @@ class TrackerAtWork(QObject):
         self.live.tracked.connect(self._take)
         self.live.finished.connect(self._end)
         self.live.failed.connect(self._fail)
-        self.following = Following(document, playback, self.live, self)
+        self.following = FollowMode(document, playback, self.live, self)
         self.following.changed.connect(self._look_away)
         playback.wait_at = self._last_tracked
 
@@ -102,7 +106,7 @@ class TrackerAtWork(QObject):
     ) -> None:
         """Put a tracker to work on some frames; what it finds is shown as it comes.
 
-        The playhead goes with it until somebody moves it (see `Following`).
+        The playhead goes with it until somebody moves it (see `FollowMode`).
         With `resume` it goes on from the corrected tracks, which stay shown before its frames.
         """
         self._again = False

@@ -38,7 +38,7 @@ from app.views.scoring.score_panel import ScorePanel
 from app.views.timeline import TimelineView
 from app.views.widgets.gripped_splitter import GrippedSplitter
 from app.views.widgets.parts import bring_into_view
-from app.views.widgets.user_settings import Remembered
+from app.views.widgets.user_settings import UserSettings
 
 _PANEL_LETTERS = 48
 _LOW_LINES = 36
@@ -217,14 +217,14 @@ class Workspace(QWidget):
         (visible[0] if visible else following).setFocus()
         self._ring.show_around(following)
 
-    def remember(self, remembered: Remembered) -> None:
+    def remember(self, remembered: UserSettings) -> None:
         """Keep how the parts are laid out."""
         remembered.set_text("workspace/eyes moved", str(self._image_room.moved or ""))
         for name, splitter in self._splitters.items():
             remembered.set_state(f"workspace/{name}", splitter.saveState())
         self.timeline.area.controls.remember(remembered)
 
-    def restore(self, remembered: Remembered) -> None:
+    def restore(self, remembered: UserSettings) -> None:
         """Lay the parts out as they were."""
         for name, splitter in self._splitters.items():
             state = remembered.state(f"workspace/{name}")

@@ -21,8 +21,8 @@ from app.presenters.reviewing.review import (
 )
 from app.presenters.reviewing.review_meter import MeterWords
 from app.presenters.reviewing.review_scene import Order, ReviewScene
-from app.presenters.reviewing.watched_ranges import Watching
-from app.views.correcting.edit_controller import Editing
+from app.presenters.reviewing.watched_ranges import WatchedRanges
+from app.views.correcting.edit_controller import EditController
 from app.views.playing.playback import Playback
 from app.views.reviewing.review_panel import ReviewPanel
 from app.views.reviewing.review_search import ReviewSearch
@@ -33,7 +33,7 @@ from tracking.session import Session
 from tracking.tracks import Labels, Run, TrackTable
 
 
-class Reviewing(QObject):
+class ReviewController(QObject):
     """The review queue of a document on its panel.
 
     Signals: `changed()`, what commands can do is another; `failed(error)`; `said(text)`.
@@ -47,14 +47,14 @@ class Reviewing(QObject):
         self,
         document: Document,
         playback: Playback,
-        editing: Editing,
+        editing: EditController,
         panel: ReviewPanel,
         parent: QObject,
     ) -> None:
         super().__init__(parent)
         recording = document.recording
         self.queue = ReviewQueue(recording.fps, document.colour_of)
-        self.watching = Watching(recording.frame_count, recording.fps)
+        self.watching = WatchedRanges(recording.frame_count, recording.fps)
         self.plays = False
         self._document, self._playback, self._editing = document, playback, editing
         self._panel = panel

@@ -11,7 +11,7 @@ from app.background import Job, Progress
 from app.presenters.i18n import tr
 from app.presenters.reviewing.review_meter import measure_queue, measures_text
 from tracking.recording import Recording
-from tracking.review import Lookout
+from tracking.review import ReviewItemFinder
 from tracking.tracks import Labels, Run, TrackTable
 
 Subject = tuple[TrackTable, Run | None, Labels]
@@ -45,7 +45,7 @@ class ReviewSearch(QObject):
         self.measuring = False
         self._subject = subject
         self._recording = recording
-        self._lookout = Lookout()
+        self._lookout = ReviewItemFinder()
         self._job: Job | None = None
         self._again = False
         self._found: tuple[object, TrackTable] | None = None
@@ -82,7 +82,7 @@ class ReviewSearch(QObject):
             job.cancel()
             job.wait()
             job.deleteLater()
-        self._found, self._lookout = None, Lookout()
+        self._found, self._lookout = None, ReviewItemFinder()
         self._tell("", "")
 
     def _begin(self) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtWidgets import QComboBox, QFormLayout, QWidget
 
 from app.presenters.i18n import count_text
-from app.presenters.parts.detector_choice import DETECTOR, OCCLUDERS, DetectorChoice, PartsAsked
+from app.presenters.parts.detector_choice import DETECTOR, OCCLUDERS, DetectorChoice, PartSettings
 from app.views.widgets.parts import quiet
 from tracking.trackers import settings_fields
 
@@ -13,7 +13,7 @@ from tracking.trackers import settings_fields
 class PartsLine(QWidget):
     """Chooses between the detector in use and the built-in one; tells of drawn occluders."""
 
-    def __init__(self, asked: PartsAsked, parent: QWidget | None = None) -> None:
+    def __init__(self, asked: PartSettings, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._asked = asked
         in_use = [asked.choice] if asked.choice.path else []
@@ -42,7 +42,7 @@ class PartsLine(QWidget):
         self.setVisible(bool(known & {DETECTOR, OCCLUDERS}))
         self._form.setRowVisible(self._detector, DETECTOR in known)
 
-    def asked(self) -> PartsAsked:
+    def asked(self) -> PartSettings:
         """The answer."""
         choice = self._choices[self._detector.currentIndex()]
-        return PartsAsked(choice, self._asked.occluders)
+        return PartSettings(choice, self._asked.occluders)

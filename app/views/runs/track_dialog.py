@@ -22,7 +22,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.presenters.parts.detector_choice import DETECTOR, OCCLUDERS, PartsAsked
+from app.presenters.parts.detector_choice import DETECTOR, OCCLUDERS, PartSettings
 from app.views.runs.parts_line import PartsLine
 from app.views.runs.settings_form import SettingsForm
 from app.views.runs.settings_search import SettingSearch
@@ -46,7 +46,7 @@ class TrackDialog(QDialog):
         chosen: str,
         warning: str = "",
         parent: QWidget | None = None,
-        asked: PartsAsked | None = None,
+        asked: PartSettings | None = None,
     ) -> None:
         super().__init__(parent)
         self.setWindowTitle(self.tr("Track"))
@@ -59,7 +59,7 @@ class TrackDialog(QDialog):
         self._title = quiet("", self)
         self._title.setWordWrap(True)
         self._number_fields(recording.frame_count - 1)
-        self._parts = PartsLine(asked or PartsAsked(), self)
+        self._parts = PartsLine(asked or PartSettings(), self)
         self._search = SettingSearch(self)
         self._search.textChanged.connect(self._find)
         self._nothing = quiet(self.tr("No setting of this tracker has these words."), self)

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Qt, Signal
 
-from app.background import Newest
+from app.background import LatestJob
 from app.presenters.counting.subject import SHOWN
 from app.presenters.document.document import Document
 from app.presenters.document.frame_state import FrameState, ViewOptions
@@ -16,7 +16,7 @@ from app.presenters.i18n import tr
 from app.presenters.scenes import Side
 from app.presenters.scoring.score_scene import NO_TRUTH
 from app.presenters.scoring.scorer import ScoringPresenter
-from app.presenters.scoring.subject import Scored, ScoreSubject, score_subject
+from app.presenters.scoring.subject import ScoreResult, ScoreSubject, score_subject
 from app.views.playing.playback import Playback
 from app.views.recording.workspace import Workspace
 from app.views.timeline.axis import TimeAxis
@@ -28,7 +28,7 @@ from tracking.scoring import ErrorKind
 _TRUTHS = "Tracks ({endings})"
 
 
-class Scoring(QObject):
+class ScoreController(QObject):
     """Scores in the background what is asked for, and shows it.
 
     Signals: `changed()`, there is another score; `truth_asked(filters)`, a file with the ground
@@ -47,7 +47,7 @@ class Scoring(QObject):
         self._document, self._playback, self._workspace = document, playback, workspace
         self.presenter = ScoringPresenter(document)
         self._on = False
-        self._search = Newest("scoring", self._prepare, self)
+        self._search = LatestJob("scoring", self._prepare, self)
         self._search.found.connect(self.presenter.take)
         self._search.failed.connect(self.presenter.refuse)
         self._search.changed.connect(self.changed, Qt.ConnectionType.QueuedConnection)
@@ -118,7 +118,7 @@ class Scoring(QObject):
         view.overhead.show_truth(floor)
         view.timeline.errors.show_scene(None)
 
-    def _prepare(self, subject: ScoreSubject) -> Callable[[Progress], Scored]:
+    def _prepare(self, subject: ScoreSubject) -> Callable[[Progress], ScoreResult]:
         """Takes hold of the tracks; scoring them is for another thread."""
         given, before = self.presenter.capture(subject), self.presenter.scored
         return lambda report: score_subject(subject, before, given, report)

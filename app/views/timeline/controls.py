@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QHBoxLayout, QMenu, QToolButton, QWidget
 
 from app.views.look.icons import IconButton
 from app.views.timeline.rows import Arrangement, LaneHeight, LaneOrder
-from app.views.widgets.user_settings import Remembered
+from app.views.widgets.user_settings import UserSettings
 
 _ICON_PX, _BUTTON_PX = 16, 24
 _STYLE = "QToolButton { padding: 2px; } QToolButton::menu-indicator { image: none; }"
@@ -65,12 +65,12 @@ class TimelineControls(QWidget):
             self._check_actions()
             self.arranged.emit(arrangement)
 
-    def remember(self, remembered: Remembered) -> None:
+    def remember(self, remembered: UserSettings) -> None:
         """Keep the order and the height of lanes; which are sifted out is of the moment."""
         remembered.set_text("timeline/order", self._arrangement.order.name)
         remembered.set_text("timeline/height", self._arrangement.height.name)
 
-    def restore(self, remembered: Remembered) -> None:
+    def restore(self, remembered: UserSettings) -> None:
         """Arrange lanes as they were at the last start; what is no choice any more is left."""
         order, height = remembered.text("timeline/order"), remembered.text("timeline/height")
         arrangement = self._arrangement

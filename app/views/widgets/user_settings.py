@@ -25,7 +25,7 @@ class Place:
 class LastFolder:
     """Where files of one kind were chosen last, so that the next is asked for there."""
 
-    remembered: Remembered
+    remembered: UserSettings
     kind: str
 
     @property
@@ -39,7 +39,7 @@ class LastFolder:
         self.remembered.set_text(f"folders/{self.kind}", str(chosen.absolute().parent))
 
 
-class Remembered:
+class UserSettings:
     """Window state, look and recently opened files, kept in Qt's settings."""
 
     def __init__(self, settings: QSettings | None = None) -> None:

@@ -6,7 +6,7 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QApplication
 
 from app.views.look.theme import Look, apply_look
-from app.views.widgets.user_settings import Remembered
+from app.views.widgets.user_settings import UserSettings
 
 
 class LookChoice(QObject):
@@ -17,7 +17,7 @@ class LookChoice(QObject):
 
     changed = Signal()
 
-    def __init__(self, remembered: Remembered, parent: QObject) -> None:
+    def __init__(self, remembered: UserSettings, parent: QObject) -> None:
         super().__init__(parent)
         self._remembered = remembered
         QApplication.styleHints().colorSchemeChanged.connect(self._follow_system)
@@ -47,7 +47,7 @@ class LookChoice(QObject):
             self._apply()
 
 
-def look_of(remembered: Remembered) -> Look:
+def look_of(remembered: UserSettings) -> Look:
     """The look that was chosen; the system's where it was none or is no choice any more."""
     named = remembered.text("look")
     return Look(named) if named in {look.value for look in Look} else Look.SYSTEM

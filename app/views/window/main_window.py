@@ -29,7 +29,7 @@ from app.views.recording.workspace import Workspace
 from app.views.welcome.welcome import WelcomePage
 from app.views.widgets.notice import NoticeBar
 from app.views.widgets.progress_strip import ProgressStrip
-from app.views.widgets.user_settings import Remembered
+from app.views.widgets.user_settings import UserSettings
 from app.views.widgets.work import Work
 from app.views.window.command_handlers import runnable_commands
 from app.views.window.command_palette import CommandPalette
@@ -49,7 +49,7 @@ _UNLIMITED = 2**24 - 1
 class MainWindow(QMainWindow):
     """One window on one recording or session."""
 
-    def __init__(self, remembered: Remembered) -> None:
+    def __init__(self, remembered: UserSettings) -> None:
         super().__init__()
         self.remembered = remembered
         self.setWindowIcon(application_icon())

@@ -1,6 +1,6 @@
 """What the tracker and people say of parts, a card a person."""
 
-from app.presenters.labelling.labelling_scene import PartMark, Suggested
+from app.presenters.labelling.labelling_scene import PartMark, SuggestedPart
 from app.presenters.parts.cards import cards_of
 from app.presenters.parts.parts_scene import PartBox, Verdict
 from app.presenters.track_colours import TrackColours
@@ -48,7 +48,7 @@ def test_of_others_only_what_people_said_is_told_and_the_selected_one_comes_firs
 
 
 def test_a_card_says_whose_its_scores_are():
-    suggested = Suggested(
+    suggested = SuggestedPart(
         (5, 1, HEAD), "unsure: score +0.01 of mine.h5", "head", "1", GREY, "00:01"
     )
     (card,) = cards_of([box(1, HEAD, "head: on, -1.00")], [], 1, COLOUR_OF, suggested)

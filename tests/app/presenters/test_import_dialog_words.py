@@ -8,7 +8,7 @@ import pytest
 from two_people import FRAMES, table
 
 from app.presenters.files.track_import import (
-    Fitted,
+    FittedTracks,
     ImportChoice,
     import_scene,
     prepare_fit,
@@ -41,7 +41,7 @@ def read(tmp_path: Path) -> Callable:
     return reading
 
 
-def fitted(found, choice=ImportChoice(), into=None) -> Fitted:  # noqa: B008 - a frozen value
+def fitted(found, choice=ImportChoice(), into=None) -> FittedTracks:  # noqa: B008 - a frozen value
     return prepare_fit(found, choice, into, Labels())(quiet)
 
 

@@ -1,13 +1,13 @@
 from dataclasses import replace
 
-from app.presenters.labelling.labelling_scene import Suggested
+from app.presenters.labelling.labelling_scene import SuggestedPart
 from app.presenters.labelling.suggestion_list import SuggestionQueue
 from tracking.tracks import PartLabels
 
 
 def test_whoever_looks_at_a_suggestion_does_so_still_when_tracks_have_other_colours():
     queue = SuggestionQueue()
-    found = [Suggested((frame, 4, "head"), "", "", "4", (0, 0, 0), "") for frame in (3, 8)]
+    found = [SuggestedPart((frame, 4, "head"), "", "", "4", (0, 0, 0), "") for frame in (3, 8)]
     queue.take(found, PartLabels())
     queue.choose(1)
     queue.replace_each(lambda all_of: [replace(one, colour=(9, 9, 9)) for one in all_of])

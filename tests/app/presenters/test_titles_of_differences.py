@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 from two_people import table
 
-from app.presenters.comparing.difference_search import Found
+from app.presenters.comparing.difference_search import ComparisonResult
 from app.presenters.comparing.differences import Comparison
 from tracking.editing import Difference
 from tracking.recording import open_recording
@@ -27,5 +27,5 @@ def test_who_is_gone_at_one_end_alone_is_found_later_or_ends_earlier(
     assert tiny_run.frames == (0, 80)  # shorter than the track, which has all 100
     compared = Comparison(session, 1, None, 25.0, colour_of=lambda _: (1, 2, 3))
     one = Difference(4, 0, start, end, "removed", "4 fehlt", False, end - start)
-    compared.take(Found((one,), table(), table()))
+    compared.take(ComparisonResult((one,), table(), table()))
     assert compared.scene().items[0].title == title

@@ -5,14 +5,14 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from app.presenters.reviewing.review_meter import _corrections
-from app.presenters.reviewing.watched_ranges import Watching
+from app.presenters.reviewing.watched_ranges import WatchedRanges
 
 FPS = 10.0
 
 
 @pytest.fixture
 def watching():
-    return Watching(1000, FPS)
+    return WatchedRanges(1000, FPS)
 
 
 def _see(watching, *frames):
@@ -49,7 +49,7 @@ def test_what_was_seen_twice_counts_once(watching):
 
 @given(st.lists(st.integers(0, 999), min_size=1, max_size=60))
 def test_the_stretch_holds_the_frame_that_is_shown(frames):
-    watching = Watching(1000, FPS)
+    watching = WatchedRanges(1000, FPS)
     _see(watching, *frames)
     start, end = watching.stretch
     assert (start, end) == (0, 0) or start <= frames[-1] < end

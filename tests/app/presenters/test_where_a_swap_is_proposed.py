@@ -12,7 +12,7 @@ from app.presenters.correcting import (
     preview_plan,
     swap_candidates,
 )
-from app.presenters.correcting.correction import Correcting
+from app.presenters.correcting.correction import CorrectionPresenter
 from app.presenters.correcting.review_target import find_first_frame
 from app.presenters.document.selection import Selection
 from tracking.editing import SwapFrame
@@ -68,7 +68,7 @@ def correcting():
     selection = Selection()
     selection.choose(4)
     selection.add(7)
-    return Correcting(selection, on.geometry, lambda: on)
+    return CorrectionPresenter(selection, on.geometry, lambda: on)
 
 
 def _cut_proposed(correcting, tracks, frame, begun_at):

@@ -4,7 +4,7 @@ import numpy as np
 import two_people
 
 from app.presenters.correcting import EditContext, EditKind, RecordingGeometry
-from app.presenters.correcting.correction import Correcting
+from app.presenters.correcting.correction import CorrectionPresenter
 from app.presenters.document.selection import Selection
 from tracking.tracks import Labels, TrackTable
 
@@ -28,7 +28,7 @@ def _merging(on_floor=True):
     on = EditContext(table, Labels(), RecordingGeometry(None, 100, 10.0, (640, 480)))
     selection = Selection()
     selection.choose(4)
-    correcting = Correcting(selection, on.geometry, lambda: on)
+    correcting = CorrectionPresenter(selection, on.geometry, lambda: on)
     correcting.begin(EditKind.MERGE, 50)
     return correcting
 

@@ -5,7 +5,7 @@ from correcting_window import open_for_correcting
 from PySide6.QtCore import QSettings
 
 from app.views.recording.workspace import Workspace
-from app.views.widgets.user_settings import Remembered
+from app.views.widgets.user_settings import UserSettings
 
 
 @pytest.fixture
@@ -73,7 +73,7 @@ def test_a_border_the_user_moved_is_there_at_the_next_start(
     space, window, qtbot, tiny_session, tmp_path
 ):
     sizes = _moved(window, qtbot, tiny_session)
-    remembered = Remembered(QSettings(str(tmp_path / "kept.ini"), QSettings.Format.IniFormat))
+    remembered = UserSettings(QSettings(str(tmp_path / "kept.ini"), QSettings.Format.IniFormat))
     space.remember(remembered)
     space._splitters["top"].setSizes([900, 100, 200])
     space.restore(remembered)
@@ -86,7 +86,7 @@ def started_again(space, window, qtbot, tmp_path):
     """The next start after the border was moved beside one image; shows that many images."""
     window.run_command("view.left")
     space._splitters["top"].moveSplitter(300, 1)
-    remembered = Remembered(QSettings(str(tmp_path / "kept.ini"), QSettings.Format.IniFormat))
+    remembered = UserSettings(QSettings(str(tmp_path / "kept.ini"), QSettings.Format.IniFormat))
     space.remember(remembered)
     again = Workspace()
     qtbot.addWidget(again)

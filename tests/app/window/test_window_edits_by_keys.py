@@ -5,7 +5,7 @@ from correcting_window import CROWDED, CTRL, SHIFT, Hands, open_for_correcting
 from PySide6.QtCore import Qt
 
 from app.presenters.correcting import EditKind, EditScope
-from app.presenters.correcting.kinds import Longest
+from app.presenters.correcting.kinds import LongestGap
 from app.views.correcting.attributes import AttributesTable
 from tracking.tracks import Source
 
@@ -154,7 +154,7 @@ def test_all_short_gaps_of_several_are_filled_at_once_and_gone_through_first(han
     hands.press(Key.Key_Up)
     assert hands.controller.playback.clock.frame == 50
     hands.press(Key.Key_R)
-    assert hands.controller.document.flow.longest is Longest.SECONDS
+    assert hands.controller.document.flow.longest is LongestGap.SECONDS
     hands.press(Key.Key_Return)
     filled = [hands.row(track, 50)["source"], hands.row(other, 56)["source"]]
     assert filled == [Source.INTERPOLATED] * 2

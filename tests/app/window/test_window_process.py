@@ -13,7 +13,7 @@ from patient import PATIENCE_S
 from PySide6.QtCore import QSettings
 
 from app.views.application import borrowed_window, show_document
-from app.views.widgets.user_settings import Place, Remembered
+from app.views.widgets.user_settings import Place, UserSettings
 from app.views.window.main_window import MainWindow
 
 _PROGRAM = """
@@ -25,9 +25,9 @@ sys.exit(run(Path(sys.argv[1])))
 _ROOT = Path(__file__).parents[3]
 
 
-def _settings(home: Path) -> Remembered:
+def _settings(home: Path) -> UserSettings:
     path = home / "trackwright" / "trackwright.conf"
-    return Remembered(QSettings(str(path), QSettings.Format.IniFormat))
+    return UserSettings(QSettings(str(path), QSettings.Format.IniFormat))
 
 
 @pytest.fixture

@@ -58,7 +58,7 @@ class Entry:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Written:
+class StoredChange:
     """A change with its two sides as the log keeps them.
 
     Of hundreds of thousands of rows that takes a while, and any thread may do it ahead.
@@ -72,7 +72,7 @@ class Written:
     after: str
 
     @classmethod
-    def of(cls, change: Change) -> Written:
+    def of(cls, change: Change) -> StoredChange:
         """Write it. Raises EditError where it is more than the log can keep."""
         return cls(change, state_as_text(change.before), state_as_text(change.after))
 
@@ -220,11 +220,11 @@ class History:
         time: str,
         author: str,
         undoes: int = 0,
-        written: Written | None = None,
+        written: StoredChange | None = None,
     ) -> Entry:
         """The entry a change will have once it is added; written: of this change, or of another."""
         if written is None or written.change is not change:
-            written = Written.of(change)
+            written = StoredChange.of(change)
         number, what = len(self._entries) + 1, (change.kind, change.text, int(change.frame))
         return Entry(
             *(number, time, author, *what, written.before, written.after),

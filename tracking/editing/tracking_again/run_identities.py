@@ -25,7 +25,7 @@ _NEVER = -1
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Naming:
+class IdentityMap:
     """How a run's people are called in the corrected table.
 
     Attributes:
@@ -44,7 +44,7 @@ def map_identities(
     known_tracks: int,
     highest_track: int,
     protection: Protection,
-) -> Naming:
+) -> IdentityMap:
     """The corrected ids of a run's rows.
 
     Ids that the run went on with stay. Everybody else is whoever of the remaining tracks they
@@ -75,7 +75,7 @@ def map_identities(
     track, since = _asserted(number, found["frame"], base[number], theirs, told)
     track = _apart(track, since, number, found["frame"], top)
     fresh = np.setdiff1d(track, np.union1d(corrected["track"], people[kept]))
-    return Naming(track.astype(np.int32), fresh)
+    return IdentityMap(track.astype(np.int32), fresh)
 
 
 def _assigned(

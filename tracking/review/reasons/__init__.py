@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
-from tracking.review.findings import Found
+from tracking.review.findings import FlaggedPlaces
 from tracking.review.material import Material
 from tracking.review.reasons.colours import colour_changes, height_changes
 from tracking.review.reasons.crossings import crossings
@@ -20,7 +20,7 @@ from tracking.review.reasons.reversals import reversals
 from tracking.review.reasons.shared_detections import shared_regions
 from tracking.review.reasons.turns import turns
 
-REASONS: Mapping[str, Callable[[Material], Found]] = MappingProxyType(
+REASONS: Mapping[str, Callable[[Material], FlaggedPlaces]] = MappingProxyType(
     {
         "exchange": exchanges,
         "turn": turns,

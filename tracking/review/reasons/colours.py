@@ -8,7 +8,7 @@ import numpy as np
 
 from tracking.review.appearance import GUARD_S, MOST, unlikeness
 from tracking.review.evidence import Floats, Rows
-from tracking.review.findings import Found, of_tracks, peaks, ramp
+from tracking.review.findings import FlaggedPlaces, of_tracks, peaks, ramp
 from tracking.review.material import Material
 
 _APART_S = 3.0
@@ -17,14 +17,14 @@ _LOW, _HIGH = 1.0, 5.0
 _LOW_M, _HIGH_M = 0.12, 0.3
 
 
-def colour_changes(material: Material) -> Found:
+def colour_changes(material: Material) -> FlaggedPlaces:
     """Where the colours of a track's clothes change most, if they change."""
     sides = material.sides
     strength = ramp(_colours(sides.before, sides.after), _LOW, _HIGH)
     return _greatest("colour", material, strength, _unbounded)
 
 
-def height_changes(material: Material) -> Found:
+def height_changes(material: Material) -> FlaggedPlaces:
     """Where the measured height of a track changes most, if it changes."""
     sides = material.sides
     strength = ramp(_heights(sides.before, sides.after), _LOW_M, _HIGH_M)
@@ -46,7 +46,7 @@ def _heights(before: Floats, after: Floats) -> Floats:
 
 def _greatest(
     kind: str, material: Material, strength: Floats, measure: Callable[[Floats, Floats], Floats]
-) -> Found:
+) -> FlaggedPlaces:
     """Where a measure of looks before and after is greatest in each track, to the frame."""
     evidence, sides = material.evidence, material.sides
     told = np.flatnonzero(strength > 0.0)

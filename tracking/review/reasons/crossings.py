@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from tracking.review.findings import Found, of_pairs, peaks, ramp
+from tracking.review.findings import FlaggedPlaces, of_pairs, peaks, ramp
 from tracking.review.material import Material
 from tracking.tracks import row_keys
 
@@ -13,7 +13,7 @@ CLOSE_M = 0.5
 _APART_S = 1.0
 
 
-def crossings(material: Material) -> Found:
+def crossings(material: Material) -> FlaggedPlaces:
     """Where two people were closest, if that was within half a metre."""
     evidence, near = material.evidence, material.near
     close = np.flatnonzero(near.distance_m <= CLOSE_M)

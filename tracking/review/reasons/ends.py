@@ -6,7 +6,7 @@ import numpy as np
 
 from tracking.review.appearance import unlikeness
 from tracking.review.evidence import Flags, Floats, Rows
-from tracking.review.findings import Found, join_findings, of_pairs, of_tracks, ramp
+from tracking.review.findings import FlaggedPlaces, join_findings, of_pairs, of_tracks, ramp
 from tracking.review.material import Material
 
 _LONGEST_S = 6.0
@@ -20,7 +20,7 @@ _ALONE = 0.5
 """Strength where nobody is near who could have to do with it."""
 
 
-def lost_and_found(material: Material) -> Found:
+def lost_and_found(material: Material) -> FlaggedPlaces:
     """Where a track ends in the middle of the floor and another begins near, soon after.
 
     The frame is that of the beginning: there the person is seen under the wrong name.
@@ -47,17 +47,17 @@ def lost_and_found(material: Material) -> Found:
     )
 
 
-def endings(material: Material) -> Found:
+def endings(material: Material) -> FlaggedPlaces:
     """Where a track ends in the middle of the floor: whoever is near may have taken it over."""
     return _beside("ended", material, _middle_of_floor(material)[1])
 
 
-def beginnings(material: Material) -> Found:
+def beginnings(material: Material) -> FlaggedPlaces:
     """Where a track begins in the middle of the floor: whoever is near may have left it."""
     return _beside("begun", material, _middle_of_floor(material)[0])
 
 
-def _beside(kind: str, material: Material, rows: Rows) -> Found:
+def _beside(kind: str, material: Material, rows: Rows) -> FlaggedPlaces:
     """The rows' tracks, with whoever is near."""
     evidence = material.evidence
     other, track, frame = material.nearest[rows], evidence.track[rows], evidence.frame[rows]

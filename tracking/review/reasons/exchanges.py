@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from tracking.review.appearance import EVERY_S, swap_gain_of_appearance
-from tracking.review.findings import Found, of_pairs, peaks, ramp
+from tracking.review.findings import FlaggedPlaces, of_pairs, peaks, ramp
 from tracking.review.material import Material
 from tracking.tracks import row_keys
 
@@ -15,7 +15,7 @@ _LOW, _HIGH = 0.5, 6.0
 """How much better the looks agree changed over: from hardly to clearly."""
 
 
-def exchanges(material: Material) -> Found:
+def exchanges(material: Material) -> FlaggedPlaces:
     """Where two tracks' colours and heights agree best with their names changed over."""
     evidence, near = material.evidence, material.near
     looked = np.flatnonzero(evidence.frame[near.first] % evidence.frames_of(EVERY_S) == 0)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from tracking.review.evidence import Evidence, Flags, Floats
-from tracking.review.findings import Found, of_tracks, peaks, ramp
+from tracking.review.findings import FlaggedPlaces, of_tracks, peaks, ramp
 from tracking.review.material import Material
 from tracking.tracks import Source
 
@@ -15,7 +15,7 @@ _FASTEST_M_PER_S = 2.5
 _LOW_M, _HIGH_M = 0.1, 0.6
 
 
-def jumps(material: Material) -> Found:
+def jumps(material: Material) -> FlaggedPlaces:
     """Where a track moves farther from row to row than its steps before and after lead to expect.
 
     Between rows with frames missing it may have gone as far as somebody walks. A track's two first

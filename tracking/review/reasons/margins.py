@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from tracking.review.findings import Found, join_findings, of_pairs, of_tracks, peaks, ramp
+from tracking.review.findings import FlaggedPlaces, join_findings, of_pairs, of_tracks, peaks, ramp
 from tracking.review.material import Material
 
 _HIGH, _LOW = 0.5, 0.05
@@ -12,7 +12,7 @@ _HIGH, _LOW = 0.5, 0.05
 _APART_S = 1.0
 
 
-def small_margins(material: Material) -> Found:
+def small_margins(material: Material) -> FlaggedPlaces:
     """Where the next best choice of detections would have cost hardly more.
 
     It is about whoever was nearest, where somebody was near.

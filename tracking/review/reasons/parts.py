@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from tracking.review.findings import Found, of_tracks, peaks, ramp
+from tracking.review.findings import FlaggedPlaces, of_tracks, peaks, ramp
 from tracking.review.material import Material
 
 _APART_S = 2.0
@@ -12,7 +12,7 @@ _ALL = 3
 """Parts of a person."""
 
 
-def failed_parts(material: Material) -> Found:
+def failed_parts(material: Material) -> FlaggedPlaces:
     """Where most parts of a person have failed; the first frame of those alike.
 
     The figure says which: 1 head, 2 torso, 4 hip-leg, summed.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from tracking.review.findings import Found, join_findings, of_pairs, of_tracks, ramp
+from tracking.review.findings import FlaggedPlaces, join_findings, of_pairs, of_tracks, ramp
 from tracking.review.material import Material
 
 _LEAST_S, _LONG_S = 0.5, 4.0
@@ -12,7 +12,7 @@ _LEAST_S, _LONG_S = 0.5, 4.0
 _DRIFT_S, _FAR_S = 1.0, 3.0
 
 
-def drifts(material: Material) -> Found:
+def drifts(material: Material) -> FlaggedPlaces:
     """Where somebody is last seen whose track goes on for long, only predicted."""
     evidence = material.evidence
     seen = np.flatnonzero(~evidence.predicted)
@@ -24,7 +24,7 @@ def drifts(material: Material) -> Found:
     return of_tracks("drift", evidence.track[final], evidence.frame[final] + 1, strength, seconds)
 
 
-def long_predictions(material: Material) -> Found:
+def long_predictions(material: Material) -> FlaggedPlaces:
     """Where somebody who was only predicted, or missing, is seen again.
 
     It is about whoever is near then as well: one may have been taken for the other.

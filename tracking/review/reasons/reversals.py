@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from tracking.review.evidence import Evidence, Floats, Rows
-from tracking.review.findings import Found, of_tracks, peaks, ramp
+from tracking.review.findings import FlaggedPlaces, of_tracks, peaks, ramp
 from tracking.review.material import Material
 
 _GAP_S = 0.3
@@ -19,7 +19,7 @@ _HIDDEN = 0.7
 """People turn back of their own accord in full view as well; there a track is not mistaken."""
 
 
-def reversals(material: Material) -> Found:
+def reversals(material: Material) -> FlaggedPlaces:
     """Where a track that is partly out of sight goes back the way it came.
 
     Often somebody who comes the other way took it over, unseen until then.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from tracking.review.findings import Found, of_pairs, ramp
+from tracking.review.findings import FlaggedPlaces, of_pairs, ramp
 from tracking.review.material import Material
 from tracking.tracks import row_keys
 
@@ -13,7 +13,7 @@ _LEAST_S, _LONG_S = 0.1, 1.0
 _PAUSE_S = 0.25
 
 
-def shared_regions(material: Material) -> Found:
+def shared_regions(material: Material) -> FlaggedPlaces:
     """Where two people close to each other, one of them only predicted, are both seen again."""
     evidence, near = material.evidence, material.near
     one_hidden = evidence.predicted[near.first] != evidence.predicted[near.second]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from tracking.review.evidence import Evidence, Floats, Rows
-from tracking.review.findings import Found, of_pairs, peaks, ramp
+from tracking.review.findings import FlaggedPlaces, of_pairs, peaks, ramp
 from tracking.review.material import REACH_M, Material
 from tracking.review.reasons.jumps import steps_off
 from tracking.tracks import row_keys
@@ -20,7 +20,7 @@ _MOST_LEAPING = 20
 """Where more leap in one frame, the picture did."""
 
 
-def turns(material: Material) -> Found:
+def turns(material: Material) -> FlaggedPlaces:
     """Where two walks go on more smoothly with their names changed over.
 
     Both are led on for a moment as they walked before a frame, and led back as they walked after

@@ -1,6 +1,6 @@
 """The list of parts that are worth labelling."""
 
-from app.presenters.labelling.labelling_scene import LabellingScene, Suggested, Tool
+from app.presenters.labelling.labelling_scene import LabellingScene, SuggestedPart, Tool
 from app.views.labelling.suggestions import SuggestionsList
 
 NARROW_LETTERS = 34
@@ -8,7 +8,8 @@ NARROW_LETTERS = 34
 
 def test_its_title_wraps_so_that_nothing_is_cut_in_a_narrow_window(qtbot, dark):
     found = tuple(
-        Suggested((at, 2, 0), "unsure", "head", "2", (200, 80, 40), "00:09.35") for at in range(156)
+        SuggestedPart((at, 2, 0), "unsure", "head", "2", (200, 80, 40), "00:09.35")
+        for at in range(156)
     )
     shown = SuggestionsList()
     qtbot.addWidget(shown)

@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from PySide6.QtCore import QPointF, QRectF
 
-from app.views.pictures.floor_names import Wanted, discs, place_names
+from app.views.pictures.floor_names import WantedName, discs, place_names
 from app.views.pictures.overhead import OverheadView
 
 AREA = QRectF(0, 0, 400, 300)
@@ -20,7 +20,7 @@ NONE = np.zeros((0, 2))
 
 
 def named(*places, sizes=((30.0, 18.0),)):
-    return [Wanted(track, at, sizes) for track, at in enumerate(places, 1)]
+    return [WantedName(track, at, sizes) for track, at in enumerate(places, 1)]
 
 
 def placed(names, dots=NONE, before=None):
@@ -71,7 +71,7 @@ def test_in_a_crowd_names_are_left_out_but_that_of_who_is_selected():
     crowd = [(float(x), float(y)) for x in range(0, 420, 14) for y in range(0, 320, 14)]
     names = named((203, 147), *crowd)
     assert not placed(names)
-    names[0] = Wanted(1, names[0].at, names[0].sizes, must=True)
+    names[0] = WantedName(1, names[0].at, names[0].sizes, must=True)
     assert [one.owner for one in placed(names)] == [1]
 
 

@@ -6,13 +6,13 @@ import pytest
 from PySide6.QtCore import QSettings
 
 from app.views.look.theme import Look
-from app.views.widgets.user_settings import Remembered
+from app.views.widgets.user_settings import UserSettings
 from app.views.window.look_choice import look_of
 
 
 @pytest.fixture
-def remembered(tmp_path: Path) -> Remembered:
-    return Remembered(QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat))
+def remembered(tmp_path: Path) -> UserSettings:
+    return UserSettings(QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat))
 
 
 @pytest.mark.parametrize("look", Look)

@@ -8,7 +8,7 @@ from walks_on_a_floor import BLUE, FPS, RED, SIZE, Walk, made_run, straight
 
 from tracking.editing import apply_change, plan_delete, plan_merge_tracks, plan_split, plan_swap
 from tracking.errors import CancelledError
-from tracking.review import Lookout, find_review_items, review_search
+from tracking.review import ReviewItemFinder, find_review_items, review_search
 from tracking.review.footage import Footage
 from tracking.tracks import Labels, Occluder, Run, TrackTable
 
@@ -37,7 +37,7 @@ def long_run() -> Run:
 RUN = long_run()
 
 
-def look(lookout: Lookout, table: TrackTable, **more: object) -> tuple[object, ...]:
+def look(lookout: ReviewItemFinder, table: TrackTable, **more: object) -> tuple[object, ...]:
     return lookout.find(table.snapshot(), RUN, FPS, size=SIZE, **more)
 
 
@@ -53,7 +53,7 @@ def in_blocks(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.mark.usefixtures("in_blocks")
 def test_after_each_edit_it_finds_what_looking_through_everything_finds() -> None:
-    table, lookout = TrackTable(RUN.tracks), Lookout()
+    table, lookout = TrackTable(RUN.tracks), ReviewItemFinder()
     assert look(lookout, table) == whole(table)
     one, other, third = 1, 2, 4
     together = [table.frame_range(track) for track in (one, other)]
@@ -95,7 +95,7 @@ def test_an_edit_leaves_blocks_far_from_it_as_they_were(monkeypatch: pytest.Monk
         return through(*words)
 
     monkeypatch.setattr(review_search, "search_block", counted)
-    table, lookout = TrackTable(RUN.tracks), Lookout()
+    table, lookout = TrackTable(RUN.tracks), ReviewItemFinder()
     look(lookout, table)
     assert len(looked) == FRAMES / 300
     look(lookout, table)
@@ -109,7 +109,7 @@ def test_an_edit_leaves_blocks_far_from_it_as_they_were(monkeypatch: pytest.Monk
 
 @pytest.mark.usefixtures("in_blocks")
 def test_other_labels_another_run_and_a_cancelled_search_are_told_apart() -> None:
-    table, lookout = TrackTable(RUN.tracks), Lookout()
+    table, lookout = TrackTable(RUN.tracks), ReviewItemFinder()
     pillar = Occluder("pillar", ((280.0, 100.0), (360.0, 100.0), (360.0, 400.0), (280.0, 400.0)))
     hides = Labels(occluders=(pillar,))
 
