@@ -17,7 +17,7 @@ from tracking.formats import read_mot
 from tracking.geometry import View
 from tracking.pipeline import track
 from tracking.recording import open_recording
-from tracking.review.evidence import gather_signals
+from tracking.review.evidence import gather_evidence
 from tracking.review.neighbours import neighbours
 from tracking.scoring import IdentityError, Match, ScoringTable, identity_errors
 from tracking.session import Session
@@ -195,7 +195,7 @@ def _swap(table: TrackTable, run: Run, fps: float, seed: int) -> int:
 
 def _meetings(table: TrackTable, fps: float) -> list[tuple[int, int, int]]:
     """Both tracks and the frame of every closest moment within a metre."""
-    evidence = gather_signals(table, None, fps)
+    evidence = gather_evidence(table, None, fps)
     near = neighbours(evidence, _PASS_M)
     one, other = evidence.track[near.first], evidence.track[near.second]
     frame = evidence.frame[near.first]

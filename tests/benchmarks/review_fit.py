@@ -14,7 +14,7 @@ from sklearn.ensemble import HistGradientBoostingClassifier
 import resources
 from tests.benchmarks.review_cases import Case
 from tracking.review.block import JOINED_S
-from tracking.review.evidence import Evidence, gather_signals
+from tracking.review.evidence import Evidence, gather_evidence
 from tracking.review.hazard import FEATURES, NOTICED, Hazards, Trees, features
 from tracking.review.likelihood import LEAST_WEIGHT, NOTHING, WEIGHTS
 from tracking.review.material import Material
@@ -109,7 +109,7 @@ def _node(node: np.void) -> tuple[float, ...]:
 
 
 def _material(case: Case) -> Material:
-    evidence = gather_signals(case.table, case.run, case.fps)
+    evidence = gather_evidence(case.table, case.run, case.fps)
     return Material.of(evidence, case.view.camera.size, ())
 
 

@@ -28,7 +28,7 @@ from tracking.editing import (
     plan_swap,
 )
 from tracking.review import find_review_items
-from tracking.review.evidence import gather_signals
+from tracking.review.evidence import gather_evidence
 from tracking.review.findings import FlaggedPlaces
 from tracking.review.material import Material
 from tracking.review.reason_phrases import fix
@@ -110,7 +110,7 @@ happened, whoever is who: they go by a verdict."""
 
 
 def looked(kind: str, run: Run, table: TrackTable) -> FlaggedPlaces:
-    return REASONS[kind](Material.of(gather_signals(table, run, FPS), SIZE, ()))
+    return REASONS[kind](Material.of(gather_evidence(table, run, FPS), SIZE, ()))
 
 
 def proposed(kind: str, table: TrackTable, first: int, second: int, frame: int) -> Change:

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from walks_on_a_floor import BLUE, FPS, RED, SIZE, Walk, crossing, made_run, straight, swapped
 
 from tracking.review import find_review_items
-from tracking.review.evidence import gather_signals
+from tracking.review.evidence import gather_evidence
 from tracking.review.hazard import FEATURES, NOTICED, Hazards, Trees, built_in_trees, features
 from tracking.review.material import Material
 from tracking.tracks import Run, TrackTable
@@ -19,7 +19,7 @@ MEETING = 80
 
 def material(run: Run, table: TrackTable | None = None, seen: bool = True) -> Material:
     tracks = TrackTable(run.tracks) if table is None else table
-    return Material.of(gather_signals(tracks, run if seen else None, FPS), SIZE, ())
+    return Material.of(gather_evidence(tracks, run if seen else None, FPS), SIZE, ())
 
 
 def column(of: Material, name: str) -> np.ndarray:

@@ -17,7 +17,7 @@ from walks_on_a_floor import (
     with_column,
 )
 
-from tracking.review.evidence import gather_signals
+from tracking.review.evidence import gather_evidence
 from tracking.review.findings import FlaggedPlaces
 from tracking.review.material import Material
 from tracking.review.reason_phrases import sentence
@@ -27,7 +27,7 @@ from tracking.tracks import PART_COLUMNS, Run, TrackTable
 
 def found(kind: str, run: Run, table: TrackTable | None = None) -> FlaggedPlaces:
     tracks = TrackTable(run.tracks) if table is None else table
-    return REASONS[kind](Material.of(gather_signals(tracks, run, FPS), SIZE, ()))
+    return REASONS[kind](Material.of(gather_evidence(tracks, run, FPS), SIZE, ()))
 
 
 def apart() -> list[Walk]:

@@ -1,4 +1,4 @@
-"""Everything review items are looked for in: the table's rows with what the run noticed of each."""
+"""The rows of the table that review items are searched in, with what the run noticed of each."""
 
 from __future__ import annotations
 
@@ -89,7 +89,7 @@ class Evidence:
         return max(1, round(seconds * self.fps))
 
 
-def gather_signals(table: TrackTable, run: Run | None, fps: float) -> Evidence:
+def gather_evidence(table: TrackTable, run: Run | None, fps: float) -> Evidence:
     """The table's rows with what a run noticed of them.
 
     Args:
