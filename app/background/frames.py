@@ -49,7 +49,7 @@ class FrameReader(QObject):
         """The frames at hand, as half-open ranges."""
         return self._cache.kept_ranges()
 
-    def cached(self, frame: int) -> StereoFrame | None:
+    def get_cached(self, frame: int) -> StereoFrame | None:
         """The frame if it is at hand, without waiting."""
         return self._cache.get(frame)
 

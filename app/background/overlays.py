@@ -32,7 +32,7 @@ class _Request:
 class OverlayMaker(QObject):
     """Paints overlays in a thread: the newest request first, then those of frames that come next.
 
-    `ready(frame)` says that `made` has the overlay of a frame that was asked for. After
+    `ready(frame)` says that `get` has the overlay of a frame that was asked for. After
     `failed(error)` nothing more is painted. `paint_s` is how long the last one took.
 
     Args:
@@ -58,7 +58,7 @@ class OverlayMaker(QObject):
         self._thread = threading.Thread(target=self._run, name="overlays", daemon=True)
         self._thread.start()
 
-    def made(self, frame: int, kinds: Kinds) -> Rgba | None:
+    def get(self, frame: int, kinds: Kinds) -> Rgba | None:
         """The overlay of a frame, the same array each time; None where it is not painted yet."""
         with self._changed:
             return self._made.get((frame, kinds))

@@ -224,7 +224,7 @@ def test_what_never_ends_is_given_up(monkeypatch: pytest.MonkeyPatch, damaged: b
     monkeypatch.setattr("tracking.session.journal_limits.PROCESSOR_S", 0.05)
     base = sqlite3.connect(":memory:")
     error = sqlite3.OperationalError if damaged else TimeoutError
-    with pytest.raises(error), TimeLimit().kept(base, damaged=damaged):
+    with pytest.raises(error), TimeLimit().enforce(base, damaged=damaged):
         base.execute(ENDLESS)
     base.execute("SELECT 1")  # and the limit is gone
     base.close()

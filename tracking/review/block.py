@@ -78,7 +78,7 @@ class Block:
     tracks: Rows
     meeting: Rows
 
-    def costing(self, row: int, cost: float) -> ReviewItem:
+    def with_cost(self, row: int, cost: float) -> ReviewItem:
         """One of the review items; most cost what they did when they were asked for last."""
         if self.items[row].cost != cost:
             self.items[row] = replace(self.items[row], cost=cost)
@@ -124,7 +124,7 @@ def _review_item(
     speaker: Speaker, place: int, leader: int, frame: int, start: int, end: int, likelihood: float
 ) -> ReviewItem:
     kind, (first, second) = speaker.kind(leader), speaker.tracks(leader)
-    text, *others = speaker.said(place, leader, frame)
+    text, *others = speaker.describe(place, leader, frame)
     return ReviewItem(
         kind=kind,
         tracks=(min(first, second), max(first, second)) if second else (first,),

@@ -51,7 +51,7 @@ class Speaker:
         """Whom a reason is about; 0 for nobody else."""
         return self.columns[1][reason], self.columns[2][reason]
 
-    def said(self, place: int, leader: int, frame: int) -> list[str]:
+    def describe(self, place: int, leader: int, frame: int) -> list[str]:
         """Sentences: the leader's, then the strongest of each other kind.
 
         The leader's is told for `frame`, that of the place, so that one moment is named alone.

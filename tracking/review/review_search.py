@@ -118,6 +118,6 @@ def _worth_most(blocks: Sequence[Block], footage: Footage, fps: float) -> list[R
     told = np.argsort(-(likely * cost), kind="stable")[:MOST]
     place = [(block, row) for block in blocks for row in range(len(block.items))]
     return [
-        place[number][0].costing(place[number][1], worth)
+        place[number][0].with_cost(place[number][1], worth)
         for number, worth in zip(told.tolist(), cost[told].tolist(), strict=True)
     ]

@@ -106,7 +106,7 @@ def _worst(hazards: Hazards, tracks: Rows, start: Rows, end: Rows, told: Rows) -
 
 def _both(hazards: Hazards, tracks: Rows, start: Rows, end: Rows) -> Floats:
     """(k,) hazards of both tracks, summed over stretches."""
-    return np.asarray(sum(hazards.expected(side, start, end) for side in tracks.T))
+    return np.asarray(sum(hazards.expect(side, start, end) for side in tracks.T))
 
 
 def _parted(reasons: Reasons, places: Places, evidence: Evidence) -> Rows:

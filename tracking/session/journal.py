@@ -86,7 +86,7 @@ class Journal:
 
     def _limited(self, longest: int) -> AbstractContextManager[None]:
         """What opening and reading may take in all; longest: of a value, in bytes."""
-        return self._limit.kept(self._base, longest, damaged=bool(self._problem))
+        return self._limit.enforce(self._base, longest, damaged=bool(self._problem))
 
     def _read_numbers(self) -> None:
         """Read the steps' numbers and checksums; of a damaged file nobody needs them."""
@@ -210,7 +210,7 @@ class Journal:
 
     def _rows_from(self, number: int) -> list[Row]:
         select = "SELECT * FROM steps WHERE number >= ? ORDER BY number"
-        with TimeLimit().kept(self._base, LONGEST_CELL):
+        with TimeLimit().enforce(self._base, LONGEST_CELL):
             return self._base.execute(select, (number,)).fetchall()
 
     def has_others(self, other: Journal | None) -> bool:
@@ -241,7 +241,7 @@ class Journal:
         if self._origin is not None:
             self._count.write(*self._origin, self._last)
 
-    def acknowledged(self, session: str, save: str) -> int:
+    def count_acknowledged(self, session: str, save: str) -> int:
         """How many steps were written that build on this save, as the count beside it says.
 
         0 where it does not say.
@@ -327,7 +327,7 @@ class Journal:
     def _tail(self) -> tuple[object, object]:
         """What the file says it builds on, and its last step's number and checksum."""
         last = "SELECT number, checksum FROM steps ORDER BY number DESC LIMIT 1"
-        with TimeLimit().kept(self._base, LONGEST_NAME):
+        with TimeLimit().enforce(self._base, LONGEST_NAME):
             origin = self._base.execute("SELECT session, save FROM origin").fetchone()
             return origin, self._base.execute(last).fetchone()
 

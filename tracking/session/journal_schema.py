@@ -81,7 +81,7 @@ def open_checked(base: sqlite3.Connection, path: Path, limit: TimeLimit) -> str:
     lines, lacking = check_schema(base, path, limit)
     base.setlimit(sqlite3.SQLITE_LIMIT_LENGTH, LONGEST_ROW)
     base.set_authorizer(_allowing(_WRITING))
-    with limit.kept(base):
+    with limit.enforce(base):
         problem = _pages_checked(base, path)
         if lines and not problem:  # what is left of a damaged one is read up to its limits
             _check_count(base, path)
@@ -95,7 +95,7 @@ def open_checked(base: sqlite3.Connection, path: Path, limit: TimeLimit) -> str:
     elif lacking:
         if problem:
             raise SessionError(f"{path}: the journal of edits is damaged ({problem})")
-        with limit.kept(base, LONGEST_OLD_CELL):
+        with limit.enforce(base, LONGEST_OLD_CELL):
             _bring_up_to_date(base, lacking)
     return problem
 
@@ -108,7 +108,7 @@ def check_schema(
     From here on SQLite may only read. Raises as `open_checked`.
     """
     _restrict(base)
-    with limit.kept(base, LONGEST_SCHEMA, damaged=True):
+    with limit.enforce(base, LONGEST_SCHEMA, damaged=True):
         lines = base.execute("SELECT type, name, sql FROM sqlite_schema LIMIT 3").fetchall()
     return lines, _lacking(lines, path)
 

@@ -164,7 +164,7 @@ class OnDisk(SessionState):
         store = self._store if own and self._store is not None else Store.claim(target)
         try:
             stamps = next_stamps(self._stamps, self._stamps, store if own else None)
-            place = self._whereabouts.seen_from(target.parent, self._path)
+            place = self._whereabouts.reference_from(target.parent, self._path)
             snapshot = self._as_it_is(stamps, place)
         except BaseException:
             if store is not self._store:
@@ -183,7 +183,7 @@ class OnDisk(SessionState):
         left = None if own else self._store
         self._store, self._path = pending.store, pending.path
         self._stamps, self._whereabouts.reference = stamps, pending.snapshot.recording
-        self._runs.stored_in(pending.path, len(pending.snapshot.runs))
+        self._runs.note_stored_in(pending.path, len(pending.snapshot.runs))
         self._saved, self._pending, self._unkept = pending.content, None, None
         self._begin_journal()
         try:

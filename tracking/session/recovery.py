@@ -122,7 +122,7 @@ def find_missing_steps(journal: Journal, stamps: Stamps) -> MissingSteps:
     if origin is None or not journal.may_have_steps:
         # Begun by a program that died before its first edit, whatever it built on; or it has lost
         # them all.
-        return MissingSteps(problem=_lost(journal.acknowledged(*own), 0))
+        return MissingSteps(problem=_lost(journal.count_acknowledged(*own), 0))
     if origin == own:
         included = 0
     elif stamps.previous_save and origin == (stamps.session, stamps.previous_save):
@@ -132,7 +132,9 @@ def find_missing_steps(journal: Journal, stamps: Stamps) -> MissingSteps:
     contents = journal.contents()
     steps = tuple(step for step in contents.steps if step.number > included)
     there = max(len(contents.steps), included)
-    return MissingSteps(steps, contents.problem or _lost(journal.acknowledged(*origin), there))
+    return MissingSteps(
+        steps, contents.problem or _lost(journal.count_acknowledged(*origin), there)
+    )
 
 
 def _lost(acknowledged: int, there: int) -> str:

@@ -119,7 +119,7 @@ class RecordingReference:
         """What the pictures alone are known by, whatever the recording is called."""
         return " ".join(part.sha256 for part in self.sources)
 
-    def found_as(self, recording: Footage, session_folder: Path) -> RecordingReference:
+    def relocated_to(self, recording: Footage, session_folder: Path) -> RecordingReference:
         """The reference by which it is found again as it was opened now.
 
         Of a recording.toml it goes on to say what the tracks were made with.

@@ -289,7 +289,7 @@ class Runs(Sequence[Run]):
         held = self._held[number]
         return held if isinstance(held, Run) else self._loaded.get(number)
 
-    def stored_in(self, path: Path, count: int) -> None:
+    def note_stored_in(self, path: Path, count: int) -> None:
         """Note that the first so many now stand in a file; what is loaded stays loaded."""
         for number in range(count):
             held = self._held[number]

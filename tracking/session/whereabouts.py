@@ -45,13 +45,13 @@ class Whereabouts:
             last = known.find(before)
         found = find_recording(before, folder, search, last, allow_outside=allow_outside)
         self.place = found.recording.folder
-        self.reference = before.found_as(found.recording, folder)
+        self.reference = before.relocated_to(found.recording, folder)
         if known is not None:
             known.remember(before, found.place)
             known.remember(self.reference, self.place)
         return found.recording, tuple(found.notes)
 
-    def seen_from(self, folder: Path, session: Path | None) -> RecordingReference:
+    def reference_from(self, folder: Path, session: Path | None) -> RecordingReference:
         """The reference for a session file in that folder; session: where it stood so far."""
         place = self.place
         if place is None and session is not None:

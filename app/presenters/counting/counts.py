@@ -62,7 +62,7 @@ class CountingPresenter:
         session = self._document.session
         return Labels() if session is None else session.labels
 
-    def wanted(self, *, mapped: bool) -> CountSubject:
+    def current_subject(self, *, mapped: bool) -> CountSubject:
         """What is to be counted now."""
         labels, choice = self.labels, self.choice
         mapped = mapped and self._document.recording.view is not None
@@ -102,12 +102,12 @@ class CountingPresenter:
         if self._refused is None:
             return ""
         subject, why = self._refused
-        wanted = self.wanted(mapped=subject.mapped)
+        wanted = self.current_subject(mapped=subject.mapped)
         return why if replace(wanted, version=subject.version) == subject else ""
 
     # what the views show
 
-    def said_of(self, state: FrameState, tool: Tool, number: int) -> str:
+    def describe_shape(self, state: FrameState, tool: Tool, number: int) -> str:
         """What stands behind the name of a line or a region in a frame; "": nothing yet."""
         if tool is Tool.LINES:
             so_far = self._so_far(number, state.frame)

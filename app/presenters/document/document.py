@@ -193,7 +193,7 @@ class Document:
 
     def frame_state(self, frame: int) -> FrameState:
         """The frame as the pictures and the floor show it: with what is compared, too."""
-        return self._frame_states.compared(frame, self.comparison)
+        return self._frame_states.build_compared(frame, self.comparison)
 
     def timeline(
         self,
@@ -208,7 +208,7 @@ class Document:
         """
         cut = self.flow.cut if self.flow is not None and self.flow.has_cut else None
         marked = self.correcting.range_shown
-        state = self._frame_states.corrected(frame)
+        state = self._frame_states.build_corrected(frame)
         return self._timeline.scene(playhead, state, loaded, cut, no_lanes, marked)
 
     def take_review_items(self, review_items: Sequence[TimelineMark]) -> None:

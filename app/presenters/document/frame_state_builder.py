@@ -29,7 +29,7 @@ class FrameStateBuilder:
         self._track_source, self._selection = track_source, selection
         self._correcting, self._pictures = correcting, pictures
 
-    def corrected(self, frame: int) -> FrameState:
+    def build_corrected(self, frame: int) -> FrameState:
         """The tracks that are shown; with an edit that waits as they would be after it."""
         planned, flow = self._correcting.planned, self._correcting.flow
         change = planned.change if planned is not None else None
@@ -58,12 +58,12 @@ class FrameStateBuilder:
             drawing=flow is not None and flow.drawing,
         )
 
-    def compared(self, frame: int, comparison: Comparison | None) -> FrameState:
+    def build_compared(self, frame: int, comparison: Comparison | None) -> FrameState:
         """The same, with the ways of the people in question in both versions.
 
         Where two runs are compared, its people are those of the one that is drawn solid.
         """
-        state, planned = self.corrected(frame), self._correcting.planned
+        state, planned = self.build_corrected(frame), self._correcting.planned
         if comparison is None or (planned is not None and planned.change is not None):
             return state
         if comparison.solid is not None:

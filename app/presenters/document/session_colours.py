@@ -94,7 +94,7 @@ class SessionColours:
             frames = {one: table.frames_of_track(one) for one in new}
             _give(self.now, frames, touched, table.of_frame)
 
-    def previewed(self, table: TrackTable, after: TrackReader, change: Change) -> TrackColours:
+    def preview(self, table: TrackTable, after: TrackReader, change: Change) -> TrackColours:
         """The colours as a change would leave them; it stays without trace in those there are.
 
         Args:

@@ -149,7 +149,7 @@ class TrackSource:
     def colours_after(self, change: Change, tracks: TrackReader) -> TrackColours:
         """The colours as an edit that waits would leave them; `tracks`, as they would be."""
         table = self.session.tracks if self.session is not None else TrackTable()
-        return self.session_colours.previewed(table, tracks, change)
+        return self.session_colours.preview(table, tracks, change)
 
     def take_colours(self, due: PendingColours, made: TrackColours) -> bool:
         """Show colours that were due; False where others are by now."""

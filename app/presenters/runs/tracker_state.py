@@ -37,7 +37,7 @@ class TrackerWords:
         except TrackwrightError as error:
             self.best, self.why_not = "", str(error)
 
-    def proposed(self, session: Session | None, *, in_parts: bool) -> str:
+    def propose_tracker(self, session: Session | None, *, in_parts: bool) -> str:
         """The tracker to track again with: that of the corrected tracks, else the best.
 
         Where somebody just chose a failure detector (`in_parts`), it is one that uses it.
@@ -46,11 +46,11 @@ class TrackerWords:
         name = run.tracker if run is not None and run.tracker in TRACKERS else self.best
         return _IN_PARTS if in_parts and self.best and not _uses_detector(name) else name
 
-    def working(self, name: str, status: str) -> TrackerState:
+    def describe_work(self, name: str, status: str) -> TrackerState:
         """While a tracker is at work."""
         return TrackerState(name, status, tr("Everybody who is tracked gets a lane here."))
 
-    def resting(self, session: Session | None) -> TrackerState:
+    def describe_rest(self, session: Session | None) -> TrackerState:
         """While none is."""
         if session is not None and session.adopted_run is None:
             nobody = tr("Nobody is labelled yet. Draw a person in the picture (Ins).")

@@ -136,7 +136,7 @@ class ScoringPresenter:
 
     # what is scored
 
-    def wanted(self) -> ScoreSubject | None:
+    def current_subject(self) -> ScoreSubject | None:
         """What is to be scored now; None: there is nothing, or no truth."""
         source = self.source
         if source is None or not self._document.tracks.ids:
@@ -208,7 +208,7 @@ class ScoringPresenter:
             self._people = (scored, made)
         return self._people[1]
 
-    def told(self, items: tuple[HistoryItem, ...]) -> tuple[HistoryItem, ...]:
+    def annotate_edits(self, items: tuple[HistoryItem, ...]) -> tuple[HistoryItem, ...]:
         """The edits with how each of them moved the score, where that is known."""
         moved = self._moves.by_edit
         if not any(moved.values()):

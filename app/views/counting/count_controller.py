@@ -72,12 +72,12 @@ class CountController(QObject):
 
     def work(self) -> Work | None:
         """Counts the tracks of now anew, on any thread; None where nothing is drawn."""
-        subject = self.presenter.wanted(mapped=False)
+        subject = self.presenter.current_subject(mapped=False)
         return None if subject.is_empty else self._prepare(subject)
 
     def draw(self, state: FrameState, view_options: ViewOptions) -> None:
         """Show a frame; what is missing for it is counted."""
-        subject = self.presenter.wanted(mapped=view_options.flow_map)
+        subject = self.presenter.current_subject(mapped=view_options.flow_map)
         if view_options.counts or view_options.counting or view_options.flow_map:
             self._ask(subject)
         self._workspace.overhead.show_flow(self.presenter.flow() if view_options.flow_map else None)
@@ -89,7 +89,7 @@ class CountController(QObject):
         """Gives what to write at lines and regions in a frame."""
         if not view_options.counts:
             return lambda *_: ""
-        return cache(partial(self.presenter.said_of, state))
+        return cache(partial(self.presenter.describe_shape, state))
 
     def _ask(self, subject: CountSubject) -> None:
         if not subject.is_empty:

@@ -128,7 +128,7 @@ class ExportController(QObject):
         if controller is None:
             return
         presenter = controller.scoring.presenter
-        scored, subject = presenter.scored, presenter.wanted()
+        scored, subject = presenter.scored, presenter.current_subject()
         if scored is not None and (subject is None or scored.subject.version == subject.version):
             self._report(controller, scored, place)
         elif subject is not None:

@@ -295,7 +295,7 @@ class Files(QObject):
             controller.deleteLater()
             QTimer.singleShot(GIVE_BACK_MS, give_back)
 
-    def told_at_end(self) -> list[str]:
+    def describe_unsaved(self) -> list[str]:
         """What is to be known where the program ends without asking: where unsaved work is."""
         held = self.keeping.holds and not self.keeping.at_work
         at_work = self.controller is not None and self.controller.live.running

@@ -57,11 +57,11 @@ class OverlayController(QObject):
             return NO_OVERLAY
         painter, maker = at_work.painter, at_work.maker
         maker.request(frame, kinds, *self._ahead(maker))
-        image = maker.made(frame.number, kinds)
+        image = maker.get(frame.number, kinds)
         if image is not None:
             self._last = (frame.number, kinds)
         elif self._still_good(frame.number, kinds):
-            image = maker.made(*self._last)
+            image = maker.get(*self._last)
         waiting = image is None and not self._playback.clock.playing
         said = (
             tr("Working out the ramp image...")

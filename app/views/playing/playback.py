@@ -57,7 +57,7 @@ class Playback(QObject):
 
     def at_hand(self, frame: int) -> StereoFrame | None:
         """A frame where it need not be read first; may be asked from any thread."""
-        return self._reader.cached(frame)
+        return self._reader.get_cached(frame)
 
     def go(self, frame: int) -> None:
         """Go to a frame; playing goes on from there."""
@@ -140,7 +140,7 @@ class Playback(QObject):
             return  # were another one asked for, that would be shown once it is read
         if not self._looking.isActive():
             self._looking.start()
-        at_hand = self._reader.cached(due)
+        at_hand = self._reader.get_cached(due)
         self._asked = due
         self._ticket = self._reader.request(due, 1 if self.clock.rate >= 0 else -1)
         if at_hand is not None:

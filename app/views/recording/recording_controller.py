@@ -233,7 +233,7 @@ class RecordingController(QObject):
 
     def _draw_history(self) -> None:
         """The edits, and how they moved the score where somebody watches it."""
-        edits = self.scoring.presenter.told(self.document.history())
+        edits = self.scoring.presenter.annotate_edits(self.document.history())
         self._workspace.history.show_scene(edits)
 
     def draw_preview(self) -> None:

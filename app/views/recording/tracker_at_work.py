@@ -75,10 +75,10 @@ class TrackerAtWork(QObject):
         return self._words.why_not
 
     @property
-    def proposed(self) -> str:
+    def propose_tracker(self) -> str:
         """The tracker that is asked about first."""
         document = self._document
-        return self._words.proposed(document.session, in_parts=document.detector_chosen)
+        return self._words.propose_tracker(document.session, in_parts=document.detector_chosen)
 
     @property
     def state(self) -> TrackerState:
@@ -87,8 +87,8 @@ class TrackerAtWork(QObject):
         That is not the tracker at work while somebody looks at the session's tracks.
         """
         if self.live.running and (self._document.is_live or self._document.session is None):
-            return self._words.working(self.live.tracker, self.live.status)
-        return self._words.resting(self._document.session)
+            return self._words.describe_work(self.live.tracker, self.live.status)
+        return self._words.describe_rest(self._document.session)
 
     def begin_first(self) -> None:
         """Put the best tracker to work where none was yet, not even on the way into a session."""

@@ -92,7 +92,7 @@ class ScoreController(QObject):
 
     def _ask(self) -> bool:
         """Have scored what is wanted; whether there is anything to be."""
-        subject = self.presenter.wanted() if self._on else None
+        subject = self.presenter.current_subject() if self._on else None
         if subject is not None:
             self._search.ask(subject)
         return subject is not None

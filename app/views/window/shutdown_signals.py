@@ -69,7 +69,7 @@ class EndBySignal(QObject):
 
     def _close(self) -> None:
         self._window.workspace.take_typed()
-        lines = self._window.files.told_at_end()
+        lines = self._window.files.describe_unsaved()
         self._window.files.failed.connect(lambda error: lines.append(explain(error)))
         self._window.files.close_without_asking()
         self._window.close()

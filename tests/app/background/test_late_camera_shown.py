@@ -48,8 +48,8 @@ def test_a_frame_comes_again_with_its_partner_once_the_lag_is_found(reader, reco
     reader.ready.connect(lambda ticket, frame: shown.append((ticket, frame)))
     ticket = reader.request(20)
     qtbot.waitUntil(lambda: len(shown) == 2)
-    qtbot.waitUntil(lambda: reader.cached(24) is not None)
-    ahead = reader.cached(24)
+    qtbot.waitUntil(lambda: reader.get_cached(24) is not None)
+    ahead = reader.get_cached(24)
     partner = recording.read(20 + LAG)
     (_, raw), (again, paired) = shown
     assert (ticket, raw.right_lag) == (again, 0)
@@ -110,4 +110,4 @@ def test_overlays_of_pictures_that_were_paired_wrongly_are_forgotten(maker, qtbo
     for lag in (0, LAG):
         with qtbot.waitSignal(maker.ready):
             maker.request(StereoFrame(3, 0.0, picture, picture, lag), kinds)
-        assert (maker.made(3, kinds) == lag).all()
+        assert (maker.get(3, kinds) == lag).all()

@@ -47,7 +47,7 @@ def drawn(document):
 
 
 def _counted(presenter, rows):
-    subject = presenter.wanted(mapped=False)
+    subject = presenter.current_subject(mapped=False)
     length = Length(20.0, FRAMES, (0, FRAMES))
     return count_subject(subject, lambda: rows, length, BOUNDS, lambda *_: None)
 
@@ -75,7 +75,7 @@ def test_where_people_have_places_both_lines_are_counted(drawn):
 
 def test_a_refusal_goes_with_what_was_refused(drawn, document):
     presenter = drawn.presenter
-    presenter.refuse(presenter.wanted(mapped=False), CountingError("no such step"))
+    presenter.refuse(presenter.current_subject(mapped=False), CountingError("no such step"))
     assert presenter.scene(document.frame_state(0), "").message == "no such step"
     drawn.draw()
     assert "Draw a counting line" in presenter.scene(document.frame_state(0), "").message
@@ -83,7 +83,7 @@ def test_a_refusal_goes_with_what_was_refused(drawn, document):
 
 def test_a_bug_is_told_as_one(drawn):
     presenter = drawn.presenter
-    presenter.refuse(presenter.wanted(mapped=False), KeyError("frame"))
+    presenter.refuse(presenter.current_subject(mapped=False), KeyError("frame"))
     assert presenter.refused.startswith("A bug in trackwright: KeyError")
 
 
@@ -100,7 +100,7 @@ def test_counting_stops_where_it_is_asked_to(drawn):
         raise CancelledError("stopped")
 
     length = Length(20.0, FRAMES, (0, FRAMES))
-    subject = drawn.presenter.wanted(mapped=False)
+    subject = drawn.presenter.current_subject(mapped=False)
     with pytest.raises(CancelledError):
         count_subject(subject, columns, length, BOUNDS, stop)
 

@@ -37,7 +37,7 @@ def presenter(document):
 
 
 def score_now(presenter):
-    subject = presenter.wanted()
+    subject = presenter.current_subject()
     scored = score_subject(subject, presenter.scored, presenter.capture(subject), lambda *_: None)
     presenter.take(scored)
     return scored
@@ -108,7 +108,7 @@ def test_an_edit_moves_the_score_and_undoing_it_moves_it_back(presenter, documen
     assert row.moved == f"\u25b2 +{after - before}"
     assert row.better == -1
     edit = document.session.history.entries[-1].id
-    told = presenter.told(document.history())
+    told = presenter.annotate_edits(document.history())
     assert [item.moved[:6] for item in told if item.edit == edit] == ["HOTA \u25bc"]
     document.undo()
     score_now(presenter)
@@ -206,16 +206,16 @@ def test_while_a_tracker_is_at_work_whole_seconds_of_it_are_scored(presenter, do
     fps = document.recording.fps
     assert scored.subject.frames == (0, int(int(30 / fps) * fps))
     assert scored.whole.frames == scored.subject.frames[1]
-    before = presenter.wanted()
+    before = presenter.current_subject()
     document.take_live(steps()[30:31])
-    assert presenter.wanted() == before
+    assert presenter.current_subject() == before
     document.end_live()
-    assert presenter.wanted().frames == document.tracks.frames
+    assert presenter.current_subject().frames == document.tracks.frames
 
 
 def test_without_tracks_there_is_nothing_to_score(document):
     presenter = ScoringPresenter(Document(document.recording))
-    assert presenter.wanted() is None
+    assert presenter.current_subject() is None
     assert "Track the recording first" in presenter.scene("").message
 
 

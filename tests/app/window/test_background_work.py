@@ -124,8 +124,8 @@ def test_the_newest_request_is_answered_with_both_cameras_of_its_frame(reader, q
 
 def test_what_comes_next_is_read_ahead_in_the_play_direction(reader, qtbot):
     reader.request(40, -1)
-    qtbot.waitUntil(lambda: reader.cached(35) is not None)
-    assert reader.cached(45) is None
+    qtbot.waitUntil(lambda: reader.get_cached(35) is not None)
+    assert reader.get_cached(45) is None
 
 
 def test_a_frame_that_is_not_there_is_told_and_the_next_request_works(reader, qtbot):
@@ -186,7 +186,7 @@ def test_playing_never_waits_for_the_search_for_a_late_camera(reader, qtbot, mon
 
     monkeypatch.setattr(late_camera, "lag_looks", slow)
     reader.request(10)
-    qtbot.waitUntil(lambda: reader.cached(20) is not None)
+    qtbot.waitUntil(lambda: reader.get_cached(20) is not None)
     with qtbot.waitSignal(reader.ready) as answer:
         reader.request(60)
     assert answer.args[1].number == 60

@@ -118,9 +118,9 @@ def test_who_ends_the_program_is_told_of_a_loss_only_where_keeping_failed(
     qtbot.waitUntil(lambda: window.controller is not None and not window.work.busy)
     window.controller.tracking.tracked.emit(tiny_run)
     assert window.files.keeping.holds
-    assert window.files.told_at_end() == []
+    assert window.files.describe_unsaved() == []
     qtbot.waitUntil(lambda: window.files.session is not None)
 
 
 def test_who_ends_the_program_is_told_of_a_result_that_could_not_be_kept(held):
-    assert "is lost" in "".join(held.files.told_at_end())
+    assert "is lost" in "".join(held.files.describe_unsaved())

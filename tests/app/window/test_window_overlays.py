@@ -47,7 +47,7 @@ def test_overlays_that_come_next_are_painted_ahead(qtbot, no_threads_left, tiny_
     maker.request(frames[1], kinds, ahead=3)
     qtbot.waitUntil(lambda: len(painted) == 4)
     assert painted == [1, 2, 3, 4]
-    assert maker.made(4, kinds) is maker.made(4, kinds) is not None
+    assert maker.get(4, kinds) is maker.get(4, kinds) is not None
     maker.request(frames[5], kinds, ahead=-3)
     qtbot.waitUntil(lambda: 5 in painted)
     maker.close()

@@ -31,7 +31,7 @@ class Hazards:
         hazard = 1.0 / (1.0 + np.exp(-odds))
         return cls(material.evidence, hazard, np.concatenate(([0.0], np.cumsum(hazard))))
 
-    def expected(self, track: Rows, start: Rows, end: Rows) -> Floats:
+    def expect(self, track: Rows, start: Rows, end: Rows) -> Floats:
         """(k,) sums over stretches of tracks, half-open; 0 for track 0."""
         low, high = self._rows(track, start, end)
         return np.where(track > 0, self.total[high] - self.total[low], 0.0)
