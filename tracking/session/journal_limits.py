@@ -48,7 +48,7 @@ class TimeLimit:
         self._processor_s, self._disk_s = PROCESSOR_S, DISK_S  # left; until when, while it runs
 
     @contextmanager
-    def kept(
+    def enforce(
         self, base: sqlite3.Connection, longest: int = LONGEST_CELL, *, damaged: bool = False
     ) -> Iterator[None]:
         """Have SQLite give up what is done inside where it takes too long or a value is too large.
