@@ -238,7 +238,7 @@ class Files(QObject):
         document = controller.document
         asked = document.parts_asked
         dialog = TrackDialog(
-            document.recording, controller.tracking.proposed, warning, self._window, asked
+            document.recording, controller.tracking.propose_tracker, warning, self._window, asked
         )
         dialog.accepted.connect(lambda: self._track(dialog))
         dialog.open()

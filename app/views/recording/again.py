@@ -25,7 +25,7 @@ def ask_again(controller: RecordingController) -> None:
         "reviewed is overwritten, and you see all changes before they are made."
     )
     run = session.corrected_run
-    tracker = controller.tracking.proposed
+    tracker = controller.tracking.propose_tracker
     asked = controller.document.parts_asked
     dialog = TrackDialog(recording, tracker, told, controller.window_page, asked)
     dialog.setWindowTitle(tr("Track again"))
