@@ -88,7 +88,7 @@ def test_it_does_not_matter_where_blocks_begin(monkeypatch: pytest.MonkeyPatch) 
 @pytest.mark.usefixtures("in_blocks")
 def test_an_edit_leaves_blocks_far_from_it_as_they_were(monkeypatch: pytest.MonkeyPatch) -> None:
     looked: list[int] = []
-    through = review_search.looked_through
+    through = review_search.search_block
 
     def counted(*words: object) -> object:
         looked.append(1)

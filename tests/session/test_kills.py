@@ -17,7 +17,7 @@ LONGEST_S = 400
 @pytest.mark.skipif(sys.platform == "win32", reason="there is no fork to kill")
 def test_no_acknowledged_edit_is_lost_when_the_program_is_killed(tmp_path: Path) -> None:
     done = subprocess.run(
-        [sys.executable, str(HERE / "killing.py"), str(tmp_path), "25", "1"],
+        [sys.executable, str(HERE / "kill_points.py"), str(tmp_path), "25", "1"],
         env={**os.environ, "PYTHONPATH": str(HERE.parents[1]), "OPENBLAS_NUM_THREADS": "1"},
         capture_output=True,
         text=True,

@@ -45,7 +45,7 @@ class ReviewSearch(QObject):
         self.measuring = False
         self._subject = subject
         self._recording = recording
-        self._lookout = ReviewItemFinder()
+        self._finder = ReviewItemFinder()
         self._job: Job | None = None
         self._again = False
         self._found: tuple[object, TrackTable] | None = None
@@ -82,7 +82,7 @@ class ReviewSearch(QObject):
             job.cancel()
             job.wait()
             job.deleteLater()
-        self._found, self._lookout = None, ReviewItemFinder()
+        self._found, self._finder = None, ReviewItemFinder()
         self._tell("", "")
 
     def _begin(self) -> None:
@@ -90,7 +90,7 @@ class ReviewSearch(QObject):
             return  # it begins when the one at work has let go
         self._again = False
         table, run, labels = self._subject()
-        recording, lookout = self._recording, self._lookout
+        recording, lookout = self._recording, self._finder
 
         def find(progress: Progress) -> object:
             view, size = recording.view, recording.size

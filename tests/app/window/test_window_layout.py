@@ -11,7 +11,7 @@ from app.views.window.main_window import MainWindow
 @pytest.fixture
 def window_on_a_laptop(window, qtbot, tiny_session, monkeypatch):
     """Nothing is flagged: what is found, and when, would share the room in other ways."""
-    monkeypatch.setattr(review_search.Lookout, "find", lambda *_, **__: ())
+    monkeypatch.setattr(review_search.ReviewItemFinder, "find", lambda *_, **__: ())
     window.resize(1440, 900)
     window.files.open_path(tiny_session)
     qtbot.waitUntil(
