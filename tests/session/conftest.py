@@ -9,7 +9,8 @@ import pytest
 from made_up_sessions import make_session
 
 from tracking.session import Session, session_reader
-from tracking.session.inspection import verdict_on
+from tracking.session.inspection import inspect
+from tracking.untrusted import verdict_by
 
 
 @pytest.fixture(autouse=True)
@@ -17,7 +18,7 @@ def look_over(monkeypatch: pytest.MonkeyPatch) -> None:
     """Look all files over, in this process: the same check, without waiting for another Python."""
     monkeypatch.setattr(session_reader, "is_sealed", lambda _: False)
     monkeypatch.setattr(
-        session_reader, "inspect_files", lambda paths: [verdict_on(path) for path in paths]
+        session_reader, "inspect_files", lambda paths: [verdict_by(inspect, path) for path in paths]
     )
 
 

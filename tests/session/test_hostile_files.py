@@ -6,6 +6,7 @@ import random
 import shutil
 import sys
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import h5py
@@ -16,7 +17,7 @@ from made_up_sessions import make_session, state_of
 from tests.pace import spent
 from tracking.editing import plan_delete, plan_rename
 from tracking.errors import SessionError, TrackwrightError
-from tracking.session import Session, describe
+from tracking.session import Session, describe, inspection
 from tracking.session.inspection import inspect
 from tracking.session.seal import holds as is_sealed
 from tracking.untrusted import DAMAGED, Refused, limit, verdicts_of
@@ -247,7 +248,7 @@ def test_particle_offsets_that_fill_the_memory_are_refused(
     copy: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     # Whole columns of particles are never read, but their offsets are.
-    monkeypatch.setattr("tracking.session.inspection._MOST_BYTES", 1 << 20)
+    monkeypatch.setattr(inspection, "_KIND", replace(inspection._KIND, most_bytes=1 << 20))
     inspect(copy)
     offsets = {"data": np.zeros(1 << 20, np.int64), "compression": "gzip"}
     with pytest.raises(Refused, match="more data than any session"):

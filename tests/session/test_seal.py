@@ -177,7 +177,8 @@ def test_a_seal_by_other_rules_counts_for_nothing(copy, monkeypatch):
 @pytest.mark.parametrize("name", ["TABLES", "RUN_TABLES"])
 def test_a_seal_made_for_other_columns_counts_for_nothing(copy, name, monkeypatch):
     tables = getattr(layout, name)
-    other = {**tables, "tracks": {**tables["tracks"], "further": np.dtype(np.int32)}}
+    columns = {**tables["tracks"].columns, "further": np.dtype(np.int32)}
+    other = {**tables, "tracks": layout.Table(columns)}
     monkeypatch.setattr(layout, name, other)
     monkeypatch.setattr(seal, "_rules", seal._rules.__wrapped__)
     assert not seal.holds(copy)

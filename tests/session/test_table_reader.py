@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from tracking.errors import SessionError
-from tracking.session.hdf5 import open_readonly, read_columns
+from tracking.session.hdf5 import open_readonly
 from tracking.session.table_reader import PendingColumns
 
 KINDS = [np.bool_, np.uint8, np.int32, np.int64, np.float32, np.float64]
@@ -17,6 +17,13 @@ KINDS = [np.bool_, np.uint8, np.int32, np.int64, np.float32, np.float64]
 
 def column(rows: int, kind: type) -> np.ndarray:
     return np.random.default_rng(3104).integers(0, 2, rows).astype(kind) * kind(1)
+
+
+def read_numbers(dataset: h5py.Dataset) -> np.ndarray:
+    with PendingColumns() as unpacking:
+        values = unpacking.read(dataset, np.dtype(np.float64))
+        unpacking.finish()
+    return values
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -76,14 +83,14 @@ def test_a_damaged_piece_is_told_and_read_as_nothing(tmp_path, piece, skipped, s
     path = tmp_path / "s.h5"
     write_with_piece(path, piece, skipped)
     with pytest.raises(SessionError, match=said), open_readonly(path) as file:
-        read_columns(file["t"], {"x": np.dtype(np.float64)})
+        read_numbers(file["t/x"])
 
 
 def test_a_piece_that_unpacks_to_far_too_much_is_not_unpacked_whole(tmp_path):
     path = tmp_path / "s.h5"
     write_with_piece(path, zlib.compress(bytes(50_000_000)))
     with pytest.raises(SessionError, match="unpacks to 8001 bytes"), open_readonly(path) as file:
-        read_columns(file["t"], {"x": np.dtype(np.float64)})
+        read_numbers(file["t/x"])
 
 
 def test_every_flipped_bit_of_a_piece_is_told_or_changes_nothing(tmp_path):
@@ -97,5 +104,5 @@ def test_every_flipped_bit_of_a_piece_is_told_or_changes_nothing(tmp_path):
         piece[bit // 8] ^= 1 << bit % 8
         write_with_piece(path, bytes(piece))
         with contextlib.suppress(SessionError), open_readonly(path) as file:
-            read = read_columns(file["t"], {"x": np.dtype(np.float64)})["x"]
+            read = read_numbers(file["t/x"])
             assert read[1000:2000].tolist() == values.tolist(), bit

@@ -7,16 +7,12 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import h5py
-
 from tracking.untrusted import (
     Kind,
     Refused,
-    Walk,
     bare_packages,
-    check_signature,
+    checked_file,
     say_verdicts,
-    version_of,
 )
 
 if __name__ == "__main__":
@@ -30,10 +26,7 @@ _KIND = Kind("detector", FORMAT, VERSION, MOST_BYTES, dimensions=2)
 
 def inspect(path: Path) -> tuple[int, int]:
     """The file's format version. Raises Refused where it is not a detector safe to read."""
-    check_signature(path, _KIND)
-    with h5py.File(path, "r", locking=False) as file:
-        version = version_of(file, _KIND)
-        datasets = Walk(path.stat().st_size, _KIND).datasets_of(file)
+    with checked_file(path, _KIND) as (file, version, datasets):
         several = MACHINES[-1] in file.get("machines", ())
         for name, dimensions, kind in _expected(several):
             dataset = datasets.get(name)

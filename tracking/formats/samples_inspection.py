@@ -13,12 +13,10 @@ import h5py
 from tracking.untrusted import (
     Kind,
     Refused,
-    Walk,
     bare_packages,
-    check_signature,
+    checked_file,
     go_on,
     say_verdicts,
-    version_of,
 )
 
 if __name__ == "__main__":
@@ -41,15 +39,9 @@ _BLOCK = 10_000
 
 def inspect(path: Path) -> tuple[int, int]:
     """The file's format version. Raises Refused where it holds no samples safe to read."""
-    check_signature(path, _KIND)
-    with h5py.File(path, "r", locking=False) as file:
-        version = version_of(file, _KIND)
-        try:
-            datasets = Walk(path.stat().st_size, _KIND).datasets_of(file)
-            _check_columns(datasets)
-            _check_text(datasets)
-        except Refused as why:
-            raise Refused(str(why), held=HDF5_FORMAT) from why
+    with checked_file(path, _KIND) as (_, version, datasets):
+        _check_columns(datasets)
+        _check_text(datasets)
     return version
 
 

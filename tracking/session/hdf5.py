@@ -12,7 +12,7 @@ import h5py
 import numpy as np
 
 from tracking.errors import SessionError
-from tracking.session.layout import TEXT, Types
+from tracking.session.layout import TEXT, table_at
 from tracking.session.table_reader import PendingColumns
 
 _FAILURES = (
@@ -40,26 +40,35 @@ def open_readonly(path: Path) -> Iterator[h5py.File]:
         ) from why
 
 
-def read_columns(group: h5py.Group, types: Types) -> dict[str, Any]:
-    """All columns of a table, numbers as arrays, text as lists."""
+def read_columns(group: h5py.Group) -> dict[str, Any]:
+    """All columns of a table, numbers as arrays, text as lists, less those older files lack."""
     with PendingColumns() as unpacking:
-        columns = begin_columns(group, types, unpacking)
+        columns = begin_columns(group, unpacking)
         unpacking.finish()
     return columns
 
 
-def begin_columns(group: h5py.Group, types: Types, unpacking: PendingColumns) -> dict[str, Any]:
+def begin_columns(group: h5py.Group, unpacking: PendingColumns) -> dict[str, Any]:
     """The same; the numbers count when the unpacking is finished.
 
     The columns of a checked file are equally long: where one is empty, all are.
     """
-    if types and is_empty(group, next(iter(types))):
+    table = table_at(group.name)
+    types = table.columns_in(group)
+    if is_empty(group, next(iter(types))):
         return {n: [] if dtype == TEXT else np.empty(0, dtype) for n, dtype in types.items()}
     columns = {name: _dataset(group, name) for name in types}
     return {
         name: read_text(column) if types[name] == TEXT else unpacking.read(column, types[name])
         for name, column in columns.items()
     }
+
+
+def read_rows(group: h5py.Group) -> Iterator[dict[str, Any]]:
+    """The rows of a table, their values by column."""
+    columns = read_columns(group)
+    values = (v if isinstance(v, list) else v.tolist() for v in columns.values())
+    return (dict(zip(columns, row, strict=True)) for row in zip(*values, strict=True))
 
 
 def is_empty(group: h5py.Group, column: str) -> bool:

@@ -18,12 +18,9 @@ from tracking.session.image_file import ImageFile
 from tracking.session.label_tables import tables_of
 from tracking.session.layout import (
     CHUNK_ROWS,
-    COLOUR_COLUMNS,
-    EDIT_COLUMNS,
     FORMAT,
     RUN_TABLES,
-    SAMPLE_TABLE,
-    SOURCE_COLUMNS,
+    TABLES,
     TEXT,
     TRAJECTORY_TYPE,
     VERSION,
@@ -34,7 +31,6 @@ from tracking.session.runs import StoredRun
 from tracking.session.samples import KeptSamples
 from tracking.session.table_writer import Packer
 from tracking.tracks import (
-    CORRECTED_COLUMNS,
     Columns,
     Labels,
     ParticleColumn,
@@ -138,17 +134,18 @@ def write_image(snapshot: Snapshot, image: ImageFile) -> None:
             else:
                 _write_run(packer, runs.create_group(str(number)), run)
         columns = snapshot.tracks.in_order()
-        tracks = packer.table(file, "tracks", CORRECTED_COLUMNS, columns)
+        tracks = packer.table(file, "tracks", columns)
         tracks.attrs["count"] = len(snapshot.tracks.track_ids)
         tracks.attrs["highest_track"] = snapshot.tracks.highest_track
         tracks.attrs["run"] = -1 if snapshot.adopted is None else snapshot.adopted
         _write_colours(packer, file, snapshot.colours)
-        _write_labels(packer, file, snapshot.labels)
-        packer.table(file, "edits", EDIT_COLUMNS, _edit_columns(snapshot.edits))
-        packer.table(file, "edits/touched", TOUCHED_COLUMNS, snapshot.touched)
+        for path, rows in tables_of(snapshot.labels).items():
+            packer.table(file, path, rows)
+        packer.table(file, "edits", _edit_columns(snapshot.edits))
+        packer.table(file, "edits/touched", snapshot.touched)
         _write_samples(packer, file, snapshot.samples_now())
-        rows = Trajectory(columns)
-        trajectory = packer.column(file, "trajectory", rows, TRAJECTORY_TYPE)
+        places = Trajectory(columns)
+        trajectory = packer.column(file, "trajectory", places, TRAJECTORY_TYPE)
         trajectory.attrs["fps"] = snapshot.recording.fps
 
 
@@ -171,9 +168,10 @@ def _write_recording(packer: Packer, group: h5py.Group, recording: RecordingRefe
     for name in ("manifest", "calibration"):
         group.create_dataset(name, data=getattr(recording, name), dtype=h5py.string_dtype())
     sources = {
-        name: [getattr(source, name) for source in recording.sources] for name in SOURCE_COLUMNS
+        name: [getattr(source, name) for source in recording.sources]
+        for name in TABLES["recording/sources"].columns
     }
-    packer.table(group, "sources", SOURCE_COLUMNS, sources)
+    packer.table(group, "sources", sources)
 
 
 def _write_run(packer: Packer, group: h5py.Group, run: Run) -> None:
@@ -186,24 +184,13 @@ def _write_run(packer: Packer, group: h5py.Group, run: Run) -> None:
     group.attrs["known_tracks"] = run.known_tracks
     group.attrs["made"] = run.made
     write_notes(group, run.notes)
-    tables: Mapping[str, Columns] = {
-        "tracks": run.tracks,
-        "detections": run.detections,
-        "associations": run.associations,
-        "parts": run.parts,
-        "signals": run.signals,
-    }
-    for name, columns in tables.items():
-        types = RUN_TABLES[name]
-        packer.table(group, name, types, _by_frame_and_track(columns))
-    by_frame: Mapping[str, Particles] = {
-        "particles": run.particles,
-        "part_particles": run.part_particles,
-        "tracklets": run.tracklets,
-    }
-    for name, particles in by_frame.items():
-        table = packer.table(group, name, RUN_TABLES[name], particles.columns, noisy=True)
-        packer.column(table, "start", particles.start, np.dtype(np.int64))
+    for name in RUN_TABLES:
+        rows: Columns | Particles = getattr(run, name)
+        if isinstance(rows, Particles):
+            table = packer.table(group, name, rows.columns, noisy=True)
+            packer.column(table, "start", rows.start, np.dtype(np.int64))
+        else:
+            packer.table(group, name, _by_frame_and_track(rows))
 
 
 def _by_frame_and_track(columns: Columns) -> Mapping[str, ParticleColumn]:
@@ -219,12 +206,7 @@ def _by_frame_and_track(columns: Columns) -> Mapping[str, ParticleColumn]:
 def _write_colours(packer: Packer, file: h5py.File, colours: Mapping[int, int]) -> None:
     tracks = sorted(colours)
     rows = {"track": tracks, "place": [colours[track] for track in tracks]}
-    packer.table(file, "colours", COLOUR_COLUMNS, rows)
-
-
-def _write_labels(packer: Packer, file: h5py.File, labels: Labels) -> None:
-    for path, types, columns in tables_of(labels):
-        packer.table(file, path, types, columns)
+    packer.table(file, "colours", rows)
 
 
 def _write_samples(packer: Packer, file: h5py.File, samples: Samples) -> None:
@@ -237,7 +219,7 @@ def _write_samples(packer: Packer, file: h5py.File, samples: Samples) -> None:
         for name in SAMPLE_COLUMNS
     }
     features = dict(zip(FEATURE_NAMES, samples.features.T, strict=True))
-    packer.table(file, "samples", SAMPLE_TABLE, {**columns, **features})
+    packer.table(file, "samples", {**columns, **features})
 
 
 def _edit_columns(edits: Sequence[Entry]) -> dict[str, Any]:
@@ -245,7 +227,7 @@ def _edit_columns(edits: Sequence[Entry]) -> dict[str, Any]:
         name: [getattr(entry, name) for entry in edits]
         if dtype == TEXT
         else np.array([getattr(entry, name) for entry in edits], dtype)
-        for name, dtype in EDIT_COLUMNS.items()
+        for name, dtype in TABLES["edits"].columns.items()
         if name != "scope"
     }
     scopes = [entry.scope.as_text if entry.scope else "" for entry in edits]

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from tracking.errors import EditError, SessionError
 from tracking.session.hdf5 import open_readonly, read_columns, text_attribute
 from tracking.session.image_file import ImageFile
-from tracking.session.layout import CHUNK_ROWS, LATER_RUN_COLUMNS, PARTICLE_TABLES, RUN_TABLES
+from tracking.session.layout import CHUNK_ROWS, RUN_TABLES
 from tracking.session.run_notes import read_notes
 from tracking.session.session_copy import copy_group
 from tracking.session.stamps import now
@@ -53,10 +53,9 @@ class StoredRun:
         """
         with open_readonly(self.path) as file:
             group = file[f"runs/{self.number}"]
-            tables = {
-                name: _read_table(group[name], name) if name in group else empty(types)
-                for name, types in RUN_TABLES.items()
-                if name not in PARTICLE_TABLES
+            tables: dict[str, Any] = {
+                name: self._particles(group, name) if table.by_frame else _read_table(group, name)
+                for name, table in RUN_TABLES.items()
             }
             first, stop = (int(frame) for frame in group.attrs["frames"])
             _check_run(tables["tracks"], (first, stop))
@@ -66,9 +65,6 @@ class StoredRun:
                 seed=int(group.attrs["seed"]),
                 frames=(first, stop),
                 **tables,
-                particles=self._particles(group, "particles"),
-                part_particles=self._particles(group, "part_particles"),
-                tracklets=self._particles(group, "tracklets"),
                 software=text_attribute(group, "software"),
                 detector=text_attribute(group, "detector"),
                 known_tracks=_known_tracks(group),
@@ -90,7 +86,7 @@ class StoredRun:
 
     def _particles(self, run: h5py.Group, table: str) -> Particles:
         if table not in run:
-            return Particles.none(RUN_TABLES[table])
+            return Particles.none(RUN_TABLES[table].columns)
         group = run[table]
         start = group["start"][()]
         rows = len(group["track"])
@@ -106,7 +102,7 @@ class StoredRun:
                 column: StoredColumn(self.path, f"{name}/{column}", rows, dtype)
                 if column in group
                 else np.broadcast_to(_unknown(dtype), rows)
-                for column, dtype in RUN_TABLES[table].items()
+                for column, dtype in RUN_TABLES[table].columns.items()
             },
         )
 
@@ -122,20 +118,17 @@ def read_settings(group: h5py.Group) -> dict[str, Any]:
     return present_settings(text_attribute(group, "tracker"), settings)
 
 
-def _read_table(group: h5py.Group, name: str) -> Columns:
-    """A run's table; columns that came with a later format are filled where they are missing."""
-    types = RUN_TABLES[name]
-    later = {
-        column
-        for together in LATER_RUN_COLUMNS.get(name, ())
-        for column in together
-        if column not in group
-    }
-    columns = read_columns(group, {n: kind for n, kind in types.items() if n not in later})
+def _read_table(run: h5py.Group, name: str) -> Columns:
+    """A run's table; what came with a later format is filled where it is missing."""
+    types = RUN_TABLES[name].columns
+    if name not in run:
+        return empty(types)
+    columns = read_columns(run[name])
     rows = len(columns["frame"])
-    for column in later:
-        columns[column] = np.full(rows, _unknown(types[column]))
-    return {column: columns[column] for column in types}
+    return {
+        column: columns[column] if column in columns else np.full(rows, _unknown(dtype))
+        for column, dtype in types.items()
+    }
 
 
 def _unknown(dtype: np.dtype[Any]) -> Any:

@@ -173,12 +173,12 @@ def _signature(key: bytes, size: int, table: bytes, digest: bytes) -> bytes:
 def _rules() -> bytes:
     """What the inspection goes by: a seal says nothing about other rules, or another library."""
     # By kind, then name: the corrected tracks and those of a run are tables of one name.
-    kinds = (layout.TABLES, layout.RUN_TABLES, {"samples": layout.SAMPLE_TABLE})
+    kinds = (layout.TABLES, layout.RUN_TABLES, {"samples": layout.SAMPLES})
     columns = [
         (kind, table, column, dtype.str)
         for kind, tables in enumerate(kinds)
-        for table, types in tables.items()
-        for column, dtype in types.items()
+        for table, held in tables.items()
+        for column, dtype in held.columns.items()
     ]
     said = hashlib.sha256(repr((columns, h5py.version.hdf5_version)).encode())
     programs = (inspection.__file__, layout.__file__)

@@ -10,14 +10,20 @@ from typing import Any
 
 import h5py
 
-from tracking.editing import TOUCHED_COLUMNS, Entry, History, Scope, TouchIndex, footprint_of
+from tracking.editing import Entry, History, Scope, TouchIndex, footprint_of
 from tracking.errors import EditError, SessionError
 from tracking.session import inspection
 from tracking.session.findings import CHECKSUM, Finding, read_findings
-from tracking.session.hdf5 import begin_columns, open_readonly, read_columns, text_attribute
+from tracking.session.hdf5 import (
+    begin_columns,
+    open_readonly,
+    read_columns,
+    read_rows,
+    text_attribute,
+)
 from tracking.session.image import Snapshot, Stamps
 from tracking.session.label_tables import read_labels
-from tracking.session.layout import COLOUR_COLUMNS, EDIT_COLUMNS, SOURCE_COLUMNS, VERSION
+from tracking.session.layout import VERSION
 from tracking.session.notes import note_of_change, note_of_missing_seal, tell_damage
 from tracking.session.reference import RecordingReference, SourceFingerprint
 from tracking.session.runs import StoredRun
@@ -26,7 +32,7 @@ from tracking.session.seal import is_changed, is_missing
 from tracking.session.session_writer import find_backups
 from tracking.session.stamps import now
 from tracking.session.table_reader import PendingColumns
-from tracking.tracks import CORRECTED_COLUMNS, LARGEST_NUMBER, TrackTable
+from tracking.tracks import LARGEST_NUMBER, TrackTable
 from tracking.untrusted import DAMAGED, verdicts_of
 
 _MOST_FPS, _WIDEST = 1e6, 1 << 20
@@ -145,7 +151,7 @@ def _read_version_1(file: h5py.File, path: Path) -> Snapshot:
     tracks = file["tracks"]
     try:
         with PendingColumns() as unpacking:
-            columns = begin_columns(tracks, CORRECTED_COLUMNS, unpacking)
+            columns = begin_columns(tracks, unpacking)
             labels, edits = read_labels(file), read_edits(file)
             touches = _read_touched(file["edits"], edits)
             History(edits, touches)
@@ -178,28 +184,22 @@ def _read_colours(file: h5py.File) -> dict[int, int]:
     """The colour of each track; none in older files."""
     if "colours" not in file:
         return {}
-    columns = read_columns(file["colours"], COLOUR_COLUMNS)
-    return dict(zip(columns["track"].tolist(), columns["place"].tolist(), strict=True))
+    return {row["track"]: row["place"] for row in read_rows(file["colours"])}
 
 
 def read_edits(file: h5py.File) -> tuple[Entry, ...]:
     """The log."""
-    group = file["edits"]
-    types = {name: dtype for name, dtype in EDIT_COLUMNS.items() if name in group}
-    columns = read_columns(group, types)
-    lists = [column if isinstance(column, list) else column.tolist() for column in columns.values()]
-    return tuple(_entry(dict(zip(types, row, strict=True))) for row in zip(*lists, strict=True))
-
-
-def _entry(row: dict[str, Any]) -> Entry:
-    return Entry(**{**row, "scope": Scope.of_text(row.get("scope", ""))})
+    return tuple(
+        Entry(**{**row, "scope": Scope.of_text(row.get("scope", ""))})
+        for row in read_rows(file["edits"])
+    )
 
 
 def _read_touched(group: h5py.Group, edits: Sequence[Entry]) -> TouchIndex:
     """What the edits touch. Where the file does not say so, or nonsense, it is worked out."""
     if "touched" in group:
         with contextlib.suppress(EditError):
-            columns = read_columns(group["touched"], TOUCHED_COLUMNS)
+            columns = read_columns(group["touched"])
             return TouchIndex.from_columns(columns, len(edits))
     index = TouchIndex()
     for entry in edits:
@@ -210,8 +210,6 @@ def _read_touched(group: h5py.Group, edits: Sequence[Entry]) -> TouchIndex:
 
 def read_recording(group: h5py.Group) -> RecordingReference:
     """The reference to the recording."""
-    sources = read_columns(group["sources"], SOURCE_COLUMNS)
-    rows = zip(sources["source"], sources["size_bytes"].tolist(), sources["sha256"], strict=True)
     return RecordingReference(
         name=text_attribute(group, "name"),
         path=text_attribute(group, "path"),
@@ -222,7 +220,7 @@ def read_recording(group: h5py.Group) -> RecordingReference:
         manifest=str(group["manifest"].asstr(errors="replace")[()]),
         own_manifest=bool(group.attrs.get("own_manifest", True)),
         calibration=str(group["calibration"].asstr(errors="replace")[()]),
-        sources=tuple(SourceFingerprint(*row) for row in rows),
+        sources=tuple(SourceFingerprint(**row) for row in read_rows(group["sources"])),
     )
 
 

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.session.image_file import ImageFile
-from tracking.session.layout import CHUNK_ROWS, TEXT, Types
+from tracking.session.layout import CHUNK_ROWS, TEXT, table_at
 from tracking.tracks import ParticleColumn
 
 _COMPRESSION = 1
@@ -37,17 +37,18 @@ class Packer:
         self,
         parent: h5py.Group,
         name: str,
-        types: Types,
         columns: Mapping[str, Any],
         *,
         noisy: bool = False,
     ) -> h5py.Group:
-        """A group with the columns; numbers may be arrays or anything that is read by slices.
+        """A group with the columns of the layout's table of that path, which gives their types.
+
+        Numbers may be arrays or anything that is read by slices.
 
         noisy: see `column`.
         """
         group = parent.create_group(name)
-        for column, dtype in types.items():
+        for column, dtype in table_at(group.name).columns.items():
             if dtype == TEXT:
                 _write_text(group, column, columns[column])
             else:

@@ -17,7 +17,7 @@ from tracking.untrusted.walk import (
     attribute_of,
     check_attributes,
     check_signature,
-    version_of,
+    checked_file,
 )
 
 __all__ = [
@@ -29,11 +29,11 @@ __all__ = [
     "bare_packages",
     "check_attributes",
     "check_signature",
+    "checked_file",
     "go_on",
     "limit",
     "named_format",
     "say_verdicts",
     "verdict_by",
     "verdicts_of",
-    "version_of",
 ]

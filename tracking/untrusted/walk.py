@@ -6,7 +6,8 @@ walked here is structure alone: links, types, sizes, filters and attributes.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -106,6 +107,24 @@ def version_of(file: h5py.File, kind: Kind) -> tuple[int, int]:
     if major < 1:
         raise Refused(f"has format {said}, which never was", held)
     return major, minor
+
+
+@contextmanager
+def checked_file(
+    path: Path, kind: Kind
+) -> Iterator[tuple[h5py.File, tuple[int, int], dict[str, h5py.Dataset]]]:
+    """A file of that kind, its format version, and all its arrays by path.
+
+    Raises Refused where it is another file, or not safe to read.
+    """
+    check_signature(path, kind)
+    with h5py.File(path, "r", locking=False) as file:
+        version = version_of(file, kind)
+        try:
+            yield file, version, Walk(path.stat().st_size, kind).datasets_of(file)
+        except Refused as why:
+            why.held = kind.format
+            raise
 
 
 class Walk:
