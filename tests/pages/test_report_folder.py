@@ -9,13 +9,17 @@ from pathlib import Path
 import pytest
 
 from tracking.errors import OutputError
-from tracking.pages import page, write_report_folder
+from tracking.pages import render, write_report_folder
 
 KIND = "a test's report"
 
 
+def _page(title: str, kind: str) -> str:
+    return render("pages/page.html", title=title, kind=kind)
+
+
 def _files(title: str) -> dict[str, str]:
-    return {"report.html": page(title, kind=KIND), "report.json": f'"{title}"'}
+    return {"report.html": _page(title, KIND), "report.json": f'"{title}"'}
 
 
 def test_a_report_is_written_and_written_again(tmp_path: Path) -> None:
@@ -33,7 +37,7 @@ def test_a_report_is_written_and_written_again(tmp_path: Path) -> None:
         ("thesis.txt", "years of work"),
         ("report.json", "of another program"),
         ("report.html", "<title>somebody's own</title>"),
-        ("report.html", page("of another kind", kind="another kind")),
+        ("report.html", _page("of another kind", "another kind")),
     ],
 )
 def test_nothing_else_is_lost_to_a_report(tmp_path: Path, name: str, content: str) -> None:

@@ -1,30 +1,19 @@
-"""Pages and their pictures: the one way in which reports are drawn and written."""
+"""Pages and their plots: the one way in which reports are drawn and written."""
 
-from tracking.pages.axes import Axes, Axis, drawing, group
-from tracking.pages.curves import Panel, drawn, look_of, svg
-from tracking.pages.elements import Content, Element, element, name
 from tracking.pages.folder import check_report_folder, write_report_folder
-from tracking.pages.page import page
-from tracking.pages.pictures import jpeg_source, picture
-from tracking.pages.tables import table
+from tracking.pages.plots import Axes, Axis, Bar, Panel, Plot, Shape, path_of, svg
+from tracking.pages.templates import render
 
 __all__ = [
     "Axes",
     "Axis",
-    "Content",
-    "Element",
+    "Bar",
     "Panel",
+    "Plot",
+    "Shape",
     "check_report_folder",
-    "drawing",
-    "drawn",
-    "element",
-    "group",
-    "jpeg_source",
-    "look_of",
-    "name",
-    "page",
-    "picture",
+    "path_of",
+    "render",
     "svg",
-    "table",
     "write_report_folder",
 ]

@@ -10,7 +10,7 @@ from pathlib import Path
 from tracking.atomic_output import replacing
 from tracking.errors import OutputError
 from tracking.owned_files import SAFE_FLAGS
-from tracking.pages.page import is_page
+from tracking.pages.templates import is_page
 
 _HEAD_BYTES = 2048
 

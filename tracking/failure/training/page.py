@@ -4,30 +4,19 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
 
-from tracking.failure.training.report import Mistake, QuestionReport, TrainingReport
-from tracking.pages import (
-    Element,
-    Panel,
-    check_report_folder,
-    drawn,
-    element,
-    name,
-    page,
-    picture,
-    table,
-    write_report_folder,
-)
+from tracking.failure.training.report import QuestionReport, TrainingReport
+from tracking.pages import Panel, Plot, check_report_folder, render, write_report_folder
 
 PAGE, DATA = "index.html", "report.json"
 KIND = "trackwright training report"
 
 _POINTS = 400
-_NAMED = 8
+_BEST = 5
 
 
 def check_training_folder(folder: Path) -> None:
@@ -53,32 +42,15 @@ def write_report(
 
 def page_of(report: TrainingReport, pictures: Mapping[int, bytes]) -> str:
     """The page as HTML."""
-    sections = [_section(question, pictures) for question in report.questions]
-    return page("Part-failure detector", _summary(report), *sections, kind=KIND)
-
-
-def _summary(report: TrainingReport) -> Iterator[Element]:
-    origin = report.detector.origin
-    names = ", ".join(origin.recordings[:_NAMED])
-    left = len(origin.recordings) - _NAMED
-    measured = "sizes of the person" if report.by_size else "pixels"
-    yield element(
-        "p",
-        f"{origin.people} people of ",
-        name(names),
-        f" and {left} more" if left > 0 else None,
-        f"; {report.folds} folds, split by recording and person; features in {measured}; "
-        f"fingerprint {report.detector.fingerprint}; {origin.software}.",
-    )
-    head = ("", "off its part", "on its part", "failures found", "false alarms")
-    yield table((*head, "area under the curve"), map(_rates, report.questions))
-    yield element(
-        "p",
-        "Every rate is of people whom the machine that judged them had not seen. "
-        "Parameters and thresholds were chosen by these rates, so others may fare a little worse. "
-        "The row several counts instants at which a part is lost: off its part where others are "
-        "lost, too, on its part where it is the only one; a false alarm takes one for several.",
-        class_="note",
+    return render(
+        "failure/training/page.html",
+        title="Part-failure detector",
+        kind=KIND,
+        report=report,
+        pictures=pictures,
+        rates=[_rates(question) for question in report.questions],
+        best={question.name: _best(question) for question in report.questions},
+        sections=[(question, _curve(question)) for question in report.questions],
     )
 
 
@@ -88,31 +60,12 @@ def _rates(question: QuestionReport) -> tuple[str | int, ...]:
     return (question.name, off, on, *map(_share, shares))
 
 
-def _section(question: QuestionReport, pictures: Mapping[int, bytes]) -> Iterator[Element]:
-    yield element("h2", question.name)
-    curve = element("div", _curve(question), class_="drawn narrow")
-    yield element("div", curve, element("div", *_choice(question)), class_="row")
-    if question.mistakes:
-        yield element("h3", "Most informative mistakes")
-        colours = "Green rectangles are labelled on their part, red ones off it."
-        yield element("p", colours, class_="note")
-        shown = [_mistake(one, pictures) for one in question.mistakes]
-        yield element("div", shown, class_="pictures little")
+def _best(question: QuestionReport) -> list[tuple[str, str]]:
+    best = sorted(question.tried, key=lambda one: -one.worth)[:_BEST]
+    return [(str(one.candidate), f"{one.worth:.3f}") for one in best]
 
 
-def _choice(question: QuestionReport) -> Iterator[Element]:
-    """What was counted, and what was chosen."""
-    sides = ("one part", "several") if question.name == "several" else ("on its part", "off it")
-    said = ("said: one", "said: several") if question.name == "several" else ("said: on", "failed")
-    counts = zip(sides, question.confusion.tolist(), strict=True)
-    yield table(("truth", *said), [(side, *row) for side, row in counts])
-    yield element("p", f"{question.candidate}; fails above {question.threshold:.3f}")
-    best = sorted(question.tried, key=lambda one: -one.worth)[:5]
-    rows = [(str(one.candidate), f"{one.worth:.3f}") for one in best]
-    yield table(("best of the grid", "found while alarms are few"), rows)
-
-
-def _curve(question: QuestionReport) -> Element:
+def _curve(question: QuestionReport) -> Plot:
     """The curve of failures found over false alarms, with the operating point."""
     points = question.curve.points()
     kept = np.unique(np.linspace(0, len(points) - 1, _POINTS).round().astype(int))
@@ -127,24 +80,7 @@ def _curve(question: QuestionReport) -> Element:
         (0.0, 100.0),
         {"chosen": at} if all(map(math.isfinite, at)) else {},
     )
-    return drawn([panel], 1, says=f"failures found over false alarms: {question.name}")
-
-
-def _mistake(mistake: Mistake, pictures: Mapping[int, bytes]) -> Element:
-    said = "said: failed" if mistake.failed else "said: on its part"
-    jpeg = pictures.get(mistake.sample)
-    where = f", track {mistake.track}, frame {mistake.frame}"
-    return element(
-        "figure",
-        None if jpeg is None else picture(jpeg, f"track {mistake.track}, frame {mistake.frame}"),
-        element(
-            "figcaption",
-            name(mistake.recording),
-            where,
-            element("br"),
-            f"{said}, {mistake.score:+z.2f}",
-        ),
-    )
+    return Plot([panel], 1, says=f"failures found over false alarms: {question.name}")
 
 
 def _share(value: float) -> str:

@@ -9,9 +9,8 @@ from tracking.scoring.report.findings import (
     finding_of,
     report_of,
 )
-from tracking.scoring.report.on_sequence import Shown
 from tracking.scoring.report.page import page_of
-from tracking.scoring.report.page_pictures import shown_of
+from tracking.scoring.report.page_pictures import Shown, shown_of
 from tracking.scoring.report.report_writer import check_score_folder, write_score_report
 from tracking.scoring.report.subject import Footage, Source, Subject
 from tracking.scoring.report.switch_pictures import (

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from tracking.pages import Element, Panel, drawn
+from tracking.pages import Panel, Plot
 from tracking.scoring.hota import ALPHAS
 from tracking.scoring.parts import SUBJECTS, Rates
 from tracking.scoring.report.findings import ScoreReport
@@ -16,22 +16,22 @@ PART_HEAD = ("body part", "right, of all frames", "of its rectangle, something e
 _NAMED = 28
 
 
-def hota_curves(report: ScoreReport) -> Element:
+def hota_curves(report: ScoreReport) -> Plot:
     """One result: its curves in one diagram; several: a diagram for each curve."""
     says = "HOTA, DetA, AssA and LocA over the similarity from which rows match"
     if len(report.results) == 1:
         curves = report.overall[report.results[0]].hota
-        return drawn(
+        return Plot(
             [_panel("HOTA and its parts", {p: curves.curve(p) for p in PARTS})], 1, says=says
         )
     panels = [
         _panel(part, {_short(n): report.overall[n].hota.curve(part) for n in report.results})
         for part in PARTS
     ]
-    return drawn(panels, 2, says=says)
+    return Plot(panels, 2, says=says)
 
 
-def part_curves(rates: Rates) -> Element:
+def part_curves(rates: Rates) -> Plot:
     """How many people's parts are tracked rightly, over the frames since a person's start."""
     length = int(np.count_nonzero(rates.people))
     curves = {_word(name): 100 * rates.right[:length, n] for n, name in enumerate(SUBJECTS)}
@@ -43,7 +43,7 @@ def part_curves(rates: Rates) -> Element:
         (0.0, float(max(length - 1, 1))),
         (0.0, 100.0),
     )
-    return drawn([panel], 1, says="how many people's body parts are tracked rightly over time")
+    return Plot([panel], 1, says="how many people's body parts are tracked rightly over time")
 
 
 def part_rows(rates: Rates) -> list[tuple[str, str, str]]:

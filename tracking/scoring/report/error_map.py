@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 from itertools import islice
 
 import numpy as np
 
-from tracking.pages import Element, drawing, element, group
+from tracking.pages import Shape, path_of
 from tracking.scoring.errors import ErrorKind, ErrorTable
 from tracking.scoring.report.findings import Finding
 from tracking.scoring.report.ground_plan import GroundPlan, known
@@ -24,60 +25,61 @@ _STEP = 2.5
 """How far apart, drawn, two points of a way are at least."""
 
 
-def error_map(
-    finding: Finding, plan: GroundPlan, clock: Clock, background: Element | None = None
-) -> Element:
+@dataclass(frozen=True, slots=True)
+class ErrorMap:
     """The map.
 
-    Args:
-        background: a picture of the place, for a map in pixels.
+    Attributes:
+        says: what it shows, for those who hear the page.
+        plan: what it is drawn on. ground: the camera and what it sees.
+        shapes: ways of people, and errors.
+        scale_m, scale: a bar of so many metres, as it is drawn; 0 where metres are unknown.
     """
-    width, height = plan.axes.x.length, plan.axes.y.length
-    content = [*_ground(plan, background), *_walks(finding, plan)]
+
+    says: str
+    plan: GroundPlan
+    ground: list[Shape]
+    shapes: list[Shape]
+    scale_m: float
+    scale: float
+
+    left, top = _LEFT, _TOP
+
+    @property
+    def about(self) -> tuple[int, int]:
+        """How many numbers stand at the axes."""
+        x, y = (axis.length for axis in (self.plan.axes.x, self.plan.axes.y))
+        return max(3, round(x / 90)), max(3, round(y / 90))
+
+
+def error_map(finding: Finding, plan: GroundPlan, clock: Clock) -> ErrorMap:
+    """Where errors of a finding happen."""
+    shapes = list(_walks(finding, plan))
     for kind in (ErrorKind.FALSE_ALARM, ErrorKind.MISS):
-        content += _ways(finding.errors.of_kind(kind), kind, plan, clock)
+        shapes += _ways(finding.errors.of_kind(kind), kind, plan, clock)
     for kind in (ErrorKind.FRAGMENTATION, ErrorKind.SWITCH):
-        content += _instants(finding.errors.of_kind(kind), kind, plan, clock)
-    inside = element(
-        "svg",
-        content,
-        x=0.0,
-        y=0.0,
-        width=width,
-        height=height,
-        viewBox=f"0 0 {width:g} {height:g}",
-    )
-    about = (max(3, round(width / 90)), max(3, round(height / 90)))
-    frame = plan.axes.drawn(grid=False, about=about)
+        shapes += _instants(finding.errors.of_kind(kind), kind, plan, clock)
     says = f"where errors of {finding.result} happen on {finding.subject.name}"
-    body = group(_LEFT, _TOP, inside, *frame, *_scale(plan))
-    return drawing(_LEFT + width + 20, _TOP + height + 50, body, says=says)
+    metres = _scale_m(plan)
+    return ErrorMap(says, plan, list(_ground(plan)), shapes, metres, metres * plan.unit_length)
 
 
-def _ground(plan: GroundPlan, background: Element | None) -> Iterator[Element]:
+def _ground(plan: GroundPlan) -> Iterator[Shape]:
     if len(plan.view):
-        yield element("path", d=_path(plan.places(plan.view, beyond=True)) + "z", class_="view")
+        yield Shape(path_of(plan.places(plan.view, beyond=True)) + "z", "view")
         x, y = plan.places(np.zeros((1, 2)))[0].tolist()
-        camera = element("path", d=f"M{x - 7:.1f} {y:.1f}h14l-4-11h-6z", class_="camera")
-        camera.append(element("title", "the camera"))
-        yield camera
-    if background is not None and not plan.on_floor:
-        size = {"width": str(plan.axes.x.length), "height": str(plan.axes.y.length)}
-        background.attrib.update(size, opacity="0.45", preserveAspectRatio="none")
-        yield background
+        yield Shape(f"M{x - 7:.1f} {y:.1f}h14l-4-11h-6z", "camera", "the camera")
 
 
-def _walks(finding: Finding, plan: GroundPlan) -> Iterator[Element]:
+def _walks(finding: Finding, plan: GroundPlan) -> Iterator[Shape]:
     truth = finding.subject.truth.rows(finding.subject.truth.counted)
     stretches = Stretches.of(truth.frame, truth.track, plan.of(truth))
     for who, path in zip(stretches.who.tolist(), stretches.paths(), strict=True):
         if d := _way(path, plan):
-            way = element("path", d=d, class_="walk")
-            way.append(element("title", f"person {who}"))
-            yield way
+            yield Shape(d, "walk", f"person {who}")
 
 
-def _ways(found: ErrorTable, kind: ErrorKind, plan: GroundPlan, clock: Clock) -> Iterator[Element]:
+def _ways(found: ErrorTable, kind: ErrorKind, plan: GroundPlan, clock: Clock) -> Iterator[Shape]:
     """Stretches of misses or false alarms, the long ones first."""
     missed = kind is ErrorKind.MISS
     stretches = Stretches.of(found.frame, found.truth if missed else found.result, plan.of(found))
@@ -88,9 +90,7 @@ def _ways(found: ErrorTable, kind: ErrorKind, plan: GroundPlan, clock: Clock) ->
         when = clock.says(int(stretches.start[number]), int(stretches.stop[number]))
         says = f"{who}: {'missed' if missed else 'nobody is there'}, {when}"
         if d := _way(paths[number], plan):
-            way = element("path", d=d, class_=f"way {LOOK[kind]}")
-            way.append(element("title", says))
-            yield way
+            yield Shape(d, f"way {LOOK[kind]}", says)
         elif known(paths[number]).any():
             x, y = plan.places(paths[number][known(paths[number])][:1])[0].tolist()
             yield mark(kind, x, y, says)
@@ -98,7 +98,7 @@ def _ways(found: ErrorTable, kind: ErrorKind, plan: GroundPlan, clock: Clock) ->
 
 def _instants(
     found: ErrorTable, kind: ErrorKind, plan: GroundPlan, clock: Clock
-) -> Iterator[Element]:
+) -> Iterator[Shape]:
     places = plan.places(plan.of(found))
     drawn = np.flatnonzero(known(places))
     for row in islice(drawn.tolist(), MOST_MARKS):
@@ -127,20 +127,12 @@ def _way(path: Floats, plan: GroundPlan) -> str:
     for row in range(1, len(places)):
         if np.abs(places[row] - places[kept[-1]]).max() >= _STEP:
             kept.append(row)
-    return _path(places[kept]) if len(kept) > 1 else ""
+    return path_of(places[kept]) if len(kept) > 1 else ""
 
 
-def _path(places: Floats) -> str:
-    return "M" + "L".join(f"{x:.1f} {y:.1f}" for x, y in places.tolist())
-
-
-def _scale(plan: GroundPlan) -> Iterator[Element]:
-    """A bar as long as a round number of metres."""
-    if not plan.on_floor:
-        return
+def _scale_m(plan: GroundPlan) -> float:
+    """A round number of metres."""
     low, high = plan.axes.x.span
-    metres = max(m for m in (0.2, 0.5, 1, 2, 5, 10, 20, 50) if m <= max((high - low) / 4, 0.2))
-    length, y = metres * plan.unit_length, plan.axes.y.length - 12
-    x = plan.axes.x.length - 12 - length
-    yield element("line", x1=x, x2=x + length, y1=y, y2=y, class_="scale")
-    yield element("text", f"{metres:g} m", x=x + length / 2, y=y - 5, text_anchor="middle")
+    if not plan.on_floor:
+        return 0.0
+    return max(m for m in (0.2, 0.5, 1, 2, 5, 10, 20, 50) if m <= max((high - low) / 4, 0.2))

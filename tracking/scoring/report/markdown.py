@@ -64,13 +64,9 @@ def _overall(report: ScoreReport) -> Iterator[str]:
 
 
 def _sequences(report: ScoreReport, result: str) -> str:
-    shown = tables.main_measures(report)
-    rows = [
-        [plain(one.subject.name), *(each.shown(one.score) for each in shown)]
-        for one in report.of(result)
-    ]
-    rows.append([tables.COMBINED, *(each.shown(report.overall[result]) for each in shown)])
-    return _table([plain(result), *(plain(each.name) for each in shown)], rows)
+    names = (plain(each.name) for each in tables.main_measures(report))
+    *rows, last = tables.sequence_rows(report, result)
+    return _table([plain(result), *names], [*((plain(one), *more) for one, *more in rows), last])
 
 
 def _finding(finding: Finding, report: ScoreReport) -> Iterator[str]:
@@ -79,12 +75,8 @@ def _finding(finding: Finding, report: ScoreReport) -> Iterator[str]:
         yield "\n".join(lines)
     yield from map(plain, lacking_said(finding))
     if finding.ranges:
-        shown = tables.main_measures(report)
-        rows = [
-            [f"{start} to {stop - 1}", *(each.shown(score) for each in shown)]
-            for (start, stop), score in finding.ranges.items()
-        ]
-        yield _table(["frames", *(plain(each.name) for each in shown)], rows)
+        names = (plain(each.name) for each in tables.main_measures(report))
+        yield _table(["frames", *names], tables.range_rows(finding, report))
     if finding.distances:
         yield _table(*distance_rows(finding.distances))
     else:

@@ -3,15 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from typing import Any
 
 import tracking
-from tracking.pages import Content, Element, element, name, page
+from tracking.pages import render
 from tracking.scoring.conventions import Conventions
-from tracking.scoring.report import tables
-from tracking.scoring.report.curves import hota_curves
+from tracking.scoring.errors import ErrorKind
+from tracking.scoring.report import error_map, tables
+from tracking.scoring.report.curves import PART_HEAD, hota_curves, part_curves, part_rows
+from tracking.scoring.report.distances import NO_PLACES, distance_rows
 from tracking.scoring.report.findings import Finding, ScoreReport
-from tracking.scoring.report.marks import STYLE
-from tracking.scoring.report.on_sequence import Shown, lacking, on_sequence, sources_of
+from tracking.scoring.report.ground_plan import GroundPlan, ground_plan
+from tracking.scoring.report.marks import TITLES, mark
+from tracking.scoring.report.measures import by_group
+from tracking.scoring.report.missing_values import lacking_said
+from tracking.scoring.report.over_time import errors_over_time
+from tracking.scoring.report.page_pictures import Shown
+from tracking.scoring.report.sources import sources_said
 from tracking.scoring.similarity import FloorMatch
 
 KIND = "trackwright score report"
@@ -23,21 +31,24 @@ def page_of(report: ScoreReport, shown: Mapping[Finding, Shown]) -> str:
     Args:
         shown: pictures of findings; a finding may have none.
     """
-    several = len(report.sequences) > 1
-    body: list[Content] = [_introduction(report), _contents(report, several=several)]
-    if len(report.results) == 1:
-        body.append(_cards(report))
-    body.append(_overall(report, several=several))
-    if several:
-        body.append(_by_sequence(report))
-    for number, sequence in enumerate(report.sequences):
-        findings = report.on(sequence)
-        body.append(element("h2", name(sequence), id=f"sequence-{number}", class_="sheet"))
-        for finding in findings:
-            if len(report.results) > 1:
-                body.append(element("h3", name(finding.result)))
-            body.append(on_sequence(finding, report, shown.get(finding, Shown())))
-    return page(title_of(report), *body, kind=KIND, style=STYLE)
+    return render(
+        "scoring/report/page.html",
+        title=title_of(report),
+        kind=KIND,
+        report=report,
+        how=how(report),
+        cards=_cards(report) if len(report.results) == 1 else (),
+        scores=[report.overall[result] for result in report.results],
+        curves=hota_curves(report),
+        groups=by_group(tables.measures_of(report)),
+        names=[measure.name for measure in tables.main_measures(report)],
+        by_recording={result: tables.sequence_rows(report, result) for result in report.results},
+        views=[_view(one, report, shown.get(one, Shown())) for one in report.findings],
+        marks=[mark(kind, 8, 8, title) for kind, title in TITLES.items()],
+        no_places=NO_PLACES,
+        passage_head=tables.PASSAGE_HEAD,
+        part_head=PART_HEAD,
+    )
 
 
 def title_of(report: ScoreReport) -> str:
@@ -64,32 +75,7 @@ def how(report: ScoreReport) -> str:
     return f"{text} Frames count from 0. Made by trackwright {tracking.__version__}."
 
 
-def _introduction(report: ScoreReport) -> Iterator[Element]:
-    names: list[Content] = []
-    for number, result in enumerate(report.results):
-        names += [", " if number else None, name(result)]
-    # Of several findings each tells its own sources.
-    sources = list(sources_of(report.findings[0])) if len(report.findings) == 1 else []
-    title = "Results: " if len(report.results) > 1 else "Result: "
-    told: list[Content] = [] if sources else [title, names, ". "]
-    yield from sources
-    yield element("p", told, how(report), class_="note")
-    if len(report.findings) == 1:
-        yield from lacking(report.findings[0])
-
-
-def _contents(report: ScoreReport, *, several: bool) -> Element | None:
-    links = [element("a", "Measures", href="#measures")]
-    if several:
-        links.append(element("a", "By recording", href="#recordings"))
-    links += [
-        element("a", name(sequence), href=f"#sequence-{number}")
-        for number, sequence in enumerate(report.sequences)
-    ]
-    return element("nav", links)
-
-
-def _cards(report: ScoreReport) -> Element:
+def _cards(report: ScoreReport) -> list[tuple[str, str]]:
     """The numbers that most people ask for."""
     score = report.overall[report.results[0]]
     error = score.position_error.mean
@@ -100,28 +86,35 @@ def _cards(report: ScoreReport) -> Element:
         ("switches", f"{score.clear.id_switches:,}"),
         ("people kept", f"{score.people.kept} of {score.people.detected}"),
     ]
-    if error == error:
-        cards.append(("floor error", f"{error:.2f} m"))
-    made = [element("div", element("b", value), element("span", what), class_="card")
-            for what, value in cards]  # fmt: skip
-    return element("div", made, class_="cards")
+    return [*cards, ("floor error", f"{error:.2f} m")] if error == error else cards
 
 
-def _overall(report: ScoreReport, *, several: bool) -> Iterator[Element]:
-    title = "Measures over all recordings" if several else "Measures"
-    yield element("h2", title, id="measures")
-    yield element("div", hota_curves(report), class_="drawn" + _narrow(report))
-    if len(report.results) > 1:
-        says = "A star marks the best; signed numbers are differences from the first result."
-        yield element("p", says, class_="note")
-    yield tables.measures(report)
+def _view(finding: Finding, report: ScoreReport, shown: Shown) -> dict[str, Any]:
+    """One result on one sequence, as the page has it."""
+    over_time, plan, parts = errors_over_time(finding), ground_plan(finding.subject), finding.parts
+    return {
+        "finding": finding,
+        "shown": shown,
+        "sources": list(sources_said(finding)),
+        "lacking": list(lacking_said(finding)),
+        "over_time": over_time,
+        "people_left": len(finding.people) - len(over_time.people),
+        "map": plan and error_map.error_map(finding, plan, over_time.clock),
+        "not_on_map": [] if plan is None else list(_not_on_map(finding, plan)),
+        "switches": finding.errors.count(ErrorKind.SWITCH),
+        "range_rows": tables.range_rows(finding, report),
+        "distance_rows": distance_rows(finding.distances),
+        "people_rows": tables.people_rows(finding),
+        "passage_rows": tables.passage_rows(finding),
+        "part_curves": parts and part_curves(parts),
+        "part_rows": [] if parts is None else part_rows(parts),
+    }
 
 
-def _narrow(report: ScoreReport) -> str:
-    return " narrow" if len(report.results) == 1 else ""
-
-
-def _by_sequence(report: ScoreReport) -> Iterator[Element]:
-    yield element("h2", "By recording", id="recordings", class_="sheet")
-    for result in report.results:
-        yield tables.sequences(report, result)
+def _not_on_map(finding: Finding, plan: GroundPlan) -> Iterator[str]:
+    if count := plan.beyond(finding.errors):
+        yield f"{count:,} errors lie farther out than the map goes; their marks are on its edge."
+    for kind, count in error_map.left_out(finding).items():
+        lasts = kind in (ErrorKind.MISS, ErrorKind.FALSE_ALARM)
+        what = f"stretches of {TITLES[kind]}" if lasts else TITLES[kind]
+        yield f"{count:,} {what} beyond {error_map.MOST_MARKS} are not drawn."

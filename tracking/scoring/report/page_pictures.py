@@ -3,14 +3,33 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 
 from tracking.scoring.report.findings import Finding
 from tracking.scoring.report.ground_plan import ground_plan
-from tracking.scoring.report.on_sequence import Shown
-from tracking.scoring.report.switch_pictures import MOST_SWITCHES, place_picture, switch_pictures
+from tracking.scoring.report.switch_pictures import (
+    MOST_SWITCHES,
+    SwitchPictures,
+    place_picture,
+    switch_pictures,
+)
 
 _MOST_PICTURED = 240
 """Switches of all findings together: a page of more is too large to be sent to anybody."""
+
+
+@dataclass(frozen=True, slots=True)
+class Shown:
+    """Pictures of a finding.
+
+    Attributes:
+        switches: cut out of the recording. place: a frame of it, as JPEG, for a map in pixels.
+        why_none: why there are no pictures of switches.
+    """
+
+    switches: tuple[SwitchPictures, ...] = ()
+    place: bytes | None = None
+    why_none: str = "the recording was not found"
 
 
 def shown_of(

@@ -10,8 +10,8 @@ from tracking.pages import check_report_folder, write_report_folder
 from tracking.scoring.report.data import data_of
 from tracking.scoring.report.findings import Finding, ScoreReport
 from tracking.scoring.report.markdown import markdown_of
-from tracking.scoring.report.on_sequence import Shown
 from tracking.scoring.report.page import KIND, page_of
+from tracking.scoring.report.page_pictures import Shown
 
 PAGE, TEXT, DATA = "report.html", "report.md", "report.json"
 
