@@ -14,10 +14,10 @@ from sklearn.ensemble import HistGradientBoostingClassifier
 import resources
 from tests.benchmarks.review_cases import Case
 from tracking.review.block import JOINED_S
-from tracking.review.evidence import Evidence, gather_evidence
+from tracking.review.core.evidence import Evidence, gather_evidence
+from tracking.review.core.material import Material
 from tracking.review.hazard import FEATURES, NOTICED, Hazards, Trees, features
 from tracking.review.likelihood import LEAST_WEIGHT, NOTHING, WEIGHTS
-from tracking.review.material import Material
 from tracking.review.reason_groups import Places, Reasons, join_places, stack_findings
 from tracking.review.reasons import REASONS
 from tracking.review.stretches import Stretches, stretches

@@ -18,7 +18,7 @@ from tracking.editing import (
     plan_split,
 )
 from tracking.editing.boxes.floor_boxes import boxes_of, places_of
-from tracking.editing.change import Change
+from tracking.editing.core.change import Change
 from tracking.errors import EditError
 from tracking.tracks import Labels, Source, TrackTable
 

@@ -28,7 +28,7 @@ from tracking.editing.boxes.floor_boxes import (
     boxes_of,
     places_of,
 )
-from tracking.editing.change import Change
+from tracking.editing.core.change import Change
 from tracking.errors import EditError
 from tracking.synthesis import SCENES
 from tracking.synthesis.rig import Rig

@@ -16,8 +16,8 @@ from tracking.editing import (
     standing_box,
 )
 from tracking.editing.boxes.floor_boxes import boxes_of, places_of
-from tracking.editing.change import Change
-from tracking.editing.scope import tracks_text
+from tracking.editing.core.change import Change
+from tracking.editing.core.scope import tracks_text
 from tracking.errors import EditError
 from tracking.tracks import Labels, Source, TrackLabel, TrackTable
 

@@ -18,7 +18,7 @@ from tracking.editing import (
     thin_dense,
 )
 from tracking.editing.boxes.floor_boxes import boxes_of, places_of
-from tracking.editing.selection import stack_rows
+from tracking.editing.core.selection import stack_rows
 from tracking.editing.track_import import SeenAs
 from tracking.errors import CancelledError, EditError
 from tracking.geometry import View

@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 
 from tracking.errors import FormatError
 from tracking.failure import FEATURE_NAMES, SAMPLE_COLUMNS, SAMPLE_SOURCES, Samples
-from tracking.failure.samples import samples_from_rows
+from tracking.failure.core.samples import samples_from_rows
 from tracking.formats import (
     read_part_labels,
     read_samples,

@@ -11,7 +11,7 @@ import pytest
 
 from tracking.errors import FormatError
 from tracking.failure import BESIDES, SAMPLE_COLUMNS, Samples
-from tracking.failure.samples import samples_from_rows
+from tracking.failure.core.samples import samples_from_rows
 from tracking.formats import read_part_labels, read_samples, samples_at, write_samples
 
 

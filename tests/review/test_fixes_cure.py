@@ -28,9 +28,9 @@ from tracking.editing import (
     plan_swap,
 )
 from tracking.review import find_review_items
-from tracking.review.evidence import gather_evidence
-from tracking.review.findings import FlaggedPlaces
-from tracking.review.material import Material
+from tracking.review.core.evidence import gather_evidence
+from tracking.review.core.findings import FlaggedPlaces
+from tracking.review.core.material import Material
 from tracking.review.reason_phrases import fix
 from tracking.review.reasons import REASONS
 from tracking.tracks import Labels, Run, TrackTable

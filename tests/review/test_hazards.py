@@ -9,9 +9,9 @@ from hypothesis import strategies as st
 from walks_on_a_floor import BLUE, FPS, RED, SIZE, Walk, crossing, made_run, straight, swapped
 
 from tracking.review import find_review_items
-from tracking.review.evidence import gather_evidence
+from tracking.review.core.evidence import gather_evidence
+from tracking.review.core.material import Material
 from tracking.review.hazard import FEATURES, NOTICED, Hazards, Trees, built_in_trees, features
-from tracking.review.material import Material
 from tracking.tracks import Run, TrackTable
 
 MEETING = 80

@@ -17,9 +17,9 @@ from walks_on_a_floor import (
     with_column,
 )
 
-from tracking.review.evidence import gather_evidence
-from tracking.review.findings import FlaggedPlaces
-from tracking.review.material import Material
+from tracking.review.core.evidence import gather_evidence
+from tracking.review.core.findings import FlaggedPlaces
+from tracking.review.core.material import Material
 from tracking.review.reason_phrases import sentence
 from tracking.review.reasons import REASONS
 from tracking.tracks import PART_COLUMNS, Run, TrackTable

@@ -8,9 +8,9 @@ from hypothesis import strategies as st
 from walks_on_a_floor import FPS, Walk, crossing, made_run, straight, swapped
 
 from tracking.editing import apply_change, plan_move_box
-from tracking.review.evidence import LOOKS, gather_evidence
-from tracking.review.findings import peaks
-from tracking.review.neighbours import neighbours
+from tracking.review.core.evidence import LOOKS, gather_evidence
+from tracking.review.core.findings import peaks
+from tracking.review.core.neighbours import neighbours
 from tracking.tracks import Labels, TrackTable
 
 

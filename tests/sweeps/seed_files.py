@@ -20,7 +20,7 @@ from test_petrack_trc import of_version
 from test_sleap_projects import csv_file, project
 
 from tracking.editing import plan_label_part, plan_rename, plan_swap
-from tracking.failure.samples import samples_from_rows
+from tracking.failure.core.samples import samples_from_rows
 from tracking.formats import FORMATS, write_samples
 from tracking.formats.read_result import with_all_columns
 from tracking.formats.track_writer import Exported, no_progress

@@ -19,7 +19,8 @@ from tracking.editing.boxes.rows import (
     plan_new_track,
 )
 from tracking.editing.boxes.visibility import plan_mark_occluded
-from tracking.editing.change import Change, LabelState, State, apply_change
+from tracking.editing.core.change import Change, LabelState, State, apply_change
+from tracking.editing.core.scope import Scope
 from tracking.editing.identity.crossover import SwapFrame, propose_swap_frames
 from tracking.editing.identity.identities import plan_reassign, plan_split, plan_swap
 from tracking.editing.identity.merge import Keep, plan_merge_tracks
@@ -42,7 +43,6 @@ from tracking.editing.log.edit_footprint import footprint_of
 from tracking.editing.log.history import Entry, History, StoredChange
 from tracking.editing.log.text import rows_beyond_the_log, state_as_text, state_from_text
 from tracking.editing.log.touch_index import TOUCHED_COLUMNS, TouchIndex
-from tracking.editing.scope import Scope
 from tracking.editing.track_import import ThinningResult, on_the_floor, plan_import, thin_dense
 from tracking.editing.tracking_again.differences import (
     Difference,

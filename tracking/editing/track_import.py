@@ -19,9 +19,9 @@ from tracking.editing.boxes.floor_boxes import (
 )
 from tracking.editing.boxes.interpolation import Way
 from tracking.editing.boxes.keyframe_reduction import thin_tracks
-from tracking.editing.change import Change, LabelState, State
-from tracking.editing.scope import tracks_text
-from tracking.editing.selection import Rows, select_rows, stack_rows
+from tracking.editing.core.change import Change, LabelState, State
+from tracking.editing.core.scope import tracks_text
+from tracking.editing.core.selection import Rows, select_rows, stack_rows
 from tracking.errors import EditError
 from tracking.geometry import View
 from tracking.progress import Progress, no_progress

@@ -13,12 +13,12 @@ import numpy as np
 from tracking.atomic_output import replace_with
 from tracking.errors import FormatError
 from tracking.failure import inspection
-from tracking.failure.detector import Detector, Origin
+from tracking.failure.core.detector import Detector, Origin
+from tracking.failure.core.features import Floats
+from tracking.failure.core.machines import Machine, Machines
+from tracking.failure.core.operating_points import Curve
+from tracking.failure.core.preparation import Preparation, numbers_seen
 from tracking.failure.detector_layout import FORMAT, MACHINES, VERSION
-from tracking.failure.features import Floats
-from tracking.failure.machines import Machine, Machines
-from tracking.failure.operating_points import Curve
-from tracking.failure.preparation import Preparation, numbers_seen
 from tracking.tracks import PART_NAMES, PARTS
 from tracking.untrusted import verdicts_of
 

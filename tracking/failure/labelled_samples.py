@@ -8,9 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.failure.features import NUMBERS, Floats, part_features
+from tracking.failure.core.features import NUMBERS, Floats, part_features
+from tracking.failure.core.samples import Samples, no_samples, samples_from_rows
 from tracking.failure.past import states_before
-from tracking.failure.samples import Samples, no_samples, samples_from_rows
 from tracking.tracks import PARTS, Columns, PartLabel, pairs_of, row_keys
 from tracking.tracks.on_part import MOST_FOREIGN, corners_of, corners_of_boxes, foreign_share
 

@@ -15,7 +15,7 @@ from collections import deque
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.failure.features import FEATURE_SPAN_S, NUMBERS, Floats
+from tracking.failure.core.features import FEATURE_SPAN_S, NUMBERS, Floats
 from tracking.tracks import PARTS
 
 Tracks = NDArray[np.integer]

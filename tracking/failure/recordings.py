@@ -7,7 +7,7 @@ from itertools import count
 
 import numpy as np
 
-from tracking.failure.samples import NOT_TOLD_APART, Samples
+from tracking.failure.core.samples import NOT_TOLD_APART, Samples
 
 Named = dict[str, str]
 """The names of recordings, and the footage each of them stands for."""

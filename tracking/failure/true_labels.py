@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.failure.features import Floats
+from tracking.failure.core.features import Floats
 from tracking.failure.labelled_samples import were_hidden
 from tracking.tracks import LARGEST_NUMBER, PARTS, Columns, PartLabel, row_keys
 from tracking.tracks.on_part import (

@@ -20,7 +20,7 @@ from tracking.atomic_output import replace_with, replacing
 from tracking.cells import CsvWriter, cell_of
 from tracking.errors import FormatError
 from tracking.failure import BESIDES, FEATURE_NAMES, SAMPLE_COLUMNS, Samples
-from tracking.failure.samples import TEXT
+from tracking.failure.core.samples import TEXT
 from tracking.formats.samples_layout import HDF5_FORMAT, SHARED, VERSION
 from tracking.tracks import PART_NAMES
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from tracking.failure.features import FEATURES
-from tracking.failure.samples import BESIDES, SAMPLE_COLUMNS, TEXT
+from tracking.failure.core.features import FEATURES
+from tracking.failure.core.samples import BESIDES, SAMPLE_COLUMNS, TEXT
 
 HDF5_FORMAT = "trackwright-samples"
 VERSION = (1, 1)

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from tracking.errors import FormatError
 from tracking.failure import BESIDES, FEATURE_NAMES, SAMPLE_COLUMNS, SAMPLE_SOURCES, Samples
-from tracking.failure.samples import NOT_TOLD_APART
+from tracking.failure.core.samples import NOT_TOLD_APART
 from tracking.formats import samples_inspection
 from tracking.formats.lines import header_of, numbered_rows, place_of
 from tracking.formats.samples_layout import HDF5_FORMAT, NUMBERS, SHARED, TEXTS

@@ -1,7 +1,8 @@
 """Cameras, the floor and calibration files."""
 
+from tracking.geometry.calibration_reader import calibration_text, read_calibration
+from tracking.geometry.calibration_writer import write_calibration
 from tracking.geometry.camera import Camera
-from tracking.geometry.files import calibration_text, read_calibration, write_calibration
 from tracking.geometry.flat_view import FlatView
 from tracking.geometry.ground import Ground
 from tracking.geometry.quadrics import Ellipses, ellipses_of, standing_ellipses

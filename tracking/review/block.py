@@ -6,11 +6,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from tracking.review.evidence import Floats, Rows, body_px, boxes, evidence_of
+from tracking.review.core.evidence import Floats, Rows, body_px, boxes, evidence_of
+from tracking.review.core.material import REACH_M, Material, extent_of_boxes
 from tracking.review.footage import AROUND_S, Footage
 from tracking.review.hazard.expected_errors import Hazards
 from tracking.review.likelihood import LEAST_WEIGHT, WEIGHTS, likelihoods
-from tracking.review.material import REACH_M, Material, extent_of_boxes
 from tracking.review.reason_groups import join_places, stack_findings
 from tracking.review.reason_phrases import fix
 from tracking.review.reason_texts import Speaker
@@ -33,7 +33,7 @@ class Scene:
     Attributes:
         fps: frames a second. stop: one past the last frame.
         size: of the picture in px; of what the boxes reach where no camera is known.
-        usual_px: see `tracking.review.evidence.body_px`.
+        usual_px: see `tracking.review.core.evidence.body_px`.
     """
 
     fps: float

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from tracking.review.evidence import Floats, Rows
+from tracking.review.core.evidence import Floats, Rows
 from tracking.tracks import row_keys
 
 _OWN_S = 1.0
@@ -17,8 +17,8 @@ def costs(key: Rows, meeting: Rows, tracks: Rows, frame: Rows, fps: float) -> Fl
     There they may be looked at anyhow.
 
     Args:
-        key: (n,) of all rows, ascending, see `tracking.review.evidence.keys`. meeting: those of
-            rows near somebody. tracks: (k, 2), 0 for none.
+        key: (n,) of all rows, ascending, see `tracking.review.core.evidence.keys`.
+        meeting: those of rows near somebody. tracks: (k, 2), 0 for none.
     """
     own = max(1, round(_OWN_S * fps))
     return np.asarray(sum(_rows_of(key, meeting, side, frame, own) for side in tracks.T))

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.review.evidence import NAMES, Rows
+from tracking.review.core.evidence import NAMES, Rows
 from tracking.tracks import Columns, TrackTable, row_keys
 
 AROUND_S = 8.0

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.review.findings import FlaggedPlaces, peaks
+from tracking.review.core.findings import FlaggedPlaces, peaks
 from tracking.tracks import row_keys
 
 Rows = NDArray[np.int64]

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
 
-from tracking.review.evidence import BODY_M
+from tracking.review.core.evidence import BODY_M
 from tracking.tracks import PART_NAMES
 
 

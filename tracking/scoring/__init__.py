@@ -8,7 +8,6 @@ from tracking.scoring.disagreements import Disagreement
 from tracking.scoring.either import EitherMatch
 from tracking.scoring.errors import NOBODY, ErrorKind, ErrorTable, errors, errors_of
 from tracking.scoring.examination import Examination, examine
-from tracking.scoring.figures import FIGURES
 from tracking.scoring.hota import ALPHAS, CURVES, Hota
 from tracking.scoring.identity import Identity
 from tracking.scoring.identity_errors import IdentityError, identity_errors
@@ -17,7 +16,7 @@ from tracking.scoring.papers import People, PositionError
 from tracking.scoring.passages import PassageScore
 from tracking.scoring.per_distance import DistanceScore, check_distances, per_distance_of
 from tracking.scoring.per_person import Followed, PersonScore, per_person, per_person_of
-from tracking.scoring.score import Score, score, score_of
+from tracking.scoring.score import FIGURES, Score, score, score_of
 from tracking.scoring.similarity import BoxMatch, FloorMatch, Match
 from tracking.scoring.table import ScoringTable
 from tracking.scoring.track_map import OVERLAPS, SUBSETS, TrackMap

@@ -7,8 +7,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 import numpy as np
 
 from tracking.editing import LabelState, State
+from tracking.editing.core.scope import scope_text, tracks_text
 from tracking.editing.labels.part_labels import SAID_OF_PART
-from tracking.editing.scope import scope_text, tracks_text
 from tracking.tracks import PART_NAMES, Columns, Occluder, PartLabel, Region, TrackLabel
 
 NOTHING = "nothing"

@@ -14,8 +14,8 @@ from typing import Any
 import numpy as np
 
 from tracking.editing.log.touch_index import TOUCHED_COLUMNS
-from tracking.failure.features import FEATURE_NAMES
-from tracking.failure.samples import SAMPLE_COLUMNS
+from tracking.failure.core.features import FEATURE_NAMES
+from tracking.failure.core.samples import SAMPLE_COLUMNS
 from tracking.tracks import (
     ASSOCIATION_COLUMNS,
     CORRECTED_COLUMNS,

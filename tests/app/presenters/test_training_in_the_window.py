@@ -12,7 +12,7 @@ from app.presenters.parts.training_result import TrainingResult
 from app.presenters.parts.training_set import Source, build_training_set
 from tracking.errors import CancelledError
 from tracking.failure import FEATURE_NAMES, Samples
-from tracking.failure.samples import samples_from_rows
+from tracking.failure.core.samples import samples_from_rows
 
 FPS = 20.0
 

@@ -15,7 +15,7 @@ from tracking.editing.boxes.floor_boxes import (
 )
 from tracking.editing.boxes.interpolation import How, Way
 from tracking.editing.boxes.keyframes import key_row_change, standing_row, vouch_for
-from tracking.editing.change import Change
+from tracking.editing.core.change import Change
 from tracking.errors import EditError
 from tracking.geometry import View
 from tracking.tracks import TrackTable

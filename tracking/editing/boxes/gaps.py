@@ -8,9 +8,9 @@ import numpy as np
 
 from tracking.editing.boxes.interpolation import How, Way
 from tracking.editing.boxes.stretches import interpolate_between
-from tracking.editing.change import Change, State, no_rows
-from tracking.editing.scope import Scope, check_tracks, frames_text, scope_text, tracks_text
-from tracking.editing.selection import Rows, rows_in, stack_rows
+from tracking.editing.core.change import Change, State, no_rows
+from tracking.editing.core.scope import Scope, check_tracks, frames_text, scope_text, tracks_text
+from tracking.editing.core.selection import Rows, rows_in, stack_rows
 from tracking.errors import EditError
 from tracking.geometry import View
 from tracking.tracks import TrackTable, check_known

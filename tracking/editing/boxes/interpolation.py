@@ -18,7 +18,7 @@ from tracking.editing.boxes.floor_boxes import (
     move_bodies,
     places_of,
 )
-from tracking.editing.selection import Rows, select_rows
+from tracking.editing.core.selection import Rows, select_rows
 from tracking.errors import EditError
 from tracking.geometry import View
 from tracking.tracks import Columns, Source

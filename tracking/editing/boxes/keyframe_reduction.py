@@ -12,9 +12,9 @@ from tracking.editing.boxes.floor_boxes import Floats, boxes_of, places_of
 from tracking.editing.boxes.interpolation import How, Way
 from tracking.editing.boxes.keyframes import vouch_for
 from tracking.editing.boxes.stretches import Flags, compare_windows, interpolate_between
-from tracking.editing.change import Change, State
-from tracking.editing.scope import Scope, check_scope, scope_text
-from tracking.editing.selection import Rows, select_rows, stack_rows
+from tracking.editing.core.change import Change, State
+from tracking.editing.core.scope import Scope, check_scope, scope_text
+from tracking.editing.core.selection import Rows, select_rows, stack_rows
 from tracking.errors import EditError
 from tracking.geometry import View
 from tracking.progress import Progress, no_progress

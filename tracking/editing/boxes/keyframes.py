@@ -15,9 +15,9 @@ from tracking.editing.boxes.stretches import (
     stands_fast,
     with_row,
 )
-from tracking.editing.change import Change, State
-from tracking.editing.scope import Scope, check_scope, frames_text, scope_text
-from tracking.editing.selection import Rows, rows_differ, select_rows, stack_rows
+from tracking.editing.core.change import Change, State
+from tracking.editing.core.scope import Scope, check_scope, frames_text, scope_text
+from tracking.editing.core.selection import Rows, rows_differ, select_rows, stack_rows
 from tracking.errors import EditError
 from tracking.geometry import View
 from tracking.tracks import Columns, Source, TrackTable, check_known

@@ -17,8 +17,8 @@ from tracking.editing.boxes.floor_boxes import (
 )
 from tracking.editing.boxes.interpolation import How, Way
 from tracking.editing.boxes.keyframes import key_row_change, standing_row, vouch_for
-from tracking.editing.change import Change, State
-from tracking.editing.scope import (
+from tracking.editing.core.change import Change, State
+from tracking.editing.core.scope import (
     Scope,
     check_id,
     check_scope,
@@ -26,7 +26,7 @@ from tracking.editing.scope import (
     scope_text,
     tracks_text,
 )
-from tracking.editing.selection import Rows, stack_rows
+from tracking.editing.core.selection import Rows, stack_rows
 from tracking.errors import EditError
 from tracking.geometry import View
 from tracking.tracks import (

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.editing.boxes.interpolation import Way, interpolate, was_straight
-from tracking.editing.selection import Rows, rows_differ, select_rows, stack_rows
+from tracking.editing.core.selection import Rows, rows_differ, select_rows, stack_rows
 from tracking.tracks import Columns, Source, TrackTable
 
 Flags = NDArray[np.bool_]

@@ -6,9 +6,9 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from tracking.editing.change import Change, State
-from tracking.editing.scope import Scope, check_scope, check_tracks, scope_text, tracks_text
-from tracking.editing.selection import select_rows, stack_rows
+from tracking.editing.core.change import Change, State
+from tracking.editing.core.scope import Scope, check_scope, check_tracks, scope_text, tracks_text
+from tracking.editing.core.selection import select_rows, stack_rows
 from tracking.errors import EditError
 from tracking.tracks import TrackTable
 

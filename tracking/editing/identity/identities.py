@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.editing.change import Change, State, Stretches
-from tracking.editing.scope import Scope, check_id, check_scope, scope_text
+from tracking.editing.core.change import Change, State, Stretches
+from tracking.editing.core.scope import Scope, check_id, check_scope, scope_text
 from tracking.errors import EditError
 from tracking.tracks import TrackTable, between, check_known, next_track
 

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from tracking.editing.boxes.interpolation import How, Way
 from tracking.editing.boxes.stretches import interpolate_between
-from tracking.editing.change import (
+from tracking.editing.core.change import (
     Change,
     LabelState,
     State,
@@ -18,9 +18,9 @@ from tracking.editing.change import (
     no_rows,
     no_stretches,
 )
+from tracking.editing.core.scope import frames_text, tracks_text
+from tracking.editing.core.selection import Rows, rows_in, stack_rows
 from tracking.editing.identity.identities import assign_to, stretches_of
-from tracking.editing.scope import frames_text, tracks_text
-from tracking.editing.selection import Rows, rows_in, stack_rows
 from tracking.errors import EditError
 from tracking.geometry import View
 from tracking.tracks import Labels, TrackLabel, TrackTable, check_known

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
-from tracking.editing.change import Change, LabelState, State
-from tracking.editing.scope import Scope
+from tracking.editing.core.change import Change, LabelState, State
+from tracking.editing.core.scope import Scope
 from tracking.errors import EditError
 from tracking.tracks import PART_NAMES, Labels, PartKey, PartLabel, check_part_label
 

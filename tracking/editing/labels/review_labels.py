@@ -7,9 +7,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from tracking.editing.change import Change, LabelState, State
+from tracking.editing.core.change import Change, LabelState, State
+from tracking.editing.core.scope import Scope, scope_text, tracks_text
 from tracking.editing.labels.track_labels import writable
-from tracking.editing.scope import Scope, scope_text, tracks_text
 from tracking.errors import EditError
 from tracking.tracks import (
     Labels,

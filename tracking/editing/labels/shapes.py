@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import TypeVar
 
-from tracking.editing.change import Change, LabelState, State
+from tracking.editing.core.change import Change, LabelState, State
 from tracking.editing.labels.track_labels import writable
 from tracking.errors import EditError
 from tracking.tracks import (

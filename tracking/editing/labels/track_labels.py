@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from tracking.editing.change import Change, LabelState, State
+from tracking.editing.core.change import Change, LabelState, State
 from tracking.errors import EditError
 from tracking.tracks import (
     LONGEST_KEY,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
-from tracking.editing.change import Change
+from tracking.editing.core.change import Change
 from tracking.editing.log.edit_footprint import differing_fields
 from tracking.editing.log.history import History
 from tracking.errors import EditError

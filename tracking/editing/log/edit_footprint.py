@@ -13,8 +13,8 @@ from collections.abc import Iterable, Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.editing.change import Change, State
-from tracking.editing.label_state import LabelState
+from tracking.editing.core.change import Change, State
+from tracking.editing.core.label_state import LabelState
 from tracking.tracks import LARGEST_NUMBER, PARTS, PartLabel, Source, TrackLabel, pairs_of, row_keys
 
 Boxes = NDArray[np.int64]

@@ -9,12 +9,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.editing.change import Change
+from tracking.editing.core.change import Change
+from tracking.editing.core.scope import Scope
 from tracking.editing.log.edit_footprint import footprint_of
 from tracking.editing.log.text import state_as_text, state_from_text
 from tracking.editing.log.touch_index import TouchIndex
 from tracking.editing.log.traces import Trace, parts_at_its_frame
-from tracking.editing.scope import Scope
 from tracking.errors import EditError
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
-from tracking.editing.label_state import LabelState
+from tracking.editing.core.label_state import LabelState
 from tracking.tracks import (
     CountingLine,
     Occluder,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import threading
 from collections import OrderedDict
 
-from tracking.editing.change import State
+from tracking.editing.core.change import State
 
 _MOST, _CHARACTERS = 8, 32_000_000
 """How many, and of how many characters in all: some 500,000 rows."""

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.editing.change import Change, State, no_rows, no_stretches
+from tracking.editing.core.change import Change, State, no_rows, no_stretches
 from tracking.editing.log.label_text import labels_as_json, labels_from_json
 from tracking.editing.log.recent import RecentStates
 from tracking.errors import EditError

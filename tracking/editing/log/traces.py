@@ -8,9 +8,9 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.editing.change import Change, no_rows
+from tracking.editing.core.change import Change, no_rows
+from tracking.editing.core.scope import Scope
 from tracking.editing.log.text import cells_in_text, stretches_in_text
-from tracking.editing.scope import Scope
 from tracking.tracks import Columns, pairs_of, row_keys
 
 Handed = tuple[int, int, int, int]

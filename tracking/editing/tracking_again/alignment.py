@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.editing.scope import check_scope
-from tracking.editing.selection import Rows, select_rows, stack_rows
+from tracking.editing.core.scope import check_scope
+from tracking.editing.core.selection import Rows, select_rows, stack_rows
 from tracking.editing.tracking_again.counterparts import Places, counterparts, mates, same_keys
 from tracking.editing.tracking_again.protection import Protection
 from tracking.editing.tracking_again.run_identities import map_identities

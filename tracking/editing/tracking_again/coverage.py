@@ -7,7 +7,7 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from tracking.editing.change import Stretches, no_stretches
+from tracking.editing.core.change import Stretches, no_stretches
 from tracking.editing.log.traces import Handed
 
 Spans = tuple[list[int], list[int]]

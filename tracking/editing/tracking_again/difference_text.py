@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from tracking.editing.scope import frames_text, scope_text
+from tracking.editing.core.scope import frames_text, scope_text
 from tracking.tracks import TrackTable
 
 _NO_METRES = 1e-9

@@ -8,10 +8,10 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.editing.change import Stretches, no_rows, no_stretches
+from tracking.editing.core.change import Stretches, no_rows, no_stretches
+from tracking.editing.core.selection import stack_rows
 from tracking.editing.log.history import Entry, History
 from tracking.editing.log.traces import NO_TRACE, Placed, Trace
-from tracking.editing.selection import stack_rows
 from tracking.editing.tracking_again.coverage import Coverage
 from tracking.tracks import LARGEST_NUMBER, Columns, Labels, Source, TrackTable, row_keys
 

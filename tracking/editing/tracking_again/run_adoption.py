@@ -7,10 +7,10 @@ from collections.abc import Collection, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.editing.change import Change, State, Stretches
+from tracking.editing.core.change import Change, State, Stretches
+from tracking.editing.core.scope import Scope, scope_text, tracks_text
+from tracking.editing.core.selection import Rows, rows_differ, select_rows
 from tracking.editing.log.history import History
-from tracking.editing.scope import Scope, scope_text, tracks_text
-from tracking.editing.selection import Rows, rows_differ, select_rows
 from tracking.editing.tracking_again.alignment import Alignment, align, exchangeable
 from tracking.editing.tracking_again.counterparts import same_keys
 from tracking.editing.tracking_again.differences import Difference

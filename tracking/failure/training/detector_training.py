@@ -11,12 +11,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 import tracking
-from tracking.failure.detector import FALSE_ALARMS, Detector, Origin
-from tracking.failure.features import Floats
-from tracking.failure.machines import Machines
-from tracking.failure.operating_points import Curve
-from tracking.failure.preparation import Preparation, fitted_preparation
-from tracking.failure.samples import SAMPLE_COLUMNS, TEXT, Samples
+from tracking.failure.core.detector import FALSE_ALARMS, Detector, Origin
+from tracking.failure.core.features import Floats
+from tracking.failure.core.machines import Machines
+from tracking.failure.core.operating_points import Curve
+from tracking.failure.core.preparation import Preparation, fitted_preparation
+from tracking.failure.core.samples import SAMPLE_COLUMNS, TEXT, Samples
 from tracking.failure.training.folds import folds_of, thinned
 from tracking.failure.training.gross import with_gross_failures
 from tracking.failure.training.questions import NAMES, SEVERAL, Question, questions_of

@@ -11,9 +11,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.failure.features import FEATURES, NUMBERS, Floats
-from tracking.failure.preparation import body_sizes
-from tracking.failure.samples import Samples
+from tracking.failure.core.features import FEATURES, NUMBERS, Floats
+from tracking.failure.core.preparation import body_sizes
+from tracking.failure.core.samples import Samples
 from tracking.failure.training.questions import SEVERAL, Question
 from tracking.tracks import PARTS
 

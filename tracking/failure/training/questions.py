@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.errors import TrainingError
-from tracking.failure.features import Floats
-from tracking.failure.samples import Samples
+from tracking.failure.core.features import Floats
+from tracking.failure.core.samples import Samples
 from tracking.tracks import PART_NAMES, PARTS
 
 NAMES = (*PART_NAMES, "several")

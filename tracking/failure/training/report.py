@@ -10,9 +10,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.failure.detector import Detector
-from tracking.failure.operating_points import Curve
-from tracking.failure.samples import Samples
+from tracking.failure.core.detector import Detector
+from tracking.failure.core.operating_points import Curve
+from tracking.failure.core.samples import Samples
 from tracking.failure.training.questions import NAMES, Question
 from tracking.failure.training.search import Choice, Tried
 

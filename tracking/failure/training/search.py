@@ -8,10 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.failure.features import Floats
-from tracking.failure.machines import Machines
-from tracking.failure.operating_points import Curve
-from tracking.failure.preparation import Preparation
+from tracking.failure.core.features import Floats
+from tracking.failure.core.machines import Machines
+from tracking.failure.core.operating_points import Curve
+from tracking.failure.core.preparation import Preparation
 from tracking.failure.training.questions import SEVERAL, Question
 from tracking.failure.training.steps import Steps
 from tracking.failure.training.svm_fit import Candidate, fitted

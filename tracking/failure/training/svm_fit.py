@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.failure.features import Floats
-from tracking.failure.machines import Machine
+from tracking.failure.core.features import Floats
+from tracking.failure.core.machines import Machine
 
 _CACHE_MB = 64
 

@@ -6,10 +6,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tracking.review.evidence import Evidence, Floats, Rows
+from tracking.review.core.evidence import Evidence, Floats, Rows
+from tracking.review.core.material import Material
 from tracking.review.hazard.features import features
 from tracking.review.hazard.trees import Trees, built_in_trees
-from tracking.review.material import Material
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -7,10 +7,9 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.review.appearance import EVERY_S, swap_gain_of_appearance, unlikeness
-from tracking.review.crowd_density import crowd_density
-from tracking.review.evidence import Evidence, Floats, Rows
-from tracking.review.material import Material
+from tracking.review.core.appearance import EVERY_S, swap_gain_of_appearance, unlikeness
+from tracking.review.core.evidence import Evidence, Floats, Rows
+from tracking.review.core.material import Material
 from tracking.review.reasons.jumps import steps_off
 from tracking.review.reasons.turns import gains, leads, meetings, miss
 
@@ -23,6 +22,8 @@ _NOT_NOTICED = 2.0
 """Margin of a row where nothing had to be chosen."""
 _AROUND_S = 0.1
 """What happens in a frame is noticed in those beside it as well."""
+_MANY_PAIRS = 10
+"""Pairs of people near each other from which on it counts as crowded."""
 _APART_S = (-0.5, -0.25, -0.15, 0.15, 0.25, 0.5)
 _OF_THE_OTHER = ("unseen_1s", "visibility", "missed", "age_s")
 """What is told of the nearest other one as well."""
@@ -134,7 +135,7 @@ def _others(material: Material, known: Columns) -> Columns:
     found = {
         "speed": _single(np.hypot(*velocity.T)),
         "parting": _single(parting),
-        "crowding": _single(crowd_density(material, evidence.frame)),
+        "crowding": _single(_crowd_density(material, evidence.frame)),
     }
     for seconds in _APART_S:
         then = evidence.later(np.arange(len(evidence)), round(seconds * evidence.fps))
@@ -197,3 +198,13 @@ def _velocity(evidence: Evidence) -> Floats:
     before, after = evidence.later(row, -step), evidence.later(row, step)
     before, after = np.where(before >= 0, before, row), np.where(after >= 0, after, row)
     return (evidence.place[after] - evidence.place[before]) / (2 * step) * evidence.fps
+
+
+def _crowd_density(material: Material, frame: Rows) -> Floats:
+    """(k,) 0 to 1, from the pairs of people within reach of each other in each frame.
+
+    Where it is crowded, tracks are wrong more often.
+    """
+    evidence = material.evidence
+    pairs = np.bincount(evidence.frame[material.near.first], minlength=evidence.stop + 1)
+    return np.asarray(np.minimum(pairs[np.minimum(frame, evidence.stop)] / _MANY_PAIRS, 1.0))

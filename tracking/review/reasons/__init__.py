@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
-from tracking.review.findings import FlaggedPlaces
-from tracking.review.material import Material
+from tracking.review.core.findings import FlaggedPlaces
+from tracking.review.core.material import Material
 from tracking.review.reasons.colours import colour_changes, height_changes
 from tracking.review.reasons.crossings import crossings
 from tracking.review.reasons.ends import beginnings, endings, lost_and_found

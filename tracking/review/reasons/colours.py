@@ -6,10 +6,10 @@ from collections.abc import Callable
 
 import numpy as np
 
-from tracking.review.appearance import GUARD_S, MOST, unlikeness
-from tracking.review.evidence import Floats, Rows
-from tracking.review.findings import FlaggedPlaces, of_tracks, peaks, ramp
-from tracking.review.material import Material
+from tracking.review.core.appearance import GUARD_S, MOST, unlikeness
+from tracking.review.core.evidence import Floats, Rows
+from tracking.review.core.findings import FlaggedPlaces, of_tracks, peaks, ramp
+from tracking.review.core.material import Material
 
 _APART_S = 3.0
 _LOW, _HIGH = 1.0, 5.0

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from tracking.review.appearance import unlikeness
-from tracking.review.evidence import Flags, Floats, Rows
-from tracking.review.findings import FlaggedPlaces, join_findings, of_pairs, of_tracks, ramp
-from tracking.review.material import Material
+from tracking.review.core.appearance import unlikeness
+from tracking.review.core.evidence import Flags, Floats, Rows
+from tracking.review.core.findings import FlaggedPlaces, join_findings, of_pairs, of_tracks, ramp
+from tracking.review.core.material import Material
 
 _LONGEST_S = 6.0
 _OVERLAP_S = 0.5

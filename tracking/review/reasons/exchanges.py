@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from tracking.review.appearance import EVERY_S, swap_gain_of_appearance
-from tracking.review.findings import FlaggedPlaces, of_pairs, peaks, ramp
-from tracking.review.material import Material
+from tracking.review.core.appearance import EVERY_S, swap_gain_of_appearance
+from tracking.review.core.findings import FlaggedPlaces, of_pairs, peaks, ramp
+from tracking.review.core.material import Material
 from tracking.tracks import row_keys
 
 _APART_S = 1.5

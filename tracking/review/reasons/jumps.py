@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from tracking.review.evidence import Evidence, Flags, Floats
-from tracking.review.findings import FlaggedPlaces, of_tracks, peaks, ramp
-from tracking.review.material import Material
+from tracking.review.core.evidence import Evidence, Flags, Floats
+from tracking.review.core.findings import FlaggedPlaces, of_tracks, peaks, ramp
+from tracking.review.core.material import Material
 from tracking.tracks import Source
 
 _APART_S = 0.5

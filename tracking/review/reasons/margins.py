@@ -4,8 +4,15 @@ from __future__ import annotations
 
 import numpy as np
 
-from tracking.review.findings import FlaggedPlaces, join_findings, of_pairs, of_tracks, peaks, ramp
-from tracking.review.material import Material
+from tracking.review.core.findings import (
+    FlaggedPlaces,
+    join_findings,
+    of_pairs,
+    of_tracks,
+    peaks,
+    ramp,
+)
+from tracking.review.core.material import Material
 
 _HIGH, _LOW = 0.5, 0.05
 """Margins of the total cost: large enough not to be mentioned, and next to nothing."""

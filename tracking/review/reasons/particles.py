@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from tracking.review.evidence import Floats
-from tracking.review.findings import FlaggedPlaces, of_tracks, peaks, ramp
-from tracking.review.material import Material
+from tracking.review.core.evidence import Floats
+from tracking.review.core.findings import FlaggedPlaces, of_tracks, peaks, ramp
+from tracking.review.core.material import Material
 
 _SPREAD_M, _WIDE_M = 0.3, 0.8
 _SPLIT, _CLEAR = 0.25, 0.7

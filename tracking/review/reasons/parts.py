@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from tracking.review.findings import FlaggedPlaces, of_tracks, peaks, ramp
-from tracking.review.material import Material
+from tracking.review.core.findings import FlaggedPlaces, of_tracks, peaks, ramp
+from tracking.review.core.material import Material
 
 _APART_S = 2.0
 _ALL = 3

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from tracking.review.findings import FlaggedPlaces, join_findings, of_pairs, of_tracks, ramp
-from tracking.review.material import Material
+from tracking.review.core.findings import FlaggedPlaces, join_findings, of_pairs, of_tracks, ramp
+from tracking.review.core.material import Material
 
 _LEAST_S, _LONG_S = 0.5, 4.0
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from tracking.review.evidence import Evidence, Floats, Rows
-from tracking.review.findings import FlaggedPlaces, of_tracks, peaks, ramp
-from tracking.review.material import Material
+from tracking.review.core.evidence import Evidence, Floats, Rows
+from tracking.review.core.findings import FlaggedPlaces, of_tracks, peaks, ramp
+from tracking.review.core.material import Material
 
 _GAP_S = 0.3
 """Left out on both sides: tracks are smoothed, so a change-over is walked round in a curve."""

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from tracking.review.findings import FlaggedPlaces, of_pairs, ramp
-from tracking.review.material import Material
+from tracking.review.core.findings import FlaggedPlaces, of_pairs, ramp
+from tracking.review.core.material import Material
 from tracking.tracks import row_keys
 
 _SHARED_M = 0.7

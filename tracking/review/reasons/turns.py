@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from tracking.review.evidence import Evidence, Floats, Rows
-from tracking.review.findings import FlaggedPlaces, of_pairs, peaks, ramp
-from tracking.review.material import REACH_M, Material
+from tracking.review.core.evidence import Evidence, Floats, Rows
+from tracking.review.core.findings import FlaggedPlaces, of_pairs, peaks, ramp
+from tracking.review.core.material import REACH_M, Material
 from tracking.review.reasons.jumps import steps_off
 from tracking.tracks import row_keys
 

@@ -8,9 +8,8 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 from tracking.scoring.conventions import Conventions
-from tracking.scoring.figures import FIGURES
 from tracking.scoring.report.meanings import MEANINGS, MOTMETRICS
-from tracking.scoring.score import Score
+from tracking.scoring.score import FIGURES, Score
 
 Better = Literal["higher", "lower"]
 Form = Literal["share", "count", "metres"]

@@ -16,7 +16,7 @@ from app.views.parts.mistakes import MistakesList
 from app.views.parts.roc import RocPlot
 from app.views.timeline.axis import TimeAxis
 from tracking.failure import Mistake
-from tracking.failure.samples import samples_from_rows
+from tracking.failure.core.samples import samples_from_rows
 
 SOURCE = Source("lobby", None, samples_from_rows([], np.zeros((0, 36))), "")
 

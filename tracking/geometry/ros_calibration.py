@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 
 from tracking.errors import CalibrationError
+from tracking.geometry.calibration_file_text import matrix
 from tracking.geometry.camera import Camera
-from tracking.geometry.files.text import matrix
 from tracking.geometry.lens import Floats
 from tracking.geometry.stereo_calibration import StereoCalibration
 

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.failure.features import FEATURES, Floats
+from tracking.failure.core.features import FEATURES, Floats
 
 TEXT = np.dtype(object)
 """Stands for a column of text."""

@@ -7,10 +7,10 @@ from pathlib import Path
 from typing import Any
 
 from tracking.errors import CalibrationError
-from tracking.geometry.files.kitti import calibration_of_kitti, is_kitti
-from tracking.geometry.files.opencv import calibration_of_opencv
-from tracking.geometry.files.ros import calibration_of_ros, is_ros
-from tracking.geometry.files.text import parse_xml, parse_yaml, read_text
+from tracking.geometry.calibration_file_text import parse_xml, parse_yaml, read_text
+from tracking.geometry.kitti_calibration import calibration_of_kitti, is_kitti
+from tracking.geometry.opencv_calibration import calibration_of_opencv
+from tracking.geometry.ros_calibration import calibration_of_ros, is_ros
 from tracking.geometry.stereo_calibration import StereoCalibration
 
 

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tracking.review.appearance import Looks, Sides
-from tracking.review.evidence import Evidence, Flags, Floats, Rows
-from tracking.review.neighbours import Neighbours, neighbours
+from tracking.review.core.appearance import Looks, Sides
+from tracking.review.core.evidence import Evidence, Flags, Floats, Rows
+from tracking.review.core.neighbours import Neighbours, neighbours
 from tracking.tracks import Occluder
 
 REACH_M = 1.2

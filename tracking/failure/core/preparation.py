@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tracking.failure.features import FEATURES, Floats
+from tracking.failure.core.features import FEATURES, Floats
 
 _CENTRES = [0, 1, 6, 7, 12, 13]
 """Columns of the parts' relative centres."""

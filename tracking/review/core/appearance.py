@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.review.evidence import LOOKS, Evidence, Flags, Floats, Rows
+from tracking.review.core.evidence import LOOKS, Evidence, Flags, Floats, Rows
 
 _WINDOW_S = 3.0
 """How far back, and ahead, looks are averaged."""

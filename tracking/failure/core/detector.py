@@ -9,10 +9,10 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.failure.features import Floats
-from tracking.failure.machines import Machines
-from tracking.failure.operating_points import Curve
-from tracking.failure.preparation import Preparation
+from tracking.failure.core.features import Floats
+from tracking.failure.core.machines import Machines
+from tracking.failure.core.operating_points import Curve
+from tracking.failure.core.preparation import Preparation
 from tracking.tracks import PARTS
 
 FALSE_ALARMS = 0.02

@@ -8,9 +8,9 @@ from types import MappingProxyType
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.editing.label_state import LabelState as LabelState
-from tracking.editing.label_state import apply_label_state
-from tracking.editing.scope import Scope
+from tracking.editing.core.label_state import LabelState as LabelState
+from tracking.editing.core.label_state import apply_label_state
+from tracking.editing.core.scope import Scope
 from tracking.errors import EditError
 from tracking.tracks import CORRECTED_COLUMNS, Columns, Labels, TrackTable, empty
 

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.editing.change import no_rows
+from tracking.editing.core.change import no_rows
 from tracking.tracks import CORRECTED_COLUMNS, Columns, TrackTable
 
 Rows = dict[str, NDArray[Any]]

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.review.evidence import Evidence, Rows
+from tracking.review.core.evidence import Evidence, Rows
 
 Floats = NDArray[np.float64]
 

@@ -1,0 +1,1 @@
+"""A change of tracks and labels, and what it is made for."""

@@ -1,0 +1,1 @@
+"""The detector, what it judges by, and the samples it learns from."""
