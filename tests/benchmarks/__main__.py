@@ -4,36 +4,28 @@ from __future__ import annotations
 
 import argparse
 import json
-import os
 import sys
 from importlib import import_module
 from typing import Any
 
-from tests.benchmarks.page_texts import table, told
+from tests.benchmarks.command import one_core, telling
+from tests.benchmarks.tables import table
 
-GROUPS = (
-    "pipeline",
-    "filter",
-    "trackers",
-    "scoring",
-    "session",
-    "timeline",
-    "window",
-    "parts",
-    "spheroid",
-    "flow",
-    "formats",
-    "memory",
-)
-
-MODULES = {
-    "scoring": "scorers",
+GROUPS = {
+    "pipeline": "pipeline",
+    "filter": "filter",
     "trackers": "tracker_peers.comparison",
+    "scoring": "scorers",
+    "session": "session",
+    "timeline": "timeline",
+    "window": "window",
     "parts": "parts.speed",
     "spheroid": "spheroid_speed",
     "flow": "flow_speed",
+    "formats": "formats",
+    "memory": "memory",
 }
-"""Groups measured by a module of another name."""
+"""The module that measures each group."""
 
 
 def main() -> None:
@@ -48,12 +40,11 @@ def main() -> None:
     asked = parser.parse_args()
     if asked.only not in (None, *GROUPS):
         sys.exit(f"trackwright: no benchmark {asked.only!r}; choose one of {', '.join(GROUPS)}")
-    for variable in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
-        os.environ[variable] = "1"
+    one_core()
     figures: dict[str, Any] = {}
     for group in [asked.only] if asked.only else GROUPS:
-        measure = import_module(f"tests.benchmarks.{MODULES.get(group, group)}").measure
-        with told(group):
+        measure = import_module(f"tests.benchmarks.{GROUPS[group]}").measure
+        with telling(group):
             figures[group] = measure()
         if not asked.json:
             print(table(group, measure.__doc__, figures[group]), flush=True)

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tests.benchmarks.page_texts import tell
+from tests.benchmarks.command import tell
 from tracking.formats import FORMATS, Exported, Filmed, no_progress
 from tracking.tracks import CORRECTED_COLUMNS
 

@@ -1,101 +1,173 @@
-"""Pages of results: figures kept section by section as JSON, and the page made of them."""
+"""Pages of results: sections measured one by one, kept as JSON, and written by a template.
+
+A page is a template with a block a section, in the page's order; `introduction` comes first. A
+block is given the figures of all sections by their names and what else the page declares.
+"""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 import cv2
 import numpy as np
+from jinja2 import Environment, FileSystemLoader, StrictUndefined, Template
 from numpy.typing import NDArray
 
+from tests.benchmarks.command import Options, one_core, page_options, telling
+from tests.benchmarks.intervals import interval_text
+from tests.benchmarks.runner import sources
+from tests.benchmarks.tables import met
+from tracking.synthesis import SCENES
+
 Figures = Mapping[str, Any]
+Picture = NDArray[np.uint8]
 DOCS = Path(__file__).parents[2] / "docs"
+_HERE = Path(__file__).parent
 _QUALITY = 82
 _STATES = "states"
 """In the figures: what each section was measured with."""
 
 
-def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    """A Markdown table; the first column is text, the others are numbers."""
-    lines = [head, ["---", *["---:"] * (len(head) - 1)], *rows]
-    return "\n".join(f"| {' | '.join(line)} |" for line in lines)
+def fixed(value: float | None, digits: int) -> str:
+    """A number with so many digits; - for none."""
+    return "-" if value is None else f"{value:.{digits}f}"
 
 
-def met(ours: float, goal: float, *, at_most: bool = False, digits: int = 1) -> str:
-    """Whether a goal is met, or by how much it is missed."""
-    lack = ours - goal if at_most else goal - ours
-    if lack <= 0:
-        return "met"
-    if lack != lack:
-        return "not measured"
-    least = 10.0**-digits
-    return f"missed by {lack:.{digits}f}" if lack >= least / 2 else f"missed by less than {least:g}"
+def titled(scene: str) -> str:
+    """A scene's title within a sentence."""
+    return SCENES[scene].title.lower()
 
 
-def save_jpeg(path: Path, picture: NDArray[np.uint8]) -> None:
+def template(path: str) -> Template:
+    """A template below this folder."""
+    environment = Environment(
+        loader=FileSystemLoader(_HERE),
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        autoescape=False,  # Markdown, made of our own figures
+    )
+    environment.filters |= {"fixed": fixed, "titled": titled}
+    environment.globals |= {"met": met, "interval": interval_text}
+    return environment.get_template(path)
+
+
+def save_jpeg(path: Path, picture: Picture) -> None:
     """Write a picture (rows, columns, 3) BGR."""
     _, data = cv2.imencode(".jpg", picture, [cv2.IMWRITE_JPEG_QUALITY, _QUALITY])
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_bytes(data.tobytes())
 
 
+@dataclass(frozen=True)
 class Page:
-    """One subject's page in a folder, and its figures beside it."""
+    """A subject's page and how it is measured.
 
-    def __init__(self, subject: str, folder: Path = DOCS / "results") -> None:
-        """The page of a subject, e.g. "flow"."""
-        self._folder = folder
-        self._subject = subject
-        self._page, self._kept = folder / f"{subject}.md", folder / f"{subject}.json"
+    Attributes:
+        subject: names the page, its figures and pictures in docs/results, and its command.
+        about: the command's help.
+        measures: what gives a section's figures, in the order in which they are measured.
+        words: what the template is given beside the figures.
+        pictures: by section a name and what gives a picture (rows, columns, 3) BGR of what was
+            measured, kept beside the page; None: there is nothing to show.
+        diagrams: by section a name and what draws its kept figures as SVG, anew with each page.
+        footage: makes pictures of the real recordings in one folder in another one, and gives them.
+        folder: of the page.
+    """
+
+    subject: str
+    about: str
+    measures: Mapping[str, Callable[[Options], Any]]
+    words: Mapping[str, Any] = field(default_factory=dict)
+    pictures: Mapping[str, tuple[str, Callable[[Any, Options], Picture | None]]] = field(
+        default_factory=dict
+    )
+    diagrams: Mapping[str, tuple[str, Callable[[Any], str]]] = field(default_factory=dict)
+    footage: Callable[[Path, Path], Iterable[Path]] | None = None
+    folder: Path = DOCS / "results"
 
     def figures(self) -> dict[str, Any]:
         """What has been measured so far."""
-        if not self._kept.is_file():
-            return {}
-        return dict(json.loads(self._kept.read_text(encoding="utf-8")))
+        kept = self.folder / f"{self.subject}.json"
+        return dict(json.loads(kept.read_text(encoding="utf-8"))) if kept.is_file() else {}
 
-    def keep(self, name: str, found: Any, state: str = "") -> dict[str, Any]:
-        """Put a section's figures in the place of its older ones; all figures.
-
-        Args:
-            name, found: the section and what was measured.
-            state: names what it was measured with; "": that is not told.
-        """
+    def keep(self, name: str, found: Any) -> None:
+        """Put a section's figures, and what they were measured with, in the place of older ones."""
         figures = {**self.figures(), name: found}
-        if state:
-            others = {**figures.get(_STATES, {})}
-            others.pop(name, None)
-            figures[_STATES] = {**others, name: state}  # the newest comes last
-        self._folder.mkdir(parents=True, exist_ok=True)
-        self._kept.write_text(json.dumps(figures, indent=1) + "\n", encoding="utf-8")
-        return figures
+        states = {**figures.get(_STATES, {})}
+        states.pop(name, None)
+        figures[_STATES] = {**states, name: sources()[:16]}  # the newest comes last
+        self.folder.mkdir(parents=True, exist_ok=True)
+        text = json.dumps(figures, indent=1) + "\n"
+        (self.folder / f"{self.subject}.json").write_text(text, encoding="utf-8")
 
-    def picture(self, name: str, drawn: str) -> None:
-        """Put an SVG picture beside the page, as `<subject>-<name>.svg`."""
-        (self._folder / f"{self._subject}-{name}.svg").write_text(drawn, encoding="utf-8")
+    def sections(self, figures: Figures) -> dict[str, str]:
+        """Each measured section's text, in the page's order, the introduction first."""
+        page = template(f"{self.subject}/page.md.j2")
+        context = page.new_context({**self.words, **figures})
+        texts = {
+            name: "".join(block(context))
+            for name, block in page.blocks.items()
+            if name == "introduction" or name in figures
+        }
+        return {name: re.sub(r"\n{3,}", "\n\n", text).strip() for name, text in texts.items()}
 
-    def photograph(self, name: str, picture: NDArray[np.uint8]) -> None:
-        """Put a picture (rows, columns, 3) BGR beside the page, as `<subject>-<name>.jpg`."""
-        save_jpeg(self._folder / f"{self._subject}-{name}.jpg", picture)
+    def text(self, figures: Figures) -> str:
+        """The whole page; sections that were not measured are left out."""
+        sections = self.sections(figures)
+        introduction = sections.pop("introduction")
+        parts = (introduction, *_older(figures.get(_STATES, {}), sections), *sections.values())
+        return "\n\n".join(part for part in parts if part) + "\n"
 
-    def write(self, introduction: str, writers: Mapping[str, Callable[[Any], str]]) -> None:
-        """Write the page; sections that were not measured are left out."""
+    def write(self) -> None:
+        """Write the page and its diagrams from what was measured."""
         figures = self.figures()
-        parts = [introduction, *_older(figures, writers)]
-        parts += [write(figures[name]) for name, write in writers.items() if name in figures]
-        text = "\n\n".join(part.strip() for part in parts) + "\n"
-        self._page.write_text(text, encoding="utf-8")
+        for name, (title, draw) in self.diagrams.items():
+            if name in figures:
+                path = self.folder / f"{self.subject}-{title}.svg"
+                path.write_text(draw(figures[name]), encoding="utf-8")
+        path = self.folder / f"{self.subject}.md"
+        path.write_text(self.text(figures), encoding="utf-8")
+
+    def main(self) -> None:
+        """Read the command line, measure, and print or write."""
+        one_core()
+        options = page_options(
+            self.subject, self.about, tuple(self.measures), pictures=self.footage is not None
+        )
+        if self.footage is not None and options.pictures is not None:
+            print(*self.footage(options.data, options.pictures), sep="\n")
+        elif options.rewrite:
+            self.write()
+        else:
+            self._measure(options)
+
+    def _measure(self, options: Options) -> None:
+        for name in options.only:
+            with telling(f"{self.subject}, {name}"):
+                found = self.measures[name](options)
+            if options.report:
+                self._report(name, found, options)
+            else:
+                print(self.sections({name: json.loads(json.dumps(found))})[name], flush=True)
+
+    def _report(self, name: str, found: Any, options: Options) -> None:
+        self.keep(name, found)
+        title, take = self.pictures.get(name, ("", None))
+        picture = take(found, options) if take is not None else None
+        if picture is not None:
+            save_jpeg(self.folder / f"{self.subject}-{title}.jpg", picture)
+        self.write()
 
 
-def _older(figures: Figures, sections: Iterable[str]) -> Iterator[str]:
+def _older(states: Mapping[str, str], sections: Iterable[str]) -> Iterator[str]:
     """Which sections are of another state than the one measured last."""
-    states = figures.get(_STATES, {})
-    if not states:
-        return
-    newest = [*states.values()][-1]
-    others = [name for name in sections if name in figures and states.get(name) != newest]
+    newest = [*states.values()][-1:]
+    others = [name for name in sections if newest and states.get(name) != newest[0]]
     if others:
         yield f"Measured with other sources than the rest: {', '.join(others)}."

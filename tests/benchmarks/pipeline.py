@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import tempfile
 import time
 from collections.abc import Iterator
 from dataclasses import dataclass, field
@@ -11,9 +10,8 @@ from pathlib import Path
 import cv2
 import numpy as np
 
-from tests.benchmarks.kept_results import rendering
+from tests.benchmarks.clips import Clip, folder_of
 from tests.benchmarks.peers import Obvious, Primitives
-from tests.benchmarks.rendered_clips import Clip, folder_of
 from tracking.pipeline import Tracking, track
 from tracking.recording import StereoFrame, open_recording
 
@@ -21,16 +19,12 @@ CLIP = Clip("square", 1, 12.0, 16)
 """A scene of sixteen people, of whom fifteen or all are in view in the frames that count."""
 PARTICLES = 500
 """Of each person: what the default tracker has, too."""
-_KEPT = Path(tempfile.gettempdir()) / "trackwright-benchmark"
 _IN_VIEW = range(14, 17)
 
 
 def recording() -> Path:
-    """The benchmark's recording, kept in the system's temporary folder.
-
-    It is rendered anew where anything it was rendered with has changed.
-    """
-    return folder_of(CLIP, _KEPT / rendering())
+    """The benchmark's recording, kept in the user's cache."""
+    return folder_of(CLIP)
 
 
 @dataclass(slots=True)

@@ -24,8 +24,8 @@ from app.presenters.document.frame_state import FrameState
 from app.presenters.document.session_tracks import SessionTracks
 from app.presenters.timeline.lanes import TimelinePresenter
 from app.views.timeline import TimelineView
+from tests.benchmarks.command import tell
 from tests.benchmarks.large_sessions import NoPictures, crowd
-from tests.benchmarks.page_texts import tell
 from tracking.editing import plan_swap
 from tracking.session import Session, session_reader
 

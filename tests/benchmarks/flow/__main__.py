@@ -7,35 +7,54 @@ of them. --rewrite only makes the page and its picture anew.
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Sequence
 
-from tests.benchmarks.options import Asked
-from tests.benchmarks.results import Contents, run
+import numpy as np
 
-SECTIONS = ("scenes", "real", "speed")
+from tests.benchmarks.clips import Clip
+from tests.benchmarks.flow.counts import STRETCH_S, count_real_footage, count_scenes
+from tests.benchmarks.flow_speed import measure as speed
+from tests.benchmarks.pages import Figures, Page
+from tracking.counting import PAPER_STEP_S
+from tracking.pages import Panel, svg
 
-
-def _contents(wish: Asked) -> Contents:
-    from tests.benchmarks.flow import clips, counts, real, report, words
-
-    known = clips.REPORTED if wish.report else clips.TUNED
-    return Contents(
-        words.INTRODUCTION,
-        report.writers(),
-        {
-            "scenes": lambda: counts.scenes(known, wish.clips),
-            "real": lambda: real.measure(wish.data),
-            "speed": _speed,
-        },
-        diagrams={"scenes": ("counts", report.counts_picture)},
-    )
+SCENES = ("lane", "two-way")
+TUNED = tuple(Clip(scene, 5101) for scene in SCENES)
+"""For choosing settings; never reported."""
+REPORTED = tuple(Clip(scene, seed) for scene in SCENES for seed in (5201, 5202))
+"""Nothing was chosen on these."""
 
 
-def _speed() -> dict[str, Any]:
-    from tests.benchmarks.flow_speed import measure
+def counts_picture(rows: Sequence[Figures]) -> str:
+    """The paper's figure 10: people in the region over time, true and counted, as SVG."""
+    panels = []
+    for row in rows:
+        if row["tracker"] != "flow":
+            continue
+        true, ours = np.array(row["true_steps"], float), np.array(row["steps"], float)
+        x = PAPER_STEP_S * np.arange(len(true))
+        top = max(float(true.max(initial=1.0)), float(ours.max(initial=1.0))) + 1.0
+        curves = {"true": true, "counted": ours}
+        title = f"{row['scene']} {row['seed']}"
+        axes = ("seconds", "people in the region")
+        panels.append(Panel(title, curves, x, axes, (0.0, float(x[-1])), (0.0, top)))
+    return svg(panels)
 
-    return dict(measure())
 
+PAGE = Page(
+    subject="flow",
+    about=__doc__ or "",
+    measures={
+        "scenes": lambda asked: count_scenes(REPORTED if asked.report else TUNED, asked.clips),
+        "real": lambda asked: count_real_footage(asked.data),
+        "speed": lambda _: dict(speed()),
+    },
+    words={
+        "paper": (("lane", 963, 1057), ("two-way", 865, 801)),  # [Yoneji2013] table 2
+        "stretch_s": STRETCH_S,
+    },
+    diagrams={"scenes": ("counts", counts_picture)},
+)
 
 if __name__ == "__main__":
-    run("flow", __doc__ or "", SECTIONS, _contents)
+    PAGE.main()

@@ -9,68 +9,99 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tests.benchmarks.flow.clips import Counted
-from tests.benchmarks.rendered_clips import floor_truth, folder_of, run_of
-from tracking.counting import PAPER_STEP_S, Hits, compare_passages, occupancy, passages
+from tests.benchmarks.clips import Clip, floor_truth, folder_of
+from tests.benchmarks.runner import Case, run_of
+from tracking.counting import (
+    PAPER_STEP_S,
+    Hits,
+    Passages,
+    compare_passages,
+    occupancy,
+    passages,
+)
 from tracking.formats import read_mot
 from tracking.recording import open_recording
+from tracking.synthesis import SCENES
 from tracking.tracks import CountingLine, Region
 
-TRACKERS = ("flow",)
+OURS = Case("flow")
 STRETCH_S = 20.0
 """Sums are told for stretches of a recording, too."""
-
-SEEN = 0.1
+_SEEN = 0.1
 """Share of a person that a camera needs to count it."""
-
-JITTER_M = 0.2
+_JITTER_M = 0.2
 """Who sways over a line has not passed."""
+_NEAR_M, _FAR_M = 5.0, 9.0
+_LINES_M = (5.5, 7.0, 8.5)
+
+OVERHEAD = "overhead-real"
+BY_EYE = ((20, 110, False), (180, 320, True), (380, 470, False), (480, 570, False))
+"""First frame, last frame, from left to right: the passages in the overhead recording."""
+_BELOW = CountingLine("below the camera", (0.0, -3.0), (0.0, 3.0))
+"""Forward is from left to right."""
+_PETS = "pets-s2l1-real"
+_PETS_LINES = (
+    CountingLine("along", (3.0, 11.0), (3.0, 36.0)),
+    CountingLine("across", (12.5, 25.0), (-9.5, 25.0)),
+)
+_PETS_REGION = Region("middle", ((-2.0, 20.0), (8.0, 20.0), (8.0, 30.0), (-2.0, 30.0)))
 
 Table = Mapping[str, NDArray[Any]]
 
 
-def scenes(counted: Sequence[Counted], kept: Path | None = None) -> list[dict[str, Any]]:
-    """Sums and hits of each scene, by tracker."""
-    rows = []
-    for one in counted:
-        folder = folder_of(one.clip, kept)
-        for tracker in TRACKERS:
-            found = counts_of(folder, tracker, floor_truth(folder), one.lines, one.region)
-            found["seen_sum"] = _seen_sum(folder, one)
-            rows.append({"scene": one.clip.scene, "seed": one.clip.seed, **found})
-    return rows
+def where_counted(scene: str) -> tuple[tuple[CountingLine, ...], Region]:
+    """Lines across a scene's passage, forward away from the camera, and the region of the sums."""
+    passage = SCENES[scene].passage
+    assert passage is not None
+    half = passage.half_width_m
+    corners = ((-half, _NEAR_M), (half, _NEAR_M), (half, _FAR_M), (-half, _FAR_M))
+    lines = tuple(CountingLine(f"{y:g} m", (half, y), (-half, y)) for y in _LINES_M)
+    return lines, Region("passage", corners)
 
 
-def _seen_sum(folder: Path, one: Counted) -> int:
-    """The true sum of those of whom enough is seen to be counted by eye."""
-    truth = read_mot(folder / "truth.txt")
+def count_scenes(clips: Sequence[Clip], kept: Path | None = None) -> list[dict[str, Any]]:
+    """Sums and hits of each scene."""
+    return [_count_scene(clip, folder_of(clip, kept)) for clip in clips]
+
+
+def _count_scene(clip: Clip, folder: Path) -> dict[str, Any]:
+    lines, region = where_counted(clip.scene)
+    seen_sum = int(people_inside(_seen(folder), *_length(folder), region).sum())
+    counts = _counts(folder, floor_truth(folder), lines, region)
+    return {"scene": clip.scene, "seed": clip.seed, **counts, "seen_sum": seen_sum}
+
+
+def _seen(folder: Path) -> Table:
+    """The true rows of those of whom enough is seen to be counted by eye."""
     shares = np.loadtxt(folder / "visibility.csv", delimiter=",", skiprows=1, ndmin=2)[:, 2]
-    seen = {name: column[shares >= SEEN] for name, column in truth.items()}
+    truth = read_mot(folder / "truth.txt")
+    return {name: column[shares >= _SEEN] for name, column in truth.items()}
+
+
+def _length(folder: Path) -> tuple[float, int]:
+    """Frames a second, and how many."""
     with open_recording(folder) as recording:
-        fps, frames = recording.fps, recording.frame_count
-    return int(people_inside(seen, fps, frames, one.region).sum())
+        return recording.fps, recording.frame_count
 
 
-def counts_of(
-    folder: Path,
-    tracker: str,
-    truth: Table,
-    lines: Sequence[CountingLine],
-    region: Region,
+def _counts(
+    folder: Path, truth: Table, lines: Sequence[CountingLine], region: Region
 ) -> dict[str, Any]:
     """The tracker's counts in one recording beside the true ones."""
-    tracks = run_of(folder, tracker).tracks
-    with open_recording(folder) as recording:
-        fps, frames = recording.fps, recording.frame_count
+    tracks, (fps, frames) = run_of(folder, OURS).tracks, _length(folder)
     true, ours = (people_inside(table, fps, frames, region) for table in (truth, tracks))
     hits = hits_of(tracks, truth, fps, lines)
+    steps = round(STRETCH_S / PAPER_STEP_S)
     return {
-        "tracker": tracker,
+        "tracker": OURS.tracker,
         "true_sum": int(true.sum()),
         "sum": int(ours.sum()),
         "most": int(true.max(initial=0)),
         "mean_difference": float(np.abs(true - ours).mean()),
-        "stretches": _stretches(true, ours),
+        "stretches": [
+            (int(true[start : start + steps].sum()), int(ours[start : start + steps].sum()))
+            for start in range(0, len(true), steps)
+        ],
         "true_steps": true.tolist(),
         "steps": ours.tolist(),
         "happened": hits.happened,
@@ -88,14 +119,45 @@ def people_inside(table: Table, fps: float, frames: int, region: Region) -> NDAr
 
 def hits_of(tracks: Table, truth: Table, fps: float, lines: Sequence[CountingLine]) -> Hits:
     """Passages found over all lines."""
-    found, happened = (passages(table, fps, lines, jitter_m=JITTER_M) for table in (tracks, truth))
+    found, happened = (passages(table, fps, lines, jitter_m=_JITTER_M) for table in (tracks, truth))
     return compare_passages(found, happened)
 
 
-def _stretches(true: NDArray[np.int64], ours: NDArray[np.int64]) -> list[tuple[int, int]]:
-    """True and counted sums of each stretch."""
-    steps = round(STRETCH_S / PAPER_STEP_S)
-    return [
-        (int(true[start : start + steps].sum()), int(ours[start : start + steps].sum()))
-        for start in range(0, len(true), steps)
-    ]
+def count_real_footage(data: Path) -> dict[str, Any]:
+    """What is counted in the real recordings that are there."""
+    found: dict[str, Any] = {}
+    if (data / OVERHEAD / "recording.toml").is_file():
+        cases = (OURS, Case("stereo-direction"))
+        found["overhead"] = [_overhead(data / OVERHEAD, case) for case in cases]
+    if (data / _PETS / "truth.txt").is_file():
+        truth = read_mot(data / _PETS / "truth.txt")
+        found["pets"] = [_counts(data / _PETS, truth, _PETS_LINES, _PETS_REGION)]
+    return found
+
+
+def _overhead(folder: Path, case: Case) -> dict[str, Any]:
+    fps, _ = _length(folder)
+    found = passages(run_of(folder, case).tracks, fps, [_BELOW], jitter_m=_JITTER_M)
+    return {
+        "tracker": case.tracker,
+        "happened": len(BY_EYE),
+        "found": len(found),
+        "hit": hits_by_eye(found),
+        "passages": [
+            (int(frame), bool(ahead))
+            for frame, ahead in zip(found.frame, found.forward, strict=True)
+        ],
+    }
+
+
+def hits_by_eye(found: Passages, seen: Sequence[tuple[int, int, bool]] = BY_EYE) -> int:
+    """How many passages seen by eye were found in their time and direction; each found one once."""
+    free = np.ones(len(found), bool)
+    hit = 0
+    for first, last, rightward in seen:
+        fits = free & (found.frame >= first) & (found.frame <= last)
+        fits &= found.forward == rightward
+        if fits.any():
+            free[int(np.argmax(fits))] = False
+            hit += 1
+    return hit

@@ -1,129 +1,125 @@
 """Body parts: `python -m tests.benchmarks.parts [--report] [--only SECTION ...] [--clips DIR]`.
 
-Without --report: the rates on a few scenes for choosing settings, as a table. With it: all sections
-on the scenes reported, kept one by one in docs/results/parts.json, and the page made of them.
---rewrite only makes the page and its diagrams anew. Real footage is looked for where --data or
-TRACKWRIGHT_DATA says; --pictures draws parts into a few of its frames, into a folder of yours.
+Without --report: the figures on the scenes for choosing settings, printed as the page would have
+them. With it: on the scenes reported, kept one by one in docs/results/parts.json, and the page made
+of them. --rewrite only makes the page and its diagrams anew. Real footage is looked for where
+--data or TRACKWRIGHT_DATA says; --pictures draws parts into a few of its frames, into a folder of
+yours.
 """
 
 from __future__ import annotations
 
-import argparse
-import json
-import os
-from collections.abc import Callable, Iterable
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from tests.benchmarks.options import parser_of
+import numpy as np
 
-_FOLDER = Path(__file__).parents[3] / "docs" / "results"
-_PAGE = "docs/results/parts"
-SECTIONS = ("rates", "crouching", "equalisation", "detector", "real", "speed")
+from tests.benchmarks.clips import folder_of
+from tests.benchmarks.command import Options
+from tests.benchmarks.pages import Figures, Page, Picture, save_jpeg
+from tests.benchmarks.parts import clips
+from tests.benchmarks.parts.cases import ADJUSTED, PLAIN, WHOLE
+from tests.benchmarks.parts.equalisation import measure as equalisation
+from tests.benchmarks.parts.measures import crouching, detector, rates
+from tests.benchmarks.parts.real import folders_in
+from tests.benchmarks.parts.real import measure as real
+from tests.benchmarks.parts.speed import measure as speed
+from tests.benchmarks.pictures import body_parts
+from tracking.pages import Panel, svg
+from tracking.recording import open_recording
+from tracking.scoring.parts import margin
 
-
-def main() -> None:
-    """Measure and write."""
-    for variable in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
-        os.environ[variable] = "1"
-    asked = _asked()
-    import cv2
-
-    cv2.setNumThreads(1)
-    if asked.rewrite:
-        _write(json.loads((_FOLDER / "parts.json").read_text(encoding="utf-8")))
-    elif asked.pictures is not None:
-        _real_pictures(asked.data, asked.pictures)
-    elif asked.report:
-        _report(asked.only or SECTIONS, asked.clips, asked.data)
-    else:
-        _tune(asked.clips)
-
-
-def _asked() -> argparse.Namespace:
-    parser = parser_of("parts", __doc__)
-    parser.add_argument("--report", action="store_true", help=f"measure and write {_PAGE}.md")
-    parser.add_argument("--rewrite", action="store_true", help=f"write it from {_PAGE}.json")
-    parser.add_argument("--only", nargs="+", choices=SECTIONS, help="these sections anew")
-    parser.add_argument("--clips", type=Path, help="where clips are kept, not the user's cache")
-    parser.add_argument("--data", type=Path, default=_data(), help="folder of real recordings")
-    parser.add_argument("--pictures", type=Path, help="where pictures of real footage are put")
-    return parser.parse_args()
+AT_FRAME = 105
+_SUBJECTS = ("head", "torso", "hip-leg", "person")
+_FEWEST = 10  # a rate of fewer people is not drawn
+_SHOWN_ROWS = 360  # nobody stands farther down
+_SHOWN_SHARES = (0.3, 0.5, 0.7)
+"""Of a real recording's length: which frames are shown."""
 
 
-def _data() -> Path | None:
-    named = os.environ.get("TRACKWRIGHT_DATA")
-    return Path(named) if named else None
+def _detector(options: Options) -> dict[str, Any]:
+    reported = (*clips.REPORTED, *clips.REPORTED_CROUCHING, *clips.REPORTED_ELSEWHERE)
+    return detector(reported if options.report else clips.CHECKED, options.clips)
 
 
-def _report(sections: tuple[str, ...] | list[str], clips: Path | None, data: Path | None) -> None:
-    from tests.benchmarks.parts import clips as known
-    from tests.benchmarks.parts import part_rates
-
-    detector_clips = (*known.REPORTED, *known.REPORTED_CROUCHING, *known.REPORTED_ELSEWHERE)
-    measures: dict[str, Callable[[], Iterable[Any]]] = {
-        "rates": lambda: part_rates.rates_one_by_one(known.REPORTED, clips),
-        "crouching": lambda: [part_rates.crouching(known.REPORTED_CROUCHING, clips)],
-        "equalisation": lambda: [part_rates.equalisation()],
-        "detector": lambda: [part_rates.detector(detector_clips, clips)],
-        "real": lambda: [part_rates.real(data)],
-        "speed": lambda: [part_rates.speed()],
-    }
-    path = _FOLDER / "parts.json"
-    anew = set(sections) == set(SECTIONS)  # then nothing on the page is older than the rest
-    figures = {} if anew or not path.is_file() else json.loads(path.read_text(encoding="utf-8"))
-    for name in sections:
-        for found in measures[name]():
-            figures = {**figures, name: found} if found else _without(figures, name)
-            path.write_text(json.dumps(figures, indent=1) + "\n", encoding="utf-8")
-            _write(figures)
-        if name == "rates":
-            _picture(clips)
+def rates_picture(figures: Figures) -> str:
+    """The paper's figure 4: a diagram a part and one for the person, as SVG."""
+    panels = []
+    for index, subject in enumerate(_SUBJECTS):
+        curves = {
+            name: _drawn(variant, index)
+            for name, variant in figures["variants"].items()
+            if not (name == WHOLE.name and subject != "person")
+        }
+        x = np.arange(len(next(iter(curves.values()))), dtype=float)
+        axes = ("frames since the start", "people tracked rightly, %")
+        panels.append(Panel(subject, curves, x, axes, (0.0, float(x[-1])), (0.0, 100.0)))
+    return svg(panels)
 
 
-def _picture(clips: Path | None) -> None:
-    from tests.benchmarks.pages import save_jpeg
-    from tests.benchmarks.parts import clips as known
-    from tests.benchmarks.parts import pictures
-    from tests.benchmarks.parts.tracker_runs import ADJUSTED, PLAIN
-
-    shown = pictures.side_by_side(known.REPORTED[0], (ADJUSTED, PLAIN), (150, 190), clips)
-    save_jpeg(_FOLDER / "parts-walkway.jpg", shown)
+def _drawn(variant: Figures, subject: int) -> Any:
+    people = np.array(variant["people"])
+    return np.where(people >= _FEWEST, 100 * np.array(variant["right"])[:, subject], np.nan)
 
 
-def _without(figures: dict[str, Any], name: str) -> dict[str, Any]:
-    """What was not measured is not on the page: nothing there is older than the rest."""
-    return {section: found for section, found in figures.items() if section != name}
+def roc_picture(figures: Figures) -> str:
+    """Share of failures found over share of false alarms, by machine, as SVG."""
+    machines, grid = figures["machines"], 100 * np.array(figures["grid"])
+    held = {name: machine["curve"] for name, machine in machines.items()}
+    new = {name: machine["new"]["curve"] for name, machine in machines.items() if machine["new"]}
+    axes = ("false alarms, %", "failures found, %")
+    panels = []
+    for title, curves in (("people held out", held), ("scenes never trained on", new)):
+        shares = {name: 100 * np.array(curve) for name, curve in curves.items()}
+        panels.append(Panel(title, shares, grid, axes, (0.0, 20.0), (0.0, 100.0)))
+    return svg(panels)
 
 
-def _real_pictures(data: Path | None, shown: Path) -> None:
-    from tests.benchmarks.parts import pictures
-
-    for path in pictures.of_real_footage(data, shown):
-        print(path)
+def _picture(_: Any, options: Options) -> Picture:
+    folder = folder_of(clips.REPORTED[0], options.clips)
+    return body_parts(folder, (ADJUSTED, PLAIN), (150, 190), _SHOWN_ROWS)
 
 
-def _write(figures: dict[str, Any]) -> None:
-    from tests.benchmarks.parts import report
+def _footage(data: Path, shown: Path) -> Iterator[Path]:
+    """Pictures of the real recordings that are there, with parts drawn, into a folder.
 
-    if "rates" in figures:
-        (_FOLDER / "parts-rates.svg").write_text(
-            report.rates_picture(figures["rates"]), encoding="utf-8"
-        )
-    if "detector" in figures:
-        (_FOLDER / "parts-detector-roc.svg").write_text(
-            report.roc_picture(figures["detector"]), encoding="utf-8"
-        )
-    (_FOLDER / "parts.md").write_text(report.results(figures), encoding="utf-8")
+    They show people in footage of others, so they are for looking at and not for the repository.
+    """
+    for folder in folders_in(data):
+        with open_recording(folder) as recording:
+            frames = [round(recording.frame_count * share) for share in _SHOWN_SHARES]
+        save_jpeg(shown / f"{folder.name}.jpg", body_parts(folder, (ADJUSTED, PLAIN), frames))
+        yield shown / f"{folder.name}.jpg"
 
 
-def _tune(clips: Path | None) -> None:
-    from tests.benchmarks.parts import clips as known
-    from tests.benchmarks.parts import part_rates, report
-
-    print(report.rates_tables(part_rates.rates(known.TUNED, clips)))
-    print(report.crouching_table(part_rates.crouching(known.TUNED_CROUCHING, clips)))
-
+PAGE = Page(
+    subject="parts",
+    about=__doc__ or "",
+    measures={
+        "rates": lambda asked: rates(clips.REPORTED if asked.report else clips.TUNED, asked.clips),
+        "crouching": lambda asked: crouching(
+            clips.REPORTED_CROUCHING if asked.report else clips.TUNED_CROUCHING, asked.clips
+        ),
+        "equalisation": lambda asked: equalisation(clips.REPORTED if asked.report else clips.TUNED),
+        "detector": _detector,
+        "real": lambda asked: real(asked.data),
+        "speed": lambda _: dict(speed()),
+    },
+    words={
+        "frame": AT_FRAME,
+        "paper": {
+            ADJUSTED.name: (95, 83, 91, 95),
+            PLAIN.name: (67, 68, 64, ""),
+            WHOLE.name: ("", "", "", 75),
+        },
+        "goals": dict(zip(_SUBJECTS, (97, 92, 95, 98), strict=True)),
+        "margin": margin,
+    },
+    pictures={"rates": ("walkway", _picture)},
+    diagrams={"rates": ("rates", rates_picture), "detector": ("detector-roc", roc_picture)},
+    footage=_footage,
+)
 
 if __name__ == "__main__":
-    main()
+    PAGE.main()

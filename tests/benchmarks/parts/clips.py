@@ -1,50 +1,19 @@
-"""The rendered clips on which body parts are measured; each is made once and kept."""
+"""The rendered clips on which body parts are measured; the left camera of each."""
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Iterable
-from dataclasses import dataclass
-from pathlib import Path
 
-from platformdirs import user_cache_path
-
-from tests.benchmarks.kept_results import rendering as rendered_with
-from tests.benchmarks.parts import scenes
+from tests.benchmarks.clips import Clip
 from tests.benchmarks.parts.scenes import ELSEWHERE
-from tracking.synthesis import SCENES, SceneSpec, render_recording
-from tracking.synthesis.cast import Cast
-from tracking.synthesis.rig import Rig
-
-FPS = 20.0
-
-
-@dataclass(frozen=True, slots=True)
-class Clip:
-    """One rendered scene.
-
-    Attributes:
-        scene: its name in `SCENES` or `ELSEWHERE`.
-        seed: says who comes by and how.
-    """
-
-    scene: str
-    seed: int
-
-    @property
-    def spec(self) -> SceneSpec:
-        """The scene's definition."""
-        return SCENES[self.scene] if self.scene in SCENES else ELSEWHERE[self.scene]
-
-    def cast(self) -> Cast:
-        """The people of the clip, as they were rendered."""
-        spec = self.spec
-        rig = Rig.of_scene(spec, spec.size_px)
-        return Cast.of_scene(spec, rig, spec.people, round(spec.seconds * FPS), FPS, self.seed)
 
 
 def _clips(scene: str, seeds: Iterable[int]) -> tuple[Clip, ...]:
-    return tuple(Clip(scene, seed) for seed in seeds)
+    return tuple(Clip(scene, seed, cameras=1) for seed in seeds)
+
+
+def _elsewhere(*seeds: int) -> tuple[Clip, ...]:
+    return tuple(clip for scene in ELSEWHERE for clip in _clips(scene, seeds))
 
 
 REPORTED = _clips("walkway", range(4301, 4321))
@@ -52,20 +21,20 @@ REPORTED = _clips("walkway", range(4301, 4321))
 
 REPORTED_CROUCHING = _clips("crouching", range(4351, 4357))
 
-REPORTED_ELSEWHERE = tuple(clip for scene in ELSEWHERE for clip in _clips(scene, (4391,)))
+REPORTED_ELSEWHERE = _elsewhere(4391)
 """People as other cameras see them: for the detector alone."""
 
 TRAINED = (
     *_clips("walkway", range(4111, 4129)),
     *_clips("crouching", range(4161, 4166)),
-    *(clip for scene in ELSEWHERE for clip in _clips(scene, (4142, 4143))),
+    *_elsewhere(4142, 4143),
 )
 """The built-in detector learns from these."""
 
 CHECKED = (
     *_clips("walkway", range(4171, 4175)),
     *_clips("crouching", (4181,)),
-    *(clip for scene in ELSEWHERE for clip in _clips(scene, (4191,))),
+    *_elsewhere(4191),
 )
 """What the detector learns from, and how, was chosen by these."""
 
@@ -75,23 +44,6 @@ TUNED = _clips("walkway", range(4101, 4105))
 TUNED_CROUCHING = _clips("crouching", range(4151, 4153))
 
 
-def folder_of(clip: Clip, kept: Path | None = None) -> Path:
-    """The clip's recording of the left camera, rendered if it is not there yet.
-
-    Clips stand apart by what they were rendered with: none is left over from another rendering.
-
-    Args:
-        clip: which.
-        kept: where clips are kept; a folder of the user's cache if None.
-    """
-    above = kept or user_cache_path("trackwright", appauthor=False) / "parts"
-    folder = above / rendering() / f"{clip.scene}-{clip.seed}"
-    if not (folder / "truth_parts.csv").is_file():
-        print(f"rendering {folder}", file=sys.stderr)
-        render_recording(folder, clip.spec, seed=clip.seed, fps=FPS, cameras=1)
-    return folder
-
-
-def rendering() -> str:
-    """A short hash over whatever clips are rendered with, scenes and the frame rate among it."""
-    return rendered_with(str(FPS), Path(scenes.__file__).read_text(encoding="utf-8"))
+def title_of(clip: Clip) -> str:
+    """A clip in figures and in the detector's file."""
+    return f"{clip.scene} {clip.seed}"

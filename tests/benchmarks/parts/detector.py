@@ -8,21 +8,28 @@ pixels there would say nothing of other recordings.
 
 from __future__ import annotations
 
-import argparse
-import os
-import sys
+from collections.abc import Sequence
 from pathlib import Path
 
-import cv2
 import numpy as np
 
 import resources
-from tests.benchmarks.parts.clips import TRAINED
-from tests.benchmarks.parts.label_effort import samples_of_clips
-from tests.benchmarks.parts.tracker_runs import PLAIN
-from tracking.failure import Samples, save_detector
+from tests.benchmarks.clips import Clip, folder_of
+from tests.benchmarks.command import one_core, parser_of, tell
+from tests.benchmarks.parts.cases import PLAIN
+from tests.benchmarks.parts.clips import TRAINED, title_of
+from tests.benchmarks.runner import run_of
+from tracking.failure import (
+    Samples,
+    joined,
+    labels_from_truth,
+    people_followed,
+    samples_of,
+    save_detector,
+)
 from tracking.failure.detector_file import BUILT_IN
-from tracking.failure.training import Trained, TrainingPlan, train
+from tracking.failure.training import TrainingPlan, train
+from tracking.truth import TRUE_PARTS, read_true_parts
 
 SEED = 4100
 _SIZES = float(np.log(2.5))
@@ -30,25 +37,30 @@ _SIZES = float(np.log(2.5))
 
 def main() -> None:
     """Render what is missing, track, label, train, save."""
-    for variable in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
-        os.environ[variable] = "1"
-    cv2.setNumThreads(1)
-    parser = argparse.ArgumentParser(prog="python -m tests.benchmarks.parts.detector")
+    one_core()
+    parser = parser_of("parts.detector", __doc__)
     shipped = Path(next(iter(resources.__path__))) / BUILT_IN
     parser.add_argument("--out", type=Path, default=shipped, help="the detector's file")
     parser.add_argument("--clips", type=Path, help="where clips are kept, not the user's cache")
     asked = parser.parse_args()
-    trained = made(asked.clips)
-    save_detector(asked.out, trained.detector)
-    print(f"{asked.out}: {trained.detector.fingerprint}")
-
-
-def made(kept: Path | None) -> Trained:
-    """The detector, and what was measured while it was made."""
     random = np.random.default_rng(SEED)
-    samples = resized(samples_of_clips(TRAINED, PLAIN, kept), random)
-    print(f"samples off and on, by part: {samples.counts().tolist()}", file=sys.stderr)
-    return train(samples, TrainingPlan(), random=random)
+    samples = resized(samples_of_clips(TRAINED, asked.clips), random)
+    tell(f"samples off and on, by part: {samples.counts().tolist()}")
+    detector = train(samples, TrainingPlan(), random=random).detector
+    save_detector(asked.out, detector)
+    print(f"{asked.out}: {detector.fingerprint}")
+
+
+def samples_of_clips(clips: Sequence[Clip], kept: Path | None = None) -> Samples:
+    """What the tracker that adjusts nothing said of parts, and whether the truth says so."""
+    return joined(_samples_of_clip(clip, folder_of(clip, kept)) for clip in clips)
+
+
+def _samples_of_clip(clip: Clip, folder: Path) -> Samples:
+    parts, truth = run_of(folder, PLAIN).parts, read_true_parts(folder / TRUE_PARTS)
+    labels = labels_from_truth(truth, parts, clip.fps)
+    people = people_followed(truth, parts, clip.fps)
+    return samples_of(labels, parts, clip.fps, title_of(clip), people)
 
 
 def resized(samples: Samples, random: np.random.Generator) -> Samples:

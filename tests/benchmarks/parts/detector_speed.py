@@ -5,8 +5,6 @@
 
 from __future__ import annotations
 
-import argparse
-import os
 import time
 from collections.abc import Callable
 from pathlib import Path
@@ -16,7 +14,7 @@ from sklearn.pipeline import Pipeline
 from sklearn.preprocessing import FunctionTransformer
 from sklearn.svm import SVC
 
-from tests.benchmarks.options import parser_of
+from tests.benchmarks.command import one_core, parser_of
 from tracking.failure import Detector, Machine, built_in_detector, load_detector
 
 PEOPLE = 15
@@ -79,17 +77,12 @@ def _microseconds(work: Callable[[], object]) -> float:
 
 def main() -> None:
     """Print the figures."""
-    named = _asked().detector
-    for variable in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
-        os.environ[variable] = "1"
-    for name, value in measure(None if named is None else load_detector(named)).items():
-        print(f"{name:<18} {value:.3g}")
-
-
-def _asked() -> argparse.Namespace:
     parser = parser_of("parts.detector_speed", __doc__)
     parser.add_argument("detector", nargs="?", type=Path, metavar="DETECTOR.h5", help="to measure")
-    return parser.parse_args()
+    named = parser.parse_args().detector
+    one_core()
+    for name, value in measure(None if named is None else load_detector(named)).items():
+        print(f"{name:<18} {value:.3g}")
 
 
 if __name__ == "__main__":

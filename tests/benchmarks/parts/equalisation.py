@@ -1,7 +1,4 @@
-"""How often a colour histogram mistakes something else for a body part, equalised and not.
-
-`python -m tests.benchmarks.parts.equalisation` prints the figures of scenes for choosing settings.
-"""
+"""How often a colour histogram mistakes something else for a body part, equalised and not."""
 
 from __future__ import annotations
 
@@ -12,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tests.benchmarks.parts.clips import REPORTED, TUNED, Clip
+from tests.benchmarks.clips import Clip
 from tracking.people.parts import (
     bhattacharyya,
     candidate_histograms,
@@ -52,9 +49,7 @@ class Target:
     rectangles: Floats
 
 
-def measure(
-    clips: Sequence[Clip] = REPORTED, images: int = IMAGES, seed: int = 0
-) -> dict[str, Any]:
+def measure(clips: Sequence[Clip], images: int = IMAGES, seed: int = 0) -> dict[str, Any]:
     """False alarms by part, in % of all regions tried, beside the paper's.
 
     Returns:
@@ -151,8 +146,3 @@ def _away(rectangle: Floats, picture: NDArray[np.uint8], rng: np.random.Generato
     middle = rng.uniform(0, 1, (4 * REGIONS, 2)) * room + rectangle[2:] / 2
     off = (np.abs(middle - rectangle[:2]) > rectangle[2:]).any(axis=1)
     return np.column_stack((middle[off][:REGIONS], np.tile(rectangle[2:], (REGIONS, 1))))
-
-
-if __name__ == "__main__":
-    for part_name, row in measure(TUNED)["parts"].items():
-        print(part_name, row)

@@ -8,7 +8,6 @@ exact truth, and told as such.
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -16,7 +15,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tests.benchmarks.parts.tracker_runs import ADJUSTED, Variant, run_of, tracked_by
+from tests.benchmarks.command import tell
+from tests.benchmarks.parts.cases import ADJUSTED, rectangles
+from tests.benchmarks.runner import run_of
 from tracking.formats import read_mot
 from tracking.recording import open_recording
 from tracking.scoring.parts import Judged, PartTruth, judge
@@ -26,35 +27,25 @@ FRAMES = 100
 _ZONES = ((0.0, 0.25), (0.1, 0.6), (0.4, 1.0))
 
 
-def folders_in(data: Path | None) -> list[Path]:
-    """The real recordings that are there; those missing are told.
-
-    Args:
-        data: the folder that holds them; None: nobody named one.
-    """
-    if data is None:
-        print("no real footage: name its folder with --data or TRACKWRIGHT_DATA", file=sys.stderr)
-        return []
+def folders_in(data: Path) -> list[Path]:
+    """The real recordings that are there; those missing are told."""
     there = [data / name for name in RECORDINGS if (data / name / "truth.txt").is_file()]
     for name in sorted(set(RECORDINGS) - {folder.name for folder in there}):
-        print(f"no real footage {name} in {data}: it is left out", file=sys.stderr)
+        tell(f"no real footage {name} in {data} (--data or TRACKWRIGHT_DATA): it is left out")
     return there
 
 
-def measure(data: Path | None, variant: Variant = ADJUSTED) -> dict[str, Any]:
+def measure(data: Path) -> dict[str, Any]:
     """Who keeps their parts in the real recordings that are there."""
-    return {
-        folder.name: kept_parts(judged_recording(folder, variant)) for folder in folders_in(data)
-    }
+    return {folder.name: kept_parts(judged_recording(folder)) for folder in folders_in(data)}
 
 
-def judged_recording(folder: Path, variant: Variant) -> list[Judged]:
+def judged_recording(folder: Path) -> list[Judged]:
     """Everybody in a recording with true boxes."""
-    run = run_of(folder, variant)
     with open_recording(folder) as recording:
         size, fps = recording.size, recording.fps
     truth = truth_of_boxes(read_mot(folder / "truth.txt"), size)
-    return judge(truth, tracked_by(run, variant), fps)
+    return judge(truth, rectangles(run_of(folder, ADJUSTED), ADJUSTED), fps)
 
 
 def truth_of_boxes(columns: Mapping[str, NDArray[Any]], size_px: tuple[int, int]) -> PartTruth:

@@ -7,7 +7,8 @@ import time
 import cv2
 import numpy as np
 
-from tests.benchmarks.parts.clips import TUNED, folder_of
+from tests.benchmarks.clips import folder_of
+from tests.benchmarks.parts.clips import TUNED
 from tracking.pipeline import Tracking, track
 from tracking.recording import open_recording
 

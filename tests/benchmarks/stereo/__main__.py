@@ -3,74 +3,106 @@
 Without --report: the figures on the clips for choosing settings, printed as the page would have
 them; fresh clips are left alone. With it: on the clips reported, goals and trackers on fresh ones,
 kept one by one in docs/results/stereo.json, and the page made of them. --rewrite only makes the
-page anew. Clips and runs are kept in the temporary folder, or where --clips says; clips that are
-there are taken as they are.
+page anew. Clips are kept in the user's cache, or where --clips says; clips that are there are taken
+as they are.
 """
 
 from __future__ import annotations
 
 from typing import Any
 
-from tests.benchmarks.options import Asked
-from tests.benchmarks.results import Contents, run
-
-SECTIONS = ("tables", "trackers", "goals", "real", "lost", "robustness", "peers")
-"""As they are measured: runs of `tables` and `trackers` serve `goals`; programs of others come
-last, as they may fail."""
-
-
-def _contents(wish: Asked) -> Contents:
-    from tests.benchmarks.stereo import (
-        choice,
-        clip_scores,
-        clips,
-        pictures,
-        real,
-        report,
-        robustness,
-        trackers,
-        words,
-    )
-
-    known = clips.REPORTED if wish.report else clips.TUNED
-    fresh = clips.FRESH.of_scene if wish.report else {}
-
-    def picture(found: dict[str, Any]) -> Any:
-        shown = found["shown"]
-        return pictures.strip(shown, clips.REPORTED.folders(wish.clips)) if shown else None
-
-    return Contents(
-        words.INTRODUCTION,
-        report.writers(),
-        {
-            "tables": lambda: clip_scores.tables(known.of_scene, wish.clips),
-            "trackers": lambda: choice.measure(fresh or known.of_scene, wish.clips),
-            "goals": lambda: clip_scores.both(fresh, known.of_scene, wish.clips),
-            "peers": lambda: _peers(known, wish),
-            "real": lambda: real.measure(wish.data),
-            "lost": lambda: _lost(known, wish),
-            "robustness": lambda: robustness.measure(known.dimmed, known.sound, wish.clips),
-        },
-        photographs={"lost": picture},
-        state=lambda: trackers.sources()[:16],
-    )
+from tests.benchmarks.clips import folder_of
+from tests.benchmarks.command import Options
+from tests.benchmarks.intervals import interval
+from tests.benchmarks.pages import Figures, Page, Picture
+from tests.benchmarks.stereo import clips, goals, measures, papers, peers
+from tests.benchmarks.stereo.loss_context import WHERE
+from tests.benchmarks.stereo.pictures import strip, typical
+from tests.benchmarks.stereo.reasons import WHAT
+from tests.benchmarks.tracker_peers.comparison import CHOOSING_SEEDS, RADIUS_M, REPORTED_SEEDS
 
 
-def _peers(known: Any, wish: Asked) -> dict[str, Any]:
-    from tests.benchmarks.stereo import peers
-    from tests.benchmarks.tracker_peers import REPORTED_SEEDS
-    from tests.benchmarks.tracker_peers.parameter_search import CHOOSING_SEEDS
-
-    seeds = REPORTED_SEEDS if wish.report else CHOOSING_SEEDS[:1]
-    return peers.measure(known.of_scene, seeds, wish.clips)
+def _often(options: Options) -> clips.OfScene:
+    return clips.REPORTED if options.report else clips.TUNED
 
 
-def _lost(known: Any, wish: Asked) -> dict[str, Any]:
-    from tests.benchmarks.stereo import clip_scores, pictures
+def _goals(options: Options) -> dict[str, Any]:
+    """Of clips nobody has looked at, and of those that are measured after each change."""
+    fresh = clips.FRESH if options.report else {}
+    return {
+        "fresh": measures.goals(fresh, options.clips),
+        "often": measures.goals(_often(options), options.clips),
+    }
 
-    people = clip_scores.not_kept_of(known.of_scene, wish.clips)
-    return {"people": people, "shown": pictures.typical(people)}
 
+def _peers(options: Options) -> dict[str, Any]:
+    seeds = REPORTED_SEEDS if options.report else CHOOSING_SEEDS[:1]
+    return peers.measure(_often(options), seeds, options.clips)
+
+
+def _lost(options: Options) -> dict[str, Any]:
+    people = measures.lost(_often(options), options.clips)
+    return {"people": people, "shown": typical(people)}
+
+
+def _picture(lost: Figures, options: Options) -> Picture | None:
+    known = [clip for several in clips.REPORTED.values() for clip in several]
+    folders = {clip.name: folder_of(clip, options.clips) for clip in known}
+    return strip(lost["shown"], folders) if lost["shown"] else None
+
+
+def of_truth(row: Figures, name: str) -> str:
+    """Rows of a kind, in per cent of all rows of the truth that count."""
+    return f"{100 * row[name] / max(row['truth_rows'], 1):.2f}"
+
+
+# As they are measured: runs of `tables` and `trackers` serve `goals`; programs of others come last,
+# as they may fail.
+PAGE = Page(
+    subject="stereo",
+    about=__doc__ or "",
+    measures={
+        "tables": lambda asked: measures.tables(_often(asked), asked.clips),
+        "trackers": lambda asked: measures.trackers(
+            clips.FRESH if asked.report else clips.TUNED, asked.clips
+        ),
+        "goals": _goals,
+        "real": lambda asked: measures.real_footage(asked.data),
+        "lost": _lost,
+        "robustness": lambda asked: measures.robustness(_often(asked), asked.clips),
+        "peers": _peers,
+    },
+    words={
+        "first_fresh": clips.FIRST_FRESH,
+        "fresh_rounds": clips.FRESH_ROUNDS,
+        "names": tuple(case.tracker for case in clips.AS_THEY_COME),
+        "paper_2012": clips.PAPER_2012,
+        "columns": clips.COLUMNS,
+        "papers": {s: (*papers.PAPER.get(s, (None,) * 3), None) for s in clips.PAPERS},
+        "floor_m": measures.FLOOR_M,
+        "radius_m": RADIUS_M,
+        "longest": measures.LONGEST,
+        "reasons": WHAT,
+        "places": WHERE,
+        "goals_asked": goals.GOALS,
+        "accuracy": goals.ACCURACY,
+        "everywhere": goals.EVERYWHERE,
+        "advice": goals.advice,
+        "flatter": goals.flatter,
+        "people": goals.people,
+        "rounds": goals.rounds,
+        "seeds_of": goals.seeds_of,
+        "of_truth": of_truth,
+        "wilson": interval,
+        "percent": papers.percent,
+        "paper_summary": papers.summary,
+        "sentences": papers.sentences,
+        "words_used": papers.words_used,
+        "explained": papers.explained,
+        "verdicts": peers.verdicts,
+    },
+    pictures={"lost": ("lost", _picture)},
+)
 
 if __name__ == "__main__":
-    run("stereo", __doc__ or "", SECTIONS, _contents)
+    PAGE.main()

@@ -8,37 +8,39 @@ was in the way. Frames count from 0. The counts come last.
 
 from __future__ import annotations
 
-import argparse
 from collections import Counter
 from pathlib import Path
-from typing import Any
 
-from tests.benchmarks.options import one_core, parser_of
+from tests.benchmarks.command import one_core, parser_of
+from tests.benchmarks.runner import Case, run_of
+from tests.benchmarks.stereo.reasons import NotKept, not_kept
+from tests.benchmarks.stereo.truth import truth_of
+from tracking.settings import settings_from_text, settings_values
+from tracking.trackers import tracker_named
 
 
 def main() -> None:
     """Track the clips and print who was not kept."""
+    parser = parser_of("stereo.lost_people", __doc__)
+    parser.add_argument("clips", nargs="+", type=Path, metavar="CLIP", help="folder of a clip")
+    parser.add_argument("--tracker", default="stereo-joint", help="in the catalogue")
+    parser.add_argument(
+        "--set", action="append", default=[], metavar="NAME=VALUE", help="a setting of the tracker"
+    )
+    asked = parser.parse_args()
     one_core()
-    asked = _asked()
-    from tests.benchmarks.stereo.reasons import NotKept, not_kept
-    from tests.benchmarks.stereo.trackers import Variant, runs_over
-    from tests.benchmarks.stereo.truth import truth_of
-    from tracking.settings import settings_from_text, settings_values
-    from tracking.trackers import tracker_named
-
     texts = dict(text.split("=", 1) for text in asked.set)
-    chosen = settings_from_text(tracker_named(asked.tracker).settings_type, texts)
-    values = settings_values(chosen)
-    variant = Variant(asked.tracker, tuple((name, values[name]) for name in texts))
+    values = settings_values(settings_from_text(tracker_named(asked.tracker).settings_type, texts))
+    case = Case(asked.tracker, tuple((name, values[name]) for name in texts))
     everybody: list[NotKept] = []
     for folder in asked.clips:
-        found = not_kept(truth_of(folder), runs_over(folder, [variant])[variant].tracks)
+        found = not_kept(truth_of(folder), run_of(folder, case).tracks)
         print(*(f"{folder.name} {line(one)}" for one in found), sep="\n", flush=True)
         everybody += found
     print(*counted(everybody), sep="\n")
 
 
-def line(one: Any) -> str:
+def line(one: NotKept) -> str:
     """A person who was not kept, on one line."""
     around = one.context
     other = f" with {one.other}" if one.other else ""
@@ -50,20 +52,10 @@ def line(one: Any) -> str:
     )
 
 
-def counted(everybody: list[Any]) -> list[str]:
+def counted(everybody: list[NotKept]) -> list[str]:
     """How often what went wrong where."""
     often = Counter((one.what, one.context.where) for one in everybody)
     return [f"{number:4d} {what}, {where}" for (what, where), number in often.most_common()]
-
-
-def _asked() -> argparse.Namespace:
-    parser = parser_of("stereo.lost_people", __doc__)
-    parser.add_argument("clips", nargs="+", type=Path, metavar="CLIP", help="folder of a clip")
-    parser.add_argument("--tracker", default="stereo-joint", help="in the catalogue")
-    parser.add_argument(
-        "--set", action="append", default=[], metavar="NAME=VALUE", help="a setting of the tracker"
-    )
-    return parser.parse_args()
 
 
 if __name__ == "__main__":

@@ -5,52 +5,18 @@
 
 from __future__ import annotations
 
-from pathlib import Path
+from tests.benchmarks.command import parser_of
+from tests.benchmarks.pages import DOCS, Figures, template
+from tests.benchmarks.stereo.__main__ import PAGE
 
-from tests.benchmarks.options import parser_of
-from tests.benchmarks.pages import Figures, Page, table
-from tests.benchmarks.stereo import choice, goals
-from tests.benchmarks.stereo.shares import said_interval
-from tracking.synthesis import SCENES
-
-OVERVIEW = Path(__file__).parents[3] / "docs" / "results.md"
+OVERVIEW = DOCS / "results.md"
 BEGIN = "<!-- written by python -m tests.benchmarks.stereo.overview -->"
 END = "<!-- until here -->"
-
-_HEAD = ("people kept", "tracking accuracy", "MOTA", "IDF1", "floor error")
-_OFTEN = "people kept in clips measured often"
 
 
 def passage(figures: Figures) -> str:
     """The text between the comments: of the fresh clips, if any were measured."""
-    fresh, often = figures["goals"]["fresh"], figures["goals"]["often"]
-    if not fresh:
-        return table(
-            ("scene", *_HEAD), [[_titled(scene), *_cells(often[scene])] for scene in often]
-        )
-    rows = [[_titled(scene), *_cells(fresh[scene]), _kept(often[scene])] for scene in fresh]
-    parts = [goals.summary(fresh, often), table(("scene", *_HEAD, _OFTEN), rows)]
-    if "trackers" in figures:
-        parts.append(choice.advice(figures["trackers"]["all"]))
-    return "\n\n".join(parts)
-
-
-def _titled(scene: str) -> str:
-    return SCENES[scene].title.lower()
-
-
-def _cells(row: Figures) -> list[str]:
-    between = said_interval(row["people_kept"], row["people_detected"])
-    return [
-        _kept(row),
-        f"{row['tracking_accuracy']:.3f} ({between})",
-        *(f"{row[name]:.3f}" for name in ("MOTA", "IDF1")),
-        f"{row['error_m']:.3f} m",
-    ]
-
-
-def _kept(row: Figures) -> str:
-    return f"{row['people_kept']} of {row['people_detected']}"
+    return template("stereo/overview.md.j2").render({**PAGE.words, **figures}).strip()
 
 
 def with_passage(text: str, figures: Figures) -> str:
@@ -63,7 +29,7 @@ def with_passage(text: str, figures: Figures) -> str:
 def main() -> None:
     """Write the passage into the overview; the only option is --help."""
     parser_of("stereo.overview", __doc__).parse_args()
-    text = with_passage(OVERVIEW.read_text(encoding="utf-8"), Page("stereo").figures())
+    text = with_passage(OVERVIEW.read_text(encoding="utf-8"), PAGE.figures())
     OVERVIEW.write_text(text, encoding="utf-8")
 
 

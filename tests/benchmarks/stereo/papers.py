@@ -1,14 +1,15 @@
-"""Both papers' tables: their methods as we built them, beside their figures and our own tracker."""
+"""Sentences on both papers' tables: their methods as we built them, cue by cue, beside ours."""
 
 from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
+from itertools import pairwise
 
-from tests.benchmarks.pages import Figures, table
-from tests.benchmarks.stereo import cues, losses, words
-from tests.benchmarks.stereo.columns import COLUMNS, CUES, OWN, PAPER_2012
-from tests.benchmarks.stereo.shares import interval, percent
+from tests.benchmarks.intervals import interval
+from tests.benchmarks.pages import Figures, titled
+from tests.benchmarks.stereo import reasons
+from tests.benchmarks.stereo.clips import COLOUR, CUES, DIRECTION, OWN
 from tracking.synthesis import SCENES
 
 PAPER = {
@@ -20,48 +21,23 @@ PAPER = {
 }
 """[Kawashita2012] and [Kawashita2014]: distance; with colour; with direction; in per cent."""
 
-_HEAD = ("scene", "cues", "kept", "by box, %", "by place, %", "paper, %")
+_NAMED = {COLOUR: "colour", DIRECTION: "direction"}
+_DECIDED = (reasons.SWAPPED, reasons.TAKEN, reasons.DOUBLED)
+"""Which track gets which detection: all that a cue has a say in."""
+_EXPLAINED = {
+    **dict.fromkeys((reasons.SWAPPED, reasons.TAKEN), reasons.SWAPPED),
+    reasons.DOUBLED: reasons.DOUBLED,
+    **dict.fromkeys(
+        (reasons.FALSE, reasons.INHERITED, reasons.RENAMED, reasons.LOST, reasons.NEVER),
+        reasons.FALSE,
+    ),
+}
+"""Kinds of failure by the one they have an explanation in common with."""
 
 
-def written(figures: Figures) -> str:
-    """The section: a table a paper, both compared in a sentence, and what cues did and why."""
-    parts = [words.TABLES.strip()]
-    of_2012 = {scene: rows for scene, rows in figures.items() if scene in PAPER_2012}
-    of_2014 = {scene: rows for scene, rows in figures.items() if scene not in PAPER_2012}
-    for said, scenes in ((words.OF_2012, of_2012), (words.OF_2014, of_2014)):
-        if scenes:
-            parts += [said.strip(), _table(scenes)]
-    parts += [said for said in (summary(figures), _cues(figures)) if said]
-    return "\n\n".join(parts)
-
-
-def _table(figures: Figures) -> str:
-    """A row a method, the scene's name on the first of its rows."""
-    rows = []
-    for scene, columns in figures.items():
-        titles = (_titled(scene), *[""] * (len(COLUMNS) - 1))
-        papers = (*PAPER.get(scene, (None,) * len(CUES)), None)
-        for title, name, paper in zip(titles, COLUMNS, papers, strict=True):
-            rows.append([title, name, *_cells(columns[name]), _said(paper)])
-    return table(_HEAD, rows)
-
-
-def _cells(column: Figures) -> list[str]:
-    kept, detected = _counts(column)
-    low, high = interval(kept, detected)
-    return [
-        f"{kept} of {detected}",
-        f"{percent(kept, detected)} ({100 * low:.0f} to {100 * high:.0f})",
-        percent(*_counts(column, "_by_place")),
-    ]
-
-
-def _counts(column: Figures, ending: str = "") -> tuple[int, int]:
-    return len(column[f"kept{ending}"]), len(column[f"detected{ending}"])
-
-
-def _said(paper: float | None) -> str:
-    return "" if paper is None else f"{paper:g}"
+def percent(column: Figures, ending: str = "") -> float:
+    """Tracking accuracy in per cent; ending: "_by_place", or "" by box."""
+    return 100 * len(column[f"kept{ending}"]) / max(len(column[f"detected{ending}"]), 1)
 
 
 def summary(figures: Figures) -> str:
@@ -70,38 +46,19 @@ def summary(figures: Figures) -> str:
     if not pairs:
         return ""
     by_box, by_place = (
-        sum(_per_cent(column, ending) >= paper for _, _, column, paper in pairs)
+        sum(percent(column, ending) >= paper for _, _, column, paper in pairs)
         for ending in ("", "_by_place")
+    )
+    within = sum(
+        paper <= 100 * interval(len(column["kept"]), len(column["detected"]))[1]
+        for _, _, column, paper in pairs
     )
     said = (
         f"The papers' methods, as we built them and on our clips, reach the papers' figures in "
         f"{by_box} of {len(pairs)} places where both exist by box ({by_place} by place)"
+        f"{_gap(pairs)}. In {within} of them the paper's figure lies within or below our interval."
     )
-    said += _gap(pairs)
-    within = sum(_reaches(column, paper) for _, _, column, paper in pairs)
-    said += f". In {within} of them the paper's figure lies within or below our interval."
     return " ".join(part for part in (said, _lost(figures), _ours(figures)) if part)
-
-
-def _gap(pairs: Sequence[tuple[str, str, Figures, float]]) -> str:
-    """The greatest distance below a paper's figure."""
-    scene, name, column, paper = max(pairs, key=lambda pair: pair[3] - _per_cent(pair[2]))
-    below = paper - _per_cent(column)
-    if below <= 0:
-        return ""
-    return f"; the greatest gap is {below:.1f} points ({_titled(scene)}, {name})"
-
-
-def _lost(figures: Figures) -> str:
-    """What went wrong with those whom all cues together do not keep in the papers' scenes."""
-    rows = [
-        row for scene in figures if scene in PAPER for row in figures[scene][CUES[-1]]["not_kept"]
-    ]
-    if not rows:
-        return ""
-    often = Counter(row["what"] for row in rows).most_common()
-    kinds = ", ".join(f"{number} {what}" for what, number in often)
-    return f"Whom {CUES[-1]} cues do not keep there, {len(rows)} people: {kinds}."
 
 
 def _pairs(figures: Figures) -> Iterator[tuple[str, str, Figures, float]]:
@@ -112,41 +69,101 @@ def _pairs(figures: Figures) -> Iterator[tuple[str, str, Figures, float]]:
                 yield scene, name, columns[name], paper
 
 
-def _per_cent(column: Figures, ending: str = "") -> float:
-    kept, detected = _counts(column, ending)
-    return 100 * kept / max(detected, 1)
+def _gap(pairs: Sequence[tuple[str, str, Figures, float]]) -> str:
+    """The greatest distance below a paper's figure."""
+    scene, name, column, paper = max(pairs, key=lambda pair: pair[3] - percent(pair[2]))
+    below = paper - percent(column)
+    if below <= 0:
+        return ""
+    return f"; the greatest gap is {below:.1f} points ({titled(scene)}, {name})"
 
 
-def _reaches(column: Figures, paper: float) -> bool:
-    return paper <= 100 * interval(*_counts(column))[1]
+def _lost(figures: Figures) -> str:
+    """What went wrong with those whom all cues together do not keep in the papers' scenes."""
+    rows = [
+        row for scene in figures if scene in PAPER for row in figures[scene][CUES[-1]]["not_kept"]
+    ]
+    kinds = _kinds(rows)
+    return f"Whom {CUES[-1]} cues do not keep there, {len(rows)} people: {kinds}." if rows else ""
+
+
+def _kinds(rows: Sequence[Figures]) -> str:
+    often = Counter(row["what"] for row in rows).most_common()
+    return ", ".join(f"{number} {what}" for what, number in often)
 
 
 def _ours(figures: Figures) -> str:
     """In which scenes our own tracker is above the best the paper has."""
     compared = [scene for scene in figures if scene in PAPER]
-    below = [scene for scene in compared if _per_cent(figures[scene][OWN]) <= _best(PAPER[scene])]
+    below = [
+        scene
+        for scene in compared
+        if percent(figures[scene][OWN]) <= max(filter(None, PAPER[scene]))
+    ]
     number = len(compared)
     every = "the only scene" if number == 1 else f"all {number} scenes"
-    where = every if not below else f"{number - len(below)} of {number} scenes"
-    missed = f", not in {'; '.join(map(_titled, below))}" if below else ""
+    where = f"{number - len(below)} of {number} scenes" if below else every
+    missed = f", not in {'; '.join(map(titled, below))}" if below else ""
     return f"`{OWN}` is above the paper's best figure in {where}{missed}."
 
 
-def _best(paper: Sequence[float | None]) -> float:
-    return max(value for value in paper if value is not None)
+def sentences(figures: Figures) -> Iterator[str]:
+    """A sentence for each scene and cue that did not raise the share of people kept."""
+    for scene, after, without, with_it in _without_gain(figures):
+        kept = f"{len(without['kept'])} kept without it, {len(with_it['kept'])} with it"
+        by_place = " and ".join(str(len(one["kept_by_place"])) for one in (without, with_it))
+        of = f"of {len(with_it['detected'])} (by place {by_place})"
+        said = f"**{SCENES[scene].title}, {_NAMED[after]}**: {kept}, {of}."
+        yield f"{said} {_what_changed(without, with_it)}"
 
 
-def _cues(figures: Figures) -> str:
-    told = [*cues.sentences(figures)]
-    if not told:
-        return ""
-    parts = [words.CUES.strip(), "\n".join(f"- {line}" for line in told)]
-    parts += [words.WORDS.strip(), losses.meanings(cues.words_used(figures))]
-    why = [words.WHY[what].strip().replace("\n", " ") for what in cues.to_explain(figures)]
-    if why:
-        parts += [words.WHY_HEAD.strip(), "\n".join(f"- {line}" for line in why)]
-    return "\n\n".join(parts)
+def explained(figures: Figures) -> tuple[str, ...]:
+    """What went wrong through cues, the most frequent first, and with those not kept either way."""
+    often: Counter[str] = Counter()
+    for _, _, without, with_it in _without_gain(figures):
+        spoilt, rest = _apart(without, with_it)
+        often.update(row["what"] for row in spoilt)
+        if any(row["what"] not in _DECIDED for row in rest):
+            often[reasons.FALSE] += 0
+    return tuple(dict.fromkeys(_EXPLAINED[what] for what, _ in often.most_common()))
 
 
-def _titled(scene: str) -> str:
-    return SCENES[scene].title.lower()
+def words_used(figures: Figures) -> tuple[str, ...]:
+    """What goes wrong in the sentences, and what a cue decides, in the order of `reasons.WHAT`."""
+    used = {
+        row["what"] for _, _, _, with_it in _without_gain(figures) for row in with_it["not_kept"]
+    }
+    return tuple(what for what in reasons.WHAT if what in used or what in _DECIDED)
+
+
+def _without_gain(figures: Figures) -> Iterator[tuple[str, str, Figures, Figures]]:
+    """Scene, cue, and the columns without and with it."""
+    for scene, columns in figures.items():
+        for before, after in pairwise(CUES):
+            if percent(columns[after]) <= percent(columns[before]):
+                yield scene, after, columns[before], columns[after]
+
+
+def _apart(without: Figures, with_it: Figures) -> tuple[list[Figures], list[Figures]]:
+    """Those not kept with a cue: who had been kept without it, and the rest."""
+    kept, rows = set(without["kept"]), with_it["not_kept"]
+    spoilt = [row for row in rows if row["name"] in kept]
+    return spoilt, [row for row in rows if row["name"] not in kept]
+
+
+def _what_changed(without: Figures, with_it: Figures) -> str:
+    """What became of the people that only one of the two columns keeps, and of the rest."""
+    gained = len(set(with_it["kept"]) - set(without["kept"]))
+    spoilt, rest = _apart(without, with_it)
+    if not gained and not spoilt:
+        said = "It changed nobody's lot."
+    else:
+        often = Counter((row["what"], row["where"]) for row in spoilt).most_common()
+        happened = "; ".join(f"{number} {what}, {where}" for (what, where), number in often)
+        lost = f"{len(spoilt)} ({happened})" if spoilt else "nobody"
+        said = f"It won {gained or 'nobody'} and lost {lost}."
+    if not rest:
+        return f"{said} Nobody is left whom it could keep."
+    decided = sum(row["what"] in _DECIDED for row in rest)
+    left = f"Not kept either way: {len(rest)} ({_kinds(rest)})"
+    return f"{said} {left}, {decided or 'none'} of them a cue's to decide."

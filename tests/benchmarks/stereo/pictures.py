@@ -9,19 +9,17 @@ from pathlib import Path
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
 from tests.benchmarks.pages import Figures
-from tests.benchmarks.stereo.columns import OURS
+from tests.benchmarks.pictures import WHITE, Picture, side_by_side, write
+from tests.benchmarks.runner import run_of
+from tests.benchmarks.stereo.clips import OURS
 from tests.benchmarks.stereo.reasons import NEVER
-from tests.benchmarks.stereo.trackers import runs_over
 from tests.benchmarks.stereo.truth import Floats, Truth, truth_of
 from tracking.recording import open_recording
 from tracking.tracks import Columns
 
-Picture = NDArray[np.uint8]
-
-_HAD, _GOT, _OTHERS, _TRUE = (60, 220, 60), (255, 90, 255), (190, 190, 190), (255, 255, 255)
+_HAD, _GOT, _OTHERS = (60, 220, 60), (255, 90, 255), (190, 190, 190)
 _SIZE = (360, 270)
 _MARGIN_S = 0.5
 _ROOM = 2.0
@@ -53,18 +51,9 @@ def strip(shown: Sequence[Figures], folders: Mapping[str, Path]) -> Picture:
     return np.concatenate([_row(one, folders[one["clip"]]) for one in shown])
 
 
-def caption(one: Figures) -> str:
-    """What the row of one person shows."""
-    other = f" with person {one['other']}" if one["other"] else ""
-    return (
-        f"{one['clip']}, person {one['person']}: {one['what']}{other}, {one['where']}, frames "
-        f"{one['last']} to {one['frame']}."
-    )
-
-
 def _row(one: Figures, folder: Path) -> Picture:
     truth = truth_of(folder)
-    tracks = runs_over(folder, [OURS])[OURS].tracks
+    tracks = run_of(folder, OURS).tracks
     margin = round(_MARGIN_S * truth.fps)
     with open_recording(folder) as recording:
         last = recording.frame_count - 1
@@ -76,8 +65,8 @@ def _row(one: Figures, folder: Path) -> Picture:
         for image, frame in zip(images, frames, strict=True)
     ]
     who = f"{one['clip']}, person {one['person']}, frame {frames[0]}"
-    _write(shown[0], who, (8, _SIZE[1] - 10), _TRUE)
-    return np.concatenate(shown, axis=1)
+    write(shown[0], who, (8, _SIZE[1] - 10))
+    return side_by_side(shown)
 
 
 @dataclass(frozen=True, slots=True)
@@ -130,27 +119,17 @@ def _drawn(
     for row in np.flatnonzero(now & ~np.isin(tracks["track"], (had, got))):
         cv2.rectangle(shown, *window.corners(_box(tracks, int(row))), _OTHERS, 1)
     for row in truth.of(one["person"], frame, frame):
-        cv2.rectangle(shown, *window.corners(truth.box[row]), _TRUE, 2)
+        cv2.rectangle(shown, *window.corners(truth.box[row]), WHITE, 2)
     for track, colour in ((got, _GOT), (had, _HAD)):
         for row in np.flatnonzero(now & (tracks["track"] == track)):
             low, high = window.corners(_box(tracks, int(row)))
             cv2.rectangle(shown, low, high, colour, 2)
             # Inside at the feet, each on its own side: boxes of both may be the same.
             left = max(low[0], 0) + 4 if track == had else min(high[0], _SIZE[0]) - 26
-            _write(shown, str(track), (left, min(high[1], _SIZE[1] - 30) - 6), colour)
-    _write(shown, f"frame {frame}", (8, _SIZE[1] - 10), _TRUE)
+            write(shown, str(track), (left, min(high[1], _SIZE[1] - 30) - 6), colour)
+    write(shown, f"frame {frame}", (8, _SIZE[1] - 10))
     return shown
 
 
 def _box(tracks: Columns, row: int) -> Floats:
     return np.array([tracks[name][row] for name in ("left", "top", "width", "height")])
-
-
-def _write(image: Picture, text: str, place: tuple[int, int], colour: tuple[int, int, int]) -> None:
-    """Text on a dark plate."""
-    font, size = cv2.FONT_HERSHEY_SIMPLEX, 0.5
-    (width, height), below = cv2.getTextSize(text, font, size, 1)
-    left, bottom = place
-    low, high = (left - 2, bottom - height - 2), (left + width + 1, bottom + below)
-    cv2.rectangle(image, low, high, (0, 0, 0), -1)
-    cv2.putText(image, text, place, font, size, colour, 1, cv2.LINE_AA)

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from tests.benchmarks.stereo import loss_context, reasons
-from tests.benchmarks.stereo.clip_scores import told
+from tests.benchmarks.stereo.measures import told
 from tests.benchmarks.stereo.reasons import NotKept, not_kept
 from tests.benchmarks.stereo.truth import Truth, visible_for
 from tracking.tracks import Columns

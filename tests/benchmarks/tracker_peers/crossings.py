@@ -15,10 +15,10 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from tests.benchmarks.tracker_peers.clips import Clip
+from tests.benchmarks.tracker_peers.detections import NO_PICTURE, SeenClip
 from tracking.geometry import Camera, Ground, StereoCalibration, View, write_calibration
 from tracking.people import Detections
-from tracking.people.observation import Observation, Overlays
+from tracking.people.observation import Observation
 from tracking.recording import Manifest, write_manifest
 from tracking.scoring import ScoringTable
 
@@ -37,12 +37,11 @@ _CAMERA = Camera(
     np.array([[520.0, 0.0, 319.5], [0.0, 520.0, 239.5], [0.0, 0.0, 1.0]]), np.zeros(5), 640, 480
 )
 _VIEW = View(_CAMERA, _GROUND)
-_NO_PICTURE = Overlays(np.zeros((1, 1), np.uint8), None)
 
 Floats = NDArray[np.float64]
 
 
-def crossing_clip(folder: Path, seed: int, frames: int = FRAMES) -> Clip:
+def crossing_clip(folder: Path, seed: int, frames: int = FRAMES) -> SeenClip:
     """The walkers of that seed; the recording is written into `folder` if it is not there."""
     _write_recording(folder, frames)
     random = np.random.default_rng(seed)
@@ -51,11 +50,11 @@ def crossing_clip(folder: Path, seed: int, frames: int = FRAMES) -> Clip:
     boxes = boxes.reshape(frames, WALKERS, 4)
     covers = np.stack([_covering(box, path) for box, path in zip(boxes, paths, strict=True)])
     observations = tuple(
-        Observation(at, at / FPS, _seen(paths[at], hues, covers[at], random), _NO_PICTURE)
+        Observation(at, at / FPS, _seen(paths[at], hues, covers[at], random), NO_PICTURE)
         for at in range(frames)
     )
     truth = _truth(paths, boxes, _hidden(covers))
-    return Clip(f"crossing {seed}", folder, observations, FPS, truth)
+    return SeenClip(f"crossing {seed}", folder, observations, FPS, truth)
 
 
 def _write_recording(folder: Path, frames: int) -> None:

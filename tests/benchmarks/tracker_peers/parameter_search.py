@@ -1,10 +1,11 @@
-"""Settings of the trackers of others, chosen as well as we can: `python -m ...choosing`.
+"""Settings of the trackers of others, chosen as well as we can.
 
-Ranges hold what documentation recommends and what the scene says (the noise is known to whoever
-sets a filter). The setting kept so far and a number drawn at random are tried on seeds that nothing
-is reported on, then all that differ from the best in one value, and so on; the best is kept: IDF1
-less a tenth of the identity switches a person. They are chosen for each kind of clip apart, while
-ours keep one setting for all.
+`python -m tests.benchmarks.tracker_peers.parameter_search crossing`, or `rendered`. Ranges
+(`ranges.json`) hold what documentation recommends and what the scene says (the noise is known to
+whoever sets a filter). The setting kept so far and a number drawn at random are tried on seeds that
+nothing is reported on, then all that differ from the best in one value, and so on; the best is
+kept: IDF1 less a tenth of the identity switches a person. They are chosen for each kind of clip
+apart, while ours keep one setting for all.
 """
 
 from __future__ import annotations
@@ -18,80 +19,23 @@ from typing import Any
 
 import numpy as np
 
-from tests.benchmarks.tracker_peers.clips import Clip
-from tests.benchmarks.tracker_peers.comparison import CHOSEN, chosen_settings
+from tests.benchmarks.command import parser_of
+from tests.benchmarks.tracker_peers.comparison import (
+    CHOOSING_SEEDS,
+    CHOSEN,
+    Figures,
+    chosen_settings,
+    figures_of,
+    given_to_peers,
+)
 from tests.benchmarks.tracker_peers.crossings import FRAMES, crossing_clip
-from tests.benchmarks.tracker_peers.rendered_clips import rendered_clip
-from tests.benchmarks.tracker_peers.rows import Figures, figures_of
+from tests.benchmarks.tracker_peers.detections import SeenClip, rendered_clip
 from tests.peers.followers import FOLLOWERS, Follower
 
-CHOOSING_SEEDS = (6001, 6002, 6003)
-
-Range = Sequence[Any]
-
-_MERGED: Mapping[str, Range] = {"with_merged": (True, False)}
-_NOISE: Mapping[str, Range] = {"noise_m": (0.04, 0.06, 0.09, 0.15)}
-_BOXED: Mapping[str, Range] = _MERGED | {
-    "lost_s": (0.3, 0.5, 1.0, 1.5, 2.0, 3.0),
-    "minimum_consecutive_frames": (1, 2, 3, 5),
-    "minimum_iou": (0.001, 0.02, 0.05, 0.1, 0.2, 0.3),
-    "state": ("corners", "centre"),
-    "overlap": ("iou", "giou", "diou"),
-    "boxes": ("floor", "floor", "picture"),
-    "px_per_m": (3, 5, 10, 20, 50, 100),
-    "size_m": (0.5, 0.7, 1.0, 1.4, 2.0),
-}
-_FILTERED: Mapping[str, Range] = (
-    _MERGED
-    | _NOISE
-    | {
-        "drift": (0.05, 0.1, 0.2, 0.5, 1.0, 2.0),
-        "gate": (2.5, 3.0, 3.5, 4.0, 5.0, 6.0),
-        "unsure_m": (0.4, 0.7, 1.0, 2.0),
-        "speed_m_s": (0.8, 1.2, 2.0),
-        "held_s": (0.1, 0.2, 0.5),
-        "lost_s": (0.3, 0.5, 1.0, 1.5, 2.0, 3.0),
-        "told_s": (0.0, 0.3, 0.6, 1.0),
-        "min_points": (2, 3, 4, 6),
-    }
+RANGES: Mapping[str, Mapping[str, Sequence[Any]]] = json.loads(
+    Path(__file__).with_name("ranges.json").read_text(encoding="utf-8")
 )
-
-RANGES: Mapping[str, Mapping[str, Range]] = {
-    "norfair": _MERGED
-    | _NOISE
-    | {
-        "distance_threshold_m": (0.3, 0.4, 0.5, 0.6, 0.8, 1.0),
-        "hit_counter_max": (8, 15, 20, 30, 45),
-        "initialization_delay": (1, 2, 3, 5),
-        "process_m": (0.001, 0.003, 0.005, 0.01, 0.02, 0.04),
-        "speed_m_s": (0.4, 0.8, 1.2, 2.0),
-        "told_frames": (0, 5, 10, 20, 45),
-    },
-    "motpy": _MERGED
-    | _NOISE
-    | {
-        "acceleration_m_s2": (0.5, 1.0, 2.0, 4.0, 8.0),
-        "start": (0.1, 0.5, 1.0, 2.0),
-        "min_iou": (0.001, 0.02, 0.05, 0.1, 0.2, 0.3),
-        "max_staleness": (6, 12, 20, 30, 45),
-        "min_steps_alive": (2, 3, 5),
-        "told_staleness": (1, 3, 6, 12, 20, 45),
-        "staleness_to_positive": (0.3, 1.0, 3.0),
-        "size_m": (0.5, 0.7, 1.0, 1.4, 2.0),
-    },
-    "SORT": _BOXED,
-    "ByteTrack": _BOXED,
-    "OC-SORT": _BOXED
-    | {"direction_consistency_weight": (0.0, 0.1, 0.2, 0.4), "delta_t": (1, 3, 6, 12)},
-    "Stone Soup GNN": _FILTERED,
-    "Stone Soup JPDA": _FILTERED
-    | {
-        "clutter_per_m2": (0.0005, 0.002, 0.01, 0.05),
-        "detected": (0.8, 0.9, 0.95),
-        "inside_gate": (0.95, 0.99, 0.999),
-    },
-}
-"""What each setting is drawn from; see the scripts beside `tests.peers.followers`."""
+"""What each setting is drawn from, by tracker; see the scripts beside `tests.peers.followers`."""
 
 
 def worth(figures: Figures) -> float:
@@ -122,13 +66,12 @@ def varied(best: Mapping[str, Any], tracker: str) -> list[dict[str, Any]]:
 
 def chosen(
     follower: Follower,
-    clips: Sequence[Clip],
+    clips: Sequence[SeenClip],
     first: Sequence[Mapping[str, Any]],
     rounds: int,
 ) -> tuple[dict[str, Any], Figures]:
     """The best of the first settings, then, round by round, of those one value away from it."""
-    given = {clip.name: (len(clip.observations), clip.fps, clip.seen) for clip in clips}
-    settings = list(first)
+    given, settings = given_to_peers(clips), list(first)
     tried: list[tuple[Mapping[str, Any], Figures]] = []
     for _ in range(1 + rounds):
         told = [figures_of(clips, one) for one in follower.follow(given, settings)]
@@ -156,9 +99,7 @@ def main() -> None:
 
 
 def _asked() -> argparse.Namespace:
-    parser = argparse.ArgumentParser(
-        prog="python -m tests.benchmarks.tracker_peers.parameter_search"
-    )
+    parser = parser_of("tracker_peers.parameter_search", __doc__)
     parser.add_argument("kind", choices=("crossing", "rendered"))
     parser.add_argument("names", nargs="*", help="of the trackers; all if left out")
     parser.add_argument("--recordings", nargs="*", type=Path, default=[], help="rendered ones")

@@ -7,9 +7,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.benchmarks.tracker_peers import as_json, comparison, markdown, parameter_search, rows
-from tests.benchmarks.tracker_peers.clips import Clip
+from tests.benchmarks.tracker_peers import comparison, parameter_search
 from tests.benchmarks.tracker_peers.crossings import FPS, WALKERS, crossing_clip
+from tests.benchmarks.tracker_peers.detections import SeenClip
 from tests.peers import environments
 from tests.peers.followers import FOLLOWERS
 from tests.peers.peer_runs import follow, read_followed, write_followed
@@ -18,7 +18,7 @@ FRAMES = 60
 
 
 @pytest.fixture(scope="module")
-def clip(tmp_path_factory: pytest.TempPathFactory) -> Clip:
+def clip(tmp_path_factory: pytest.TempPathFactory) -> SeenClip:
     return crossing_clip(tmp_path_factory.mktemp("crossing"), seed=1, frames=FRAMES)
 
 
@@ -27,13 +27,13 @@ def nobody_installed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(environments, "KEPT", tmp_path)
 
 
-def exact(clip: Clip) -> np.ndarray:
+def exact(clip: SeenClip) -> np.ndarray:
     """Rows right where everybody is, under their own numbers."""
     truth = clip.truth
     return np.column_stack((truth.frame, truth.track, truth.position))
 
 
-def test_the_same_seed_gives_the_same_walkers(clip: Clip, tmp_path: Path) -> None:
+def test_the_same_seed_gives_the_same_walkers(clip: SeenClip, tmp_path: Path) -> None:
     again = crossing_clip(tmp_path, seed=1, frames=FRAMES)
     assert np.array_equal(again.seen, clip.seen)
     for one, other in zip(again.observations, clip.observations, strict=True):
@@ -41,7 +41,7 @@ def test_the_same_seed_gives_the_same_walkers(clip: Clip, tmp_path: Path) -> Non
     assert not np.array_equal(crossing_clip(tmp_path, 2, FRAMES).seen[:20], clip.seen[:20])
 
 
-def test_detections_are_as_far_off_as_is_said(clip: Clip) -> None:
+def test_detections_are_as_far_off_as_is_said(clip: SeenClip) -> None:
     nearest = [
         np.hypot(*(clip.truth.position[clip.truth.frame == row[0]] - row[5:7]).T).min()
         for row in clip.seen
@@ -49,7 +49,7 @@ def test_detections_are_as_far_off_as_is_said(clip: Clip) -> None:
     assert np.median(nearest) == pytest.approx(0.06 * np.sqrt(2 * np.log(2)), rel=0.1)
 
 
-def test_without_colours_only_places_tell_people_apart(clip: Clip) -> None:
+def test_without_colours_only_places_tell_people_apart(clip: SeenClip) -> None:
     bare = clip.without_colours
     assert np.array_equal(bare.seen, clip.seen)
     for one in bare.observations:
@@ -57,17 +57,17 @@ def test_without_colours_only_places_tell_people_apart(clip: Clip) -> None:
         assert np.isnan(one.people.clothes).all()
 
 
-def test_whoever_is_right_everywhere_has_no_switch(clip: Clip) -> None:
-    figures = rows.figures_of([clip], {clip.name: (exact(clip), np.full(FRAMES, 0.005))})
+def test_whoever_is_right_everywhere_has_no_switch(clip: SeenClip) -> None:
+    figures = comparison.figures_of([clip], {clip.name: (exact(clip), np.full(FRAMES, 0.005))})
     assert (figures.id_switches, figures.idf1, figures.kept) == (0, 1.0, WALKERS)
     assert figures.ms == pytest.approx(5.0)
 
 
-def test_two_who_change_numbers_are_two_switches(clip: Clip) -> None:
+def test_two_who_change_numbers_are_two_switches(clip: SeenClip) -> None:
     found = exact(clip)
     late = found[:, 0] >= FRAMES / 2
     found[late, 1] = np.select([found[late, 1] == 1, found[late, 1] == 2], [2, 1], found[late, 1])
-    figures = rows.figures_of([clip], {clip.name: (found, np.zeros(FRAMES))})
+    figures = comparison.figures_of([clip], {clip.name: (found, np.zeros(FRAMES))})
     assert (figures.id_switches, figures.kept) == (2, WALKERS - 2)
 
 
@@ -100,19 +100,19 @@ def test_what_trackers_made_comes_back_as_it_was(tmp_path: Path) -> None:
 
 
 @pytest.mark.usefixtures("nobody_installed")
-def test_every_tracker_has_its_row_and_who_is_missing_is_told(clip: Clip) -> None:
+def test_every_tracker_has_its_row_and_who_is_missing_is_told(clip: SeenClip) -> None:
     found = comparison.compared_on([clip], "crossing", ["stereo-direction"])
     ours, peers = found[:4], found[4:]
     assert {(row.colour, row.finished) for row in ours} == {(a, b) for a in (0, 1) for b in (0, 1)}
     assert all(row.figures is not None and row.figures.idf1 > 0.9 for row in ours)
     assert [row.tracker for row in peers] == [one.name for one in FOLLOWERS]
-    assert all(row["figures"] is None for row in as_json(found)[4:])
-    for name in {one.peer.name for one in FOLLOWERS}:
-        assert f"-m tests.peers {name}." in markdown(found)
+    assert all(row.figures is None for row in peers)
+    for row, follower in zip(peers, FOLLOWERS, strict=True):
+        assert row.absent.endswith(f"-m tests.peers {follower.peer.name}")
 
 
 def test_a_peer_that_fails_is_a_row_that_says_so(
-    clip: Clip, monkeypatch: pytest.MonkeyPatch
+    clip: SeenClip, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def failing(*_: object) -> str:
         raise RuntimeError("norfair_follows.py failed: first\nMemoryError")
@@ -121,7 +121,7 @@ def test_a_peer_that_fails_is_a_row_that_says_so(
     monkeypatch.setattr(environments.Peer, "run", failing)
     found = comparison.compared_on([clip], "crossing", [])
     assert [row.figures for row in found] == [None] * len(FOLLOWERS)
-    assert "Not measured: norfair failed: MemoryError." in markdown(found)
+    assert found[0].absent == "norfair failed: MemoryError"
 
 
 @pytest.mark.parametrize("kind", ["crossing", "rendered"])
@@ -135,8 +135,8 @@ def test_the_settings_of_all_peers_were_chosen_from_their_ranges(kind: str) -> N
 
 
 @pytest.mark.skipif(not environments.NORFAIR.installed, reason=environments.NORFAIR.absent)
-def test_a_peer_that_is_installed_follows_the_walkers(clip: Clip) -> None:
+def test_a_peer_that_is_installed_follows_the_walkers(clip: SeenClip) -> None:
     norfair = next(one for one in FOLLOWERS if one.name == "norfair")
     settings = comparison.chosen_settings("crossing")["norfair"]
     (told,) = norfair.follow({clip.name: (FRAMES, FPS, clip.seen)}, [settings])
-    assert rows.figures_of([clip], told).idf1 > 0.8
+    assert comparison.figures_of([clip], told).idf1 > 0.8

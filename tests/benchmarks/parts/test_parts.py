@@ -1,0 +1,125 @@
+"""Body parts: clips for one purpose each, what is counted, the diagrams."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from tests.benchmarks.clips import Clip
+from tests.benchmarks.parts.__main__ import PAGE, rates_picture
+from tests.benchmarks.parts.clips import (
+    CHECKED,
+    REPORTED,
+    REPORTED_CROUCHING,
+    REPORTED_ELSEWHERE,
+    TRAINED,
+    TUNED,
+    TUNED_CROUCHING,
+)
+from tests.benchmarks.parts.detector import resized
+from tests.benchmarks.parts.measures import cast_of, stoops_in
+from tests.benchmarks.parts.real import RECORDINGS, folders_in, kept_parts, truth_of_boxes
+from tracking.failure import SAMPLE_COLUMNS, Samples
+from tracking.scoring.parts import Judged
+
+
+def _variant(share: float, people: int = 40) -> dict[str, Any]:
+    return {
+        "people": [people] * 151,
+        "right": [[share] * 4] * 151,
+        "unbroken": [[share / 2] * 4] * 151,
+        "foreign": [0.1, 0.2, 0.3],
+    }
+
+
+def _rates(**variants: dict[str, Any]) -> dict[str, Any]:
+    named = {name.replace("_", " "): variant for name, variant in variants.items()}
+    return {"clips": ["walkway 1", "walkway 2"], "variants": named}
+
+
+def _judged(parts: np.ndarray, first_frame: int = 0, person: int = 1) -> Judged:
+    return Judged(person, 5, first_frame, parts, parts.any(axis=1), np.zeros(parts.shape))
+
+
+def test_no_clip_is_used_for_two_purposes() -> None:
+    reported = (REPORTED, REPORTED_CROUCHING, REPORTED_ELSEWHERE)
+    groups = (*reported, TRAINED, CHECKED, TUNED, TUNED_CROUCHING)
+    clips = [clip for group in groups for clip in group]
+    assert len(set(clips)) == len(clips)
+    assert all(4300 <= clip.seed < 4400 for group in reported for clip in group)
+    assert all(4100 <= clip.seed < 4200 for clip in (*TRAINED, *CHECKED, *TUNED))
+    assert {clip.fps for clip in clips} == {20.0}
+
+
+def test_the_picture_of_rates_leaves_out_what_too_few_people_say() -> None:
+    assert 'd=""' in rates_picture(_rates(with_adjustment=_variant(0.5, people=3)))
+    assert 'd=""' not in rates_picture(_rates(with_adjustment=_variant(0.5)))
+
+
+def test_goals_are_said_to_be_met_or_by_how_much_they_are_missed() -> None:
+    rates = _rates(with_adjustment=_variant(0.98), without_adjustment=_variant(0.9))
+    page = PAGE.text({"rates": rates})
+    assert "| head | 97 | 98.0 | met | +8.0 | short by 7.0 |" in page
+    assert "| with adjustment, paper | 95 | 83 | 91 | 95 | 72 at the start |" in page
+    assert "Real footage" not in page
+
+
+def test_zones_of_a_true_box_stand_for_its_parts() -> None:
+    values = {"frame": 3, "track": 8, "left": 10.0, "top": 20.0, "width": 30.0, "height": 100.0}
+    truth = truth_of_boxes({name: np.array([value]) for name, value in values.items()}, (200, 200))
+    assert truth.parts.tolist() == [
+        [[10.0, 20.0, 40.0, 45.0], [10.0, 30.0, 40.0, 80.0], [10.0, 60.0, 40.0, 120.0]]
+    ]
+    assert truth.people.tolist() == [[10.0, 20.0, 40.0, 120.0]]
+    assert (truth.frame.tolist(), truth.visibility.tolist()) == ([3], [1.0])
+
+
+def test_parts_are_kept_by_who_has_all_three_at_the_end_and_nearly_always() -> None:
+    good = np.ones((120, 3), bool)
+    late, lost = good.copy(), good.copy()
+    late[:30, 0] = lost[90:, 2] = False
+    kept = kept_parts([_judged(good), _judged(late), _judged(lost), _judged(good[:50])])
+    assert (kept["people"], kept["in_view"]) == (4, 3)
+    assert (kept["at_end"], kept["throughout"]) == (3, 2)
+    assert kept["parts"] == [4, 4, 3]
+
+
+def test_a_stoop_counts_for_people_judged_before_and_after_it() -> None:
+    clip = Clip("crouching", 4102)
+    cast = cast_of(clip)
+    person, walk, stoops = next(
+        (i, walk, stoops)
+        for i, (walk, stoops) in enumerate(zip(cast.walks, cast.stoops, strict=True))
+        if walk is not None and stoops is not None and stoops.crouch.any()
+    )
+    up = walk.first_frame + int(np.flatnonzero(stoops.crouch > 0.05)[-1]) + 1
+    parts = np.ones((walk.first_frame + len(walk.position), 3), bool)
+    parts[up - 5 : up + 8, 1] = False
+    found = [s for s in stoops_in(clip, [_judged(parts, 0, person + 1)]) if not s.bent]
+    assert found[-1].kept
+    assert found[-1].recovered_s == pytest.approx(8 / 20)
+    parts[up:] = False
+    lost = [s for s in stoops_in(clip, [_judged(parts, 0, person + 1)]) if not s.bent]
+    assert not lost[-1].kept
+    assert lost[-1].recovered_s == np.inf
+
+
+def test_one_person_s_samples_are_resized_alike() -> None:
+    columns = {name: np.zeros(6, dtype) for name, dtype in SAMPLE_COLUMNS.items()}
+    columns["recording"] = np.array(["a"] * 3 + ["b"] * 3, object)
+    sizes = resized(Samples(columns, np.ones((6, 36))), np.random.default_rng(1)).features
+    assert len(np.unique(sizes[:3])) == len(np.unique(sizes[3:])) == 1
+    assert sizes[0, 0] != sizes[3, 0]
+    assert 0.4 <= sizes.min() <= sizes.max() <= 2.5
+
+
+def test_real_footage_that_is_not_there_is_told(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / RECORDINGS[0]).mkdir()
+    (tmp_path / RECORDINGS[0] / "truth.txt").touch()
+    assert [folder.name for folder in folders_in(tmp_path)] == [RECORDINGS[0]]
+    assert f"no real footage {RECORDINGS[1]}" in capsys.readouterr().err

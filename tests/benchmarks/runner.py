@@ -1,0 +1,203 @@
+"""Trackers over recordings; runs are kept for as long as nothing they were made with has changed.
+
+A run is found again by what its recording holds, the sources of every package it goes through, the
+libraries, the tracker and its settings: so no figure on a page is of an older state than the
+others, and none is measured twice.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import io
+import os
+import time
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from tests.benchmarks.clips import LIBRARIES, clips_cache, hash_of_files, sources_of
+from tests.benchmarks.command import tell
+from tracking.failure import built_in_detector
+from tracking.pipeline import KeptSteps, background_samples, begin_pairing
+from tracking.recording import Instants, Recording, open_recording
+from tracking.settings import settings_from, settings_values
+from tracking.trackers import tracker_named
+from tracking.trackers.protocol import Perception, Tracker
+from tracking.tracks import Columns
+from tracking.tracks.run import Run
+
+SEED = 0
+_SEEN_BY = ("foreground", "stereo", "people")
+"""Settings that decide what a tracker for two cameras sees."""
+_TABLES = ("tracks", "parts", "times", "notes")
+_PACKAGES = (
+    *("errors.py", "failure/*.py", "filtering/**/*.py", "foreground/**/*.py", "geometry/**/*.py"),
+    *("people/**/*.py", "pipeline/**/*.py", "recording/**/*.py", "setting*.py"),
+    *("stereo/**/*.py", "trackers/**/*.py", "tracks/**/*.py"),
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Case:
+    """A tracker as it is measured.
+
+    Attributes:
+        tracker: in the catalogue.
+        settings: other than the defaults, by their dotted names.
+        name: in tables and pictures; the tracker's if left out.
+    """
+
+    tracker: str
+    settings: tuple[tuple[str, Any], ...] = ()
+    name: str = ""
+
+    def chosen(self) -> Any:
+        """All its settings."""
+        return settings_from(tracker_named(self.tracker).settings_type, dict(self.settings))
+
+    def __str__(self) -> str:
+        return self.name or self.tracker
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class KeptRun:
+    """What is kept of a run.
+
+    Attributes:
+        tracks, parts: its columns.
+        times: processor time in one row: `frames`, `seeing_s` (people found in all of them; shared
+            by trackers that perceive alike) and `following_s` (steps, and finishing the run).
+        notes: what the user is told, a line each.
+    """
+
+    tracks: Columns
+    parts: Columns
+    times: Columns
+    notes: tuple[str, ...]
+
+
+class _Stopwatch:
+    """Processor time of a with statement, summed over all times it is entered."""
+
+    def __init__(self) -> None:
+        self.total_s = 0.0
+
+    def __enter__(self) -> None:
+        self._began_s = time.process_time()
+
+    def __exit__(self, *_: object) -> None:
+        self.total_s += time.process_time() - self._began_s
+
+
+def run_of(folder: Path, case: Case) -> KeptRun:
+    """One case's run over a recording; see `runs_over`."""
+    return runs_over(folder, [case])[case]
+
+
+def runs_over(folder: Path, cases: Sequence[Case]) -> dict[Case, KeptRun]:
+    """What each tracker makes of a recording; runs are kept in the user's cache.
+
+    Trackers for two cameras with the same settings of perception share one, so that each frame is
+    looked at once.
+    """
+    contents = hash_of_files(folder, (path for path in folder.rglob("*") if path.is_file()))
+    paths = {case: clips_cache() / "runs" / _file_name(folder, contents, case) for case in cases}
+    for case, run, times, notes in fresh_runs(folder, [c for c in cases if not paths[c].is_file()]):
+        _keep(paths[case], {"tracks": run.tracks, "parts": run.parts, "times": times}, notes)
+    return {case: _read(path) for case, path in paths.items()}
+
+
+def _file_name(folder: Path, contents: str, case: Case) -> str:
+    chosen = case.chosen()
+    detector = built_in_detector().fingerprint if getattr(chosen, "adjust", False) else ""
+    own = repr((case.tracker, settings_values(chosen), SEED, _TABLES, detector))
+    said = "\0".join((contents, sources(), LIBRARIES, own))
+    return f"{folder.name}-{hashlib.sha256(said.encode()).hexdigest()[:16]}.npz"
+
+
+@cache
+def sources() -> str:
+    """A hash over all that runs are made with."""
+    return sources_of(_PACKAGES)
+
+
+def _keep(path: Path, tables: dict[str, Columns], notes: tuple[str, ...]) -> None:
+    """Keep the tables of a run; the file appears whole."""
+    columns = {f"{t}/{name}": column for t, its in tables.items() for name, column in its.items()}
+    image = io.BytesIO()
+    np.savez_compressed(image, **columns, notes=np.array(notes, str))  # type: ignore[arg-type]
+    path.parent.mkdir(parents=True, exist_ok=True)
+    part = path.with_suffix(f".{os.getpid()}.part")
+    part.write_bytes(image.getvalue())
+    part.replace(path)
+
+
+def _read(path: Path) -> KeptRun:
+    with np.load(path) as held:
+        tables: dict[str, Columns] = {name: {} for name in _TABLES[:-1]}
+        for name in held.files:
+            table, _, column = name.partition("/")
+            if column:
+                tables[table][column] = held[name]
+        return KeptRun(**tables, notes=tuple(held["notes"].tolist()))
+
+
+def fresh_runs(
+    folder: Path, cases: Sequence[Case]
+) -> Iterator[tuple[Case, Run, Columns, tuple[str, ...]]]:
+    """Cases with their runs, tracked now, their `times` and their notes."""
+    for together in _seeing_alike(cases):
+        began = time.perf_counter()
+        with open_recording(folder) as recording:
+            yield from _tracked(recording, together)
+        names = ", ".join(map(str, together))
+        tell(f"{folder.name} by {names} in {time.perf_counter() - began:.0f} s")
+
+
+def _seeing_alike(cases: Sequence[Case]) -> Iterator[list[Case]]:
+    """The trackers in groups that perceive alike."""
+    groups: dict[tuple[Any, ...], list[Case]] = {}
+    for case in cases:
+        chosen, needs_stereo = case.chosen(), tracker_named(case.tracker).needs_stereo
+        # The papers' own methods see colours in their own way.
+        apart = case.tracker if getattr(chosen, "paper", False) else ""
+        seen_by = (apart, *(getattr(chosen, name) for name in _SEEN_BY)) if needs_stereo else case
+        groups.setdefault(seen_by, []).append(case)
+    yield from groups.values()
+
+
+def _tracked(
+    recording: Recording, cases: list[Case]
+) -> Iterator[tuple[Case, Run, Columns, tuple[str, ...]]]:
+    built = [_build(recording, case) for case in cases]
+    perception = built[0][0]
+    perception.learn(background_samples(recording))
+    steps = [KeptSteps() for _ in cases]
+    seeing, following = _Stopwatch(), [_Stopwatch() for _ in cases]
+    pairing, instants = perception.stereo_watch, Instants(recording)
+    if pairing is not None:
+        begin_pairing(pairing, instants, 0)
+    for frame in instants.frames(0, recording.frame_count):
+        with seeing:
+            seen = perception.observe(frame)
+        if pairing is not None:
+            instants.lag = pairing.pairing
+        for (_, tracker), own, watch in zip(built, steps, following, strict=True):
+            with watch:
+                step = tracker.step(seen)
+            own.add([step])
+    for case, (_, tracker), own, watch in zip(cases, built, steps, following, strict=True):
+        with watch:
+            run = own.run(case.tracker, settings_values(case.chosen()), SEED, recording)
+        times = (recording.frame_count, seeing.total_s, watch.total_s)
+        named = zip(("frames", "seeing_s", "following_s"), times, strict=True)
+        notes = (*tracker.notes, *perception.notes)
+        yield case, run, {name: np.array([value], float) for name, value in named}, notes
+
+
+def _build(recording: Recording, case: Case) -> tuple[Perception, Tracker]:
+    return tracker_named(case.tracker).build(recording, case.chosen(), SEED)
