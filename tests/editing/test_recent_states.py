@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from tracking.editing import State, state_as_text, state_from_text
-from tracking.editing.log import recent, text
-from tracking.editing.log.recent import RecentStates
+from tracking.editing.log import text
+from tracking.editing.log.text import RecentStates
 from tracking.tracks import CORRECTED_COLUMNS
 
 
@@ -38,7 +38,7 @@ def test_the_arrays_an_edit_was_planned_with_stay_the_callers_own():
 
 
 def test_few_states_are_kept_and_no_large_one(monkeypatch):
-    monkeypatch.setattr(recent, "_CHARACTERS", 16)
+    monkeypatch.setattr(text, "_CHARACTERS", 16)
     held = RecentStates()
     for number in range(100):
         held.put(str(number), State())

@@ -7,7 +7,7 @@ import pytest
 from numpy.typing import NDArray
 
 from tracking.foreground import BackgroundModel
-from tracking.foreground.one_light import in_one_light
+from tracking.foreground.background_modes import in_one_light
 
 Picture = NDArray[np.uint8]
 SHAPE = (240, 320, 3)

@@ -13,8 +13,7 @@ from made_tracks import BOX, assert_same, known_rows, table, through, tracks
 
 from tests.pace import spent
 from tracking.errors import FormatError
-from tracking.formats.coco import COCO
-from tracking.formats.coco_reading import import_coco
+from tracking.formats.coco import COCO, import_coco
 from tracking.formats.read_result import Filmed
 from tracking.formats.track_writer import Exported
 from tracking.tracks import TrackLabel, TrackTable

@@ -13,8 +13,7 @@ from numpy.testing import assert_allclose
 
 from tests.pace import spent
 from tracking.errors import FormatError
-from tracking.formats.cvat import CVAT
-from tracking.formats.cvat_reading import import_cvat
+from tracking.formats.cvat import CVAT, import_cvat
 from tracking.formats.cvat_track import MOST_EMPTY
 from tracking.formats.filled_rows import MOST_FILLED
 from tracking.formats.read_result import Filmed

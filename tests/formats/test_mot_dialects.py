@@ -11,8 +11,7 @@ from made_tracks import BOX, FLOOR, assert_same, table, through, tracks
 
 from tracking.errors import FormatError
 from tracking.formats import TrackFormat, format_of, read_mot
-from tracking.formats.mot import MOT, MOT16
-from tracking.formats.mot_reading import import_mot
+from tracking.formats.mot import MOT, MOT16, import_mot
 from tracking.formats.read_result import Filmed, Imported
 from tracking.formats.track_writer import Exported, no_progress
 from tracking.tracks import TrackLabel, TrackTable

@@ -15,9 +15,8 @@ from tracking.errors import FormatError
 from tracking.formats import format_of
 from tracking.formats.read_result import Filmed, Imported
 from tracking.formats.track_writer import Exported
-from tracking.formats.viame import VIAME
+from tracking.formats.viame import VIAME, import_viame
 from tracking.formats.viame_class import cell_of_class, class_of_cell
-from tracking.formats.viame_reading import import_viame
 from tracking.tracks import TrackLabel, TrackTable
 
 GOOD = "3,a.png,0,10,20,40,60,0.5,-1,person,0.5"

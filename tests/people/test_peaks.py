@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.signal import find_peaks
 
-from tracking.people.peaks import peaks_of
+from tracking.people.heads import peaks_of
 
 LINES = st.lists(st.integers(0, 8), min_size=1, max_size=60)
 

@@ -16,8 +16,7 @@ from av.video.reformatter import VideoReformatter
 from numbered_videos import number_in, numbered_picture, write_video
 
 from tracking.errors import RecordingError
-from tracking.recording.conversion import bgr
-from tracking.recording.video import VideoSource
+from tracking.recording.video import VideoSource, bgr
 from tracking.recording.video_cursor import NumberedFrame, VideoCursor
 
 COUNT = 120

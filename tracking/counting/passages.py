@@ -6,10 +6,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from tracking.counting.paths import Flags, Floats, Integers, Paths
-from tracking.counting.turning_back import stays_passed
 from tracking.tracks.labels import CountingLine
 
 _ON_LINE = 1e-9
@@ -192,3 +191,31 @@ def _within(places: Floats, start: Floats, end: Floats) -> Flags:
     way = (places - start) @ (along / length)
     inside: Flags = (way >= -_ON_LINE) & (way <= length + _ON_LINE)
     return inside
+
+
+def stays_passed(
+    over: Integers, side: NDArray[np.int8], distance: Floats, track: Integers, jitter: float
+) -> Flags:
+    """(k,) which passages over one line are kept.
+
+    Two passages of one track in opposite directions, between which it was never farther from the
+    line than jitter, take each other out; what remains of a longer to and fro is the one passage
+    that leads to the other side, or none.
+
+    Args:
+        over: (k,) the rows that are the first beyond the line, ascending.
+        side: (k,) the side each leads to, +1 or -1.
+        distance: (n,) from the line, at least 0. track: (n,).
+    """
+    kept = np.ones(len(over), bool)
+    waiting: list[int] = []
+    for number in range(len(over)):
+        last = waiting[-1] if waiting else -1
+        if last >= 0 and track[over[last]] == track[over[number]] and side[last] != side[number]:
+            farthest = distance[over[last] : over[number]].max()
+            if farthest <= jitter:
+                kept[[last, number]] = False
+                waiting.pop()
+                continue
+        waiting.append(number)
+    return kept

@@ -15,10 +15,10 @@ from tracking.editing.boxes.rows import (
     plan_delete,
     plan_delete_tracks,
     plan_draw_box,
+    plan_mark_occluded,
     plan_move_box,
     plan_new_track,
 )
-from tracking.editing.boxes.visibility import plan_mark_occluded
 from tracking.editing.core.change import Change, LabelState, State, apply_change
 from tracking.editing.core.scope import Scope
 from tracking.editing.identity.crossover import SwapFrame, propose_swap_frames

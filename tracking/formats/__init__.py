@@ -10,7 +10,7 @@ from tracking.formats.catalogue import (
 )
 from tracking.formats.losses import losses
 from tracking.formats.measurable import Measurable, measurable
-from tracking.formats.mot_reading import people_in_mot, read_mot
+from tracking.formats.mot import people_in_mot, read_mot
 from tracking.formats.mot_writing import write_mot
 from tracking.formats.part_labels import GivenLabel, read_part_labels, write_part_labels
 from tracking.formats.read_result import BadRow, Filmed, Imported, Stated

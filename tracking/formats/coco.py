@@ -13,10 +13,263 @@ keyframes.
 
 from __future__ import annotations
 
-from tracking.formats.coco_reading import import_coco, looks_like_coco
+import re
+from array import array
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.errors import FormatError
 from tracking.formats.coco_writing import export_coco
-from tracking.formats.label_text import label_as_read
+from tracking.formats.filled_rows import MOST_TRACKS
+from tracking.formats.json_stream import elements_of
+from tracking.formats.label_text import label_as_read, label_of
+from tracking.formats.line_survey import MOST_ROWS
+from tracking.formats.read_result import FASTEST_FPS, Filmed, Imported, Reading
+from tracking.formats.row_rules import BOX, MAX_FRAME
 from tracking.formats.track_format import Content, TrackFormat
+from tracking.progress import Progress, no_progress
+from tracking.tracks import LARGEST_NUMBER, TrackLabel
+
+_MEMBERS = ("info", "videos", "images", "tracks", "categories", "annotations")
+_START = re.compile(
+    rb"(\xef\xbb\xbf)?\s*\{\s*"
+    rb'"(info|licenses|videos|images|tracks|categories|annotations)"\s*:\s*[\[{]'
+)
+_WIDEST_PX = 1 << 20
+_LARGEST = 1 << 62
+"""A whole number beyond it is no measure of anything."""
+
+
+_MOST = {
+    "info": 1000,
+    "videos": 10_000,
+    "images": MAX_FRAME,
+    "tracks": MOST_TRACKS,
+    "categories": 100_000,
+    "annotations": MOST_ROWS,
+}
+"""Elements of each member; a file is of one video."""
+
+
+def looks_like_coco(_path: Path, head: bytes) -> bool:
+    """Whether a file begins as an object with one of COCO's members."""
+    return _START.match(head) is not None
+
+
+def import_coco(path: Path, _filmed: Filmed, report: Progress = no_progress) -> Imported:
+    """The tracks of a file of one video.
+
+    A frame is an image's `frame_index` (or `frame_id`, as some tools write). Rows marked `iscrowd`
+    or `ignore` get confidence 0: they are not counted; others their `score`, where they have one.
+    Raises FormatError where the file holds several videos, no tracks, or no such JSON.
+    """
+    file = _File(Reading(path, report))
+    for member, at, value in elements_of(path, _MEMBERS, report):
+        file.take(member, at, value)
+    return file.imported()
+
+
+class _File:
+    """Takes a file in, whatever order its members have."""
+
+    def __init__(self, reading: Reading) -> None:
+        self._reading = reading
+        self._videos: dict[int, dict[str, Any]] = {}
+        self._images: dict[int, int] = {}
+        self._kinds: dict[int, str] = {}
+        self._tracks: dict[int, dict[str, Any]] = {}
+        self._fps: float | None = None
+        self._size_px: tuple[int, int] | None = None
+        self._whole = array("q")  # of each annotation: which it is, its image, track and kind
+        self._boxes, self._confidence = array("d"), array("d")
+        self._untracked = 0
+
+    def take(self, member: str, at: int, value: Any) -> None:
+        """One element of a member."""
+        if at >= _MOST[member]:
+            raise FormatError(f"{self._reading.path} has more than {at} {member}; split it first")
+        if not isinstance(value, dict):
+            if at >= 0:
+                self._reading.bad(f"{member}[{at}]", "is no object")
+            return
+        takers = {
+            "info": self._take_info,
+            "videos": self._take_videos,
+            "images": self._take_images,
+            "tracks": self._take_tracks,
+            "categories": self._take_categories,
+            "annotations": self._take_annotations,
+        }
+        takers[member](at, value)
+
+    def _take_info(self, _at: int, info: Mapping[str, Any]) -> None:
+        self._fps = self._fps or _fps_of(info)
+
+    def _take_videos(self, at: int, video: dict[str, Any]) -> None:
+        number = _whole(video.get("id"))
+        if number is None:
+            self._reading.bad(f"videos[{at}]", "its id is no whole number")
+        else:
+            self._videos[number] = video
+        metadata = video.get("metadata")
+        for known in (video, metadata if isinstance(metadata, dict) else {}):
+            self._fps = self._fps or _fps_of(known)
+        self._size_px = self._size_px or _size_of(video)
+
+    def _take_images(self, at: int, image: Mapping[str, Any]) -> None:
+        number, frame = _whole(image.get("id")), _frame_of(image)
+        if number is None or frame is None:
+            self._reading.bad(f"images[{at}]", "its id or frame_index is no whole number")
+        elif number in self._images:
+            self._reading.bad(f"images[{at}]", f"the id {number} stands there twice")
+        else:
+            self._images[number] = frame
+        self._size_px = self._size_px or _size_of(image)
+
+    def _take_tracks(self, _at: int, track: dict[str, Any]) -> None:
+        number = _whole(track.get("id"))
+        if number is not None:  # a track with no id has no annotations
+            self._tracks[number] = track
+
+    def _take_categories(self, _at: int, category: Mapping[str, Any]) -> None:
+        number = _whole(category.get("id"))
+        if number is not None:
+            self._kinds[number] = str(category.get("name", ""))
+
+    def _take_annotations(self, at: int, row: Mapping[str, Any]) -> None:
+        said = _track_said(row)
+        self._untracked += said is None
+        track, image, box = _whole(said), _whole(row.get("image_id")), row.get("bbox")
+        if track is None or image is None:
+            self._reading.bad(f"annotations[{at}]", "its track_id or image_id is no whole number")
+            return
+        numbers = _numbers_of(box)
+        if numbers is None:
+            self._reading.bad(f"annotations[{at}]", "its bbox is not four numbers")
+            return
+        kind = _whole(row.get("category_id"))
+        self._whole.extend((at, image, track, -1 if kind is None else kind))
+        self._boxes.extend(numbers)
+        self._confidence.append(_confidence_of(row))
+        self._reading.good += 1
+
+    def imported(self) -> Imported:
+        """The tracks."""
+        self._check()
+        at, image, track, kind = np.asarray(self._whole, np.int64).reshape(-1, 4).T
+        frame = np.array([self._images.get(number, -1) for number in image.tolist()], np.int64)
+        known = frame >= 0
+        for row in np.flatnonzero(~known).tolist():
+            what = "has no image of the file" if self._images else "is of a file without images"
+            self._reading.bad(f"annotations[{at[row]}]", what)
+        boxes = np.asarray(self._boxes).reshape(-1, len(BOX))[known]
+        rows: dict[str, NDArray[Any]] = {
+            "frame": frame[known],
+            "track": self._reading.ids_from_zero(track[known]),
+            **dict(zip(BOX, boxes.T, strict=True)),
+            "confidence": np.array(self._confidence)[known],
+        }
+        places = at[known]
+        labels = self._labels(track[known], rows["track"], kind[known])
+        return self._reading.imported(
+            rows,
+            lambda row: f"annotations[{places[row]}]",
+            labels=labels,
+            fps=self._fps,
+            size_px=self._size_px,
+            frames=self._frames(),
+        )
+
+    def _frames(self) -> int | None:
+        """How many the footage has, where there is an image of every one."""
+        whole = set(self._images.values()) == set(range(len(self._images)))
+        return len(self._images) if self._images and whole else None
+
+    def _check(self) -> None:
+        path = self._reading.path
+        if len(self._videos) > 1:
+            raise FormatError(
+                f"{path} holds tracks of {len(self._videos)} videos; keep those of one of them"
+            )
+        if self._untracked and not self._whole:
+            raise FormatError(f"{path} holds detections without track_id, no tracks; track first")
+
+    def _labels(
+        self, said: NDArray[np.int64], track: NDArray[Any], kind: NDArray[np.int64]
+    ) -> dict[int, TrackLabel]:
+        """What is said of each track; its kind is that of its first annotation."""
+        labels = {}
+        for number, first in zip(*np.unique(track, return_index=True), strict=True):
+            known = self._tracks.get(int(said[first]), {})
+            of_track = _whole(known.get("category_id"))
+            name = self._kinds.get(int(kind[first]) if of_track is None else of_track, "")
+            attributes = known.get("attributes")
+            if not isinstance(attributes, dict):
+                attributes = {}
+            label = label_of(known.get("name", ""), name, attributes)
+            if not label.is_empty:
+                labels[int(number)] = label
+        return labels
+
+
+def _track_said(row: Mapping[str, Any]) -> Any:
+    """Which track an annotation is of: as TAO, others, or CVAT and datumaro write it."""
+    attributes = row.get("attributes")
+    others = attributes if isinstance(attributes, dict) else {}
+    told = (row.get("track_id"), row.get("instance_id"), others.get("track_id"))
+    return next((one for one in told if one is not None), None)
+
+
+def _frame_of(image: Mapping[str, Any]) -> int | None:
+    frame = _whole(image.get("frame_index", image.get("frame_id")))
+    return frame if frame is not None and 0 <= frame < MAX_FRAME else None
+
+
+def _confidence_of(row: Mapping[str, Any]) -> float:
+    if row.get("iscrowd") or row.get("ignore"):
+        return 0.0
+    score = row.get("score")
+    return float(score) if score is not None and _is_number(score) else np.nan
+
+
+def _fps_of(known: Mapping[str, Any]) -> float | None:
+    fps = known.get("fps")
+    if fps is None or not _is_number(fps) or not 0 < fps < FASTEST_FPS:
+        return None
+    return float(fps)
+
+
+def _size_of(known: Mapping[str, Any]) -> tuple[int, int] | None:
+    width, height = _whole(known.get("width")), _whole(known.get("height"))
+    if width is None or height is None or not 0 < min(width, height) <= _WIDEST_PX:
+        return None
+    return (width, height) if max(width, height) <= _WIDEST_PX else None
+
+
+def _whole(value: Any) -> int | None:
+    """A whole number that fits; None for everything else."""
+    if type(value) is float and value.is_integer():
+        value = int(value)
+    return value if type(value) is int and abs(value) <= LARGEST_NUMBER else None
+
+
+def _is_number(value: Any) -> bool:
+    return type(value) is float or (type(value) is int and abs(value) < _LARGEST)
+
+
+def _numbers_of(box: Any) -> array[float] | None:
+    """Four numbers; None for everything else."""
+    if type(box) is not list or len(box) != len(BOX):
+        return None
+    try:
+        return array("d", box)
+    except (TypeError, OverflowError):
+        return None
+
 
 COCO = TrackFormat(
     "coco",

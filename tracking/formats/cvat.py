@@ -20,10 +20,147 @@ floor. Source: CVAT's XML annotation format 1.1 and what CVAT 2 writes.
 
 from __future__ import annotations
 
-from tracking.formats.cvat_reading import import_cvat, looks_like_cvat
+import math
+import re
+from collections.abc import Mapping
+from pathlib import Path
+
+from tracking.errors import FormatError
+from tracking.formats.cvat_meta import Meta
+from tracking.formats.cvat_track import BOX_NUMBERS, CvatTrack, FileTracks
 from tracking.formats.cvat_writing import export_cvat
 from tracking.formats.label_text import label_as_read
+from tracking.formats.read_result import Filmed, Imported, Reading
+from tracking.formats.row_rules import MAX_FRAME
 from tracking.formats.track_format import Content, TrackFormat
+from tracking.formats.xml_stream import ZIP, parse
+from tracking.progress import Progress, no_progress
+
+MEMBER = "annotations.xml"
+_START = re.compile(
+    rb"(\xef\xbb\xbf)?\s*(<\?xml[^>]*\?>\s*)?(<!--.*?-->\s*)*<annotations[\s>]", re.S
+)
+_MOST_DIGITS = 18
+_MOST_BESIDE = 200_000
+"""Elements that are no part of a track, such as labels of a task: many times what any has."""
+_OTHER_SHAPES = frozenset(
+    {"polygon", "polyline", "points", "cuboid", "ellipse", "mask", "skeleton"}
+)
+_OF_TRACKS = _OTHER_SHAPES | {"track", "box", "attribute"}
+
+
+def looks_like_cvat(_path: Path, head: bytes) -> bool:
+    """Whether a file begins as CVAT's XML, or is an archive that does with what CVAT exports."""
+    return _START.match(head) is not None or (head.startswith(ZIP) and MEMBER.encode() in head)
+
+
+def import_cvat(path: Path, filmed: Filmed, report: Progress = no_progress) -> Imported:
+    """The tracks of a task; see `cvat` for what becomes of keyframes, ids and attributes.
+
+    Raises FormatError where the file holds pictures instead of a video, several tasks, no such
+    XML, or keyframes that stand for more rows than any footage has.
+    """
+    reading = Reading(path, report)
+    file = _File(reading, filmed.frames)
+    parse(path, file, MEMBER, report)
+    file.check()
+    return file.tracks.imported()
+
+
+class _File:
+    """Takes elements as they come; keeps rows alone."""
+
+    def __init__(self, reading: Reading, frames: int | None) -> None:
+        self._reading = reading
+        self.meta = Meta()
+        self.tracks = FileTracks(reading, self.meta, frames)
+        self._open: list[str] = []
+        self._track: CvatTrack | None = None
+        self._attribute = ""
+        self._images = self._beside = 0
+
+    def start(self, name: str, attributes: Mapping[str, str], line: int) -> None:
+        """See `xml_stream.Elements`."""
+        if not self._open and name != "annotations":
+            raise FormatError(f"{self._reading.path} is XML, but none of CVAT's: export it again")
+        inside = self._open[-1] if self._open else ""
+        self._open.append(name)
+        if name not in _OF_TRACKS or (self._track is None and name != "track"):
+            self._count_beside()
+        if name == "track" and inside == "annotations":
+            self._track = CvatTrack(attributes, line)
+        elif name == "image":
+            self._images += 1
+        elif self._track is not None and inside == "track":
+            self._shape(name, attributes, line)
+        elif name == "attribute":
+            self._attribute = attributes.get("name", "")
+
+    def end(self, name: str, text: str) -> None:
+        """See `xml_stream.Elements`."""
+        self._open.pop()
+        if self._track is None:
+            self.meta.end(self._open, name, text)
+        elif name == "attribute":
+            self._track.attributes.setdefault(self._attribute, text.strip())
+        elif name == "track":
+            self.tracks.add(self._track)
+            self._track = None
+
+    def check(self) -> None:
+        """Raise FormatError where the file is not of one video."""
+        path = self._reading.path
+        if self.meta.tasks > 1:
+            raise FormatError(f"{path} holds {self.meta.tasks} tasks; export one of them alone")
+        if self._images and not self.tracks:
+            raise FormatError(f"{path} is CVAT for images; export the task as CVAT for video")
+
+    def _count_beside(self) -> None:
+        """Raise FormatError where far more is said than in any of CVAT's files of a video."""
+        self._beside += 1
+        if self._beside > _MOST_BESIDE:
+            self.check()
+            raise FormatError(f"{self._reading.path} holds hardly more than elements without boxes")
+
+    def _shape(self, name: str, attributes: Mapping[str, str], line: int) -> None:
+        assert self._track is not None
+        if name == "box":
+            reason = _row(self._track, attributes, line)
+        elif name in _OTHER_SHAPES:
+            reason = f"a {name} stands where boxes are read"
+        else:
+            return
+        if reason:
+            self._reading.bad(f"line {line}", reason)
+        else:
+            self._reading.good += 1
+
+
+def _row(track: CvatTrack, said: Mapping[str, str], line: int) -> str:
+    """Add a box to its track; says why it is invalid where it is."""
+    frame = said.get("frame", "")
+    if not (frame.isascii() and frame.isdigit() and len(frame) < _MOST_DIGITS):
+        return f"the frame {frame[:20]!r} is not a whole number from 0 on"
+    if int(frame) >= MAX_FRAME:
+        return f"the frame number is not one of {MAX_FRAME} frames"
+    try:
+        sides = (
+            float(said["xtl"]),
+            float(said["ytl"]),
+            float(said["xbr"]),
+            float(said["ybr"]),
+        )
+        turned = float(said["rotation"]) % 360 if "rotation" in said else 0.0
+    except (KeyError, ValueError):
+        return f"{', '.join(BOX_NUMBERS)} are not four numbers"
+    if not math.isfinite(sum(sides)):
+        return "a value is not a finite number"
+    if turned:
+        return f"the box is turned by {turned:g} degrees; boxes stand upright here"
+    outside, occluded = said.get("outside") == "1", said.get("occluded") == "1"
+    track.rows((int(frame), line, outside, occluded, said.get("keyframe", "1") == "1"), sides)
+    return ""
+
 
 CVAT = TrackFormat(
     "cvat",

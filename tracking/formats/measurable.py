@@ -9,7 +9,7 @@ import numpy as np
 
 from tracking.errors import FormatError
 from tracking.formats.label_text import is_person
-from tracking.formats.mot_reading import rows_by_frame
+from tracking.formats.mot import rows_by_frame
 from tracking.formats.read_result import BadRow, Filmed, Imported, Reading, in_order
 from tracking.formats.seqinfo import sequence_of
 from tracking.formats.track_format import TrackFormat

@@ -21,10 +21,218 @@ read_/write_object_track_set_viame_csv; DIVE's server/dive_utils/serializers/via
 
 from __future__ import annotations
 
+import re
+from array import array
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.errors import FormatError
+from tracking.formats.cvat_track import kept_visibility
+from tracking.formats.delimited_text import TRIED_ROWS
+from tracking.formats.filled_rows import MOST_TRACKS
+from tracking.formats.line_survey import MOST_ROWS, too_many
+from tracking.formats.read_result import FASTEST_FPS, Filmed, Imported, Reading
+from tracking.formats.row_rules import BOX
+from tracking.formats.text_fields import fields_of, number_in, numbered_lines, whole_in
 from tracking.formats.track_format import Content, TrackFormat
-from tracking.formats.viame_class import label_as_read
-from tracking.formats.viame_reading import import_viame, looks_like_viame
+from tracking.formats.viame_class import (
+    OF_TRACK,
+    attribute_in,
+    class_of_cell,
+    label_as_read,
+    label_in,
+)
 from tracking.formats.viame_writing import export_viame
+from tracking.progress import Progress, no_progress
+from tracking.tracks import TrackLabel
+
+_NUMBER = rb"\s*[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?\s*"
+_HEADER = re.compile(
+    rb'(?:\xef\xbb\xbf)?"?# ?(?:1: Detection or Track|metadata[",])', re.IGNORECASE
+)
+_COMMENTS = re.compile(rb"(?:\xef\xbb\xbf)?(?:\"?#[^\n]*\n|\s*\n)*")
+_PICTURE = rb"(?:[^,\n]*\.[A-Za-z][A-Za-z0-9]{1,4}\"?|\"?\d+:\d\d[\d:.]*\"?|)"
+"""The name of a file, a time, or nothing: a mere text there would be a bad row of MOT text."""
+_FIRST_ROW = re.compile(
+    rb"\s*\d+\s*," + _PICTURE + rb",\s*\d+\s*," + (_NUMBER + rb",") * 5 + _NUMBER
+)
+_FPS = re.compile(r"\bfps: *\"?(\d{1,5}(?:\.\d{1,12})?)\b", re.IGNORECASE)
+_UNKNOWN = -1.0
+_LEAST = 9
+"""Values before classes and attributes."""
+_OCCLUDED = "occluded"
+_MOST_COMMENTS = 10_000
+_MOST_ATTRIBUTES = 65
+"""Of a track; its name is one of them."""
+
+
+def looks_like_viame(_path: Path, head: bytes) -> bool:
+    """Whether a file begins with VIAME's header, or a line with a picture's name or a time."""
+    if _HEADER.match(head):
+        return True
+    comments = _COMMENTS.match(head)
+    return _FIRST_ROW.match(head, comments.end() if comments else 0) is not None
+
+
+def import_viame(path: Path, _filmed: Filmed, report: Progress = no_progress) -> Imported:
+    """The tracks of a file. Raises FormatError where it cannot be read as a whole."""
+    file = _File(Reading(path, report))
+    for number, text in numbered_lines(path, report):
+        file.take(number, text)
+    return file.imported()
+
+
+class _File:
+    """Takes a file in, line by line."""
+
+    def __init__(self, reading: Reading) -> None:
+        self._reading = reading
+        self._whole, self._numbers = (
+            array("q"),
+            array("d"),
+        )  # line, frame, id; box, confidence, seen
+        self._tracks: set[int] = set()
+        self._kinds: dict[int, str] = {}
+        self._said: dict[int, dict[str, str]] = {}
+        self._fps: float | None = None
+        self._comments = self._left_out = 0
+        self._tells_hidden = False
+
+    def take(self, number: int, text: str) -> None:
+        """One line."""
+        if text.startswith(("#", '"#')):
+            self._take_comment(text)
+        elif text.strip():
+            fields = fields_of(text)
+            reason = f"{len(fields)} values; a line has {_LEAST} or more" if fields else "quotes"
+            if len(fields) >= _LEAST:
+                reason = self._take_fields(number, fields)
+            if reason:
+                self._reading.bad(f"line {number}", reason)
+
+    def imported(self) -> Imported:
+        """The tracks."""
+        if self._left_out:
+            self._reading.notes.append(
+                "what the file says of single frames ((atr), (kp), (poly), (note)) is left out"
+            )
+        line, frame, said = np.asarray(self._whole, np.int64).reshape(-1, 3).T
+        numbers = np.asarray(self._numbers).reshape(-1, 6)
+        left, top, right, bottom = numbers[:, :4].T
+        track = self._reading.ids_from_zero(said)
+        rows: dict[str, NDArray[Any]] = {
+            "frame": frame,
+            "track": track,
+            **dict(zip(BOX, (left, top, right - left, bottom - top), strict=True)),
+            "confidence": numbers[:, 4],
+            "visibility": np.where(self._tells_hidden, numbers[:, 5], np.nan),
+        }
+        ids, first = np.unique(said, return_index=True)
+        labels = self._labels(dict(zip(ids.tolist(), track[first].tolist(), strict=True)))
+        return self._reading.imported(
+            rows,
+            lambda row: f"line {line[row]}",
+            labels=labels,
+            fps=self._fps,
+            seen_as=kept_visibility,
+        )
+
+    def _take_comment(self, text: str) -> None:
+        self._comments += 1
+        if self._comments > _MOST_COMMENTS:
+            raise FormatError(f"{self._reading.path} holds hardly more than comments")
+        found = _FPS.search(text)
+        if self._fps is None and "metadata" in text and found:
+            fps = float(found[1])
+            self._fps = fps if 0 < fps < FASTEST_FPS else None
+
+    def _take_fields(self, number: int, fields: Sequence[str]) -> str:
+        """Add a row; says why it is invalid where it is."""
+        track, frame = whole_in(fields[0]), whole_in(fields[2])
+        if track is None or frame is None:
+            return "its id or frame is not a whole number"
+        box = [number_in(field) for field in fields[3:7]]
+        if None in box:
+            return "its box is not four numbers"
+        pairs, rest = _pairs_of(fields[_LEAST:])
+        if pairs is None:
+            return "a class has no confidence that is a number"
+        confidence = number_in(fields[7]) if fields[7].strip() else _UNKNOWN
+        if confidence is None:
+            return "its confidence is not a number"
+        if confidence < 0 and confidence != _UNKNOWN:
+            return f"its confidence is {confidence:g}, below 0; {_UNKNOWN:g} stands for unknown"
+        self._count(track)
+        best = max(pairs, key=lambda pair: pair[1], default=("", -1.0))
+        confidence = confidence if confidence >= 0 else best[1]
+        if best[0]:
+            self._kinds[track] = best[0]
+        occluded = self._take_attributes(track, rest)
+        self._whole.extend((number, frame, track))
+        self._numbers.extend(side for side in box if side is not None)
+        self._numbers.extend((confidence if confidence >= 0 else np.nan, 0.0 if occluded else 1.0))
+        self._reading.good += 1
+        if self._reading.good == TRIED_ROWS:
+            self._try()
+        if self._reading.good > MOST_ROWS:
+            raise too_many(self._reading.path)
+        return ""
+
+    def _count(self, track: int) -> None:
+        """Raise FormatError where a file has far more ids than people."""
+        self._tracks.add(track)
+        if len(self._tracks) > MOST_TRACKS:
+            raise FormatError(f"{self._reading.path} has more than {MOST_TRACKS} tracks; split it")
+
+    def _try(self) -> None:
+        """Raise FormatError where the first rows are such that the file is refused in the end."""
+        line, frame, said = np.array(self._whole, np.int64).reshape(-1, 3).T
+        rows = {"frame": frame, "track": said}
+        Reading(self._reading.path).checked(rows, lambda row: f"line {line[row]}", least_track=0)
+
+    def _take_attributes(self, track: int, fields: Sequence[str]) -> bool:
+        """Keep what is said of the track; gives whether it is hidden in this frame."""
+        occluded = False
+        for field in fields:
+            found = attribute_in(field)
+            if found is None:
+                self._left_out += bool(field.strip())
+            elif found[0] != OF_TRACK:
+                is_occluded = found[1] == _OCCLUDED
+                self._tells_hidden |= is_occluded
+                occluded |= is_occluded and found[2].strip().lower() == "true"
+                self._left_out += not is_occluded
+            else:
+                kept = self._said.setdefault(track, {})
+                if found[1] in kept or len(kept) < _MOST_ATTRIBUTES:
+                    kept[found[1]] = found[2]
+        return occluded
+
+    def _labels(self, ids: dict[int, int]) -> dict[int, TrackLabel]:
+        labels = {}
+        for said, track in ids.items():
+            label = label_in(self._kinds.get(said, ""), self._said.get(said, {}))
+            if not label.is_empty:
+                labels[track] = label
+        return labels
+
+
+def _pairs_of(fields: Sequence[str]) -> tuple[list[tuple[str, float]] | None, Sequence[str]]:
+    """Classes with their confidence, None where one has none; and what stands behind them."""
+    pairs: list[tuple[str, float]] = []
+    at = 0
+    while at < len(fields) and fields[at].strip() and not fields[at].lstrip().startswith("("):
+        score = number_in(fields[at + 1]) if at + 1 < len(fields) else None
+        if score is None:
+            return None, ()
+        pairs.append((class_of_cell(fields[at].strip()), score))
+        at += 2
+    return pairs, fields[at:]
+
 
 VIAME = TrackFormat(
     "viame",

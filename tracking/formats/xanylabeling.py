@@ -26,11 +26,199 @@ Sources: X-AnyLabeling's label_file.py, shape.py, schema.py (the members of a fi
 
 from __future__ import annotations
 
-from tracking.formats.label_text import label_as_read
+from array import array
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.errors import FormatError
+from tracking.formats.json_numbers import number_of, whole_of
+from tracking.formats.json_stream import MOST_BYTES, elements_of
+from tracking.formats.label_text import label_as_read, label_of, left_out
+from tracking.formats.line_survey import MOST_ROWS
+from tracking.formats.read_result import Filmed, Imported, Reading
+from tracking.formats.row_rules import BOX
 from tracking.formats.track_format import Content, TrackFormat
-from tracking.formats.xanylabeling_folder import holds_frames, looks_like_frame
-from tracking.formats.xanylabeling_reading import import_xanylabeling
+from tracking.formats.xanylabeling_folder import (
+    ENDING,
+    FrameFile,
+    frame_files,
+    holds_frames,
+    looks_like_frame,
+)
 from tracking.formats.xanylabeling_writing import export_xanylabeling
+from tracking.progress import Progress, no_progress
+from tracking.tracks import TrackLabel
+
+_MEMBERS = ("shapes", "imageHeight", "imageWidth")
+_AREAS = frozenset({"rectangle", "rotation", "quadrilateral", "polygon", "cuboid"})
+_CIRCLE = "circle"
+_NO_AREAS = frozenset({"point", "line", "linestrip", "points"})
+_LARGEST_FILE = 256 << 20
+"""A frame with its picture inside; without it a file has some kilobytes."""
+_MOST_SHAPES = 100_000
+"""In one frame."""
+
+
+def import_xanylabeling(path: Path, _filmed: Filmed, report: Progress = no_progress) -> Imported:
+    """The tracks of a folder; of a file: of the folder it lies in.
+
+    Raises FormatError where files are too large, no such JSON, or none of their shapes has a group.
+    """
+    is_folder = path.is_dir()
+    reading = Reading(path if is_folder else path.parent, report)
+    if not is_folder:
+        reading.notes.append(f"{path.name} is one frame; all files of its folder are read")
+    files, frames = frame_files(reading)
+    folder = _Folder(reading, files)
+    for number, each in enumerate(files):
+        report(number, len(files))
+        folder.take(number, each)
+    report(len(files), len(files))
+    return folder.imported(frames)
+
+
+class _Folder:
+    """Takes the files of a folder in, one after the other."""
+
+    def __init__(self, reading: Reading, files: list[FrameFile]) -> None:
+        self._reading, self._files = reading, files
+        self._whole, self._numbers = array("q"), array("d")  # file, shape, group; box, confidence
+        self._labels: dict[int, TrackLabel] = {}
+        self._size_px: tuple[int, int] | None = None
+        self._bytes = self._ungrouped = self._no_areas = 0
+
+    def take(self, number: int, file: FrameFile) -> None:
+        """A file."""
+        self._check_size(file.path)
+        size: dict[str, int | None] = {}
+        for member, at, value in elements_of(file.path, _MEMBERS):
+            if member != "shapes":
+                size[member] = whole_of(value)
+            elif at >= 0:
+                self._take_shape(number, at, value)
+        width, height = size.get("imageWidth"), size.get("imageHeight")
+        if self._size_px is None and width and height and width > 0 and height > 0:
+            self._size_px = (width, height)
+
+    def imported(self, frames: int | None) -> Imported:
+        """The tracks."""
+        path, notes = self._reading.path, self._reading.notes
+        if self._ungrouped and not self._whole:
+            raise FormatError(f"{path} holds shapes without group_id, no tracks; group them first")
+        if self._ungrouped:
+            notes.append(
+                left_out(self._ungrouped, "shape without group id", "shapes without group id")
+            )
+        if self._no_areas:
+            notes.append(left_out(self._no_areas, "point or line", "points and lines"))
+        file, shape, group = np.asarray(self._whole, np.int64).reshape(-1, 3).T
+        numbers = np.asarray(self._numbers).reshape(-1, len(BOX) + 1)
+        frame = np.array([each.frame for each in self._files], np.int64)
+        track = self._reading.ids_from_zero(group)
+        said, first = np.unique(group, return_index=True)
+        ids = dict(zip(said.tolist(), track[first].tolist(), strict=True))
+        rows: dict[str, NDArray[Any]] = {
+            "frame": frame[file],
+            "track": track,
+            **dict(zip((*BOX, "confidence"), numbers.T, strict=True)),
+        }
+        return self._reading.imported(
+            rows,
+            lambda row: f"{self._files[file[row]].path.name}, shapes[{shape[row]}]",
+            labels={ids[said]: label for said, label in self._labels.items()},
+            size_px=self._size_px,
+            frames=frames,
+        )
+
+    def _check_size(self, path: Path) -> None:
+        try:
+            size = path.lstat().st_size
+        except OSError as error:
+            raise FormatError(f"cannot read {path}: {error.strerror}") from error
+        self._bytes += size
+        if size > _LARGEST_FILE:
+            raise FormatError(
+                f"{path} is larger than {_LARGEST_FILE >> 20} MB; take its picture out"
+            )
+        if self._bytes > MOST_BYTES:
+            raise FormatError(
+                f"the {ENDING} files of {self._reading.path} hold more than {MOST_BYTES >> 30} GB; "
+                "take the pictures out of them"
+            )
+
+    def _take_shape(self, number: int, at: int, shape: Any) -> None:
+        place = f"{self._files[number].path.name}, shapes[{at}]"
+        if not isinstance(shape, Mapping):
+            self._reading.bad(place, "is no object")
+            return
+        kind, said = shape.get("shape_type") or "polygon", shape.get("group_id")
+        if kind in _NO_AREAS:
+            self._no_areas += 1
+        elif said is None:
+            self._ungrouped += 1
+        elif reason := self._take_area(number, at, shape, str(kind)):
+            self._reading.bad(place, reason)
+        else:
+            self._reading.good += 1
+        if at >= _MOST_SHAPES or self._reading.good > MOST_ROWS:
+            raise FormatError(f"{self._reading.path} holds more shapes than any footage; split it")
+
+    def _take_area(self, number: int, at: int, shape: Mapping[str, Any], kind: str) -> str:
+        """Add a row; says why it is invalid where it is."""
+        group = whole_of(shape.get("group_id"))
+        if group is None or group < 0:
+            return "its group_id is not a whole number from 0 on"
+        box = _box_of(kind, shape.get("points"))
+        if isinstance(box, str):
+            return box
+        score = shape.get("score")
+        confidence = np.nan if score is None else number_of(score)
+        if confidence is None:
+            return "its score is not a number"
+        self._whole.extend((number, at, group))
+        self._numbers.extend((*box, 0.0 if shape.get("difficult") is True else confidence))
+        if group not in self._labels:
+            label = _label_of(shape)
+            if not label.is_empty:
+                self._labels[group] = label
+        return ""
+
+
+def _label_of(shape: Mapping[str, Any]) -> TrackLabel:
+    name, kind, said = (shape.get(each) for each in ("description", "label", "attributes"))
+    attributes = {
+        key: text if isinstance(text, str) else str(text)
+        for key, text in (said.items() if isinstance(said, dict) else ())
+        if isinstance(text, str | int | float | bool)
+    }
+    kind = kind if isinstance(kind, str) else ""
+    return label_of(name if isinstance(name, str) else "", kind, attributes)
+
+
+def _box_of(kind: str, points: Any) -> tuple[float, float, float, float] | str:
+    """Left, top, width and height of the upright box around a shape; why there is none."""
+    if not isinstance(points, list) or len(points) < 2:
+        return "its points are not two or more"
+    flat: list[float] = []
+    for point in points:
+        if not isinstance(point, list) or len(point) != 2:
+            return "a point is not two numbers"
+        numbers = [number_of(value) for value in point]
+        if numbers[0] is None or numbers[1] is None:
+            return "a point is not two numbers"
+        flat.extend(value for value in numbers if value is not None)
+    if kind == _CIRCLE:
+        radius = float(np.hypot(flat[2] - flat[0], flat[3] - flat[1]))
+        return flat[0] - radius, flat[1] - radius, 2 * radius, 2 * radius
+    if kind not in _AREAS:
+        return f"a shape_type {kind[:40]!r} stands where boxes are read"
+    left, top = min(flat[::2]), min(flat[1::2])
+    return left, top, max(flat[::2]) - left, max(flat[1::2]) - top
+
 
 X_ANYLABELING = TrackFormat(
     "x-anylabeling",

@@ -4,24 +4,26 @@ from __future__ import annotations
 
 from collections import OrderedDict, deque
 from collections.abc import Iterator
+from dataclasses import dataclass
 from pathlib import Path
 from threading import Lock
 
 import av
 import numpy as np
-from av.video.reformatter import VideoReformatter
+from av.video.reformatter import ColorRange, Colorspace, VideoReformatter
 from numpy.typing import NDArray
 
 from tracking.errors import RecordingError
-from tracking.recording.conversion import bgr
 from tracking.recording.frame import Image
-from tracking.recording.pace import Pace, pace_of
 from tracking.recording.packet_index import PacketIndex, index_video, open_video
 from tracking.recording.plurals import counted
 from tracking.recording.video_cursor import NumberedFrame, VideoCursor
 
 _RECENT_BYTES = 48 * 1024 * 1024
 _STEPS_BACK = 2
+
+
+_REGULAR_SHARE = 0.9
 
 
 class VideoSource:
@@ -233,3 +235,78 @@ class VideoSource:
         if frame is None:
             raise RecordingError(f"{self._path}: no frame can be decoded; record it again")
         return frame
+
+
+def bgr(frame: av.VideoFrame, reformatter: VideoReformatter) -> Image:
+    """The frame as (height, width, 3) BGR.
+
+    Args:
+        frame: in whatever pixel format the decoder gave.
+        reformatter: kept by the caller from frame to frame, which makes it fast. Threads of its
+            own would cost it more than they save.
+
+    Raises:
+        RecordingError: the pixel format cannot be converted.
+    """
+    try:
+        try:
+            converted = reformatter.reformat(frame, format="bgr24", threads=1)
+        except av.error.FFmpegError:
+            # A colour space that FFmpeg does not convert, often only a damaged header.
+            converted = reformatter.reformat(
+                frame,
+                format="bgr24",
+                src_colorspace=Colorspace.ITU601,
+                src_color_range=ColorRange.MPEG,
+                threads=1,
+            )
+        return np.asarray(converted.to_ndarray(), np.uint8)
+    except (av.error.FFmpegError, ValueError) as error:
+        raise RecordingError(
+            f"frame {frame.pts}: its pixels ({frame.format.name}) cannot be converted; convert "
+            "the video to H.264"
+        ) from error
+
+
+@dataclass(frozen=True, slots=True)
+class Pace:
+    """The rate of a stream and what is odd about it.
+
+    Attributes:
+        fps: frames a second; None where nothing tells.
+        notes: in words; empty where frames come evenly.
+    """
+
+    fps: float | None
+    notes: tuple[str, ...]
+
+
+def pace_of(times_s: NDArray[np.float64] | None, told_fps: float | None) -> Pace:
+    """The pace of frames at the given times.
+
+    Args:
+        times_s: (n,) increasing seconds; None where the stream has none.
+        told_fps: what the container says.
+    """
+    if times_s is None:
+        return Pace(told_fps, ())
+    steps = np.diff(times_s)
+    if not steps.size or steps.max() <= 0:
+        return Pace(told_fps, ())
+    usual = float(np.median(steps))
+    regular = steps[np.abs(steps - usual) < 0.5 * usual]
+    if len(regular) < _REGULAR_SHARE * len(steps):
+        fps = len(steps) / float(times_s[-1])
+        spread = f"{steps.min() * 1000:.0f} to {steps.max() * 1000:.0f} ms"
+        return Pace(fps, (f"the time between frames varies ({spread}); the mean rate counts",))
+    fps = 1 / float(regular.mean())
+    if told_fps and abs(told_fps - fps) < 0.005 * fps:
+        fps = told_fps
+    missing = np.round(steps / usual).astype(int) - 1
+    gaps = np.flatnonzero(missing > 0)
+    if not gaps.size:
+        return Pace(fps, ())
+    return Pace(
+        fps,
+        (f"{counted(int(missing[gaps].sum()), 'frame')} not recorded, first after {gaps[0]}",),
+    )

@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.errors import FormatError
-from tracking.scoring.challenge_classes import rows_that_count
 from tracking.tracks.columns import Columns
 
 Integers = NDArray[np.int64]
@@ -18,6 +17,13 @@ Flags = NDArray[np.bool_]
 
 _WHOLE = 1 << 62
 """A frame and a track fit into one number below this."""
+
+
+_PERSON = 1
+_DISTRACTORS = (2, 7, 8, 12)
+"""People on vehicles, people who never move, distractors, reflections."""
+
+_Flags = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, slots=True)
@@ -141,3 +147,24 @@ def _stacked(columns: Columns, names: tuple[str, ...], order: Integers | slice) 
     for place, name in enumerate(names):
         found[:, place] = columns[name][order]
     return found
+
+
+def rows_that_count(columns: Columns) -> tuple[_Flags, _Flags | None]:
+    """What a truth's `confidence` and `class` say of its rows.
+
+    Without classes rows with `confidence` 0 are don't-cares. With classes it is as TrackEval has
+    it: people whose `confidence` is not 0 count, distractors are don't-cares, and all else neither
+    counts nor takes a result row away.
+
+    Args:
+        columns: `confidence` and, where known, `class`; NaN: none.
+
+    Returns:
+        (n,) rows that count; (n,) don't-cares, None where they are all the others.
+    """
+    counted = np.asarray(columns["confidence"] != 0)
+    kind = columns.get("class")
+    if kind is None or np.isnan(kind).all():
+        return counted, None
+    person = (kind == _PERSON) | np.isnan(kind)
+    return np.asarray(counted & person), np.isin(kind, _DISTRACTORS)

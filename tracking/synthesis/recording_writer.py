@@ -6,22 +6,29 @@ import contextlib
 from collections.abc import Callable
 from pathlib import Path
 
+import numpy as np
+
 from tracking.atomic_output import replacing_folder
 from tracking.errors import CancelledError, SettingsError
+from tracking.formats import write_mot
 from tracking.geometry import write_calibration
 from tracking.progress import Progress
 from tracking.recording import Manifest, write_manifest
 from tracking.synthesis.disturbances import NO_DISTURBANCES, Disturbances
-from tracking.synthesis.scenario_writing import write_scenario
+from tracking.synthesis.scenario import EVERYBODY
 from tracking.synthesis.scene import Scene
 from tracking.synthesis.scenes import SCENES
 from tracking.synthesis.specs import SceneSpec
-from tracking.synthesis.truth import SceneTruth
-from tracking.synthesis.truth_writing import write_truth
+from tracking.synthesis.truth import CARED_FOR, SceneTruth
 from tracking.synthesis.video import VideoWriter
+from tracking.tracks import PART_WORDS
+from tracking.truth import TRUE_PART_COLUMNS, TRUE_PARTS, VISIBILITY, VISIBILITY_COLUMNS
 
 MOST_PEOPLE, LONGEST_S = 200, 3600.0
 _SIDES = ("left", "right")
+
+
+FLOOR, MOMENTS = "floor.csv", "moments.csv"
 
 
 def render_recording(
@@ -158,3 +165,80 @@ def _write_descriptions(folder: Path, scene: Scene, seed: int) -> None:
         ground=scene.rig.view.ground,
     )
     write_manifest(folder, manifest)
+
+
+def write_scenario(folder: Path, scene: Scene) -> None:
+    """Write `floor.csv` and, of a scene with a scenario, `moments.csv`.
+
+    `floor.csv`: frame (from 0), id, x, y in metres of everybody on the floor, in view or not.
+    `moments.csv`: start and end (frames from 0, half-open), id (0: everybody), kind, name,
+    difficulty (0: not rated).
+    """
+    _write_floor(folder / FLOOR, scene)
+    if scene.moments():
+        _write_moments(folder / MOMENTS, scene)
+
+
+def _write_floor(path: Path, scene: Scene) -> None:
+    with path.open("w", encoding="utf-8", newline="\n") as stream:
+        stream.write("frame,id,x,y\n")
+        for frame in range(scene.frames):
+            there = scene.on_floor(frame)
+            for person, (x, y) in zip(there, scene.places(frame), strict=True):
+                stream.write(f"{frame},{person + 1},{x:.4f},{y:.4f}\n")
+
+
+def _write_moments(path: Path, scene: Scene) -> None:
+    with path.open("w", encoding="utf-8", newline="\n") as stream:
+        stream.write("start,end,id,kind,name,difficulty\n")
+        for moment in scene.moments():
+            seconds = moment.start_s, moment.end_s
+            start, end = (min(max(round(s * scene.fps), 0), scene.frames) for s in seconds)
+            if start == end:
+                continue
+            who = 0 if moment.person == EVERYBODY else moment.person + 1
+            name = f'"{moment.name}"' if "," in moment.name else moment.name
+            stream.write(f"{start},{end},{who},{moment.kind},{name},{moment.difficulty}\n")
+
+
+def write_truth(folder: Path, truths: list[SceneTruth]) -> None:
+    """Write the truth of all frames into a recording's folder: tracks, visibility, body parts."""
+    counts = [len(truth) for truth in truths]
+    frame = np.repeat(np.arange(len(truths), dtype=np.int32), counts)
+    box = np.concatenate([truth.box for truth in truths])
+    position = np.concatenate([truth.position for truth in truths])
+    visibility = np.concatenate([truth.visibility for truth in truths])
+    columns = {
+        "frame": frame,
+        "track": np.concatenate([truth.track for truth in truths]),
+        "left": box[:, 0].round(2),
+        "top": box[:, 1].round(2),
+        "width": box[:, 2].round(2),
+        "height": box[:, 3].round(2),
+        "confidence": (visibility >= CARED_FOR).astype(np.float64),
+        "x": position[:, 0].round(4),
+        "y": position[:, 1].round(4),
+        "z": np.zeros(len(frame)),
+    }
+    write_mot(folder / "truth.txt", columns)
+    _write_visibility(folder / VISIBILITY, truths)
+    _write_parts(folder / TRUE_PARTS, truths)
+
+
+def _write_visibility(path: Path, truths: list[SceneTruth]) -> None:
+    with path.open("w", encoding="utf-8", newline="\n") as stream:
+        stream.write(",".join(VISIBILITY_COLUMNS) + "\n")
+        for frame, truth in enumerate(truths):
+            for track, share in zip(truth.track, truth.visibility, strict=True):
+                stream.write(f"{frame},{track},{share:.4f}\n")
+
+
+def _write_parts(path: Path, truths: list[SceneTruth]) -> None:
+    with path.open("w", encoding="utf-8", newline="\n") as stream:
+        stream.write(",".join(TRUE_PART_COLUMNS) + "\n")
+        for frame, truth in enumerate(truths):
+            for row, track in enumerate(truth.track):
+                for part, name in enumerate(PART_WORDS):
+                    box = ",".join(f"{value:.2f}" for value in truth.part_box[row, part])
+                    pixels = truth.part_pixels[row, part]
+                    stream.write(f"{frame},{track},{name},{box},{pixels}\n")

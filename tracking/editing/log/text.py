@@ -9,7 +9,9 @@ from __future__ import annotations
 import base64
 import binascii
 import json
+import threading
 import zlib
+from collections import OrderedDict
 from collections.abc import Mapping
 from typing import Any
 
@@ -18,16 +20,16 @@ from numpy.typing import NDArray
 
 from tracking.editing.core.change import Change, State, no_rows, no_stretches
 from tracking.editing.log.label_text import labels_as_json, labels_from_json
-from tracking.editing.log.recent import RecentStates
 from tracking.errors import EditError
 from tracking.tracks import CORRECTED_COLUMNS, Columns, check_tracks, row_keys
 
 LARGEST_TEXT = 2**28
 """Characters: some three million rows that a tracker made."""
 LARGEST_ROWS = 20_000_000
-_RECENT = RecentStates()
 _SAMPLE_ROWS = 20_000
 _ROW_BYTES = sum(dtype.itemsize for dtype in CORRECTED_COLUMNS.values())
+_MOST, _CHARACTERS = 8, 32_000_000
+"""Recent states that are kept, and their characters in all: some 500,000 rows."""
 
 
 def state_as_text(state: State) -> str:
@@ -204,3 +206,40 @@ def _inflated(packed: str, size: int) -> bytes:
     if len(plain) != size or not inflater.eof:
         raise EditError(f"the rows of an edit in the log are damaged: not {size} bytes")
     return plain
+
+
+class RecentStates:
+    """A few states, so that an edit of a whole track is not unpacked again while it is made.
+
+    Whoever is given one must not write into its arrays. Used from any thread.
+    """
+
+    def __init__(self) -> None:
+        """None is known."""
+        self._states: OrderedDict[str, State] = OrderedDict()
+        self._lock = threading.Lock()
+
+    def get(self, text: str) -> State | None:
+        """The state of a text, where it is known."""
+        if len(text) > _CHARACTERS:
+            return None
+        with self._lock:
+            state = self._states.get(text)
+            if state is not None:
+                self._states.move_to_end(text)
+        return state
+
+    def put(self, text: str, state: State) -> None:
+        """Know the state a text stands for, and forget the one asked for longest ago."""
+        if len(text) > _CHARACTERS:
+            return
+        for array in (state.stretches, *state.rows.values()):
+            array.flags.writeable = False
+        with self._lock:
+            self._states[text] = state
+            self._states.move_to_end(text)
+            while len(self._states) > _MOST or sum(map(len, self._states)) > _CHARACTERS:
+                self._states.popitem(last=False)
+
+
+_RECENT = RecentStates()
