@@ -73,7 +73,7 @@ two-programs: $(STAMP) ## two programs on one session whose lock is removed by h
 mutants: $(STAMP) ## damaged files of each kind through the real command, 10,000 of each (days)
 	$(BIN)/python -m tests.sweeps.mutants
 
-hostile: $(STAMP) ## 200 files and folders made to harm, each through the real command (five minutes)
+hostile: $(STAMP) ## 300 files and folders made to harm, each through the real command (five minutes)
 	$(BIN)/python -m tests.sweeps.hostile
 
 soak: $(STAMP) ## 10,000 steps of correcting in the real window (an hour)
@@ -94,9 +94,8 @@ model: $(STAMP) ## sessions against a plain list of states, 10,000 runs of 50 st
 peers: $(STAMP) ## the programs we compare with, each in an environment of its own under build/peers
 	$(BIN)/python -m tests.peers
 
-scorers: $(STAMP) ## scores against TrackEval's and py-motmetrics' on 400 random sequences (five minutes; after make peers)
-	$(BIN)/python tests/sweeps/scorers.py
-	$(BIN)/python -m tests.sweeps.scored_files
+scorers: $(STAMP) ## scores against TrackEval's and py-motmetrics' on 480 random sequences (five minutes; after make peers)
+	$(BIN)/python -m tests.sweeps.scorers
 
 interchange: $(STAMP) ## other tools read what is written, and the other way round (after make peers)
 	$(BIN)/python -m tests.sweeps.formats

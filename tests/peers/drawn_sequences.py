@@ -13,6 +13,8 @@ from tracking.scoring import ScoringTable
 Sequence = tuple[np.ndarray, np.ndarray]
 """Truth and result, each (n, 9) by `sequences.COLUMNS`, sorted by frame."""
 
+GHOSTS = 900
+"""The first id of those that a made-up tracker imagines."""
 _TIES = st.tuples(st.integers(0, 8), st.integers(0, 3), st.integers(3, 9), st.integers(3, 9))
 
 
@@ -74,7 +76,7 @@ def walking(generator: np.random.Generator, people: int, frames: int, noise_px: 
     result = _stacked(frame, named, found, generator.uniform(0.2, 1.0, len(frame)))[seen]
     ghosts = _stacked(
         generator.integers(0, frames, frames // 3),
-        900 + np.arange(frames // 3),
+        GHOSTS + np.arange(frames // 3),
         generator.uniform(5, 200, (frames // 3, 4)),
         generator.uniform(0.1, 0.6, frames // 3),
     )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import shutil
 import subprocess
@@ -9,6 +10,7 @@ import sys
 import venv
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 HERE = Path(__file__).parent
 KEPT = HERE.parents[1] / "build" / "peers"
@@ -75,12 +77,21 @@ class Peer:
             raise RuntimeError(f"{self.name}: {script} failed: {why}")
         return ended.stdout
 
+    def told(self, script: str, *arguments: Path | str) -> Any:
+        """What a script says as JSON in its last line; its program may say other things first."""
+        return json.loads(self.run(script, *arguments).splitlines()[-1])
+
     @property
     def absent(self) -> str:
         """What to tell when it is not installed."""
-        return (
-            f"{self.name} is not installed: {Path(sys.executable).name} -m tests.peers {self.name}"
-        )
+        made_by = f"{Path(sys.executable).name} -m tests.peers {self.name}"
+        return f"{self.name} is not installed: {made_by}"
+
+
+def require(*peers: Peer) -> None:
+    """End the program with a line for each that is not installed."""
+    if absent := [peer.absent for peer in peers if not peer.installed]:
+        sys.exit("\n".join(absent))
 
 
 def _limited() -> tuple[str, ...]:
@@ -125,7 +136,8 @@ MOTPY = Peer("motpy", ("motpy==0.0.10", "filterpy==2.0.0", *_OLD_NUMPY))
 TRACKERS = Peer("trackers", ("trackers==2.6.1", "supervision==0.31.2", *_NEW_NUMPY))
 STONESOUP = Peer("stonesoup", ("stonesoup==1.9.1", *_NEW_NUMPY))
 
-SCORERS = (TRACKEVAL, MOTMETRICS, MOTRICS)
-OTHER_TOOLS = (DATUMARO, PYCOCOTOOLS, JUPEDSIM, SLEAP_IO, LABEL_STUDIO, X_ANYLABELING)
-FOLLOWERS = (NORFAIR, MOTPY, TRACKERS, STONESOUP)
-PEERS = {peer.name: peer for peer in (*SCORERS, *OTHER_TOOLS, *FOLLOWERS)}
+_ALL = (
+    *(TRACKEVAL, MOTMETRICS, MOTRICS, DATUMARO, PYCOCOTOOLS, JUPEDSIM, SLEAP_IO, LABEL_STUDIO),
+    *(X_ANYLABELING, NORFAIR, MOTPY, TRACKERS, STONESOUP),
+)
+PEERS = {peer.name: peer for peer in _ALL}

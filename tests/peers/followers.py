@@ -9,34 +9,26 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 from numpy.typing import NDArray
 
 from tests.peers.environments import MOTPY, NORFAIR, STONESOUP, TRACKERS, Peer
-from tests.peers.peer_runs import read_followed, write_detections
+from tests.peers.sequences import read_tables, write_tables
 
-Seen = tuple[int, float, NDArray[np.float64]]
-"""Frames, frames a second, and (n, 8) detections; see `following.SEEN`."""
+Seen = tuple[int, float, NDArray[Any]]
+"""Frames, frames a second, and (n, 8) detections; see `peer_runs.SEEN`."""
 
-Followed = tuple[NDArray[np.float64], NDArray[np.float64]]
-"""(n, 4) rows by `following.FOLLOWED`, and (frames,) seconds of processor time."""
+Followed = tuple[NDArray[Any], NDArray[Any]]
+"""(n, 4) rows by `peer_runs.FOLLOWED`, and (frames,) seconds of processor time."""
 
 Settings = Mapping[str, Any]
 
 
 @dataclass(frozen=True, slots=True)
 class Follower:
-    """A tracker of others.
-
-    Attributes:
-        name: as tables show it.
-        peer: the environment it lives in.
-        script: of this folder, that starts it.
-    """
+    """A tracker of others: its name in tables, and the environment it lives in."""
 
     name: str
     peer: Peer
-    script: str
 
     def follow(
         self, clips: Mapping[str, Seen], settings: Sequence[Settings]
@@ -48,21 +40,20 @@ class Follower:
         """
         with tempfile.TemporaryDirectory() as folder:
             given, told = Path(folder) / "given.npz", Path(folder) / "told.npz"
-            write_detections(given, clips)
+            write_tables(given, clips)
             asked = json.dumps([[self.name, dict(one)] for one in settings])
-            self.peer.run(self.script, given, told, asked)
-            followed: list[dict[str, Followed]] = read_followed(told)
+            self.peer.run("follow.py", given, told, asked)
+            followed: list[dict[str, Followed]] = read_tables(told)
         return followed
 
 
-STONESOUP_GNN = Follower("Stone Soup GNN", STONESOUP, "stonesoup_follows.py")
-
+STONESOUP_GNN = Follower("Stone Soup GNN", STONESOUP)
 FOLLOWERS = (
-    Follower("norfair", NORFAIR, "norfair_follows.py"),
-    Follower("motpy", MOTPY, "motpy_follows.py"),
-    Follower("SORT", TRACKERS, "trackers_follows.py"),
-    Follower("ByteTrack", TRACKERS, "trackers_follows.py"),
-    Follower("OC-SORT", TRACKERS, "trackers_follows.py"),
+    Follower("norfair", NORFAIR),
+    Follower("motpy", MOTPY),
+    Follower("SORT", TRACKERS),
+    Follower("ByteTrack", TRACKERS),
+    Follower("OC-SORT", TRACKERS),
     STONESOUP_GNN,
-    Follower("Stone Soup JPDA", STONESOUP, "stonesoup_follows.py"),
+    Follower("Stone Soup JPDA", STONESOUP),
 )

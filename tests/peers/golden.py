@@ -17,9 +17,10 @@ import numpy as np
 
 from tests.peers.drawn_sequences import Sequence, drawn
 from tests.peers.environments import MOTMETRICS, TRACKEVAL, Peer
-from tests.peers.sequences import write_sequences
+from tests.peers.sequences import write_tables
 
 KEPT = Path(__file__).parents[1] / "golden" / "scoring"
+SCRIPTS = {TRACKEVAL.name: "trackeval_scores.py", MOTMETRICS.name: "motmetrics_scores.py"}
 _DRAWN, _SEED = 12, 20261121
 _MOST_ROWS = 400
 _BOX = (10.0, 20.0, 8.0, 16.0)
@@ -36,22 +37,21 @@ def main() -> None:
     KEPT.mkdir(parents=True, exist_ok=True)
     rows = {name: [_short(side) for side in both] for name, both in sequences.items()}
     _write("sequences.json", rows)
-    _write("trackeval.json", told_by(TRACKEVAL, "trackeval_scores.py", sequences))
-    _write("py-motmetrics.json", told_by(MOTMETRICS, "motmetrics_scores.py", sequences))
+    _write("trackeval.json", told_by(TRACKEVAL, sequences))
+    _write("py-motmetrics.json", told_by(MOTMETRICS, sequences))
     if len(sys.argv) > 1:
         pairs = {folder.name: _pair(folder) for folder in sorted(Path(sys.argv[1]).iterdir())}
-        trackeval = told_by(TRACKEVAL, "trackeval_scores.py", pairs)["box"]
-        motmetrics = told_by(MOTMETRICS, "motmetrics_scores.py", pairs)["box"]
+        trackeval = told_by(TRACKEVAL, pairs)["box"]
+        motmetrics = told_by(MOTMETRICS, pairs)["box"]
         _write("public-pairs.json", {"trackeval": trackeval, "py-motmetrics": motmetrics})
 
 
-def told_by(peer: Peer, script: str, sequences: dict[str, Sequence]) -> dict[str, Any]:
-    """A peer's figures by way of matching and sequence."""
+def told_by(peer: Peer, sequences: dict[str, Sequence]) -> dict[str, Any]:
+    """A scorer's figures by way of matching and sequence."""
     with tempfile.TemporaryDirectory() as folder:
-        rows, figures = Path(folder) / "sequences.npz", Path(folder) / "figures.json"
-        write_sequences(rows, sequences)
-        peer.run(script, rows, figures)
-        told: dict[str, Any] = json.loads(figures.read_text(encoding="utf-8"))
+        rows = Path(folder) / "sequences.npz"
+        write_tables(rows, sequences)
+        told: dict[str, Any] = peer.told(SCRIPTS[peer.name], rows)
     return told
 
 

@@ -1,18 +1,18 @@
-"""py-motmetrics' figures: `motmetrics_scores.py SEQUENCES FIGURES`, in its own environment.
+"""py-motmetrics' figures: `motmetrics_scores.py SEQUENCES|mot FOLDER...`, in its own environment.
 
 Sequences are compared as its `eval_motchallenge` does it: don't-cares are left out of the truth
 when it is read, rows are matched at an overlap of one half; in a second run by distance on the
-floor, up to the radius. Sequences with an empty side are left out: it refuses them.
+floor, up to the radius. Sequences with an empty side are left out: it refuses them. Text files are
+read by its own reader.
 """
 
 import json
 import math
 import sys
 import warnings
-from pathlib import Path
 
 import pandas as pd
-from sequences import read_sequences
+from sequences import read_tables
 
 warnings.simplefilter("ignore")
 
@@ -44,24 +44,33 @@ def compared(truth, result, floor):
     return mm.utils.compare_to_groundtruth(truth, result, "iou", distth=0.5)
 
 
-def main():
-    """Measure every sequence, and all of them together."""
-    sequences = read_sequences(sys.argv[1])
-    told = {}
-    for way, floor in (("box", False), ("floor", True)):
-        names, found = [], []
-        for name, (truth, result) in sequences.items():
-            if (truth[:, 8] >= 1).any() and len(result):
-                names.append(name)
-                found.append(compared(table(truth), table(result), floor))
-        summary = mm.metrics.create().compute_many(
-            found, names=names, metrics=FIGURES, generate_overall=True
-        )
-        told[way] = {
-            str(name): {figure: plain(row[figure]) for figure in FIGURES}
-            for name, row in summary.iterrows()
-        }
-    Path(sys.argv[2]).write_text(json.dumps(told), encoding="utf-8")
+def measured(names, found):
+    """The figures of each sequence by its name, and of all of them together."""
+    summary = mm.metrics.create().compute_many(
+        found, names=names, metrics=FIGURES, generate_overall=True
+    )
+    return {
+        str(name): {figure: plain(row[figure]) for figure in FIGURES}
+        for name, row in summary.iterrows()
+    }
+
+
+def of_sequences(sequences, floor):
+    """Figures of the sequences it does not refuse."""
+    counted = {
+        name: pair
+        for name, pair in sequences.items()
+        if (pair[0][:, 8] >= 1).any() and len(pair[1])
+    }
+    pairs = [[table(side) for side in pair] for pair in counted.values()]
+    return measured(list(counted), [compared(*pair, floor) for pair in pairs])
+
+
+def of_files(folder):
+    """Figures of the sequence in a folder's `truth` and `trackers/ours`."""
+    truth = mm.io.loadtxt(f"{folder}/truth/lobby/gt/gt.txt", min_confidence=1)
+    ours = mm.io.loadtxt(f"{folder}/trackers/ours/data/lobby.txt")
+    return measured(["lobby"], [compared(truth, ours, False)])["lobby"]
 
 
 def plain(value):
@@ -71,4 +80,9 @@ def plain(value):
 
 
 if __name__ == "__main__":
-    main()
+    if sys.argv[1] == "mot":
+        print(json.dumps([of_files(folder) for folder in sys.argv[2:]]))
+    else:
+        sequences = read_tables(sys.argv[1])
+        told = {way: of_sequences(sequences, way == "floor") for way in ("box", "floor")}
+        print(json.dumps(told))

@@ -1,16 +1,12 @@
-"""motrics' time and memory: `motrics_timed.py SEQUENCES`, in its own environment.
+"""motrics' time and memory, in its own environment; see `timed.print_timed`.
 
 From boxes in memory by frame, in the form that it need not copy: everything it measures at once.
 """
 
-import json
-import sys
-import time
-
 import motrics
 import numpy as np
-from peaks import forget_peak, peak_kib
-from sequences import by_frame, read_sequences
+from sequences import by_frame
+from timed import print_timed
 
 
 def side(rows, frames):
@@ -21,20 +17,17 @@ def side(rows, frames):
     return motrics.Frames([part[:, 1].astype(int).tolist() for part in parts], corners)
 
 
-def main():
-    """Print the time, the peak of memory and three figures."""
-    ((truth, result),) = read_sequences(sys.argv[1]).values()
+def prepare(truth, result):
+    """Both sides."""
     frames = 1 + int(max(truth[-1, 0], result[-1, 0]))
     people, tracks = side(truth, frames), side(result, frames)
-    del truth, result
-    forget_peak()
-    begun = time.process_time()
-    found = motrics.evaluate(people, tracks)
-    taken = time.process_time() - begun
-    peak = peak_kib()
-    figures = {"MOTA": found.clear.mota, "IDF1": found.identity.idf1, "HOTA": found.hota.hota}
-    print(json.dumps({"seconds": taken, "peak_kib": peak} | figures))
+
+    def measure():
+        found = motrics.evaluate(people, tracks)
+        return found.clear.mota, found.identity.idf1, found.hota.hota
+
+    return measure
 
 
 if __name__ == "__main__":
-    main()
+    print_timed(prepare)

@@ -1,39 +1,36 @@
-"""Our time and memory for a sequence: `python -m tests.peers.ours_timed SEQUENCES`.
+"""Our time and memory: `python -m tests.peers.ours_timed SEQUENCES`; see `timed.print_timed`.
 
 From tables in memory, as the peers from their own form of the rows: every measure there is.
 """
 
 from __future__ import annotations
 
-import json
 import sys
-import time
+from collections.abc import Callable
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent))
 
 import numpy as np
+from sequences import COLUMNS
+from timed import print_timed
 
-from tests.peers.peaks import forget_peak, peak_kib
-from tests.peers.sequences import COLUMNS, read_sequences
 from tracking.scoring import ScoringTable, score
 
 
-def main() -> None:
-    """Print the time, the peak of memory and three figures."""
-    ((truth, result),) = read_sequences(sys.argv[1]).values()
-    people, tracks = _table(truth), _table(result)
-    del truth, result
-    forget_peak()
-    begun = time.process_time()
-    found = score(people, tracks)
-    taken = time.process_time() - begun
-    peak = peak_kib()
-    figures = {"MOTA": found.clear.mota, "IDF1": found.identity.idf1, "HOTA": found.hota.hota}
-    print(json.dumps({"seconds": taken, "peak_kib": peak} | figures))
-
-
-def _table(rows: np.ndarray) -> ScoringTable:
+def prepare(truth: np.ndarray, result: np.ndarray) -> Callable[[], tuple[float, float, float]]:
     """Boxes only: neither peer looks at places or confidences."""
-    return ScoringTable.from_columns(dict(zip(COLUMNS[:6], rows[:, :6].T, strict=True)))
+    people, tracks = (
+        ScoringTable.from_columns(dict(zip(COLUMNS[:6], rows[:, :6].T, strict=True)))
+        for rows in (truth, result)
+    )
+
+    def measure() -> tuple[float, float, float]:
+        found = score(people, tracks)
+        return found.clear.mota, found.identity.idf1, found.hota.hota
+
+    return measure
 
 
 if __name__ == "__main__":
-    main()
+    print_timed(prepare)

@@ -10,59 +10,17 @@ from pathlib import Path
 
 import numpy as np
 
+sys.path.insert(0, str(Path(__file__).parent))
+
+from sequences import by_frame, read_tables, write_tables
+
 SEEN = ("frame", "left", "top", "width", "height", "x", "y", "merged")
 """Of a detection; frames and pixels from 0, metres on the floor; 1 where a region may be several
-people's."""
+people's. Clips are {name: (frames, frames a second, (n, 8) by `SEEN`, sorted by frame)}."""
 
 FOLLOWED = ("frame", "track", "x", "y")
 """Of a row that a tracker gives."""
-
-
-def write_detections(path, clips):
-    """Write {name: (frames, frames a second, (n, 8) by `SEEN`, sorted by frame)}."""
-    names = list(clips)
-    arrays = {f"{at}/seen": np.asarray(clips[name][2], float) for at, name in enumerate(names)}
-    told = json.dumps([(name, int(clips[name][0]), float(clips[name][1])) for name in names])
-    with Path(path).open("wb") as stream:
-        np.savez(stream, clips=np.array(told), **arrays)
-
-
-def read_detections(path):
-    """Read what `write_detections` wrote."""
-    with np.load(path, allow_pickle=False) as archive:
-        return {
-            name: (frames, fps, archive[f"{at}/seen"].reshape(-1, len(SEEN)))
-            for at, (name, frames, fps) in enumerate(json.loads(str(archive["clips"])))
-        }
-
-
-def write_followed(path, results):
-    """Write {name: ((n, 4) by `FOLLOWED`, (frames,) seconds of processor time)}, a list of such."""
-    names = [list(one) for one in results]
-    arrays = {
-        f"{number}/{at}": np.asarray(one[name][0], float).reshape(-1, len(FOLLOWED))
-        for number, one in enumerate(results)
-        for at, name in enumerate(one)
-    }
-    seconds = {
-        f"{number}/{at}/seconds": np.asarray(one[name][1], float)
-        for number, one in enumerate(results)
-        for at, name in enumerate(one)
-    }
-    with Path(path).open("wb") as stream:
-        np.savez(stream, names=np.array(json.dumps(names)), **arrays, **seconds)
-
-
-def read_followed(path):
-    """Read what `write_followed` wrote."""
-    with np.load(path, allow_pickle=False) as archive:
-        return [
-            {
-                name: (archive[f"{number}/{at}"], archive[f"{number}/{at}/seconds"])
-                for at, name in enumerate(one)
-            }
-            for number, one in enumerate(json.loads(str(archive["names"])))
-        ]
+write_followed, read_followed = write_tables, read_tables
 
 
 def follow(start, seen, frames, fps, settings):
@@ -76,12 +34,11 @@ def follow(start, seen, frames, fps, settings):
     """
     if not settings["with_merged"]:
         seen = seen[seen[:, 7] == 0]
-    at = np.searchsorted(seen[:, 0], np.arange(frames + 1))
     numbers, rows, taken = {}, [], []
     step = start(settings, fps)
-    for frame in range(frames):
+    for frame, given in enumerate(by_frame(seen, frames)):
         begun = time.process_time()
-        for name, (x, y) in step(frame, seen[at[frame] : at[frame + 1]]):
+        for name, (x, y) in step(frame, given):
             rows.append((frame, numbers.setdefault(name, len(numbers) + 1), float(x), float(y)))
         taken.append(time.process_time() - begun)
     return np.array(rows).reshape(-1, len(FOLLOWED)), np.array(taken)
@@ -93,14 +50,12 @@ def main(starts):
     Args:
         starts: what to start (see `follow`) by its name.
     """
-    clips = read_detections(sys.argv[1])
-    write_followed(
-        sys.argv[2],
-        [
-            {
-                name: follow(starts[tracker], seen, frames, fps, settings)
-                for name, (frames, fps, seen) in clips.items()
-            }
-            for tracker, settings in json.loads(sys.argv[3])
-        ],
-    )
+    clips = read_tables(sys.argv[1])
+    results = [
+        {
+            name: follow(starts[tracker], seen, frames, fps, settings)
+            for name, (frames, fps, seen) in clips.items()
+        }
+        for tracker, settings in json.loads(sys.argv[3])
+    ]
+    write_tables(sys.argv[2], results)

@@ -1,10 +1,13 @@
-"""TrackEval's figures: `trackeval_scores.py SEQUENCES FIGURES`, in TrackEval's environment.
+"""TrackEval's figures: `trackeval_scores.py SEQUENCES|mot|kitti FOLDER...`, in its environment.
 
 Every sequence is handed to TrackEval's own preparation of MOTChallenge sequences and to its
 metrics with their default settings, don't-cares as distractors. Rows are matched by boxes and,
 in a second run, by distance on the floor. Track-mAP is given the tracks as its TAO data set does.
+Text files are read by TrackEval's own data sets.
 """
 
+import contextlib
+import io
 import json
 import math
 import sys
@@ -12,11 +15,11 @@ import warnings
 from pathlib import Path
 
 import numpy as np
-from sequences import by_frame, read_sequences
+from sequences import by_frame, read_tables
 
 warnings.simplefilter("ignore")
 
-from trackeval.datasets import MotChallenge2DBox  # noqa: E402
+from trackeval.datasets import Kitti2DBox, MotChallenge2DBox  # noqa: E402
 from trackeval.metrics import CLEAR, HOTA, Count, Identity, TrackMAP  # noqa: E402
 
 RADIUS_M = 0.5
@@ -68,24 +71,19 @@ def boxes(rows):
 
 
 def whole_tracks(data):
-    """The tracks for Track-mAP, as the TAO data set makes them."""
+    """The tracks for Track-mAP, as the TAO data set makes them; the surest results come first."""
     found = {"iou_type": "bbox"}
-    for side, sources in (("gt", "gt"), ("dt", "tracker")):
-        tracks, confidences = {}, {}
-        rows = zip(data[f"{sources}_ids"], data[f"{sources}_dets"], strict=True)
-        for frame, (ids, dets) in enumerate(rows):
-            for number, box in zip(ids.tolist(), dets, strict=True):
-                tracks.setdefault(number, {})[frame] = box
+    for side, source in (("gt", "gt"), ("dt", "tracker")):
+        tracks, sure = {}, {}
+        for frame, (ids, dets) in enumerate(
+            zip(data[f"{source}_ids"], data[f"{source}_dets"], strict=True)
+        ):
+            for at, number in enumerate(ids.tolist()):
+                tracks.setdefault(number, {})[frame] = dets[at]
                 if side == "dt":
-                    at = data["tracker_ids"][frame].tolist().index(number)
-                    confidences.setdefault(number, []).append(
-                        data["tracker_confidences"][frame][at]
-                    )
-        order = sorted(tracks)
-        if side == "dt":
-            scores = {number: float(np.mean(confidences[number])) for number in order}
-            order = sorted(order, key=lambda number: -scores[number])
-            found["dt_track_scores"] = [scores[number] for number in order]
+                    sure.setdefault(number, []).append(data["tracker_confidences"][frame][at])
+        scores = {number: float(np.mean(each)) for number, each in sure.items()}
+        order = sorted(tracks, key=lambda number: (-scores.get(number, 0.0), number))
         found[f"{side}_tracks"] = [tracks[number] for number in order]
         found[f"{side}_track_ids"] = [number + 1 for number in order]
         found[f"{side}_track_lengths"] = [len(tracks[number]) for number in order]
@@ -93,12 +91,9 @@ def whole_tracks(data):
             sum(box[2] * box[3] for box in tracks[number].values()) / len(tracks[number])
             for number in order
         ]
+        if side == "dt":
+            found["dt_track_scores"] = [scores[number] for number in order]
     return found
-
-
-def measured(metrics, data):
-    """Each metric's own result of a sequence."""
-    return {name: metric.eval_sequence(data) for name, metric in metrics.items()}
 
 
 def plain(value):
@@ -118,36 +113,60 @@ def figures(metrics, results):
     }
 
 
-def main():
-    """Measure every sequence and all of them combined."""
-    sequences = read_sequences(sys.argv[1])
-    made = dataset()
-    quiet = {"PRINT_CONFIG": False}
-    clear = {"CLEAR": CLEAR(dict(quiet, THRESHOLD=0.5))}
-    clear |= {"Identity": Identity(dict(quiet, THRESHOLD=0.5)), "HOTA": HOTA(), "Count": Count()}
-    told = {"box": {}, "floor": {}}
-    for way, floor in (("box", False), ("floor", True)):
-        metrics = dict(clear) if floor else {**clear, "TrackMAP": TrackMAP(dict(quiet))}
-        results = {}
-        for name, (truth, result) in sequences.items():
-            data = made.get_preprocessed_seq_data(raw(made, truth, result, floor), "pedestrian")
-            results[name] = measured(metrics, {**data, **({} if floor else whole_tracks(data))})
-            one = {"TrackMAP": {name: results[name]["TrackMAP"]}} if not floor else {}
-            for metric, parts in one.items():
-                # A sequence's own Track-mAP is that of a set with one sequence.
-                results[name][f"{metric} alone"] = metrics[metric].combine_sequences(parts)
-        for name, found in results.items():
-            alone = dict(found)
-            if not floor:
-                alone["TrackMAP"] = found["TrackMAP alone"]
-            told[way][name] = figures(metrics, alone)
-        combined = {
-            name: metric.combine_sequences({seq: found[name] for seq, found in results.items()})
-            for name, metric in metrics.items()
-        }
-        told[way]["COMBINED_SEQ"] = figures(metrics, combined)
-    Path(sys.argv[2]).write_text(json.dumps(told), encoding="utf-8")
+def of_sequences(sequences, floor):
+    """Figures of every sequence and of all of them combined."""
+    metrics, made, results = metrics_of(floor), dataset(), {}
+    for name, (truth, result) in sequences.items():
+        data = made.get_preprocessed_seq_data(raw(made, truth, result, floor), "pedestrian")
+        data |= {} if floor else whole_tracks(data)
+        results[name] = {one: metric.eval_sequence(data) for one, metric in metrics.items()}
+    told = {
+        name: figures(metrics, with_track_map(metrics, found)) for name, found in results.items()
+    }
+    combined = {
+        one: metric.combine_sequences({name: found[one] for name, found in results.items()})
+        for one, metric in metrics.items()
+    }
+    return told | {"COMBINED_SEQ": figures(metrics, combined)}
+
+
+def metrics_of(floor):
+    """The metrics by name."""
+    quiet = {"PRINT_CONFIG": False, "THRESHOLD": 0.5}
+    found = {"CLEAR": CLEAR(quiet), "Identity": Identity(quiet), "HOTA": HOTA(), "Count": Count()}
+    return found if floor else found | {"TrackMAP": TrackMAP({"PRINT_CONFIG": False})}
+
+
+def with_track_map(metrics, found):
+    """A sequence's own Track-mAP is that of a set with one sequence."""
+    if "TrackMAP" not in metrics:
+        return found
+    return found | {"TrackMAP": metrics["TrackMAP"].combine_sequences({"": found["TrackMAP"]})}
+
+
+def of_files(kind, folder):
+    """Figures of the sequence in a folder's `truth` and `trackers/ours`."""
+    places = {"GT_FOLDER": f"{folder}/truth", "TRACKERS_FOLDER": f"{folder}/trackers"}
+    config = {**places, "TRACKERS_TO_EVAL": ["ours"], "PRINT_CONFIG": False}
+    with contextlib.redirect_stdout(io.StringIO()):
+        if kind == "kitti":
+            made, name = Kitti2DBox(config), "0000"
+        else:
+            benchmark, name = Path(folder, "benchmark").read_text(), "lobby"
+            config |= {"BENCHMARK": benchmark, "SKIP_SPLIT_FOL": True, "SEQ_INFO": {name: None}}
+            made = MotChallenge2DBox(config)
+        data = made.get_preprocessed_seq_data(made.get_raw_seq_data("ours", name), "pedestrian")
+        metrics = metrics_of(floor=True)
+        return figures(metrics, {one: each.eval_sequence(data) for one, each in metrics.items()})
 
 
 if __name__ == "__main__":
-    main()
+    if sys.argv[1] in ("mot", "kitti"):
+        print(json.dumps([of_files(sys.argv[1], folder) for folder in sys.argv[2:]]))
+    else:
+        sequences = read_tables(sys.argv[1])
+        print(
+            json.dumps(
+                {"box": of_sequences(sequences, False), "floor": of_sequences(sequences, True)}
+            )
+        )

@@ -1,17 +1,14 @@
-"""TrackEval's time and memory: `trackeval_timed.py SEQUENCES`, in TrackEval's environment.
+"""TrackEval's time and memory, in its own environment; see `timed.print_timed`.
 
 From boxes in memory by frame, with ids already numbered from 0: overlaps, CLEAR, identity, HOTA.
 Its reading and preparing of a sequence, which takes longer than that, is left out.
 """
 
-import json
-import sys
-import time
 import warnings
 
 import numpy as np
-from peaks import forget_peak, peak_kib
-from sequences import by_frame, read_sequences
+from sequences import by_frame
+from timed import print_timed
 
 warnings.simplefilter("ignore")
 
@@ -27,33 +24,27 @@ def side(rows, frames):
     return ids, [part[:, 2:6] + [1.0, 1.0, 0.0, 0.0] for part in parts], int(rows[:, 1].max()) + 1
 
 
-def main():
-    """Print the time, the peak of memory and three figures."""
-    ((truth, result),) = read_sequences(sys.argv[1]).values()
+def prepare(truth, result):
+    """Both sides, and the metrics."""
     frames = 1 + int(max(truth[-1, 0], result[-1, 0]))
-    truth_rows, result_rows = len(truth), len(result)
     people, boxes, people_count = side(truth, frames)
     tracks, found, track_count = side(result, frames)
-    del truth, result
-    quiet = {"PRINT_CONFIG": False}
-    metrics = [CLEAR(dict(quiet, THRESHOLD=0.5)), Identity(dict(quiet, THRESHOLD=0.5)), HOTA()]
-    forget_peak()
-    begun = time.process_time()
-    ious = MotChallenge2DBox._calculate_box_ious
-    data = {
-        "num_timesteps": frames, "gt_ids": people, "tracker_ids": tracks,
-        "num_gt_ids": people_count, "num_tracker_ids": track_count,
-        "num_gt_dets": truth_rows, "num_tracker_dets": result_rows,
-        "similarity_scores": [ious(a, b) for a, b in zip(boxes, found, strict=True)],
-    }  # fmt: skip
-    results = {}
-    for metric in metrics:
-        results |= metric.eval_sequence(data)
-    taken = time.process_time() - begun
-    peak = peak_kib()
-    figures = {name: float(np.mean(results[name])) for name in ("MOTA", "IDF1", "HOTA")}
-    print(json.dumps({"seconds": taken, "peak_kib": peak} | figures))
+    data = {"num_timesteps": frames, "gt_ids": people, "tracker_ids": tracks}
+    data |= {"num_gt_ids": people_count, "num_tracker_ids": track_count}
+    data |= {"num_gt_dets": len(truth), "num_tracker_dets": len(result)}
+    config = {"PRINT_CONFIG": False, "THRESHOLD": 0.5}
+    metrics = [CLEAR(config), Identity(config), HOTA()]
+
+    def measure():
+        ious, told = MotChallenge2DBox._calculate_box_ious, {}
+        pairs = zip(boxes, found, strict=True)
+        whole = data | {"similarity_scores": [ious(a, b) for a, b in pairs]}
+        for metric in metrics:
+            told |= metric.eval_sequence(whole)
+        return [np.mean(told[name]) for name in ("MOTA", "IDF1", "HOTA")]
+
+    return measure
 
 
 if __name__ == "__main__":
-    main()
+    print_timed(prepare)

@@ -5,19 +5,20 @@ What takes long to import is imported by whoever forks; `run` is then called as 
 
 from __future__ import annotations
 
+import importlib
 import os
+import pkgutil
 import re
 import resource
 import select
 import signal
-import sys
 import time
-import traceback
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from tests.sweeps.runner import slowdown
+import app.cli
+from tests.sweeps.runner import forked, slowdown
 
 LONGEST_S = 10.0
 """Of processor time, or of waiting for something that does not come: machines are shared."""
@@ -60,21 +61,9 @@ def preload() -> None:
     """Import what commands need, so that forks have it."""
     import cv2
 
-    import app.__main__
-    import app.cli.commands
-    import app.cli.count
-    import app.cli.export
-    import app.cli.import_labels
-    import app.cli.import_tracks
-    import app.cli.imported_session
-    import app.cli.info
-    import app.cli.log
-    import app.cli.restore
-    import app.cli.score
-    import app.cli.track
-    import app.cli.train  # noqa: F401
-    import tracking.session  # noqa: F401
-
+    for each in pkgutil.walk_packages(app.cli.__path__, "app.cli."):
+        importlib.import_module(each.name)
+    importlib.import_module("app.__main__")
     cv2.setNumThreads(1)  # threads do not come along into a fork
 
 
@@ -93,43 +82,35 @@ def in_child(work: Callable[[], int], folder: Path, longest_s: float = LONGEST_S
     """Do work in a fork with limits on time, memory and size of files."""
     said = folder / "stdout.txt", folder / "stderr.txt"
     first = resident_bytes()
-    pid = begin(work, said)
-    return ended(pid, said, first, longest_s)
+    return outcome_of(begin(work, said), said, first, longest_s)
 
 
 def begin(work: Callable[[], int], said: tuple[Path, Path]) -> int:
     """Fork off the work; gives the process, which leads a group of its own."""
-    sys.stdout.flush()
-    handles = _handles(said)
-    pid = os.fork()
-    if pid:
-        for handle in handles:
-            os.close(handle)
-        return pid
-    status = 99
-    try:
+    # Opened here, where no fault is put into the calls.
+    written = os.O_WRONLY | os.O_CREAT | os.O_TRUNC
+    outputs = (os.open(file, written, 0o600) for file in said)
+    handles = os.open(os.devnull, os.O_RDONLY), *outputs
+
+    def limited() -> int:
         os.setsid()
         for number, handle in enumerate(handles):
             os.dup2(handle, number)
         _limit()
         signal.signal(signal.SIGTERM, signal.default_int_handler)
-        status = work()
-    except SystemExit as stop:
-        status = stop.code if isinstance(stop.code, int) else 1
-    except BaseException:
-        traceback.print_exc()
-    finally:
-        sys.stdout.flush()
-        sys.stderr.flush()
-        os._exit(status)
+        return work()
+
+    pid = forked(limited)
+    for handle in handles:
+        os.close(handle)
+    return pid
 
 
-def ended(pid: int, said: tuple[Path, Path], first: int, longest_s: float) -> Outcome:
+def outcome_of(pid: int, said: tuple[Path, Path], first: int, longest_s: float) -> Outcome:
     """Wait for a process, and kill its group where it takes far too long."""
     began_s, watched = time.monotonic(), os.pidfd_open(pid)
-    waits, slow = select.poll(), slowdown()
-    waits.register(watched, select.POLLIN)
-    hung = not waits.poll(1000 * slow * max(_KILLED_AFTER_S, longest_s))
+    slow = slowdown()
+    hung = not select.select([watched], [], [], slow * max(_KILLED_AFTER_S, longest_s))[0]
     os.close(watched)
     if hung:
         os.killpg(pid, signal.SIGKILL)
@@ -165,13 +146,6 @@ def _raw(outcome: Outcome) -> bool:
     return any(_CONTROLS.search(line) for line in lines)
 
 
-def _handles(said: tuple[Path, Path]) -> tuple[int, int, int]:
-    """The process's input and outputs, opened where no fault is put into the calls."""
-    written = os.O_WRONLY | os.O_CREAT | os.O_TRUNC
-    outputs = (os.open(file, written, 0o600) for file in said)
-    return os.open(os.devnull, os.O_RDONLY), *outputs
-
-
 def _limit() -> None:
     limits = (resource.RLIMIT_AS, _ADDRESS_BYTES), (resource.RLIMIT_FSIZE, _FILE_BYTES)
     for kind, most in (*limits, (resource.RLIMIT_CORE, 0)):
@@ -184,7 +158,10 @@ def _beginning(file: Path) -> str:
         return stream.read(_READ_BYTES).decode(errors="replace")
 
 
-def resident_bytes() -> int:
-    """What this process has in memory now."""
-    pages = int(Path("/proc/self/statm").read_text().split()[1])
+def resident_bytes(pid: int | str = "self") -> int:
+    """What a process has in memory now; 0 once it is gone."""
+    try:
+        pages = int(Path(f"/proc/{pid}/statm").read_text().split()[1])
+    except (OSError, IndexError):
+        return 0
     return pages * resource.getpagesize()

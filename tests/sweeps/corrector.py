@@ -10,7 +10,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).parents[1] / "session"))
 
 from kill_points import take_step
-from made_up_sessions import make_recording, make_run
+from made_up_sessions import FRAMES
 
 from tests.sweeps.session_state import state
 from tracking.formats import FORMATS, Filmed
@@ -22,19 +22,6 @@ from tracking.session import (
     fit_to_recording,
     take_into,
 )
-
-FRAMES = 40
-_IMPORTED_ROWS = 12
-
-
-def made_session(folder: Path) -> Path:
-    """A session of made-up tracks, and a MOT file beside it to import; closed."""
-    recording = make_recording(folder / "recording")
-    path = folder / "s.h5"
-    Session.create(recording, [make_run()], path).close()
-    boxes = "".join(f"{n + 1},7,{n}.5,20,30,60,1,-1,-1,-1\n" for n in range(_IMPORTED_ROWS))
-    (folder / "tracks.txt").write_text(boxes)
-    return path
 
 
 class Corrector:

@@ -4,8 +4,8 @@
 of the session's folder; then once for each of those calls and each error it may give, with that one
 call failing (`strace --inject`). Whatever fails: no traceback, no hang, one clear line where a
 command ends, no acknowledged edit lost, nothing half-written under a final name, and a program that
-goes on can edit and save again. All calls that write come first, then those that read, in random
-order; --runs is the most faults of a scenario.
+goes on can edit and save again. The scenarios take turns; of each, all calls that write come first,
+then those that read, in random order.
 
 Left out: `close`, since the system closes the handle even where it fails, and `fcntl`, since EACCES
 says there that another program holds a lock.
@@ -13,22 +13,22 @@ says there that another program holds a lock.
 
 from __future__ import annotations
 
-import argparse
 import contextlib
 import os
 import random
 import shutil
 import sys
 from collections import Counter
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 from functools import partial
+from itertools import zip_longest
 from pathlib import Path
 
 from tests.sweeps.command import Outcome, complaint, preload
-from tests.sweeps.corrector import made_session
-from tests.sweeps.runner import Findings, asked_plan, emptied, sweep
+from tests.sweeps.runner import Worker, emptied, sweep
 from tests.sweeps.session_state import Said, look, state
+from tests.sweeps.sessions import made_session
 from tests.sweeps.system_calls import calls, check, traced
 from tracking.editing import plan_rename, plan_swap
 from tracking.errors import TrackwrightError
@@ -41,8 +41,8 @@ _WRITING = (
     *("renameat2", "unlink", "unlinkat", "link", "linkat", "mkdir", "mkdirat", "rmdir", "chmod"),
     *("fchmod", "fchmodat", "sendfile", "copy_file_range", "utimensat"),
 )
-_ERRORS_READING = ("EIO", "EINTR", "EACCES")
-_ERRORS_WRITING = ("ENOSPC", "EIO", "EINTR", "EACCES", "EROFS")
+_ERRORS = ("ENOSPC", "EIO", "EINTR", "EACCES", "EROFS")
+"""Of calls that write; those that read give the three in the middle."""
 _STATUS_NO_RECOVERY = 97
 
 
@@ -76,29 +76,27 @@ class Fault:
         return f"inject={self.call}:error={self.error}:when={self.number}"
 
 
-def main() -> int:
-    """Fail each call; the exit status."""
-    check()
-    plan, asked = asked_plan(__doc__, 1 << 30, add_options)
-    names = [name for name in SCENARIOS if asked.only in ("", name)]
+def attack(worker: Worker) -> Iterator[str]:
+    """List the calls of all scenarios, and fail one a run: one scenario after the other in turn."""
     preload()
-
-    def work(folder: Path, numbers: Sequence[int], findings: Findings) -> None:
-        turn = numbers[0]
-        for name in names:
-            faults = in_turn(list(faults_of(name, folder, findings)), plan.seed)
-            for number, fault in enumerate(faults[: plan.runs]):
-                if number % plan.workers == turn and not findings.is_over:
-                    fail_once(name, fault, folder, findings)
-
-    # Every worker lists the calls for itself and takes its share of them.
-    workers = replace(plan, runs=plan.workers)
-    return sweep("failed_calls", workers, work)
-
-
-def add_options(parser: argparse.ArgumentParser) -> None:
-    """Which scenario; --runs is the most faults of each."""
-    parser.add_argument("--only", default="", help=f"one of: {', '.join(SCENARIOS)}")
+    names = [name for name in SCENARIOS if worker.asked.only in ("", name)]
+    lists = [
+        [(name, fault) for fault in in_turn(faults_of(name, worker), worker.asked.seed)]
+        for name in names
+    ]
+    turns = zip_longest(*lists)
+    for name, fault in worker.of([one for turn in turns for one in turn if one is not None]):
+        path, said, scenario = made(worker.folder), worker.folder / "said", SCENARIOS[name]
+        if scenario.restores:
+            say_coming(path, said)
+        options = ("-e", f"trace={fault.call}", "-e", fault.option)
+        outcome, report = traced(partial(scenario.work, path, said), worker.folder, options)
+        worker.count(f"faults of {name}")
+        worker.count("ended with an error in one line", outcome.status == 1)
+        failed = [call for call in calls(report) if call.error.endswith("(INJECTED)")]
+        what = "; ".join(f"{call.name} {call.paths[-1:]}" for call in failed) or "nothing"
+        for wrong in wrongs(outcome, path, said, scenario):
+            yield f"{name}, {fault.option} ({what}): {wrong}"
 
 
 def in_turn(faults: list[Fault], seed: int) -> list[Fault]:
@@ -107,45 +105,25 @@ def in_turn(faults: list[Fault], seed: int) -> list[Fault]:
     return sorted(faults, key=lambda fault: fault.call in _READING)
 
 
-def faults_of(name: str, folder: Path, findings: Findings) -> Iterator[Fault]:
+def faults_of(name: str, worker: Worker) -> list[Fault]:
     """All calls a scenario makes on its folder, each with all the errors it may give."""
-    path = made(folder)
-    wanted = (*_READING, *_WRITING)
-    options = ("-e", f"trace={','.join(wanted)}")
-    outcome, report = traced(partial(SCENARIOS[name].work, path, folder / "said"), folder, options)
+    path, work = made(worker.folder), SCENARIOS[name].work
+    options = ("-e", f"trace={','.join((*_READING, *_WRITING))}")
+    outcome, report = traced(partial(work, path, worker.folder / "said"), worker.folder, options)
     if outcome.status:
-        findings.violation(f"{name}: fails without a fault: {outcome.stderr}")
+        raise RuntimeError(f"{name}: fails without a fault: {outcome.stderr}")
     counted, found = Counter[tuple[int, str]](), set[tuple[str, int]]()
     for call in calls(report):
         counted[call.thread, call.name] += 1
         if any(str(path.parent) in text for text in call.paths):
             found.add((call.name, counted[call.thread, call.name]))
-    findings.count(f"calls of {name}", len(found))
-    for call_name, number in sorted(found):
-        errors = _ERRORS_READING if call_name in _READING else _ERRORS_WRITING
-        if call_name == "openat":
-            errors = _ERRORS_WRITING
-        yield from (Fault(call_name, number, error) for error in errors)
-
-
-def fail_once(name: str, fault: Fault, folder: Path, findings: Findings) -> None:
-    """Run a scenario with one fault, and look at what it leaves."""
-    path, said, scenario = made(folder), folder / "said", SCENARIOS[name]
-    if scenario.restores:
-        say_coming(path, said)
-    work = partial(scenario.work, path, said)
-    options = ("-e", f"trace={fault.call}", "-e", fault.option)
-    outcome, report = traced(work, folder, options)
-    findings.count(f"faults of {name}")
-    findings.count("ended with an error in one line", outcome.status == 1)
-    for wrong in wrongs(outcome, path, said, scenario):
-        findings.violation(f"{name}, {fault.option} ({failed(report)}): {wrong}")
-
-
-def failed(report: Path) -> str:
-    """Which call failed, and what it was called for."""
-    found = [call for call in calls(report) if call.error.endswith("(INJECTED)")]
-    return "; ".join(f"{call.name} {call.paths[-1:]}" for call in found) or "nothing"
+    if worker.place == 0:
+        print(f"{name}: {len(found)} calls", flush=True)
+    return [
+        Fault(call, number, error)
+        for call, number in sorted(found)
+        for error in (_ERRORS if call not in _READING or call == "openat" else _ERRORS[1:4])
+    ]
 
 
 def wrongs(outcome: Outcome, path: Path, said: Path, scenario: Scenario) -> Iterator[str]:
@@ -160,9 +138,9 @@ def wrongs(outcome: Outcome, path: Path, said: Path, scenario: Scenario) -> Iter
     if scenario.only_opens and list(companions(path).glob("kept-aside-*")):
         yield "a journal was kept aside"
     if outcome.status == 0:
-        yield from (
-            f"done, but {one} is not there" for one in scenario.made if not there(path, one)
-        )
+        for file in map(path.with_name, scenario.made):
+            if not file.is_file() or not file.stat().st_size:
+                yield f"done, but {file.name} is not there"
 
 
 def kept_aside(path: Path, outcome: Outcome) -> bool:
@@ -170,12 +148,6 @@ def kept_aside(path: Path, outcome: Outcome) -> bool:
     folder = companions(path)
     aside = (*folder.glob("damaged-*.h5"), *folder.glob("kept-aside-*.sqlite"))
     return bool(aside) and all(file.name in outcome.stderr for file in aside)
-
-
-def there(path: Path, name: str) -> bool:
-    """Whether a file a scenario makes is there, and not empty."""
-    file = path.with_name(name)
-    return file.is_file() and file.stat().st_size > 0
 
 
 def made(folder: Path) -> Path:
@@ -305,4 +277,6 @@ SCENARIOS = {
 }
 
 if __name__ == "__main__":
-    sys.exit(main())
+    check()
+    only = {"--only": {"default": "", "choices": list(SCENARIOS), "help": "one scenario"}}
+    sys.exit(sweep(attack, sys.maxsize, options=only))

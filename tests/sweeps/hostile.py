@@ -7,7 +7,6 @@ removed, and the way to it (PYTHONPATH, the folder the command starts in) brings
 
 from __future__ import annotations
 
-import argparse
 import hashlib
 import os
 import re
@@ -15,71 +14,45 @@ import shutil
 import sqlite3
 import subprocess
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator
+from contextlib import closing
 from pathlib import Path
 
-import tests.sweeps.hostile_files.companions
-import tests.sweeps.hostile_files.hdf5_files
-import tests.sweeps.hostile_files.recordings
-import tests.sweeps.hostile_files.tracks
 from tests.sweeps.command import Outcome, command, complaint, preload
+from tests.sweeps.hostile_files import companions, hdf5_files, recordings, tracks
 from tests.sweeps.hostile_files.case import Case
-from tests.sweeps.mutants import kit
-from tests.sweeps.runner import Findings, asked_plan, emptied, sweep
+from tests.sweeps.runner import Worker, emptied, sweep
+from tests.sweeps.seed_files import Kit
 
-_CASES = (
-    *tests.sweeps.hostile_files.companions.CASES,
-    *tests.sweeps.hostile_files.hdf5_files.CASES,
-    *tests.sweeps.hostile_files.recordings.CASES,
-    *tests.sweeps.hostile_files.tracks.CASES,
-)
+_CASES = (*companions.CASES, *hdf5_files.CASES, *recordings.CASES, *tracks.CASES)
 _SHADOWS = ("app", "tracking", "sqlite3", "h5py", "numpy", "json", "typer")
 """Packages that somebody puts in the way of those the command means."""
 
 
-def main() -> int:
-    """Run all cases; the exit status."""
-    plan, asked = asked_plan(__doc__, len(_CASES), add_options)
-    chosen = [case for case in _CASES if asked.only in case.name]
+def attack(worker: Worker) -> Iterator[str]:
+    """A case a run."""
     preload()
-
-    def work(folder: Path, numbers: Sequence[int], findings: Findings) -> None:
-        kit(folder / "kit")
-        for number in numbers:
-            if number < len(chosen) and not findings.is_over:
-                meet(chosen[number], folder, findings)
-        if 0 in numbers and not asked.only:
-            shadowed(emptied(folder / "shadow"), folder / "kit" / "session" / "s.h5", findings)
-
-    return sweep("hostile", plan, work)
-
-
-def add_options(parser: argparse.ArgumentParser) -> None:
-    """Some cases only."""
-    parser.add_argument("--only", default="", help="words of the names of cases")
-
-
-def meet(case: Case, folder: Path, findings: Findings) -> None:
-    """One case."""
-    place = emptied(folder / "case")
-    work, elsewhere = place / "work", victims(place / "elsewhere")
-    shutil.copytree(folder / "kit" / case.base, work)
-    before = state_of(elsewhere)
-    case.make(work)
-    roots = {"W/": f"{work}/", "K/": f"{folder / 'kit'}/"}
-    outcome = command([roots.get(w[:2], w[:2]) + w[2:] for w in case.words], folder)
-    wrong = complaint(outcome) or unexpected(case, outcome)
-    findings.count("cases")
-    findings.count("refused" if outcome.status else "opened")
-    if wrong:
-        findings.violation(f"{case.name}: {wrong}")
-    if state_of(elsewhere) != before:
-        findings.violation(f"{case.name}: a file elsewhere was changed")
+    kit = Kit(worker.folder)
+    if worker.place == 0 and not worker.asked.only:
+        yield from shadowed(emptied(worker.folder / "shadow"), kit.folder / "session" / "s.h5")
+    for case in worker.of([case for case in _CASES if worker.asked.only in case.name]):
+        place = emptied(worker.folder / "case")
+        elsewhere = victims(place / "elsewhere")
+        shutil.copytree(kit.folder / case.base, place / "work")
+        before = state_of(elsewhere)
+        case.make(place / "work")
+        outcome = command([kit.word(word, place / "work") for word in case.words], worker.folder)
+        worker.count("cases")
+        worker.count("refused in one line" if outcome.status else "opened")
+        if wrong := complaint(outcome) or unexpected(case, outcome):
+            yield f"{case.name}: {wrong}"
+        if state_of(elsewhere) != before:
+            yield f"{case.name}: a file elsewhere was changed"
 
 
 def unexpected(case: Case, outcome: Outcome) -> str:
     """What is other than the case expects."""
-    if case.status is not None and outcome.status != case.status:
+    if case.status is not None and bool(outcome.status) != bool(case.status):
         return f"ends with {outcome.status}, not {case.status}: {outcome.line}"
     if outcome.status and not re.search(case.says, outcome.line):
         return f"does not say {case.says!r}: {outcome.line}"
@@ -91,11 +64,8 @@ def victims(folder: Path) -> Path:
     emptied(folder / "folder")
     for name in ("victim.txt", "folder/saving-precious.h5", "folder/lock"):
         (folder / name).write_text("precious\n")
-    base = sqlite3.connect(folder / "victim.sqlite")
-    base.execute("CREATE TABLE steps(precious)")
-    base.execute("INSERT INTO steps VALUES(1)")
-    base.commit()
-    base.close()
+    with closing(sqlite3.connect(folder / "victim.sqlite")) as base:
+        base.executescript("CREATE TABLE steps(precious); INSERT INTO steps VALUES(1)")
     return folder
 
 
@@ -108,14 +78,13 @@ def state_of(folder: Path) -> dict[str, str]:
     }
 
 
-def shadowed(folder: Path, session: Path, findings: Findings) -> None:
+def shadowed(folder: Path, session: Path) -> Iterator[str]:
     """The command as it is installed, with other packages of the names it uses in its way."""
     for name in _SHADOWS:
         package = folder / name
         package.mkdir()
-        (package / "__init__.py").write_text(
-            f"open({str(folder / 'ran')!r}, 'a').write({name!r})\n"
-        )
+        code = f"open({str(folder / 'ran')!r}, 'a').write({name!r})\n"
+        (package / "__init__.py").write_text(code)
     # What Python itself finds by PYTHONPATH first is the user's own choice; our names are ours.
     ways = {"the folder it starts in": {}, "PYTHONPATH": {"PYTHONPATH": str(folder)}}
     for name, variables in ways.items():
@@ -130,10 +99,10 @@ def shadowed(folder: Path, session: Path, findings: Findings) -> None:
             timeout=60,
             check=False,
         )
-        findings.count("cases")
         if done.returncode or (folder / "ran").exists():
-            findings.violation(f"{name} brings in other code: {done.stderr[-500:]}")
+            yield f"{name} brings in other code: {done.stderr[-500:]}"
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    only = {"--only": {"default": "", "help": "words of the names of cases"}}
+    sys.exit(sweep(attack, len(_CASES), options=only))

@@ -8,21 +8,18 @@ comes while Python itself starts is counted apart.
 
 from __future__ import annotations
 
-import argparse
 import os
-import random
 import re
 import signal
 import subprocess
 import sys
-import tempfile
 import time
-from collections import Counter
+from collections.abc import Iterator
 from pathlib import Path
 
-from tests.sweeps.shown_session import session_with_particles
+from tests.sweeps.runner import Worker, sweep
+from tests.sweeps.sessions import LOBBY, tracked_session
 
-TIMES = 100
 PATIENCE_S = 10.0
 _STARTING_S = 0.5
 """Before that Python itself starts; an interrupt then is its own affair."""
@@ -33,7 +30,7 @@ _ALLOWED = (0, 130)
 _OF_PYTHON = (1, -signal.SIGINT)
 _OURS = re.compile(r'File "[^"]*/(app|tracking)/(?!interrupts|launcher)')
 """A line of a traceback in what runs once interrupts are told in a line."""
-BEFORE = "before the first line of the program"
+WELL, BEFORE = "ended well", "before the first line of the program"
 _OFFSCREEN = """
 import sys
 from app.interrupts import ending_at_once
@@ -44,62 +41,45 @@ path = Path(sys.argv[1])
 sys.exit(run(path, play=path.is_dir()))
 """
 """The command wants a display; this is the same without, and puts a tracker to work."""
-_HOMES = ("XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_STATE_HOME", "XDG_CACHE_HOME")
 
 
-def main() -> int:
-    """Run it; the exit status."""
-    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
-    parser.add_argument("times", type=int, nargs="?", default=TIMES)
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--session", type=Path, help="made of a rendered recording if left out")
-    parser.add_argument("--recording", type=Path, help="of the session")
-    asked = parser.parse_args()
-    chance = random.Random(asked.seed)
-    ends: Counter[str] = Counter()
-    with tempfile.TemporaryDirectory(prefix="trackwright-") as folder:
-        session = asked.session or session_with_particles(Path(folder))
-        recording = asked.recording or session.parent / "recording"
-        longest_s = seconds_to_open(Path(folder), session) + _AFTER_S
-        for number in range(1, asked.times + 1):
-            moment_s = chance.uniform(_STARTING_S, longest_s)
-            end = interrupted(Path(folder), chance.choice((session, recording)), moment_s)
-            ends[end] += 1
-            if end not in ("well", BEFORE):
-                print(f"{number}: after {moment_s:.2f} s: {end}", flush=True)
-    print(f"{asked.times} interrupts within {longest_s:.1f} s: {dict(ends)}")
-    return int(ends["well"] + ends[BEFORE] < asked.times)
+def attack(worker: Worker) -> Iterator[str]:
+    """An interrupt a run."""
+    session = worker.asked.session or tracked_session(worker.folder, **LOBBY)
+    recording = worker.asked.recording or session.parent / "recording"
+    longest_s = seconds_to_open(session) + _AFTER_S
+    worker.count("s at most", round(longest_s))
+    for _ in worker.numbers:
+        chance = worker.chance()
+        moment_s, path = chance.uniform(_STARTING_S, longest_s), chance.choice((session, recording))
+        process = started(path)
+        time.sleep(moment_s)
+        end = end_of(process)
+        worker.count("interrupts")
+        if end == BEFORE:
+            worker.count(end)
+        elif end != WELL:
+            yield f"{path.name} after {moment_s:.2f} s: {end}"
 
 
-def seconds_to_open(home: Path, session: Path) -> float:
+def seconds_to_open(session: Path) -> float:
     """How long the window takes here: until the settings say that the session is open."""
-    begun_s = time.monotonic()
-    process = started(home, session)
-    settings = home / "trackwright" / "trackwright.conf"
+    begun_s, process = time.monotonic(), started(session)
+    settings = Path(os.environ["XDG_CONFIG_HOME"]) / "trackwright" / "trackwright.conf"
     while not settings.is_file() or session.name not in settings.read_text():
         waits = process.poll() is None and time.monotonic() - begun_s < _OPENING_S
         assert waits, "the window did not open"
         time.sleep(0.05)
-    taken_s = time.monotonic() - begun_s
     end_of(process)
-    return taken_s
+    return time.monotonic() - begun_s
 
 
-def interrupted(home: Path, path: Path, moment_s: float) -> str:
-    """How the program ended that was interrupted then: "well", or what went wrong."""
-    process = started(home, path)
-    time.sleep(moment_s)
-    return end_of(process)
-
-
-def started(home: Path, path: Path) -> subprocess.Popen[str]:
+def started(path: Path) -> subprocess.Popen[str]:
     """The window on a path."""
-    homes = dict.fromkeys(_HOMES, str(home))
-    screen = {} if os.environ.get("DISPLAY") else {"QT_QPA_PLATFORM": "offscreen"}
     words = ["-m", "app.launcher", "open"] if os.environ.get("DISPLAY") else ["-c", _OFFSCREEN]
     return subprocess.Popen(
         [sys.executable, *words, str(path)],
-        env={**os.environ, **homes, **screen, "PYTHONFAULTHANDLER": "1"},
+        env={**os.environ, "PYTHONFAULTHANDLER": "1"},
         stdout=subprocess.DEVNULL,
         stderr=subprocess.PIPE,
         text=True,
@@ -118,8 +98,12 @@ def end_of(process: subprocess.Popen[str]) -> str:
         return BEFORE
     if process.returncode not in _ALLOWED:
         return f"status {process.returncode}: {said[-2000:]}"
-    return f"told {said[-2000:]}" if "Traceback" in said or "Fatal" in said else "well"
+    return f"told {said[-2000:]}" if "Traceback" in said or "Fatal" in said else WELL
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    options = {
+        "--session": {"type": Path, "help": "made of a rendered recording if left out"},
+        "--recording": {"type": Path, "help": "of the session"},
+    }
+    sys.exit(sweep(attack, 100, workers=1, options=options))

@@ -1,14 +1,12 @@
-"""Sessions against a plain list of states, for a night: `model.py [RUNS] [STEPS] [SEED]`.
+"""Sessions against a plain list of states, for a night: `model.py --runs 40 [--steps 50]`.
 
-The same machine as in `make test`, for as many runs as asked for, from another seed each time.
+The same machine as in `make test`; a run is 250 sequences of so many steps, from a seed of its own.
 """
 
 from __future__ import annotations
 
-import argparse
-import random
 import sys
-import time
+from collections.abc import Iterator
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "session"))
@@ -19,39 +17,25 @@ from hypothesis.database import InMemoryExampleDatabase
 from hypothesis.stateful import run_state_machine_as_test
 from test_session_model import SessionAgainstStates
 
-RUNS_A_BATCH = 250
+from tests.sweeps.runner import Worker, sweep
+
+SEQUENCES = 250
 
 
-def main() -> int:
-    """Run as often as asked; a failure ends it with the steps that lead to it."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("runs", type=int, nargs="?", default=10_000)
-    parser.add_argument("steps", type=int, nargs="?", default=50)
-    parser.add_argument("seed", type=int, nargs="?", default=random.SystemRandom().randrange(2**32))
-    asked = parser.parse_args()
-    print(f"seed {asked.seed}", flush=True)
-    began, done = time.monotonic(), 0
-    while done < asked.runs:
-        batch = min(RUNS_A_BATCH, asked.runs - done)
-        run_batch(batch, asked.steps, asked.seed + done)
-        done += batch
-        print(f"{done} runs of {asked.steps} steps, {time.monotonic() - began:.0f} s", flush=True)
-    print(f"{done} runs of {asked.steps} steps: nothing lost, nothing differs")
-    return 0
-
-
-def run_batch(runs: int, steps: int, seed: int) -> None:
-    """Some runs of the machine; raises what it finds."""
-    run_state_machine_as_test(
-        seeded(seed)(SessionAgainstStates),
-        settings=settings(
-            max_examples=runs,
-            stateful_step_count=steps,
+def attack(worker: Worker) -> Iterator[str]:
+    """Some sequences a run; a failure tells the steps that lead to it."""
+    for _ in worker.numbers:
+        machine = seeded(worker.chance().randrange(1 << 32))(SessionAgainstStates)
+        how = settings(
+            max_examples=SEQUENCES,
+            stateful_step_count=worker.asked.steps,
             deadline=None,
             database=InMemoryExampleDatabase(),
-        ),
-    )
+        )
+        run_state_machine_as_test(machine, settings=how)
+        worker.count("sequences", SEQUENCES)
+        yield from ()
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(sweep(attack, 40, options={"--steps": {"type": int, "default": 50}}))

@@ -8,24 +8,18 @@ reaches the terminal. A session that is read says what the whole one said, or a 
 
 from __future__ import annotations
 
-import argparse
 import contextlib
 import fcntl
 import hashlib
-import json
-import os
-import random
 import shutil
 import sys
-import traceback
 from collections.abc import Iterator, Sequence
-from dataclasses import asdict
 from pathlib import Path
 
 from tests.sweeps.command import LONGEST_S, Outcome, complaint, in_child, preload
 from tests.sweeps.mutations import mutate
-from tests.sweeps.runner import Findings, asked_plan, sweep
-from tests.sweeps.seed_files import WINDOW, Kind, kinds, show_window
+from tests.sweeps.runner import Worker, sweep
+from tests.sweeps.seed_files import WINDOW, Kind, Kit, show_window
 from tracking.errors import TrackwrightError
 from tracking.session import Session
 
@@ -33,85 +27,52 @@ _SELDOM = 10
 _NOTE = "note on opening: "
 
 
-def main() -> int:
-    """Run so many mutants of each kind; the exit status."""
-    plan, asked = asked_plan(__doc__, 10_000, add_options)
+def attack(worker: Worker) -> Iterator[str]:
+    """A mutant of each kind a run."""
     preload()
+    kit, whole = Kit(worker.folder), dict[str, Outcome]()
+    chosen = {name: kind for name, kind in kit.kinds.items() if worker.asked.only in ("", name)}
+    for name, kind in chosen.items():
+        whole[name] = run(kind, kit, placed(kind, kit))
+        if worker.place == 0:
+            told = whole[name].status, whole[name].line[:150]
+            print(f"{name}: whole file ends with {told[0]}: {told[1]}", flush=True)
+        if wrong := complaint(whole[name]):
+            yield f"{name}, the whole file: {wrong}"
+    for number in worker.numbers:
+        for name, kind in chosen.items():
+            if worker.is_over:
+                return
+            if kind.slow and number % _SELDOM:
+                continue
+            file = placed(kind, kit)
+            mutate(file, worker.chance(name, number), text=kind.text)
+            outcome = run(kind, kit, file)
+            worker.count("mutants")
+            worker.count("refused in one line" if outcome.status else "read")
+            wrong = complaint(outcome)
+            is_other = kind.whole and not outcome.status and outcome.stdout != whole[name].stdout
+            if is_other and not noted(outcome, whole[name]):
+                wrong = wrong or "opened with a difference and no note"
+            if wrong:
+                yield f"{name} {number}: {wrong}"
+                keep(worker, f"{name}-{worker.asked.seed}-{number}")
+    worker.count("kinds", len(chosen) * (worker.place == 0))
 
-    def work(folder: Path, numbers: Sequence[int], findings: Findings) -> None:
-        known = kit(folder / "kit")
-        chosen = {name: kind for name, kind in known.items() if asked.only in ("", name)}
-        whole = {name: told_of_whole(kind, name, folder, findings) for name, kind in chosen.items()}
-        for number in numbers:
-            for name, kind in chosen.items():
-                if findings.is_over:
-                    return
-                if kind.slow and number % _SELDOM:
-                    continue
-                chance = random.Random(f"{plan.seed}/{name}/{number}")
-                outcome, wrong = look_at(kind, chance, folder, whole[name])
-                findings.count(f"{name}: {'read' if outcome.status == 0 else 'refused'}")
-                if wrong:
-                    findings.violation(f"{name} {number}: {wrong}")
-                    keep(asked.keep, folder, f"{name}-{plan.seed}-{number}")
 
-    return sweep("mutants", plan, work)
-
-
-def add_options(parser: argparse.ArgumentParser) -> None:
-    """Of one kind only; what is violated kept."""
-    parser.add_argument("--only", default="", help="one kind of file")
-    parser.add_argument("--keep", type=Path, help="a folder for mutants that violate something")
-
-
-def keep(place: Path | None, folder: Path, name: str) -> None:
+def keep(worker: Worker, name: str) -> None:
     """Keep the mutant, where that was asked for."""
-    if place is not None:
-        shutil.copytree(folder / "work", place / name.replace(" ", "-"), dirs_exist_ok=True)
+    if (place := worker.asked.keep) is not None:
+        kept = place / name.replace(" ", "-")
+        shutil.copytree(worker.folder / "work", kept, dirs_exist_ok=True)
 
 
-def kit(folder: Path) -> dict[str, Kind]:
-    """The kinds, whose whole files are made by a fork since that starts threads."""
-    told = folder / "kinds.json"
-    pid = os.fork()
-    if pid == 0:
-        try:
-            folder.mkdir()
-            made = {name: asdict(kind) for name, kind in kinds(folder).items()}
-            told.write_text(json.dumps(made))
-        except BaseException:
-            traceback.print_exc()
-        os._exit(0)
-    os.waitpid(pid, 0)
-    return {name: Kind(**kind) for name, kind in json.loads(told.read_text()).items()}
-
-
-def told_of_whole(kind: Kind, name: str, folder: Path, findings: Findings) -> Outcome:
-    """What the commands say of the whole file, which they must read."""
-    outcome = run(kind, folder, placed(kind, folder))
-    if wrong := complaint(outcome):
-        findings.violation(f"{name}, the whole file: {wrong}")
-    print(f"{name}: whole file ends with {outcome.status}: {outcome.line[:150]}", flush=True)
-    return outcome
-
-
-def placed(kind: Kind, folder: Path) -> Path:
+def placed(kind: Kind, kit: Kit) -> Path:
     """The kind's folder, copied to where its commands read it; gives the file in it."""
-    work = folder / "work"
+    work = kit.folder.parent / "work"
     shutil.rmtree(work, ignore_errors=True)
-    shutil.copytree(folder / "kit" / kind.folder, work)
+    shutil.copytree(kit.folder / kind.folder, work)
     return work / kind.file
-
-
-def look_at(kind: Kind, chance: random.Random, folder: Path, whole: Outcome) -> tuple[Outcome, str]:
-    """How one mutant fares, and what is wrong with that."""
-    file = placed(kind, folder)
-    mutate(file, chance, text=kind.text)
-    outcome = run(kind, folder, file)
-    wrong = complaint(outcome)
-    if not wrong and kind.whole and outcome.status == 0 and outcome.stdout != whole.stdout:
-        wrong = "" if noted(outcome, whole) else "opened with a difference and no note"
-    return outcome, wrong
 
 
 def noted(outcome: Outcome, whole: Outcome) -> bool:
@@ -123,14 +84,10 @@ def noted(outcome: Outcome, whole: Outcome) -> bool:
     return bool(told - usual)
 
 
-def run(kind: Kind, folder: Path, file: Path) -> Outcome:
+def run(kind: Kind, kit: Kit, file: Path) -> Outcome:
     """Run the kind's commands in a fork, while another program holds what is a lock."""
-    roots = {"W/": f"{folder / 'work'}/", "K/": f"{folder / 'kit'}/"}
-
-    def word(text: str) -> str:
-        return roots[text[:2]] + text[2:] if text[:2] in roots else text
-
-    commands = [[word(text) for text in words] for words in kind.commands]
+    folder = kit.folder.parent
+    commands = [[kit.word(word, folder / "work") for word in words] for words in kind.commands]
     with held(file) if kind.locked else contextlib.nullcontext():
         opened = folder / "work" / "s.h5" if kind.whole else None
         return in_child(lambda: obey(commands, opened), folder, LONGEST_S * len(commands))
@@ -174,4 +131,6 @@ def held(lock: Path) -> Iterator[None]:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    keeping = {"type": Path, "help": "a folder for mutants that violate something"}
+    options = {"--only": {"default": "", "help": "one kind of file"}, "--keep": keeping}
+    sys.exit(sweep(attack, 10_000, options=options))

@@ -14,57 +14,29 @@ import numpy as np
 
 _NUMBER = re.compile(rb"-?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?")
 _NUMBERS = (
-    *(b"0", b"-1", b"1e999", b"-1e308", b"nan", b"inf", b"-inf", b"2147483648", b"1e-320", b"0x10"),
-    *(b"99999999999999999999", b"1" * 5000, b"", b"1,5", b"\xd9\xa3", b"-0", b"4294967295", b"1_0"),
+    *b"0 -1 1e999 -1e308 nan inf -inf 2147483648 1e-320 0x10 4294967295 1_0 1,5 -0".split(),
+    *(b"\xd9\xa3", b"99999999999999999999", b"1" * 5000, b""),
 )
 _TEXTS = (
-    *(
-        b"\x00",
-        b"\x1b[31m",
-        b"\r",
-        b"\n\n",
-        b"\xff\xfe",
-        b"\xef\xbb\xbf",
-        b"'",
-        b'"',
-        b"<",
-        b"&lol;",
-    ),
-    *(
-        b"[" * 3000,
-        b"{" * 3000,
-        b"(" * 500,
-        b"=HYPERLINK(1)",
-        b"../../x",
-        b"/dev/zero",
-        b"\xf0\x9f\x92\xa9",
-    ),
-    *(
-        b"null",
-        b"true",
-        b"-",
-        b"*x",
-        b"&x",
-        b"!!python/object",
-        b"]]>",
-        b"\xe2\x80\xae",
-        b"a" * 100_000,
-    ),
+    *b"../../x /dev/zero =HYPERLINK(1) &lol; null true - *x &x !!python/object ]]> ' \" <".split(),
+    *b"\x00 \x1b[31m \xff\xfe \xef\xbb\xbf \xf0\x9f\x92\xa9 \xe2\x80\xae".split(b" "),
+    *(b"\r", b"\n\n", b"[" * 3000, b"{" * 3000, b"(" * 500, b"a" * 100_000),
 )
 _INTEGERS = (0, 1, 0x7F, 0x80, 0xFF, 0x7FFF, 0xFFFF, 0x7FFFFFFF, 0x80000000, 0xFFFFFFFF, 1 << 40)
 _VALUES: tuple[Any, ...] = (0, -1, 1, 2**31, -(2**63), 2**63 - 1, np.nan, np.inf, -np.inf, 1e308)
-_CELLS: tuple[Any, ...] = (
-    None,
-    0,
-    -1,
-    2**63 - 1,
-    1e308,
+_CELLS = (None, 0, -1, 2**63 - 1, 1e308, "", "x\x1b[31m", "[" * 5000, b"\xff\x00", 0.5)
+_ATTRIBUTES: tuple[Any, ...] = (
     "",
-    "x\x1b[31m",
+    "x" * 70_000,
+    "\x1b[31m\n",
+    -1,
+    2**62,
+    np.nan,
+    [1, 2, 3],
     "[" * 5000,
-    b"\xff\x00",
-    0.5,
 )
+_STRINGS = ("", "x" * 70_000, "\x1b[31m\n<b>", "{" * 5000, "[" * 5000)
+_TABLES = (5, np.zeros(3), np.zeros((2, 2)), np.arange(9), ["a", "b"], np.zeros(0))
 
 
 def mutate(path: Path, chance: random.Random, *, text: bool) -> None:
@@ -88,28 +60,21 @@ def mutated_bytes(data: bytes, chance: random.Random) -> bytes:
     """The data with some bytes other, more or fewer."""
     if not data:
         return chance.randbytes(8)
-    found, at = bytearray(data), chance.randrange(len(data))
-    size = chance.choice((1, 2, 8, 64, 512))
-    what = chance.randrange(8)
-    if what == 0:
-        found[at] ^= 1 << chance.randrange(8)
-    elif what == 1:
-        found[at : at + size] = chance.randbytes(len(found[at : at + size]))
-    elif what == 2:
-        del found[at:]
-    elif what == 3:
-        del found[at : at + size]
-    elif what == 4:
-        found[at : at + size] = bytes(len(found[at : at + size]))
-    elif what == 5:
-        found[at:at] = found[at : at + size]
-    elif what == 6:
-        width = chance.choice((1, 2, 4, 8))
-        number = chance.choice(_INTEGERS) & ((1 << 8 * width) - 1)
-        found[at : at + width] = number.to_bytes(width, chance.choice(("little", "big")))
-    else:
-        found += chance.randbytes(size)
-    return bytes(found)
+    at, end, size = chance.randrange(len(data)), len(data), chance.choice((1, 2, 8, 64, 512))
+    piece, width = data[at : at + size], chance.choice((1, 2, 4, 8))
+    behind, number = at + len(piece), chance.choice(_INTEGERS) & ((1 << 8 * width) - 1)
+    changes = (
+        (at, at + 1, bytes([data[at] ^ 1 << chance.randrange(8)])),
+        (at, behind, chance.randbytes(len(piece))),
+        (at, end, b""),
+        (at, behind, b""),
+        (at, behind, bytes(len(piece))),
+        (at, at, piece),
+        (at, at + width, number.to_bytes(width, chance.choice(("little", "big")))),
+        (end, end, chance.randbytes(size)),
+    )
+    start, stop, put = chance.choice(changes)
+    return data[:start] + put + data[stop:]
 
 
 def mutated_text(data: bytes, chance: random.Random) -> bytes:
@@ -151,20 +116,10 @@ def mutate_hdf5(path: Path, chance: random.Random) -> None:
 
 def _mutate_attribute(node: Any, chance: random.Random) -> None:
     name = chance.choice(list(node.attrs))
-    odd: tuple[Any, ...] = (
-        "",
-        "x" * 70_000,
-        "\x1b[31m\n",
-        -1,
-        2**62,
-        np.nan,
-        [1, 2, 3],
-        "[" * 5000,
-    )
     if chance.random() < 0.3:
         del node.attrs[name]
     else:
-        node.attrs[name] = chance.choice(odd)
+        node.attrs[name] = chance.choice(_ATTRIBUTES)
 
 
 def _mutate_values(node: h5py.Dataset, chance: random.Random) -> None:
@@ -173,41 +128,30 @@ def _mutate_values(node: h5py.Dataset, chance: random.Random) -> None:
         flat = values.reshape(-1)
         for _ in range(chance.choice((1, 1, 5))):
             with np.errstate(all="ignore"):
-                flat[chance.randrange(flat.size)] = np.array(chance.choice(_VALUES)).astype(
-                    node.dtype
-                )
+                value = np.array(chance.choice(_VALUES)).astype(node.dtype)
+            flat[chance.randrange(flat.size)] = value
         node[...] = flat.reshape(values.shape)
-    elif node.dtype.kind == "O" and node.ndim:
-        node[chance.randrange(len(node))] = chance.choice(
-            ("", "x" * 70_000, "\x1b[31m\n<b>", "{" * 5000)
-        )
     elif node.dtype.kind == "O":
-        node[()] = chance.choice(("", "x" * 70_000, "\x1b[31m", "[" * 5000))
+        node[chance.randrange(len(node)) if node.ndim else ()] = chance.choice(_STRINGS)
 
 
 def _replace(file: h5py.File, name: str, chance: random.Random) -> None:
-    odd: tuple[Any, ...] = (5, np.zeros(3), np.zeros((2, 2)), np.arange(9), ["a", "b"], np.zeros(0))
     del file[name]
-    file[name] = chance.choice(odd)
+    file[name] = chance.choice(_TABLES)
 
 
 def mutate_sqlite(path: Path, chance: random.Random) -> None:
     """Another value in a row, or a row, a column or a table less."""
     with contextlib.closing(sqlite3.connect(path, isolation_level=None)) as base:
-        tables = [
-            row[0] for row in base.execute("SELECT name FROM sqlite_master WHERE type='table'")
-        ]
-        table = chance.choice(tables)
+        tables = base.execute("SELECT name FROM sqlite_master WHERE type='table'").fetchall()
+        table = chance.choice(tables)[0]
         columns = [row[1] for row in base.execute(f'PRAGMA table_info("{table}")')]
         column, what = chance.choice(columns), chance.random()
         if what < 0.75:
             where = f'rowid = (SELECT rowid FROM "{table}" ORDER BY random() LIMIT 1)'
-            base.execute(
-                f'UPDATE "{table}" SET "{column}" = ? WHERE {where}', [chance.choice(_CELLS)]
-            )
+            update = f'UPDATE "{table}" SET "{column}" = ? WHERE {where}'
+            base.execute(update, [chance.choice(_CELLS)])
         elif what < 0.85:
             base.execute(f'ALTER TABLE "{table}" RENAME COLUMN "{column}" TO other')
-        elif what < 0.95:
-            base.execute(f'DELETE FROM "{table}"')
         else:
-            base.execute(f'DROP TABLE "{table}"')
+            base.execute(f'{"DELETE FROM" if what < 0.95 else "DROP TABLE"} "{table}"')

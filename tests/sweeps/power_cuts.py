@@ -14,16 +14,15 @@ import random
 import re
 import shutil
 import sys
-from collections.abc import Callable, Mapping, Sequence
-from functools import partial
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 
-from tests.sweeps.corrector import Corrector, made_session
+from tests.sweeps.corrector import Corrector
 from tests.sweeps.disk_model import Disk, File, Folder
-from tests.sweeps.runner import Findings, Plan, asked_plan, emptied, sweep
-from tests.sweeps.session_state import Said, look, state
+from tests.sweeps.runner import Worker, emptied, sweep
+from tests.sweeps.session_state import Said, look
+from tests.sweeps.sessions import made_session
 from tests.sweeps.system_calls import Call, calls, check, text_of, traced
-from tracking.session import Session
 
 _STEPS = 40
 _CUTS_A_RECORDING = 25
@@ -36,57 +35,40 @@ _HANDLE = re.compile(r"(\d+)<((?:\\x..)*)>")
 _NAME = re.compile(r'(?:(?:AT_FDCWD|\d+)<((?:\\x..)*)>, )?"((?:\\x..)*)"')
 
 
-def main() -> int:
-    """Record and cut; the exit status."""
-    check()
-    plan, _ = asked_plan(__doc__, 500)
+def attack(worker: Worker) -> Iterator[str]:
+    """Cut the power of recorded programs, later and later; now and then record another one."""
+    begun = None
+    for number in worker.numbers:
+        turn, place = divmod(number, worker.asked.workers)
+        one, cut = divmod(turn, _CUTS_A_RECORDING)
+        if one != begun:
+            begun, chance = one, worker.chance("recording", place, one)
+            record, replay = recorded(emptied(worker.folder / "run"), chance)
+            moments = sorted(chance.randint(0, len(record)) for _ in range(_CUTS_A_RECORDING))
+            worker.count("recordings")
+            worker.count("calls recorded", len(record))
+        worker.count("acknowledged steps", replay.go_on(record[: moments[cut]]))
+        worker.count("power cuts")
+        if wrong := replay.cut(worker.folder / "cut", worker.chance()):
+            yield f"after call {moments[cut]} of {len(record)}: {wrong}"
 
-    def work(folder: Path, numbers: Sequence[int], findings: Findings) -> None:
-        for start in range(0, len(numbers), _CUTS_A_RECORDING):
-            if findings.is_over:
-                return
-            some = numbers[start : start + _CUTS_A_RECORDING]
-            record_and_cut(emptied(folder / "run"), some, findings, plan)
 
-    return sweep("power_cuts", plan, work)
-
-
-def record_and_cut(folder: Path, numbers: Sequence[int], findings: Findings, plan: Plan) -> None:
-    """Record a program once, and cut the power of it so many times."""
-    chance = random.Random(f"{plan.seed}/{numbers[0]}")
-    path, said, seed = made_session(emptied(folder / "tree")), folder / "said.txt", chance.random()
-    session = Session.open(path)
-    lines = [f"= {state(session)}"]
-    session.close()
+def recorded(folder: Path, chance: random.Random) -> tuple[list[Call], Replay]:
+    """Record the calls of a program; the replay stands before the first of them."""
+    path, said, seed = made_session(folder / "tree"), folder / "said.txt", chance.randrange(1 << 30)
+    lines = [f"= {look(path, None)[1]}"]
     replay = Replay(Disk(path.parent), said, lines, in_order=chance.random() < _IN_ORDER)
-    work = partial(corrected, path, seed, said)
-    outcome, report = traced(work, folder, ("-e", f"trace={_CALLS}"), _LONGEST_S)
+    asked = "-e", f"trace={_CALLS}"
+    outcome, report = traced(lambda: corrected(path, seed, said), folder, asked, _LONGEST_S)
     if outcome.status or outcome.hung:
-        findings.violation(f"run {numbers[0]}: the program ended with {outcome}")
-        return
-    record = [call for call in calls(report) if call.result >= 0]
-    findings.count("recordings")
-    findings.count("calls recorded", len(record))
-    done = 0
-    for moment, number in sorted((chance.randint(0, len(record)), n) for n in numbers):
-        for call in record[done:moment]:
-            replay.do(call)
-        done = moment
-        wrong = replay.cut(folder / "cut", random.Random(f"{plan.seed}/{number}"))
-        findings.count("power cuts")
-        if wrong:
-            findings.violation(f"run {number}, after call {moment} of {len(record)}: {wrong}")
-    findings.count("acknowledged steps", sum(line.startswith("= ") for line in replay.lines))
+        raise RuntimeError(f"the program ended with {outcome}")
+    return [call for call in calls(report) if call.result >= 0], replay
 
 
-def corrected(path: Path, seed: float, said: Path) -> int:
+def corrected(path: Path, seed: int, said: Path) -> int:
     """The program that is recorded; what it says goes to a file."""
     handle = os.open(said, os.O_WRONLY | os.O_CREAT | os.O_APPEND, 0o600)
-
-    def tell(line: str) -> None:
-        os.write(handle, f"{line}\n".encode())
-
-    corrector = Corrector(path, int(seed * (1 << 30)), tell)
+    corrector = Corrector(path, seed, lambda line: os.write(handle, f"{line}\n".encode()))
     corrector.work(_STEPS)
     corrector.end()
     return 0
@@ -98,9 +80,17 @@ class Replay:
     def __init__(self, disk: Disk, said: Path, lines: list[str], *, in_order: bool) -> None:
         """The disk as it was before the first call, and the file the program writes lines to."""
         self._disk, self._said, self._in_order = disk, str(said), in_order
-        self.lines = lines
+        self._lines, self._done = lines, 0
         self._at: dict[int, int] = {}
         self._appends: set[int] = set()
+
+    def go_on(self, record: Sequence[Call]) -> int:
+        """Do those of the calls that are not yet done; how many steps were said meanwhile."""
+        before = len(self._lines)
+        for call in record[self._done :]:
+            _KINDS[call.name](self, call)
+        self._done = len(record)
+        return sum(line.startswith("= ") for line in self._lines[before:])
 
     def cut(self, place: Path, chance: random.Random) -> str:
         """What is wrong with what a power cut at this moment leaves; "" where nothing is."""
@@ -108,13 +98,7 @@ class Replay:
         self._disk.cut(place, chance, chance.choice(_BLOCKS), in_order=self._in_order)
         for shared in place.rglob("*-shm"):
             shared.unlink()
-        return look(place / "s.h5", Said.of_lines(self.lines))[0]
-
-    def do(self, call: Call) -> None:
-        """One more call."""
-        kind = _KINDS.get(call.name)
-        if kind is not None:
-            kind(self, call)
+        return look(place / "s.h5", Said.of_lines(self._lines))[0]
 
     def _open(self, call: Call) -> None:
         (path,), handle = named(call), call.result
@@ -128,11 +112,15 @@ class Replay:
         if isinstance(node, File) and "O_TRUNC" in call.arguments and node.now:
             node.resize(0)
 
+    def _file(self, call: Call) -> File | None:
+        node = self._disk.find(handle_of(call)[1])
+        return node if isinstance(node, File) else None
+
     def _write(self, call: Call) -> None:
         handle, path = handle_of(call)
-        data = b"".join(map(text_of, _TEXT.findall(call.arguments)))[: call.result]
+        data = data_of(call)
         if path == self._said:
-            self.lines += data.decode().splitlines()
+            self._lines += data.decode().splitlines()
         self._put(handle, path, data)
 
     def _put(self, handle: int, path: str, data: bytes) -> None:
@@ -144,10 +132,8 @@ class Replay:
         self._at[handle] = self._at.get(handle, 0) + len(data)
 
     def _write_at(self, call: Call) -> None:
-        node = self._disk.find(handle_of(call)[1])
-        if isinstance(node, File):
-            data = b"".join(map(text_of, _TEXT.findall(call.arguments)))[: call.result]
-            node.write(int(call.arguments.rsplit(",", 1)[1]), data)
+        if (file := self._file(call)) is not None:
+            file.write(int(call.arguments.rsplit(",", 1)[1]), data_of(call))
 
     def _read(self, call: Call) -> None:
         handle, _ = handle_of(call)
@@ -157,15 +143,14 @@ class Replay:
         self._at[handle_of(call)[0]] = call.result
 
     def _resize(self, call: Call) -> None:
-        node = self._disk.find(handle_of(call)[1])
-        if isinstance(node, File):
-            node.resize(int(call.arguments.rsplit(",", 1)[1]))
+        if (file := self._file(call)) is not None:
+            file.resize(int(call.arguments.rsplit(",", 1)[1]))
 
     def _allocate(self, call: Call) -> None:
-        node = self._disk.find(handle_of(call)[1])
         _, start, length = call.arguments.rsplit(",", 2)
-        if isinstance(node, File) and len(node.now) < int(start) + int(length):
-            node.resize(int(start) + int(length))
+        file, end = self._file(call), int(start) + int(length)
+        if file is not None and len(file.now) < end:
+            file.resize(end)
 
     def _send(self, call: Call) -> None:
         """`sendfile` and `copy_file_range`, from where the handle that is read stands."""
@@ -227,6 +212,11 @@ def handle_of(call: Call) -> tuple[int, str]:
     return int(number), decoded(path)
 
 
+def data_of(call: Call) -> bytes:
+    """What a call wrote."""
+    return b"".join(map(text_of, _TEXT.findall(call.arguments)))[: call.result]
+
+
 def named(call: Call) -> list[str]:
     """The names among the arguments, each in the folder whose handle stands before it."""
     return [
@@ -240,4 +230,5 @@ def decoded(escaped: str) -> str:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    check()
+    sys.exit(sweep(attack, 500))

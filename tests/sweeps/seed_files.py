@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import multiprocessing
 import shutil
 import sys
 from collections.abc import Sequence
@@ -9,25 +10,25 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import cv2
-import h5py
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "session"))
 sys.path.insert(0, str(Path(__file__).parents[1] / "formats"))
 
 from made_up_sessions import crashed, make_session
+from test_animal_trackers import SCORES, analysis, trajectories
 from test_petrack_trc import of_version
 from test_sleap_projects import csv_file, project
 
+from tests.sweeps.random_tracks import exported, random_tracks
+from tests.sweeps.sessions import SMALL
 from tracking.editing import plan_label_part, plan_rename, plan_swap
 from tracking.failure.core.samples import samples_from_rows
 from tracking.formats import FORMATS, write_samples
-from tracking.formats.read_result import with_all_columns
-from tracking.formats.track_writer import Exported, no_progress
+from tracking.formats.track_writer import no_progress
 from tracking.synthesis import render_recording
-from tracking.tracks import PartLabel, TrackLabel, TrackTable
+from tracking.tracks import PartLabel
 
-FRAMES, PEOPLE = 12, 3
 _RESOURCES = Path(__file__).parents[2] / "resources"
 _HIDDEN = ".s.h5.trackwright"
 WINDOW = "the window"
@@ -64,8 +65,26 @@ class Kind:
     slow: bool = False
 
 
-def kinds(kit: Path) -> dict[str, Kind]:
-    """All kinds by name; their whole files are made in the kit, which takes some seconds."""
+class Kit:
+    """The whole files, made by a fork as threads start, and their kinds by name."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder / "kit"
+        hear, say = multiprocessing.Pipe(duplex=False)
+        fork = multiprocessing.get_context("fork")
+        making = fork.Process(target=lambda: say.send(_kinds(self.folder)))
+        making.start()
+        say.close()
+        self.kinds: dict[str, Kind] = hear.recv()
+        making.join()
+
+    def word(self, word: str, work: Path) -> str:
+        """A word of a command, as it is typed."""
+        roots = {"W/": f"{work}/", "K/": f"{self.folder}/"}
+        return roots.get(word[:2], word[:2]) + word[2:]
+
+
+def _kinds(kit: Path) -> dict[str, Kind]:
     return {**of_sessions(kit), **of_recordings(kit), **of_tables(kit), **of_tracks(kit)}
 
 
@@ -105,8 +124,7 @@ def of_sessions(kit: Path) -> dict[str, Kind]:
 
 def of_recordings(kit: Path) -> dict[str, Kind]:
     """Manifests, calibrations, pictures, videos, what a failure detector is and settings."""
-    render_recording(kit / "stereo" / "rec", "plaza", 2.0, 2, 3, size=(320, 240), fps=8.0)
-    rec = kit / "stereo" / "rec"
+    rec = render_recording(kit / "stereo" / "rec", seconds=2.0, seed=3, **{**SMALL, "people": 2})
     for name in ("xml", "kitti", "ros"):
         shutil.copytree(rec, kit / name / "rec")
     _calibrations(kit)
@@ -175,21 +193,14 @@ def _calibrations(kit: Path) -> None:
     for name in ("image_width", "image_height"):
         written.write(name, int(read.getNode(name).real()))
     written.release()
-    rows = "\n".join(
-        f"P{camera}: 300 0 160 {-30 * camera} 0 300 120 0 0 0 1 0" for camera in range(4)
-    )
-    (kit / "kitti" / "rec" / "calib.txt").write_text(f"{rows}\n")
+    rows = [f"P{one}: 300 0 160 {-30 * one} 0 300 120 0 0 0 1 0\n" for one in range(4)]
+    (kit / "kitti" / "rec" / "calib.txt").write_text("".join(rows))
     for name, offset in (("left", 0.0), ("right", -30.0)):
         (kit / "ros" / "rec" / f"{name}.yaml").write_text(_ros(offset))
-    named = {
-        "xml": '"calibration.xml"',
-        "kitti": '"calib.txt"',
-        "ros": '["left.yaml", "right.yaml"]',
-    }
-    for folder, name in named.items():
+    named = {"xml": '"calibration.xml"', "kitti": '"calib.txt"'}
+    for folder, name in {**named, "ros": '["left.yaml", "right.yaml"]'}.items():
         manifest = kit / folder / "rec" / "recording.toml"
-        text = manifest.read_text().replace('"calibration.yaml"', name)
-        manifest.write_text(text)
+        manifest.write_text(manifest.read_text().replace('"calibration.yaml"', name))
 
 
 def _ros(offset: float) -> str:
@@ -239,11 +250,11 @@ def of_tables(kit: Path) -> dict[str, Kind]:
 
 def of_tracks(kit: Path) -> dict[str, Kind]:
     """A file of each format, as far as it can be written here, and those that are only read."""
-    found = {}
+    found, tracks = {}, exported(random_tracks(5, 12, 3), 12)
     for name, each in FORMATS.items():
         if each.read is not None and each.write is not None:
             path = of_its_own(kit, f"{name}{each.extensions[0]}")
-            each.write(path, _exported(), no_progress)
+            each.write(path, tracks, no_progress)
             binary = path.is_file() and b"\0" in path.read_bytes()
             found[name] = _importing(name, path, text=not binary)
     for name, (file, make) in _ONLY_READ.items():
@@ -270,48 +281,18 @@ def _importing(name: str, path: Path, *, text: bool) -> Kind:
     return Kind(path.parent.name, str(damaged.relative_to(path.parent)), (words,), text=text)
 
 
-def _exported() -> Exported:
-    frame, track = np.repeat(np.arange(FRAMES), PEOPLE), np.tile(np.arange(PEOPLE) + 1, FRAMES)
-    count = len(frame)
-    random = np.random.default_rng(5)
-    rows = {name: random.uniform(20, 200, count) for name in ("left", "top", "width", "height")}
-    places = {name: random.normal(0, 3, count) for name in ("x", "y")}
-    columns = with_all_columns({"frame": frame, "track": track, **rows, **places})
-    labels = {1: TrackLabel('Zoë "<&>', {"bag": "yes"}), 2: TrackLabel("", {"class": "dog"})}
-    return Exported.of_table(
-        TrackTable(columns), frames=FRAMES, fps=8.0, size_px=(320, 240), name="yard", labels=labels
-    )
-
-
-def _sleap(path: Path) -> None:
-    points = np.random.default_rng(6).uniform(10, 200, (2, 2, 2, 9))
-    with h5py.File(path, "w") as file:
-        file.create_dataset("tracks", data=points, compression="gzip")
-        file["track_names"] = np.array([b"track_0", b"track_1"])
-        file["node_names"] = np.array([b"head", b"foot"])
-        file["track_occupancy"] = np.ones((9, 2), np.uint8)
-        file["instance_scores"] = np.ones((2, 9))
-
-
-def _idtracker(path: Path) -> None:
-    with h5py.File(path, "w") as file:
-        file["trajectories"] = np.random.default_rng(7).uniform(10, 200, (9, 2, 2))
-        file["id_probabilities"] = np.full((9, 2, 1), 0.5)
-        file.attrs["frames_per_second"] = 8.0
-
-
-def _sleap_table(path: Path) -> None:
-    csv_file(path, "track_0,0,0.5,,1,2,3,4", "track_0,1,,,5,6,,", "Zoë,1,,,1,1,2,1")
-
-
-def _trc(path: Path) -> None:
-    path.write_text(of_version(4), encoding="utf-8")
-
-
 _ONLY_READ = {
-    "sleap": ("sleap.h5", _sleap),
+    "sleap": ("sleap.h5", lambda path: analysis(path, (1, 3, 2, 0), SCORES.T)),
     "sleap project": ("project.slp", project),
-    "sleap csv": ("sleap-table.csv", _sleap_table),
-    "idtracker": ("idtracker.h5", _idtracker),
-    "petrack-trc": ("petrack-trc.trc", _trc),
+    "sleap csv": (
+        "sleap-table.csv",
+        lambda path: csv_file(
+            path, "track_0,0,0.5,,1,2,3,4", "track_0,1,,,5,6,,", "Zoë,1,,,1,1,2,1"
+        ),
+    ),
+    "idtracker": ("idtracker.h5", trajectories),
+    "petrack-trc": (
+        "petrack-trc.trc",
+        lambda path: path.write_text(of_version(4), encoding="utf-8"),
+    ),
 }

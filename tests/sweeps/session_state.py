@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+from contextlib import closing
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -50,19 +51,17 @@ def state(session: Session) -> str:
     return f"{digest(session.tracks, session.labels)} {len(session.history)} {undone}"
 
 
-def look(path: Path, said: Said) -> tuple[str, str]:
+def look(path: Path, said: Said | None) -> tuple[str, str]:
     """What is wrong with a session on the disk, and what it is like now.
 
-    Nothing is wrong where it is as said, or one step further.
+    Nothing is wrong where it is as said, or one step further, or where nothing was said.
     """
     try:
         session = Session.open(path)
     except TrackwrightError as error:
         return f"unreadable: {error}", ""
-    try:
-        return _problem(session, path, said), state(session)
-    finally:
-        session.close()
+    with closing(session):
+        return _problem(session, path, said) if said else "", state(session)
 
 
 def _problem(session: Session, path: Path, said: Said) -> str:

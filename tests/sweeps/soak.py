@@ -8,18 +8,15 @@ alone is `open_close`'s.
 
 from __future__ import annotations
 
-import contextlib
 import resource
 import statistics
 import sys
-from collections.abc import Sequence
-from dataclasses import replace
-from pathlib import Path
+from collections.abc import Iterator, Sequence
 
 from tests.sweeps.command import resident_bytes
-from tests.sweeps.kills import tracked_session
-from tests.sweeps.runner import Findings, Plan, asked_plan, sweep
+from tests.sweeps.runner import Worker, sweep
 from tests.sweeps.session_state import Said, look
+from tests.sweeps.sessions import SMALL, tracked_session
 from tracking.session import Session
 
 _WARM = 0.2
@@ -30,47 +27,25 @@ _MOST_MIB = 64
 """Besides: what an allocator keeps, and caches that fill late."""
 
 
-def main() -> int:
-    """Take the steps; the exit status."""
-    plan, _ = asked_plan(__doc__, 10_000)
-
-    def work(folder: Path, numbers: Sequence[int], findings: Findings) -> None:
-        correct_all_day(folder, len(numbers), plan, findings)
-
-    return sweep("soak", replace(plan, workers=1), work)
-
-
-class Enough(Exception):  # noqa: N818 - no error
-    """The time is up."""
-
-
-def correct_all_day(folder: Path, steps: int, plan: Plan, findings: Findings) -> None:
+def attack(worker: Worker) -> Iterator[str]:
     """All steps in one window; then what it left."""
     from tests.sweeps.editor import Editor
 
-    path, said, taken = tracked_session(folder), list[str](), list[int]()
-
-    def tell(state: str) -> None:
-        said[:] = [state]
+    path, taken = tracked_session(worker.folder, **SMALL), list[int]()
+    editor, last = Editor(path, worker.asked.seed), ""
+    for _ in worker.numbers:
+        last = editor.step()
         taken.append(resident_bytes())
-        findings.count("steps")
-        if findings.is_over:
-            raise Enough
-
-    editor = Editor(path, folder / "settings.ini", plan.seed, tell, steps)
-    with contextlib.suppress(Enough):
-        editor.work()
+        worker.count("steps")
     editor.close()
-    wrong, _ = look(path, Said(said[0]))
-    if wrong:
-        findings.violation(wrong)
-    session = Session.look_into(path)
-    findings.count("edits in the log", len(session.history))
-    findings.count("MiB at most", resource.getrusage(resource.RUSAGE_SELF).ru_maxrss >> 10)
+    if wrong := look(path, Said(last))[0]:
+        yield wrong
+    worker.count("edits in the log", len(Session.look_into(path).history))
+    worker.count("MiB at most", resource.getrusage(resource.RUSAGE_SELF).ru_maxrss >> 10)
     grown, between = growth(taken)
-    findings.count("KiB grown between first and last tenth", round(grown / 1024))
+    worker.count("KiB more in the last tenth than in the first", round(grown / 1024))
     if grown > between * _MOST_KIB_A_STEP * 1024 + (_MOST_MIB << 20):
-        findings.violation(f"the window grows by {grown / 2**20:.0f} MiB in {between} steps")
+        yield f"the window grows by {grown / 2**20:.0f} MiB in {between} steps"
 
 
 def growth(taken: Sequence[int]) -> tuple[float, int]:
@@ -82,4 +57,4 @@ def growth(taken: Sequence[int]) -> tuple[float, int]:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(sweep(attack, 10_000, workers=1))

@@ -16,7 +16,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from tests.sweeps.command import LONGEST_S, Outcome, begin, ended
+from tests.sweeps.command import LONGEST_S, Outcome, begin, outcome_of
 
 _PR_SET_PTRACER, _ANY = 0x59616D61, -1
 _MOST_LETTERS = 1 << 26
@@ -74,7 +74,7 @@ def traced(
     assert tracer.stderr is not None
     attached = tracer.stderr.readline()
     os.write(say, b"!")
-    outcome = ended(pid, said, 0, longest_s)
+    outcome = outcome_of(pid, said, 0, longest_s)
     _, rest = tracer.communicate()
     os.close(hear)
     os.close(say)

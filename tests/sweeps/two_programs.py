@@ -10,20 +10,18 @@ other was told is done.
 from __future__ import annotations
 
 import contextlib
-import json
-import os
+import multiprocessing
 import random
-import select
-import signal
 import sqlite3
 import sys
 import traceback
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterator
+from contextlib import closing
+from multiprocessing.connection import Connection
 from pathlib import Path
 
-from tests.sweeps.corrector import made_session
-from tests.sweeps.runner import Findings, Plan, asked_plan, emptied, slowdown, sweep
+from tests.sweeps.runner import Worker, emptied, slowdown, sweep
+from tests.sweeps.sessions import made_session
 from tracking.editing import plan_rename
 from tracking.errors import TrackwrightError
 from tracking.session import Session, find_backups
@@ -37,95 +35,79 @@ _MOST_SAVES = 4
 _LONGEST_S = 15.0
 
 
-def main() -> int:
-    """Run as many interleavings as asked; the exit status."""
-    plan, _ = asked_plan(__doc__, 500)
+def attack(worker: Worker) -> Iterator[str]:
+    """An interleaving a run."""
+    for _ in worker.numbers:
+        worker.count("interleavings")
+        path = made_session(emptied(worker.folder / "run"))
+        programs, story = [Program(name, path) for name in ("a", "b")], list[str]()
+        interleave(path, programs, worker.chance(), story)
+        for program in programs:
+            worker.counts.update(program.done)
+            program.end()
+        wrong = [f"{program.name} {program.broken}" for program in programs if program.broken]
+        found = "\n".join(everything_kept(path))
+        lost = [edit for each in programs for edit in each.edits if f"{edit}." not in found]
+        wrong += [f"lost {', '.join(lost)}"] if lost else []
+        if wrong:
+            yield f"{'; '.join(wrong)} after {', '.join(story)}"
 
-    def work(folder: Path, numbers: Sequence[int], findings: Findings) -> None:
-        for number in numbers:
-            if findings.is_over:
-                return
-            interleave(emptied(folder / "run"), number, findings, plan)
 
-    return sweep("two_programs", plan, work)
+class Program:
+    """One of the two, a fork that does what it is told.
 
+    Attributes:
+        edits: those it acknowledged. done: all it did, by kind. broken: how it failed.
+    """
 
-@dataclass(slots=True)
-class Other:
-    """One of the two programs, a fork that does what it is told, and what it acknowledged."""
-
-    name: str
-    pid: int
-    tell: int
-    hear: int
-    edits: list[str] = field(default_factory=list)
-    broken: str = ""
-    is_open: bool = False
-    _asked: int = 0
-    _lines: bytes = b""
-
-    @classmethod
-    def begun(cls, name: str, path: Path) -> Other:
-        """Fork it off."""
-        (told, tell), (hear, say) = os.pipe(), os.pipe()
-        sys.stdout.flush()
-        pid = os.fork()
-        if pid == 0:
-            os.close(tell)
-            os.close(hear)
-            serve(path, name, told, say)
-        os.close(told)
-        os.close(say)
-        return cls(name, pid, tell, hear)
+    def __init__(self, name: str, path: Path) -> None:
+        self.name, self.broken, self.is_open = name, "", False
+        self.edits, self.done, self._asked = list[str](), list[str](), 0
+        fork = multiprocessing.get_context("fork")
+        self._pipe, other = fork.Pipe()
+        self._process = fork.Process(target=serve, args=(path, name, other), daemon=True)
+        self._process.start()
+        other.close()
 
     def ask(self, act: str) -> None:
-        """Have it do something; `heard` waits until it did."""
+        """Have it do something; `hear` waits until it did."""
         if not self.broken:
             self._asked += 1
-            os.write(self.tell, f"{act}\n".encode())
+            with contextlib.suppress(BrokenPipeError):
+                self._pipe.send(act)
 
-    def heard(self, findings: Findings) -> None:
-        """What came of all that was asked."""
+    def hear(self) -> None:
+        """Wait for what comes of all that was asked."""
         while self._asked and not self.broken:
-            if b"\n" not in self._lines:
-                self._hear()
-                continue
-            line, self._lines = self._lines.split(b"\n", 1)
+            if not self._pipe.poll(_LONGEST_S * slowdown()):
+                self.broken = "hung"
+                return
+            try:
+                kind, text = self._pipe.recv()
+            except (EOFError, ConnectionResetError):
+                self.broken = "crashed"
+                return
             self._asked -= 1
-            self._note(json.loads(line), findings)
-
-    def _hear(self) -> None:
-        if not select.select([self.hear], [], [], _LONGEST_S * slowdown())[0]:
-            self.broken = "hung"
-        elif said := os.read(self.hear, 1 << 16):
-            self._lines += said
-        else:
-            self.broken = "crashed"
-
-    def _note(self, told: dict[str, str], findings: Findings) -> None:
-        kind = told["kind"]
-        findings.count(kind)
-        if kind == "bug":
-            self.broken = told["text"]
-        elif kind == "edit":
-            self.edits.append(told["text"])
-        elif kind in ("open", "close"):
-            self.is_open = kind == "open"
+            self.done.append(kind)
+            if kind == "bug":
+                self.broken = text
+            elif kind == "edit":
+                self.edits.append(text)
+            elif kind in ("open", "close"):
+                self.is_open = kind == "open"
 
     def end(self) -> None:
-        """End it as if its power was cut, where it did not go by itself."""
-        os.close(self.tell)
-        os.close(self.hear)
-        with contextlib.suppress(ProcessLookupError):
-            os.kill(self.pid, signal.SIGKILL)
-        os.waitpid(self.pid, 0)
+        """End it as if its power was cut."""
+        self._process.kill()
+        self._process.join()
+        self._pipe.close()
 
 
-def interleave(folder: Path, number: int, findings: Findings, plan: Plan) -> None:
-    """One run."""
-    path, chance = made_session(folder), random.Random(f"{plan.seed}/{number}")
-    programs = [Other.begun(name, path) for name in ("a", "b")]
-    story, saves = list[str](), 0
+def interleave(
+    path: Path, programs: list[Program], chance: random.Random, story: list[str]
+) -> None:
+    """Have both take their turns; what they are asked goes into the story."""
+    saves = 0
     for _ in range(_TURNS):
         if chance.random() < _REMOVED:
             story.append(without_lock(path, chance))
@@ -136,22 +118,14 @@ def interleave(folder: Path, number: int, findings: Findings, plan: Plan) -> Non
                 story.append(f"{program.name} {act}")
                 program.ask(act)
         for program in asked:
-            program.heard(findings)
+            program.hear()
     for program in programs:
         if chance.random() < 0.5:
             program.ask("close")
-            program.heard(findings)
-        program.end()
-    findings.count("interleavings")
-    wrong = [f"{program.name} {program.broken}" for program in programs if program.broken]
-    found = "\n".join(everything_kept(path))
-    lost = [edit for program in programs for edit in program.edits if f"{edit}." not in found]
-    wrong += [f"lost {', '.join(lost)}"] if lost else []
-    if wrong:
-        findings.violation(f"run {number}: {'; '.join(wrong)} after {', '.join(story)}")
+            program.hear()
 
 
-def turn(program: Other, chance: random.Random, *, saves: bool) -> list[str]:
+def turn(program: Program, chance: random.Random, *, saves: bool) -> list[str]:
     """What a program is told to do in its turn: it works in a session once it has opened it."""
     if not program.is_open:
         return ["open"]
@@ -182,32 +156,23 @@ def everything_kept(path: Path) -> Iterator[str]:
             yield from (entry.after for entry in session.history)
             session.close()
     for journal in companions(path).glob("*.sqlite"):
-        with (
-            contextlib.closing(sqlite3.connect(journal)) as base,
-            contextlib.suppress(sqlite3.Error),
-        ):
+        with closing(sqlite3.connect(journal)) as base, contextlib.suppress(sqlite3.Error):
             yield from (row[0] for row in base.execute("SELECT after FROM steps"))
 
 
-# The programs
-
-
-def serve(path: Path, name: str, told: int, say: int) -> None:
-    """Do what is told, a line each; say of each what came of it. Never returns."""
+def serve(path: Path, name: str, pipe: Connection) -> None:
+    """One of the programs: do what is told, and say of each what came of it."""
     session: Session | None = None
     count = 0
-    with os.fdopen(told) as acts:
-        for line in acts:
-            act = line.strip()
-            count += 1
-            try:
-                session, kind, text = acted(path, session, act, f"{name}{count}")
-            except TrackwrightError as why:
-                kind, text = "refused", str(why)
-            except BaseException:
-                kind, text = "bug", traceback.format_exc()[-1500:]
-            os.write(say, json.dumps({"kind": kind, "text": text}).encode() + b"\n")
-    os._exit(0)
+    while act := pipe.recv():
+        count += 1
+        try:
+            session, kind, text = acted(path, session, act, f"{name}{count}")
+        except TrackwrightError as why:
+            kind, text = "refused", str(why)
+        except BaseException:
+            kind, text = "bug", traceback.format_exc()[-1500:]
+        pipe.send((kind, text))
 
 
 def acted(
@@ -232,4 +197,4 @@ def acted(
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(sweep(attack, 500))

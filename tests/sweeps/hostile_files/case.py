@@ -1,10 +1,10 @@
-"""What a hostile case is."""
+"""What a hostile case is, and what makes files hostile whatever they are."""
 
 from __future__ import annotations
 
 import os
 import shutil
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -13,6 +13,11 @@ INFO = ("info", "W/s.h5", "--json")
 RESTORE = ("restore", "W/s.h5")
 SHOW = ("info", "W/rec", "--json")
 HIDDEN = ".s.h5.trackwright"
+EITHER = None
+"""Of a case that may be refused or not."""
+Make = Callable[[Path], object]
+"""Turns a copy of whole files into hostile ones. Beside it stands `elsewhere` with files that
+nothing may change."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,19 +27,42 @@ class Case:
     Attributes:
         name: what it is, in words.
         base: the whole files it begins as: `session`, `waiting`, `older`, `stereo`, `pictures`...
-        make: turns the copy of them into a hostile one. Beside it stands `elsewhere` with files
-            that nothing may change.
         words: the command; W/ stands for the copy, K/ for the whole files.
-        status: how it ends: 0, 1, or None where either will do.
+        status: how it ends: 0, 1 (or 2, of a word of the command), or `EITHER`.
         says: what its last line on stderr says, a regular expression.
     """
 
     name: str
     base: str
-    make: Callable[[Path], object]
+    make: Make
     words: tuple[str, ...]
     status: int | None = 1
     says: str = ""
+
+
+def cases(
+    base: str, words: tuple[str, ...], made: Mapping[str, Make], status: int | None = 1
+) -> tuple[Case, ...]:
+    """Cases by their names that begin and end alike."""
+    return tuple(Case(name, base, make, words, status) for name, make in made.items())
+
+
+def no_files(
+    what: str, base: str, file: str, words: tuple[str, ...], status: int | None = 1
+) -> tuple[Case, ...]:
+    """A file of the copy replaced by everything that is no file of the user's own."""
+    made = {
+        "a device": linked(file, "/dev/zero"),
+        "a pipe": piped(file),
+        "a folder": foldered(file),
+        "a link to a file elsewhere": linked(file, "E/victim.txt"),
+        "a link to a database elsewhere": linked(file, "E/victim.sqlite"),
+        "a link to a file to be made": linked(file, "E/made.txt"),
+        "a second name of a file elsewhere": hard_linked(file, "victim.txt"),
+        "a second name of a database elsewhere": hard_linked(file, "victim.sqlite"),
+        "20 GiB of nothing": sparse(file, 20 << 30),
+    }
+    return cases(base, words, {f"{what}: {name}": make for name, make in made.items()}, status)
 
 
 def elsewhere(work: Path) -> Path:
@@ -42,32 +70,27 @@ def elsewhere(work: Path) -> Path:
     return work.parent / "elsewhere"
 
 
-def linked(file: str, target: str) -> Callable[[Path], None]:
+def linked(file: str, target: str) -> Make:
     """Something in the copy becomes a link; E/ stands for the folder nothing may touch."""
-
-    def make(work: Path) -> None:
-        place = fresh(work / file)
-        place.symlink_to(target.replace("E/", f"{elsewhere(work)}/"))
-
-    return make
+    return lambda work: fresh(work / file).symlink_to(target.replace("E/", f"{elsewhere(work)}/"))
 
 
-def hard_linked(file: str, target: str) -> Callable[[Path], None]:
+def hard_linked(file: str, target: str) -> Make:
     """Something in the copy becomes a second name of a file elsewhere."""
     return lambda work: os.link(elsewhere(work) / target, fresh(work / file))
 
 
-def piped(file: str) -> Callable[[Path], None]:
+def piped(file: str) -> Make:
     """A pipe nobody writes to."""
     return lambda work: os.mkfifo(fresh(work / file))
 
 
-def foldered(file: str) -> Callable[[Path], None]:
+def foldered(file: str) -> Make:
     """A folder where a file is expected."""
     return lambda work: fresh(work / file).mkdir()
 
 
-def sparse(file: str, size: int) -> Callable[[Path], None]:
+def sparse(file: str, size: int) -> Make:
     """A file with a hole of that size."""
 
     def make(work: Path) -> None:
@@ -77,19 +100,15 @@ def sparse(file: str, size: int) -> Callable[[Path], None]:
     return make
 
 
-def text(file: str, said: str | bytes) -> Callable[[Path], None]:
+def text(file: str, said: str | bytes) -> Make:
     """A file that says this."""
     data = said if isinstance(said, bytes) else said.encode("utf-8", "surrogateescape")
     return lambda work: fresh(work / file).write_bytes(data)
 
 
-def later(make: Callable[[], Callable[[Path], object]]) -> Callable[[Path], None]:
+def later(make: Callable[[], Make]) -> Make:
     """What is large is made only when its turn comes."""
-
-    def made(work: Path) -> None:
-        make()(work)
-
-    return made
+    return lambda work: make()(work)
 
 
 def fresh(place: Path) -> Path:

@@ -11,13 +11,14 @@ import h5py
 import numpy as np
 
 from tests.sweeps.hostile_files.case import (
+    EITHER,
     EXPORT,
     INFO,
     Case,
+    Make,
+    cases,
     elsewhere,
-    foldered,
-    linked,
-    piped,
+    no_files,
     text,
 )
 
@@ -26,11 +27,11 @@ _DETECT = (
     *("track", "K/stereo/rec", "--tracker", "three-part", "--frames", "0:2", "-o", "W/out.h5"),
     *("--detector", "W/d.h5"),
 )
+_PICKLE = b"\x80\x04cos\nsystem\n(S'touch x'\ntR."
+_LEFT = "tracks/left"
 
 
-def spoilt(
-    spoil: Callable[[h5py.File, Path], object], file: str = "s.h5"
-) -> Callable[[Path], None]:
+def spoilt(spoil: Callable[[h5py.File, Path], object], file: str = "s.h5") -> Make:
     """The file with something done to it."""
 
     def make(work: Path) -> None:
@@ -40,43 +41,48 @@ def spoilt(
     return make
 
 
-def _set(name: str, value: Any, group: str = "/") -> Callable[[Path], None]:
+def _set(name: str, value: Any, group: str = "/") -> Make:
     return spoilt(lambda file, _: file[group].attrs.__setitem__(name, value))
 
 
-def _table(name: str, **how: Any) -> Callable[[Path], None]:
-    def spoil(file: h5py.File, _: Path) -> None:
-        if name in file:
-            del file[name]
-        file.create_dataset(name, **how)
-
-    return spoilt(spoil)
+def _of_recording(name: str, value: Any) -> Make:
+    return _set(name, value, "recording")
 
 
-def _link(link: Callable[[Path], Any]) -> Callable[[Path], None]:
+def _column(make: Callable[[h5py.File, int, Path], object]) -> Make:
+    """Something else than the column `left` of the tracks; it is told the rows that were there."""
+
     def spoil(file: h5py.File, other: Path) -> None:
-        del file["tracks/left"]
-        file["tracks/left"] = link(other)
+        rows = len(file[_LEFT])
+        del file[_LEFT]
+        make(file, rows, other)
 
     return spoilt(spoil)
 
 
-def _virtual(file: h5py.File, _: Path) -> None:
-    rows = len(file["tracks/left"])
-    del file["tracks/left"]
+def _table(**how: Any) -> Make:
+    return _column(lambda file, _rows, _other: file.create_dataset(_LEFT, **how))
+
+
+def _link(link: Callable[[Path], Any]) -> Make:
+    return _column(lambda file, _, other: file.__setitem__(_LEFT, link(other)))
+
+
+def _virtual(file: h5py.File, rows: int, _: Path) -> None:
     layout = h5py.VirtualLayout((rows,), "f8")
     layout[:] = h5py.VirtualSource("/etc/passwd", "x", (rows,))
-    file.create_virtual_dataset("tracks/left", layout)
+    file.create_virtual_dataset(_LEFT, layout)
 
 
-def _stored_elsewhere(file: h5py.File, _: Path) -> None:
-    rows = len(file["tracks/left"])
-    del file["tracks/left"]
-    file.create_dataset("tracks/left", (rows,), "f8", external=[("/etc/passwd", 0, 8 * rows)])
+def _stored_elsewhere(file: h5py.File, rows: int, _: Path) -> None:
+    file.create_dataset(_LEFT, (rows,), "f8", external=[("/etc/passwd", 0, 8 * rows)])
 
 
-def _circle(file: h5py.File, _: Path) -> None:
-    file["tracks/again"] = file["tracks"]
+def _bomb(file: h5py.File, *_: Any) -> None:
+    made = file.create_dataset(_LEFT, (1 << 28,), "f8", chunks=(1 << 20,), compression="gzip")
+    block = np.zeros(1 << 20)
+    for start in range(0, 1 << 26, 1 << 20):
+        made[start : start + (1 << 20)] = block
 
 
 def _deep(file: h5py.File, _: Path) -> None:
@@ -95,192 +101,102 @@ def _attributes(file: h5py.File, _: Path) -> None:
         file["samples"].attrs[str(number)] = number
 
 
-def _bomb(file: h5py.File, _: Path) -> None:
-    del file["tracks/left"]
-    made = file.create_dataset(
-        "tracks/left", (1 << 28,), "f8", chunks=(1 << 20,), compression="gzip"
-    )
-    block = np.zeros(1 << 20)
-    for start in range(0, 1 << 26, 1 << 20):
-        made[start : start + (1 << 20)] = block
-
-
-def _label(name: str) -> Callable[[Path], None]:
+def _label(name: str) -> Make:
     def spoil(file: h5py.File, _: Path) -> None:
         for column, value in (("track", 1), ("name", name), ("attributes", "{}"), ("notes", name)):
-            old = file[f"labels/{column}"]
-            dtype = old.dtype
+            dtype = file[f"labels/{column}"].dtype
             del file[f"labels/{column}"]
             file.create_dataset(f"labels/{column}", data=[value], dtype=dtype)
 
     return spoilt(spoil)
 
 
-def _author(text_: str) -> Callable[[Path], None]:
+def _author(name: str) -> Make:
     def spoil(file: h5py.File, _: Path) -> None:
-        column = file["edits/author"]
-        column[...] = [text_] * len(column)
+        file["edits/author"][...] = [name] * len(file["edits/author"])
 
     return spoilt(spoil)
 
 
-def _sparse_session(work: Path) -> None:
-    os.truncate(work / "s.h5", 300 << 20)
+def _bytes(change: Callable[[bytes], bytes]) -> Make:
+    """The session with its bytes changed."""
+    return lambda work: (work / "s.h5").write_bytes(change((work / "s.h5").read_bytes()))
 
 
-def _user_block(work: Path) -> None:
-    data = (work / "s.h5").read_bytes()
-    (work / "s.h5").write_bytes(bytes(512) + data)
+def _zeroed(data: bytes) -> bytes:
+    return data[:2048] + bytes(len(data) * 2 // 3 - 2048) + data[len(data) * 2 // 3 :]
 
 
-def _zeroed(work: Path) -> None:
-    data = bytearray((work / "s.h5").read_bytes())
-    data[2048 : len(data) * 2 // 3] = bytes(len(data) * 2 // 3 - 2048)
-    (work / "s.h5").write_bytes(data)
-
-
-def _cut(work: Path) -> None:
-    os.truncate(work / "s.h5", (work / "s.h5").stat().st_size // 2)
-
-
-CASES = (
-    Case("session: a device", "session", linked("s.h5", "/dev/zero"), INFO),
-    Case("session: a pipe", "session", piped("s.h5"), INFO),
-    Case("session: a folder", "session", foldered("s.h5"), INFO),
-    Case(
-        "session: a pickle", "session", text("s.h5", b"\x80\x04cos\nsystem\n(S'touch x'\ntR."), INFO
+_FILES = {
+    "session: a pickle": text("s.h5", _PICKLE),
+    "session: cut in half": _bytes(lambda data: data[: len(data) // 2]),
+    "session: zeroed within": _bytes(_zeroed),
+}
+_FILES_EITHER = {
+    "session: 300 MB of nothing behind it": lambda work: os.truncate(work / "s.h5", 300 << 20),
+    "session: behind a block of another program": _bytes(lambda data: bytes(512) + data),
+    "an attribute of 60,000 letters": _set("software", "x" * 60_000),
+    "escapes in the name of the program": _set("software", "\x1b]0;x\x07\n\x1b[31m"),
+    "settings nested endlessly": _set("settings", "[" * 60_000, "runs/0"),
+}
+_TABLES = {
+    "a link into another file": _link(lambda other: h5py.ExternalLink(other / "other.h5", "/x")),
+    "a link to a device": _link(lambda _: h5py.ExternalLink("/dev/zero", "/x")),
+    "a soft link": _link(lambda _: h5py.SoftLink("/tracks/top")),
+    "a table that lies in other tables": _column(_virtual),
+    "a table stored in another file": _column(_stored_elsewhere),
+    "a filter nobody knows": _table(data=np.zeros(9), compression="lzf"),
+    "10^12 rows that are not there": _table(shape=(10**12,), dtype="f8", chunks=(4096,)),
+    "80 GB that are not there, in one piece": _table(shape=(10**10,), dtype="f8"),
+    "two gigabytes of zeros in two megabytes": _column(_bomb),
+    "lists in a column": _table(shape=(5,), dtype=h5py.vlen_dtype(np.int32)),
+    "references in a column": _table(shape=(5,), dtype=h5py.ref_dtype),
+    "text in a column": _table(data=["=1+1"] * 9),
+    "a group within itself": spoilt(
+        lambda file, _: file.__setitem__("tracks/again", file["tracks"])
     ),
-    Case("session: cut in half", "session", _cut, INFO),
-    Case("session: zeroed within", "session", _zeroed, INFO),
-    Case("session: 300 MB of nothing behind it", "session", _sparse_session, INFO, None),
-    Case("session: behind a block of another program", "session", _user_block, INFO, None),
-    Case(
-        "a link into another file",
-        "session",
-        _link(lambda other: h5py.ExternalLink(other / "other.h5", "/x")),
-        EXPORT,
-    ),
-    Case(
-        "a link to a device",
-        "session",
-        _link(lambda _: h5py.ExternalLink("/dev/zero", "/x")),
-        EXPORT,
-    ),
-    Case("a soft link", "session", _link(lambda _: h5py.SoftLink("/tracks/top")), EXPORT),
-    Case("a table that lies in other tables", "session", spoilt(_virtual), EXPORT),
-    Case("a table stored in another file", "session", spoilt(_stored_elsewhere), EXPORT),
-    Case(
-        "a filter nobody knows",
-        "session",
-        _table("tracks/left", data=np.zeros(9), compression="lzf"),
-        EXPORT,
-    ),
-    Case(
-        "a table of 10^12 rows that are not there",
-        "session",
-        _table("tracks/left", shape=(10**12,), dtype="f8", chunks=(4096,)),
-        EXPORT,
-    ),
-    Case(
-        "80 GB that are not there, in one piece",
-        "session",
-        _table("tracks/left", shape=(10**10,), dtype="f8"),
-        EXPORT,
-    ),
-    Case("two gigabytes of zeros in two megabytes", "session", spoilt(_bomb), EXPORT),
-    Case(
-        "lists in a column",
-        "session",
-        _table("tracks/left", shape=(5,), dtype=h5py.vlen_dtype(np.int32)),
-        EXPORT,
-    ),
-    Case(
-        "references in a column",
-        "session",
-        _table("tracks/left", shape=(5,), dtype=h5py.ref_dtype),
-        EXPORT,
-    ),
-    Case("text in a column", "session", _table("tracks/left", data=["=1+1"] * 9), EXPORT),
-    Case("a group within itself", "session", spoilt(_circle), EXPORT),
-    Case("2,000 groups deep", "session", spoilt(_deep), EXPORT),
-    Case("30,000 groups", "session", spoilt(_wide), EXPORT),
-    Case("3,000 attributes", "session", spoilt(_attributes), EXPORT),
-    Case("an attribute of 60,000 letters", "session", _set("software", "x" * 60_000), INFO, None),
-    Case(
-        "escapes in the name of the program",
-        "session",
-        _set("software", "\x1b]0;x\x07\n\x1b[31m"),
-        INFO,
-        None,
-    ),
-    Case(
-        "escapes in the recording's name",
-        "session",
-        _set("name", "\x1b[2J\nx", "recording"),
-        ("info", "W/s.h5"),
-        None,
-    ),
-    Case(
-        "markup in the recording's name",
-        "session",
-        _set("name", "<img src=/etc/passwd>", "recording"),
-        ("info", "W/s.h5"),
-        0,
-    ),
-    Case(
-        "a recording that is a device", "session", _set("path", "/dev/zero", "recording"), EXPORT, 0
-    ),
-    Case(
-        "a recording far above", "session", _set("path", "../" * 50 + "etc", "recording"), EXPORT, 0
-    ),
-    Case(
-        "a recording of a long name", "session", _set("path", "x" * 9000, "recording"), EXPORT, None
-    ),
-    Case("no frames a second", "session", _set("fps", 0.0, "recording"), EXPORT, None),
-    Case("endless frames a second", "session", _set("fps", np.inf, "recording"), EXPORT),
-    Case("10^15 frames", "session", _set("frame_count", 10**15, "recording"), EXPORT),
+    "2,000 groups deep": spoilt(_deep),
+    "30,000 groups": spoilt(_wide),
+    "3,000 attributes": spoilt(_attributes),
+    "endless frames a second": _of_recording("fps", np.inf),
+    "10^15 frames": _of_recording("frame_count", 10**15),
+}
+_TABLES_EITHER = {
+    "a recording of a long name": _of_recording("path", "x" * 9000),
+    "no frames a second": _of_recording("fps", 0.0),
+    "a name that is a formula": _label('=HYPERLINK("http://x")'),
+}
+_TOLD = {
+    "escapes in the recording's name": _of_recording("name", "\x1b[2J\nx"),
+    "a name from right to left": _label("\u202etxt.exe"),
+}
+_PLACES = {
+    "a recording that is a device": _of_recording("path", "/dev/zero"),
+    "a recording far above": _of_recording("path", "../" * 50 + "etc"),
+}
+_CVAT = ("export", "W/s.h5", "-o", "W/out.xml", "--format", "cvat")
+_CURSOR, _ESCAPE = "\x1b[2J\x1b]8;;http://x\x07", "\x1b[31mada\r\nroot"
+_MARKUP = _of_recording("name", "<img src=/etc/passwd>")
+_ELSEWHERE = spoilt(
+    lambda file, _: file.__setitem__("trajectory2", h5py.ExternalLink("/etc/passwd", "/")),
+    "pedpy-h5.h5",
+)
+_NO_NUMBER = spoilt(lambda file, _: file.attrs.__setitem__("format_version", "x"), "d.h5")
+CASES: tuple[Case, ...] = (
+    *no_files("session", "session", "s.h5", INFO),
+    *cases("session", INFO, _FILES),
+    *cases("session", INFO, _FILES_EITHER, EITHER),
+    *cases("session", EXPORT, _TABLES),
+    *cases("session", EXPORT, _TABLES_EITHER, EITHER),
+    *cases("session", EXPORT, _PLACES, 0),
+    *cases("session", ("info", "W/s.h5"), _TOLD, EITHER),
     Case("a newer format", "session", _set("format_version", "9.0"), EXPORT, 1, "newer"),
-    Case(
-        "settings nested endlessly", "session", _set("settings", "[" * 60_000, "runs/0"), INFO, None
-    ),
-    Case(
-        "a name that moves the cursor",
-        "session",
-        _label("\x1b[2J\x1b]8;;http://x\x07"),
-        ("export", "W/s.h5", "-o", "W/out.xml", "--format", "cvat"),
-        None,
-    ),
-    Case("a name that is a formula", "session", _label('=HYPERLINK("http://x")'), EXPORT, None),
-    Case("a name from right to left", "session", _label("\u202etxt.exe"), ("info", "W/s.h5"), None),
-    Case(
-        "an author with an escape",
-        "session",
-        _author("\x1b[31mada\r\nroot"),
-        ("log", "W/s.h5"),
-        None,
-    ),
-    Case(
-        "floor tracks that lie in other tables",
-        "tracks-pedpy-h5",
-        spoilt(
-            lambda file, _: file.__setitem__("trajectory2", h5py.ExternalLink("/etc/passwd", "/")),
-            "pedpy-h5.h5",
-        ),
-        _PEDPY,
-        None,
-    ),
-    Case("floor tracks: a device", "tracks-pedpy-h5", linked("pedpy-h5.h5", "/dev/zero"), _PEDPY),
-    Case(
-        "a detector that is a pickle",
-        "detector",
-        text("d.h5", b"\x80\x04cos\nsystem\n(S'touch x'\ntR."),
-        _DETECT,
-    ),
-    Case(
-        "a detector without a number",
-        "detector",
-        spoilt(lambda file, _: file.attrs.__setitem__("format_version", "x"), "d.h5"),
-        _DETECT,
-    ),
-    Case("a detector: a pipe", "detector", piped("d.h5"), _DETECT),
+    *cases("session", ("info", "W/s.h5"), {"markup in the recording's name": _MARKUP}, 0),
+    *cases("session", _CVAT, {"a name that moves the cursor": _label(_CURSOR)}, EITHER),
+    *cases("session", ("log", "W/s.h5"), {"an author with an escape": _author(_ESCAPE)}, EITHER),
+    *no_files("floor tracks", "tracks-pedpy-h5", "pedpy-h5.h5", _PEDPY),
+    Case("floor tracks that lie elsewhere", "tracks-pedpy-h5", _ELSEWHERE, _PEDPY, EITHER),
+    *no_files("a detector", "detector", "d.h5", _DETECT),
+    Case("a detector that is a pickle", "detector", text("d.h5", _PICKLE), _DETECT),
+    Case("a detector without a number", "detector", _NO_NUMBER, _DETECT),
 )

@@ -1,4 +1,4 @@
-"""Stone Soup's trackers over detections, in its own environment; see `following.main`.
+"""Stone Soup's trackers over detections, for `follow.py`.
 
 Constant velocity on the floor, a Kalman filter, tracks confirmed after so many measurements and
 deleted after so long without one or when their place is too unsure: put together as in its
@@ -8,7 +8,6 @@ tutorials on data association and initiators.
 from datetime import datetime, timedelta
 
 import numpy as np
-from following import main
 from stonesoup.dataassociator.neighbour import GNNWith2DAssignment
 from stonesoup.dataassociator.probability import JPDAwithEHM2
 from stonesoup.deleter.error import CovarianceBasedDeleter
@@ -117,7 +116,3 @@ def jpda(settings, fps):
         updater=updater,
     )
     return steps(tracker, settings, fps)
-
-
-if __name__ == "__main__":
-    main({"Stone Soup GNN": gnn, "Stone Soup JPDA": jpda})
