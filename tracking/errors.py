@@ -8,6 +8,9 @@ from __future__ import annotations
 
 import errno
 import os
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
 from typing import Self
 
 _TO_DO = {
@@ -99,6 +102,15 @@ class OutputError(TrackwrightError):
 
 class CancelledError(TrackwrightError):
     """The user stopped long work; nothing half-done was kept."""
+
+
+@contextmanager
+def explain_unreadable(path: Path) -> Iterator[None]:
+    """Turn what the system says of a file that cannot be read into one line, a FormatError."""
+    try:
+        yield
+    except OSError as error:
+        raise FormatError(f"cannot read {path}: {error.strerror}; check the path") from error
 
 
 def told_by_system(error: BaseException) -> str:

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from types import MappingProxyType
 
-from tracking.errors import FormatError
+from tracking.errors import FormatError, explain_unreadable
 from tracking.formats.coco import COCO
 from tracking.formats.csv_tracks import CSV
 from tracking.formats.cvat import CVAT
@@ -82,11 +82,8 @@ def format_of(path: Path) -> TrackFormat:
         return _format_of_folder(path)
     if not path.is_file() and path.exists():
         raise FormatError(f"{path} is no file that can be read twice; save it first")
-    try:
-        with path.open("rb") as stream:
-            head = stream.read(HEAD_BYTES)
-    except OSError as error:
-        raise FormatError(f"cannot read {path}: {error.strerror}; check the path") from error
+    with explain_unreadable(path), path.open("rb") as stream:
+        head = stream.read(HEAD_BYTES)
     if not head.strip():
         raise FormatError(f"{path} is empty; name a file with tracks")
     for each in _AS_ASKED:

@@ -11,7 +11,7 @@ from typing import Any
 import h5py
 import numpy as np
 
-from tracking.errors import FormatError
+from tracking.errors import FormatError, explain_unreadable
 from tracking.formats import hdf5_tracks_inspection
 from tracking.formats.read_result import FASTEST_FPS
 from tracking.untrusted import verdicts_of
@@ -47,10 +47,8 @@ def opened(path: Path, *layouts: str) -> Iterator[h5py.File]:
 
     Raises FormatError where it is not, and for what the library says of damage while it is read.
     """
-    try:
+    with explain_unreadable(path):
         verdict = _verdict(path)
-    except OSError as error:
-        raise FormatError(f"cannot read {path}: {error.strerror}; check the path") from error
     if "refused" in verdict:
         raise FormatError(f"{path}{verdict['refused']}")
     if verdict["layout"] not in layouts:

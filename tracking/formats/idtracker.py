@@ -20,7 +20,7 @@ import h5py
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.errors import FormatError
+from tracking.errors import FormatError, explain_unreadable
 from tracking.formats.delimited_text import NumberRows, Piece, RowShape, pieces_of
 from tracking.formats.hdf5_tracks import has_layout, number_of, opened, text_of
 from tracking.formats.read_result import Filmed, Imported, Reading
@@ -41,11 +41,8 @@ def looks_like_idtracker(path: Path, head: bytes) -> bool:
 def import_idtracker(path: Path, _filmed: Filmed, report: Progress = no_progress) -> Imported:
     """The tracks of a file. Raises FormatError where it is none of these, or is not safe."""
     reading = Reading(path, report)
-    try:
-        with path.open("rb") as stream:
-            as_text = _HEADER.match(stream.read(1 << 16))
-    except OSError as error:
-        raise FormatError(f"cannot read {path}: {error.strerror}; check the path") from error
+    with explain_unreadable(path), path.open("rb") as stream:
+        as_text = _HEADER.match(stream.read(1 << 16))
     if as_text:
         points, seconds = _points_of_text(reading)
         fps = _fps_of(seconds)

@@ -11,7 +11,7 @@ import h5py
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.errors import FormatError
+from tracking.errors import FormatError, explain_unreadable
 from tracking.failure import BESIDES, FEATURE_NAMES, SAMPLE_COLUMNS, SAMPLE_SOURCES, Samples
 from tracking.failure.core.samples import NOT_TOLD_APART
 from tracking.formats import samples_inspection
@@ -79,10 +79,8 @@ def is_hdf5(path: Path) -> bool:
     """
     if path.suffix.lower() in _ENDINGS:
         return True
-    try:
+    with explain_unreadable(path):
         return begins_as_hdf5(path)
-    except OSError as error:
-        raise FormatError(f"cannot read {path}: {error.strerror}; check the path") from error
 
 
 def begins_as_hdf5(path: Path) -> bool:

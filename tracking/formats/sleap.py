@@ -22,7 +22,7 @@ import h5py
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.errors import FormatError
+from tracking.errors import FormatError, explain_unreadable
 from tracking.formats.hdf5_tracks import has_layout, opened, text_of
 from tracking.formats.read_result import Filmed, Imported, Reading
 from tracking.formats.sleap_csv import import_sleap_csv, is_sleap_csv
@@ -47,11 +47,8 @@ def looks_like_sleap(path: Path, head: bytes) -> bool:
 
 def import_sleap(path: Path, filmed: Filmed, report: Progress = no_progress) -> Imported:
     """The tracks of a file. Raises FormatError where it is none of these, or is not safe."""
-    try:
-        with path.open("rb") as stream:
-            head = stream.read(HEAD_BYTES)
-    except OSError as error:
-        raise FormatError(f"cannot read {path}: {error.strerror}; check the path") from error
+    with explain_unreadable(path), path.open("rb") as stream:
+        head = stream.read(HEAD_BYTES)
     if is_sleap_csv(head):
         return import_sleap_csv(path, filmed, report)
     if _is_project(path, head):

@@ -11,7 +11,7 @@ from urllib.parse import quote
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.errors import FormatError
+from tracking.errors import FormatError, explain_unreadable
 from tracking.formats.label_text import line
 from tracking.formats.read_result import Reading
 
@@ -47,13 +47,11 @@ def opened(path: Path, tables: Collection[str]) -> Iterator[sqlite3.Connection]:
     Raises FormatError where the file is missing, too large, none of SQLite's or damaged, also
     while it is read; where a table is missing, or is a view or a virtual table.
     """
-    try:
+    with explain_unreadable(path):
         size = path.stat().st_size
         with path.open("rb") as stream:
             if stream.read(len(SIGNATURE)) != SIGNATURE:
                 raise FormatError(f"{path} is not an SQLite file; choose one of JuPedSim's")
-    except OSError as error:
-        raise FormatError(f"cannot read {path}: {error.strerror}; check the path") from error
     if size > MOST_BYTES:
         raise FormatError(f"{path} is larger than {MOST_BYTES >> 30} GB; split it first")
     where = f"file:{quote(str(path.resolve()))}?mode=ro&immutable=1"

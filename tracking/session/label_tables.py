@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import json
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 import h5py
@@ -12,6 +12,7 @@ import h5py
 from tracking.session.hdf5 import is_empty, read_rows
 from tracking.session.layout import TABLES
 from tracking.tracks import (
+    LABEL_CHECKS,
     PART_SOURCES,
     CountingLine,
     Labels,
@@ -23,11 +24,7 @@ from tracking.tracks import (
     TrackLabel,
     Verdict,
     VerdictKey,
-    check_line,
-    check_occluder,
     check_part_label,
-    check_region,
-    check_reviewed,
     check_verdict,
 )
 
@@ -68,10 +65,10 @@ def read_labels(file: h5py.File) -> Labels:
     reviewed = (ReviewedRange(**row) for row in _rows(group, "reviewed"))
     return Labels(
         tracks=dict(sorted(_tracks(group))),
-        occluders=_sorted(_read_polygons(group, "occluders", Occluder), check_occluder),
-        reviewed=_sorted(reviewed, check_reviewed),
-        lines=_sorted(_read_lines(group), check_line),
-        regions=_sorted(_read_polygons(group, "regions", Region), check_region),
+        occluders=_sorted("occluders", _read_polygons(group, "occluders", Occluder)),
+        reviewed=_sorted("reviewed", reviewed),
+        lines=_sorted("lines", _read_lines(group)),
+        regions=_sorted("regions", _read_polygons(group, "regions", Region)),
         verdicts=_read_verdicts(group),
         parts=_read_parts(group),
     )
@@ -111,10 +108,10 @@ def _tracks(group: h5py.Group) -> Iterator[tuple[int, TrackLabel]]:
         yield row["track"], TrackLabel(row["name"], attributes, row["notes"])
 
 
-def _sorted(items: Iterable[Any], check: Callable[[Any], None]) -> tuple[Any, ...]:
+def _sorted(kind: str, items: Iterable[Any]) -> tuple[Any, ...]:
     held = sorted(set(items))
     for item in held:
-        check(item)
+        LABEL_CHECKS[kind](item)
     return tuple(held)
 
 

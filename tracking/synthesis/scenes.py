@@ -1,166 +1,86 @@
-"""The catalogue of scenes that can be rendered."""
+"""The catalogue of scenes that can be rendered, as scenes.toml has them."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import tomllib
+from collections.abc import Iterator, Mapping
+from pathlib import Path
 from types import MappingProxyType
+from typing import Any
 
-from tracking.synthesis.one_camera import ONE_CAMERA_SCENES
-from tracking.synthesis.specs import SceneSpec, WallSpec
-from tracking.synthesis.surroundings import (
-    ASPHALT,
-    CEILING_LAMP,
-    HIGH_SUN,
-    LIGHT_STONE,
-    PAVERS,
-    SKYLIGHT,
-    SLABS,
-    STONE,
-    SUN,
-    VINYL,
-)
+from tracking.synthesis import situations
+from tracking.synthesis.specs import FloorSpec, LampSpec, PassageSpec, SceneSpec, WallSpec
 
-_SCENES = (
-    SceneSpec(
-        "lobby",
-        "Lobby, 2.4 m, 30 degrees",
-        2.4,
-        30.0,
-        (-2.6, 3.2, 2.6, 9.0),
-        LIGHT_STONE,
-        SKYLIGHT,
-        walls=(WallSpec("y", 11.5),),
-        people=18,
-    ),
-    SceneSpec(
-        "plaza",
-        "Plaza, 6.4 m, 60 degrees",
-        6.4,
-        60.0,
-        (-2.8, 1.6, 2.8, 7.0),
-        SLABS,
-        SUN,
-        entrances=("left", "right", "near", "far"),
-        people=20,
-        pauses=0.4,
-    ),
-    SceneSpec(
-        "square",
-        "Square, 5.9 m, 40 degrees",
-        5.9,
-        40.0,
-        (-4.0, 4.5, 4.0, 12.0),
-        PAVERS,
-        HIGH_SUN,
-        entrances=("left", "right", "near"),
-        walls=(WallSpec("y", 17.5, "brick"),),
-        people=20,
-    ),
-    SceneSpec(
-        "indoor",
-        "Indoors, 2.3 m, 30 degrees",
-        2.3,
-        30.0,
-        (-2.4, 3.2, 2.4, 7.5),
-        VINYL,
-        CEILING_LAMP,
-        walls=(WallSpec("y", 9.5),),
-        people=14,
-    ),
-    SceneSpec(
-        "outdoor",
-        "Outdoors, 8.3 m, 50 degrees",
-        8.3,
-        50.0,
-        (-4.5, 3.5, 4.5, 12.0),
-        ASPHALT,
-        SUN,
-        entrances=("left", "right", "near", "far"),
-        people=22,
-    ),
-    SceneSpec(
-        "uniforms",
-        "Everybody in one colour, 2.4 m, 30 degrees",
-        2.4,
-        30.0,
-        (-2.6, 3.2, 2.6, 9.0),
-        STONE,
-        CEILING_LAMP,
-        walls=(WallSpec("y", 11.5),),
-        people=14,
-        uniform="navy",
-    ),
-    SceneSpec(
-        "pillars",
-        "Pillars in the way, 3.0 m, 30 degrees",
-        3.0,
-        30.0,
-        (-3.2, 4.0, 3.2, 9.5),
-        LIGHT_STONE,
-        SKYLIGHT,
-        walls=(WallSpec("y", 12.5),),
-        pillars_m=((-1.5, 5.2, 0.22), (1.7, 5.2, 0.22), (0.1, 8.4, 0.22)),
-    ),
-    SceneSpec(
-        "ceiling",
-        "Straight down, 3.6 m",
-        3.6,
-        90.0,
-        (-1.6, -1.1, 1.6, 1.1),
-        VINYL,
-        CEILING_LAMP,
-        entrances=("left", "right", "near", "far"),
-        people=10,
-    ),
-    SceneSpec(
-        "corridor",
-        "A crowded corridor, 3.6 m, 40 degrees",
-        3.6,
-        40.0,
-        (-1.5, 3.6, 1.5, 9.5),
-        STONE,
-        CEILING_LAMP,
-        entrances=("near", "far"),
-        walls=(WallSpec("x", -2.1), WallSpec("x", 2.1)),
-        people=26,
-        pauses=0.1,
-    ),
-    SceneSpec(
-        "walkway",
-        "A walkway for body parts, 3.0 m, 30 degrees",
-        3.0,
-        30.0,
-        (-2.6, 4.6, 2.6, 8.6),
-        SLABS,
-        SUN,
-        walls=(WallSpec("y", 13.0, "brick"),),
-        people=5,
-        seconds=12.0,
-        pauses=0.15,
-        contrasting=True,
-        size_px=(720, 480),
-    ),
-    SceneSpec(
-        "crouching",
-        "People who crouch and bend, 3.0 m, 30 degrees",
-        3.0,
-        30.0,
-        (-2.2, 4.8, 2.2, 8.2),
-        SLABS,
-        SUN,
-        walls=(WallSpec("y", 13.0, "brick"),),
-        people=4,
-        seconds=18.0,
-        pauses=1.0,
-        pause_s=(2.4, 4.0),
-        stoops=1.0,
-        contrasting=True,
-        size_px=(720, 480),
-    ),
-)
+_FILE = Path(__file__).with_name("scenes.toml")
+_PAUSE_S, _SITUATION_S = 2.0, 12.0
+"""Before the first of all situations, and for each."""
+_ALONE_S = 13.0
 
-SCENES: Mapping[str, SceneSpec] = MappingProxyType(
-    {scene.name: scene for scene in (*_SCENES, *ONE_CAMERA_SCENES)}
-)
+Values = Mapping[str, Any]
+
+
+def _catalogue() -> Iterator[SceneSpec]:
+    told = tomllib.loads(_FILE.read_text("utf-8"))
+    floors = {name: FloorSpec(**_frozen(values)) for name, values in told["floors"].items()}
+    lamps = {name: LampSpec(**_frozen(values)) for name, values in told["lamps"].items()}
+    offices = _offices(told["office"], {**told["offices"], **_situations()})
+    for name, values in {**told["scenes"], **offices, **told["passages"]}.items():
+        made = _frozen(values)
+        made["floor"], made["lamp"] = floors[made["floor"]], lamps[made["lamp"]]
+        made["walls"] = tuple(WallSpec(**_frozen(wall)) for wall in made.get("walls", ()))
+        if "passage" in made:
+            made["passage"] = PassageSpec(**_frozen(made["passage"]))
+            made["walls"] = _walls(made["passage"])
+        yield SceneSpec(name, **made)
+
+
+def _offices(shared: Values, offices: Mapping[str, Values]) -> dict[str, Values]:
+    """Scenes in one office; people do in each what its name says."""
+    height = f"straight down, {shared['height_m']:g} m"
+    return {
+        name: {**shared, **values, "title": f"{values['title']}, {height}", "scenario": name}
+        for name, values in offices.items()
+    }
+
+
+def _situations() -> dict[str, Values]:
+    """All hard situations one after the other, and each by itself."""
+    numbers = range(1, situations.COUNT + 1)
+    people = [situations.people_in(number) for number in numbers]
+    seconds = _PAUSE_S + situations.COUNT * _SITUATION_S
+    together = {"title": "Fifteen hard situations", "people": sum(people), "seconds": seconds}
+    alone = {
+        f"situation-{number}": {
+            "title": f"Hard situation {number} of {situations.COUNT}",
+            "people": count,
+            "seconds": _ALONE_S,
+        }
+        for number, count in zip(numbers, people, strict=True)
+    }
+    return {"situations": together, **alone}
+
+
+def _walls(passage: PassageSpec) -> tuple[WallSpec, ...]:
+    """The walls of a passage, beside its near mouth and of the cross passage behind it."""
+    half, along = passage.half_width_m, (passage.near_m, passage.far_m)
+    return (
+        WallSpec("x", -half, span_m=along),
+        WallSpec("x", half, span_m=along),
+        WallSpec("y", passage.near_m, span_m=(-float("inf"), -half)),
+        WallSpec("y", passage.near_m, span_m=(half, float("inf"))),
+        WallSpec("y", passage.far_m + 3.0, "brick"),
+    )
+
+
+def _frozen(values: Values) -> dict[str, Any]:
+    """Values as dataclasses keep them: tuples for lists, and for lists in them."""
+    return {key: _as_tuple(value) for key, value in values.items()}
+
+
+def _as_tuple(value: Any) -> Any:
+    return tuple(map(_as_tuple, value)) if isinstance(value, list) else value
+
+
+SCENES: Mapping[str, SceneSpec] = MappingProxyType({scene.name: scene for scene in _catalogue()})
 """Scenes by name, the papers' camera set-ups among them ([Kawashita2012], [Kawashita2014],
 [ZhaoLee2009], [Waechter2013], [Yoneji2013])."""

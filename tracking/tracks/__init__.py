@@ -17,6 +17,7 @@ from tracking.tracks.columns import (
     empty,
 )
 from tracking.tracks.label_checks import (
+    LABEL_CHECKS,
     LONGEST_KEY,
     LONGEST_NAME,
     LONGEST_VALUE,
@@ -59,6 +60,7 @@ __all__ = [
     "DETECTION_COLUMNS",
     "HEAD",
     "HIP_LEG",
+    "LABEL_CHECKS",
     "LARGEST_NUMBER",
     "LONGEST_KEY",
     "LONGEST_NAME",

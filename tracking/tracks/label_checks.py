@@ -6,7 +6,9 @@ Every check raises EditError in one line that says what is wrong and where.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
+from types import MappingProxyType
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -159,3 +161,16 @@ def _flat_apart(
     beside = ((high[:, None] < low[None]) | (high[None] < low[:, None])).any(axis=-1)
     flat: NDArray[np.bool_] = (side == 0) & (np.roll(side, -1, axis=1) == 0) & beside
     return flat
+
+
+LABEL_CHECKS: Mapping[str, Callable[[Any], None]] = MappingProxyType(
+    {
+        "occluders": check_occluder,
+        "reviewed": check_reviewed,
+        "lines": check_line,
+        "regions": check_region,
+        "verdicts": check_verdict,
+        "parts": check_part_label,
+    }
+)
+"""By the field of `Labels` that they stand in: each raises EditError for what is no label."""

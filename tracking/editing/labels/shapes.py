@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import TypeVar
+from typing import Any, Literal, TypeVar
 
 from tracking.editing.core.change import Change, LabelState, State
 from tracking.editing.labels.track_labels import writable
@@ -21,6 +21,7 @@ from tracking.tracks import (
 )
 
 _Drawn = TypeVar("_Drawn", Occluder, CountingLine, Region)
+_CALLED = {"occluders": "occluder", "lines": "counting line", "regions": "region"}
 
 
 def plan_occluders(labels: Labels, occluders: Sequence[Occluder], frame: int = 0) -> Change:
@@ -29,10 +30,7 @@ def plan_occluders(labels: Labels, occluders: Sequence[Occluder], frame: int = 0
     Raises EditError for a polygon with less than three corners or a corner that is no number, a
     missing name, and a name given twice.
     """
-    out, into = _exchange(labels.occluders, occluders, check_occluder, "occluder")
-    text = _text(out, into, "occluder")
-    before, after = LabelState(occluders=out), LabelState(occluders=into)
-    return Change("occluders", text, frame, State(labels=before), State(labels=after))
+    return _plan(labels, "occluders", occluders, check_occluder, frame)
 
 
 def plan_lines(labels: Labels, lines: Sequence[CountingLine], frame: int = 0) -> Change:
@@ -41,10 +39,7 @@ def plan_lines(labels: Labels, lines: Sequence[CountingLine], frame: int = 0) ->
     Raises EditError for a line without length or name, an end that is no number, a name given
     twice.
     """
-    out, into = _exchange(labels.lines, lines, check_line, "counting line")
-    text = _text(out, into, "counting line")
-    before, after = LabelState(lines=out), LabelState(lines=into)
-    return Change("lines", text, frame, State(labels=before), State(labels=after))
+    return _plan(labels, "lines", lines, check_line, frame)
 
 
 def plan_regions(labels: Labels, regions: Sequence[Region], frame: int = 0) -> Change:
@@ -53,10 +48,22 @@ def plan_regions(labels: Labels, regions: Sequence[Region], frame: int = 0) -> C
     Raises EditError for a polygon with less than three corners, a corner that is no number or
     edges that cross, a missing name, and a name given twice.
     """
-    out, into = _exchange(labels.regions, regions, check_region, "region")
-    text = _text(out, into, "region")
-    before, after = LabelState(regions=out), LabelState(regions=into)
-    return Change("regions", text, frame, State(labels=before), State(labels=after))
+    return _plan(labels, "regions", regions, check_region, frame)
+
+
+def _plan(
+    labels: Labels,
+    kind: Literal["occluders", "lines", "regions"],
+    wanted: Sequence[_Drawn],
+    check: Callable[[_Drawn], None],
+    frame: int,
+) -> Change:
+    """Set all labels of a kind, which is a field of `Labels` and of `LabelState`."""
+    what = _CALLED[kind]
+    out, into = _exchange(getattr(labels, kind), wanted, check, what)
+    sides: list[dict[str, Any]] = [{kind: out}, {kind: into}]
+    before, after = (State(labels=LabelState(**side)) for side in sides)
+    return Change(kind, _text(out, into, what), frame, before, after)
 
 
 def _exchange(

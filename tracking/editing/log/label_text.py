@@ -7,6 +7,7 @@ from typing import Any
 
 from tracking.editing.core.label_state import LabelState
 from tracking.tracks import (
+    LABEL_CHECKS,
     CountingLine,
     Occluder,
     PartLabel,
@@ -14,12 +15,6 @@ from tracking.tracks import (
     ReviewedRange,
     TrackLabel,
     Verdict,
-    check_line,
-    check_occluder,
-    check_part_label,
-    check_region,
-    check_reviewed,
-    check_verdict,
 )
 
 
@@ -69,23 +64,10 @@ def labels_from_json(parts: Mapping[str, Any]) -> LabelState:
         ),
         parts=tuple(_part_from_json(values) for values in parts.get("parts", ())),
     )
-    _check(labels)
+    for kind, check in LABEL_CHECKS.items():
+        for label in getattr(labels, kind):
+            check(label)
     return labels
-
-
-def _check(labels: LabelState) -> None:
-    for occluder in labels.occluders:
-        check_occluder(occluder)
-    for seen in labels.reviewed:
-        check_reviewed(seen)
-    for line in labels.lines:
-        check_line(line)
-    for region in labels.regions:
-        check_region(region)
-    for verdict in labels.verdicts:
-        check_verdict(verdict)
-    for label in labels.parts:
-        check_part_label(label)
 
 
 def _track_from_json(label: Mapping[str, Any]) -> TrackLabel:
