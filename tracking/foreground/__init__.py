@@ -10,19 +10,3 @@ from tracking.foreground.settings import ForegroundSettings
 from tracking.foreground.shade import ShadeColour
 from tracking.foreground.shadow import PERHAPS, ShadowRemover
 from tracking.foreground.shadow_weights import ShadowWeights
-
-__all__ = [
-    "PERHAPS",
-    "BackgroundModel",
-    "CameraWatch",
-    "ForegroundSettings",
-    "Marks",
-    "RampSettings",
-    "SecondaryMode",
-    "ShadeColour",
-    "ShadowRemover",
-    "ShadowWeights",
-    "Subtraction",
-    "in_size",
-    "ramp",
-]

@@ -1,6 +1,5 @@
 """Files of other tools."""
 
-from tracking.atomic_output import replacing
 from tracking.formats.catalogue import (
     FORMATS,
     READABLE,
@@ -19,34 +18,3 @@ from tracking.formats.samples_reading import begins_as_hdf5, is_hdf5, read_sampl
 from tracking.formats.track_format import TrackFormat
 from tracking.formats.track_writer import Exported
 from tracking.progress import no_progress
-
-__all__ = [
-    "FORMATS",
-    "READABLE",
-    "TRACK_ENDINGS",
-    "BadRow",
-    "Exported",
-    "Filmed",
-    "GivenLabel",
-    "Imported",
-    "Measurable",
-    "Stated",
-    "TrackFormat",
-    "begins_as_hdf5",
-    "format_named",
-    "format_of",
-    "is_hdf5",
-    "losses",
-    "measurable",
-    "no_progress",
-    "people_in_mot",
-    "read_mot",
-    "read_part_labels",
-    "read_samples",
-    "replacing",
-    "sample_files",
-    "samples_at",
-    "write_mot",
-    "write_part_labels",
-    "write_samples",
-]

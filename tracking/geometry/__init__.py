@@ -9,18 +9,3 @@ from tracking.geometry.quadrics import Ellipses, ellipses_of, standing_ellipses
 from tracking.geometry.rectification import Rectification
 from tracking.geometry.stereo_calibration import StereoCalibration
 from tracking.geometry.view import View
-
-__all__ = [
-    "Camera",
-    "Ellipses",
-    "FlatView",
-    "Ground",
-    "Rectification",
-    "StereoCalibration",
-    "View",
-    "calibration_text",
-    "ellipses_of",
-    "read_calibration",
-    "standing_ellipses",
-    "write_calibration",
-]

@@ -3,17 +3,3 @@
 from tracking.pages.folder import check_report_folder, write_report_folder
 from tracking.pages.plots import Axes, Axis, Bar, Panel, Plot, Shape, path_of, svg
 from tracking.pages.templates import render
-
-__all__ = [
-    "Axes",
-    "Axis",
-    "Bar",
-    "Panel",
-    "Plot",
-    "Shape",
-    "check_report_folder",
-    "path_of",
-    "render",
-    "svg",
-    "write_report_folder",
-]

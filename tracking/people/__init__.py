@@ -8,16 +8,3 @@ from tracking.people.range_check import RangedShare
 from tracking.people.settings import PeopleSettings
 from tracking.people.single_camera import SingleCameraPerception
 from tracking.people.stereo_watch import StereoWatch
-
-__all__ = [
-    "Detections",
-    "Observation",
-    "Overlays",
-    "PeopleSettings",
-    "RangedShare",
-    "SingleCameraPerception",
-    "StereoPerception",
-    "StereoWatch",
-    "first_lag",
-    "lag_looks",
-]

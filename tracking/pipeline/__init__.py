@@ -2,12 +2,3 @@
 
 from tracking.pipeline.run_buffer import KeptSteps, run_of_steps
 from tracking.pipeline.tracking_loop import Tracking, background_samples, begin_pairing, track
-
-__all__ = [
-    "KeptSteps",
-    "Tracking",
-    "background_samples",
-    "begin_pairing",
-    "run_of_steps",
-    "track",
-]

@@ -17,23 +17,3 @@ from tracking.recording.manifest import (
 from tracking.recording.options import OpenOptions
 from tracking.recording.recording import Recording
 from tracking.recording.recording_loader import open_from_manifest, open_recording
-
-__all__ = [
-    "MANIFEST_NAME",
-    "TRUTH_NAME",
-    "Fingerprint",
-    "FrameCache",
-    "Image",
-    "Instants",
-    "Manifest",
-    "OpenOptions",
-    "Recording",
-    "StereoFrame",
-    "format_manifest",
-    "manifest_text",
-    "open_from_manifest",
-    "open_recording",
-    "parse_manifest",
-    "read_manifest",
-    "write_manifest",
-]

@@ -5,17 +5,3 @@ from tracking.review.queue import filter_undecided, rank
 from tracking.review.reason_phrases import KINDS
 from tracking.review.review_item import ReviewItem, ReviewItemKey
 from tracking.review.review_search import ReviewItemFinder, find_review_items
-
-__all__ = [
-    "KINDS",
-    "Mistake",
-    "ReviewItem",
-    "ReviewItemFinder",
-    "ReviewItemKey",
-    "ReviewMeasures",
-    "ReviewMeter",
-    "filter_undecided",
-    "find_review_items",
-    "rank",
-    "review_measures",
-]

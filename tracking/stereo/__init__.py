@@ -3,5 +3,3 @@
 from tracking.stereo.settings import StereoSettings
 from tracking.stereo.sight_lines import SightLines
 from tracking.stereo.subtraction import STEP, SubtractionStereo, least_side_px
-
-__all__ = ["STEP", "SightLines", "StereoSettings", "SubtractionStereo", "least_side_px"]

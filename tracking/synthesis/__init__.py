@@ -6,17 +6,3 @@ from tracking.synthesis.scene import Scene
 from tracking.synthesis.scenes import SCENES
 from tracking.synthesis.specs import FloorSpec, LampSpec, SceneSpec, WallSpec
 from tracking.synthesis.truth import SceneTruth, Surfaces
-
-__all__ = [
-    "SCENES",
-    "Disturbances",
-    "FloorSpec",
-    "LampSpec",
-    "Scene",
-    "SceneSpec",
-    "SceneTruth",
-    "Surfaces",
-    "WallSpec",
-    "check_seconds",
-    "render_recording",
-]

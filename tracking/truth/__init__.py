@@ -7,14 +7,3 @@ from tracking.truth.visibility import (
     Visibility,
     read_visibility,
 )
-
-__all__ = [
-    "TRUE_PARTS",
-    "TRUE_PART_COLUMNS",
-    "VISIBILITY",
-    "VISIBILITY_COLUMNS",
-    "TrueParts",
-    "Visibility",
-    "read_true_parts",
-    "read_visibility",
-]

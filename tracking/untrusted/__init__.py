@@ -19,21 +19,3 @@ from tracking.untrusted.walk import (
     check_signature,
     checked_file,
 )
-
-__all__ = [
-    "DAMAGED",
-    "Kind",
-    "Refused",
-    "Walk",
-    "attribute_of",
-    "bare_packages",
-    "check_attributes",
-    "check_signature",
-    "checked_file",
-    "go_on",
-    "limit",
-    "named_format",
-    "say_verdicts",
-    "verdict_by",
-    "verdicts_of",
-]

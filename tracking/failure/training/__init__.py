@@ -4,17 +4,3 @@ from tracking.failure.training.detector_training import Trained, TrainingPlan, t
 from tracking.failure.training.page import check_training_folder, page_of, write_report
 from tracking.failure.training.report import Mistake, QuestionReport, TrainingReport
 from tracking.failure.training.svm_fit import GRID, Candidate
-
-__all__ = [
-    "GRID",
-    "Candidate",
-    "Mistake",
-    "QuestionReport",
-    "Trained",
-    "TrainingPlan",
-    "TrainingReport",
-    "check_training_folder",
-    "page_of",
-    "train",
-    "write_report",
-]

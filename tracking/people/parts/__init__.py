@@ -15,20 +15,3 @@ from tracking.people.parts.histograms import (
 from tracking.people.parts.lines import decompose
 from tracking.people.parts.rectangles import inner_rectangle, inner_rectangles
 from tracking.people.parts.regions import PartRegions, around, part_regions
-
-__all__ = [
-    "PartRegions",
-    "around",
-    "bhattacharyya",
-    "candidate_histograms",
-    "decompose",
-    "equalisation",
-    "equalised",
-    "even_division",
-    "inner_rectangle",
-    "inner_rectangles",
-    "level_histograms",
-    "part_regions",
-    "similarities",
-    "ycbcr",
-]

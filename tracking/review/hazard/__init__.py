@@ -3,5 +3,3 @@
 from tracking.review.hazard.expected_errors import Hazards
 from tracking.review.hazard.features import FEATURES, NOTICED, features
 from tracking.review.hazard.trees import Trees, built_in_trees
-
-__all__ = ["FEATURES", "NOTICED", "Hazards", "Trees", "built_in_trees", "features"]

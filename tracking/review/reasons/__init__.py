@@ -42,5 +42,3 @@ REASONS: Mapping[str, Callable[[Material], FlaggedPlaces]] = MappingProxyType(
     }
 )
 """By the kind of review item they make."""
-
-__all__ = ["REASONS"]

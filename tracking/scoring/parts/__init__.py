@@ -11,20 +11,3 @@ from tracking.scoring.parts.rows import (
     tracked_parts,
     tracked_people,
 )
-
-__all__ = [
-    "LAST_FRAME",
-    "SUBJECTS",
-    "Judged",
-    "PartTruth",
-    "Rates",
-    "TrackedParts",
-    "bounding",
-    "by_person",
-    "judge",
-    "margin",
-    "rates_of",
-    "read_part_truth",
-    "tracked_parts",
-    "tracked_people",
-]
