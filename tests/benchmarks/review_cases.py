@@ -18,7 +18,7 @@ from tracking.geometry import View
 from tracking.pipeline import track
 from tracking.recording import open_recording
 from tracking.review.core.evidence import gather_evidence
-from tracking.review.core.neighbours import neighbours
+from tracking.review.core.material import neighbours
 from tracking.scoring import IdentityError, Match, ScoringTable, identity_errors
 from tracking.session import Session
 from tracking.synthesis import SCENES, render_recording

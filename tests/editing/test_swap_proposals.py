@@ -8,19 +8,14 @@ import pytest
 from tests.pace import spent
 from tracking.editing import (
     apply_change,
-    plan_split,
     plan_swap,
     propose_swap_frames,
-    signals_of,
 )
 from tracking.tracks import (
     CORRECTED_COLUMNS,
     SIGNAL_COLUMNS,
-    TRACK_COLUMNS,
     Columns,
     Labels,
-    Particles,
-    Run,
     TrackTable,
     empty,
 )
@@ -151,47 +146,10 @@ def test_a_swap_far_from_where_the_user_looks_is_found_when_they_did_not_meet_th
     assert propose_swap_frames(table, 1, 2, near=9000)[0].frame == pytest.approx(300, abs=2)
 
 
-def run_of(table: TrackTable, signals: Columns) -> Run:
-    tracks = {name: table.columns()[name] for name in TRACK_COLUMNS}
-    nothing = Particles(np.zeros(1, np.int64), {})
-    return Run("test", {}, 0, (0, COUNT), tracks, {}, nothing, signals=signals)
-
-
-def test_what_a_run_noticed_goes_with_its_rows_whatever_their_ids_are_now() -> None:
+def test_a_run_that_noticed_nothing_changes_no_proposal() -> None:
     table = table_of_ways(*ways((1.2, 0.0), (1.2, 0.0), 0.6))
-    run = run_of(table, looks(None))
-    apply_change(table, Labels(), plan_swap(table, 1, 2, 120))
-    apply_change(table, Labels(), plan_split(table, 1, 150))
-    noticed = signals_of(table, run, (1, 3), 100)
-    own = {
-        (frame, track): light
-        for frame, track, light in zip(
-            *(noticed[n] for n in ("frame", "track", "upper_l")), strict=True
-        )
-    }
-    given = run.signals["upper_l"].reshape(COUNT, 2)
-    assert len(own) == 100
-    assert own[110, 1] == given[110, 0]
-    assert own[130, 1] == given[130, 1]
-    assert own[160, 3] == given[160, 1]
-
-
-def test_a_run_that_noticed_nothing_has_nothing_to_tell() -> None:
-    table = table_of_ways(*ways((1.2, 0.0), (1.2, 0.0), 0.6))
-    signals = signals_of(table, run_of(table, empty(SIGNAL_COLUMNS)), (1, 2))
-    assert signals.keys() == SIGNAL_COLUMNS.keys()
-    assert not any(map(len, signals.values()))
-    assert propose_swap_frames(table, 1, 2, signals=signals) == propose_swap_frames(table, 1, 2)
-    assert propose_swap_frames(table, 1, 2, signals=empty(SIGNAL_COLUMNS))
-
-
-def test_rows_a_person_moved_have_no_signals() -> None:
-    table = table_of_ways(*ways((1.2, 0.0), (1.2, 0.0), 0.6))
-    run = run_of(table, looks(None))
-    rows = {name: column.copy() for name, column in table.columns().items()}
-    rows["left"][rows["frame"] == 50] += 5
-    noticed = signals_of(TrackTable(rows), run, (1, 2))
-    assert set(range(COUNT)) - set(noticed["frame"].tolist()) == {50}
+    nothing = propose_swap_frames(table, 1, 2, signals=empty(SIGNAL_COLUMNS))
+    assert nothing == propose_swap_frames(table, 1, 2)
 
 
 def test_in_hours_of_footage_a_frame_is_proposed_at_once() -> None:

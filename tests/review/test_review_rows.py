@@ -10,7 +10,7 @@ from walks_on_a_floor import FPS, Walk, crossing, made_run, straight, swapped
 from tracking.editing import apply_change, plan_move_box
 from tracking.review.core.evidence import LOOKS, gather_evidence
 from tracking.review.core.findings import peaks
-from tracking.review.core.neighbours import neighbours
+from tracking.review.core.material import neighbours
 from tracking.tracks import Labels, TrackTable
 
 

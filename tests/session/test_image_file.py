@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from tracking.errors import SessionError
 from tracking.session.image_file import ImageFile
-from tracking.session.session_copy import copy_group
+from tracking.session.runs import copy_group
 from tracking.session.table_writer import Packer
 
 ROWS = 300_000

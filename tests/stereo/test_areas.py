@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 from numpy.typing import NDArray
 
-from tracking.stereo.areas import areas
+from tracking.stereo.subtraction import areas
 
 MARGIN = (12, 30)
 

@@ -24,7 +24,6 @@ from tracking.editing.core.scope import Scope
 from tracking.editing.identity.crossover import SwapFrame, propose_swap_frames
 from tracking.editing.identity.identities import plan_reassign, plan_split, plan_swap
 from tracking.editing.identity.merge import Keep, plan_merge_tracks
-from tracking.editing.identity.run_signals import signals_of
 from tracking.editing.labels.part_labels import (
     plan_label_part,
     plan_unlabel_part,
@@ -38,9 +37,8 @@ from tracking.editing.labels.review_labels import (
 )
 from tracking.editing.labels.shapes import plan_lines, plan_occluders, plan_regions
 from tracking.editing.labels.track_labels import plan_rename, plan_set_attribute, plan_set_notes
-from tracking.editing.log.alone import plan_undo_alone
 from tracking.editing.log.edit_footprint import footprint_of
-from tracking.editing.log.history import Entry, History, StoredChange
+from tracking.editing.log.history import Entry, History, StoredChange, plan_undo_alone
 from tracking.editing.log.text import rows_beyond_the_log, state_as_text, state_from_text
 from tracking.editing.log.touch_index import TOUCHED_COLUMNS, TouchIndex
 from tracking.editing.track_import import ThinningResult, on_the_floor, plan_import, thin_dense

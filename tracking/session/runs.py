@@ -18,7 +18,6 @@ from tracking.session.hdf5 import open_readonly, read_columns, text_attribute
 from tracking.session.image_file import ImageFile
 from tracking.session.layout import CHUNK_ROWS, RUN_TABLES
 from tracking.session.run_notes import read_notes
-from tracking.session.session_copy import copy_group
 from tracking.session.stamps import now
 from tracking.trackers import present_settings
 from tracking.tracks import (
@@ -31,6 +30,9 @@ from tracking.tracks import (
 )
 
 _BLOCKS_KEPT = 16
+
+
+_SMALL_BYTES = 1 << 16
 
 
 @dataclass(frozen=True, slots=True)
@@ -291,3 +293,60 @@ class Runs(Sequence[Run]):
             elif held.path != path:
                 self._loaded.pop(number, None)
             self._held[number] = StoredRun(path, number)
+
+
+def copy_group(path: Path, name: str, image: ImageFile, target: h5py.Group) -> None:
+    """Copy all of a group; long columns go piece by piece, the rest the library copies.
+
+    Raises SessionError where the file that is read is damaged, OSError where the disk of the new
+    one refuses: what is read and what is written fail apart from each other.
+    """
+    long = []
+    with open_readonly(path) as file:
+        source = file[name]
+        _copy_attributes(source, target)
+        for key, node in source.items():
+            if isinstance(node, h5py.Group):
+                target.create_group(key)
+            elif _is_long(node):
+                long.append(key)
+            else:
+                file.copy(node, target, key)
+        columns = {key: _alike(source[key], target, key) for key in long}
+        groups = [key for key, node in source.items() if isinstance(node, h5py.Group)]
+    for key, column in columns.items():
+        for start, piece in _pieces(path, f"{name}/{key}"):
+            image.put(column, start, piece)
+    for key in groups:
+        copy_group(path, f"{name}/{key}", image, target[key])
+
+
+def _is_long(dataset: h5py.Dataset) -> bool:
+    """Whether all pieces of a column are there to be copied, and it is worth while."""
+    if dataset.chunks is None or dataset.ndim != 1:
+        return False
+    pieces = -(-len(dataset) // dataset.chunks[0])
+    stored: int = dataset.id.get_storage_size()
+    return stored > _SMALL_BYTES and dataset.id.get_num_chunks() == pieces
+
+
+def _alike(source: h5py.Dataset, target: h5py.Group, name: str) -> h5py.Dataset:
+    """An empty column of the same type, length and packing."""
+    space, how = source.id.get_space(), source.id.get_create_plist()
+    made = h5py.h5d.create(target.id, name.encode(), source.id.get_type(), space, how)
+    column = h5py.Dataset(made)
+    _copy_attributes(source, column)
+    return column
+
+
+def _copy_attributes(source: h5py.HLObject, target: h5py.HLObject) -> None:
+    for name, value in source.attrs.items():
+        target.attrs.create(name, value, dtype=source.attrs.get_id(name).dtype)
+
+
+def _pieces(path: Path, name: str) -> Iterator[tuple[int, bytes]]:
+    with open_readonly(path) as file:
+        dataset = file[name]
+        for start in range(0, len(dataset), dataset.chunks[0]):
+            _, piece = dataset.id.read_direct_chunk((start,))
+            yield start, piece

@@ -73,7 +73,7 @@ def propose_swap_frames(
     Args:
         table, a, b: the tracks.
         near: the frame the user looks at; of two cuts about as good the nearer one wins.
-        signals: `SIGNAL_COLUMNS` of the two (see `signals_of`); None: nothing was noticed.
+        signals: `SIGNAL_COLUMNS` of the two; None: nothing was noticed.
         most: so many at most, each a good number of frames from the others.
         flagged: half-open frames in which a review item says they may have swapped. What is
             likeliest in there comes first, and where nothing shows it what is nearest to `near`;
