@@ -20,18 +20,13 @@ from tracking.failure.core.operating_points import Curve
 from tracking.failure.core.preparation import Preparation, numbers_seen
 from tracking.failure.detector_layout import FORMAT, MACHINES, VERSION
 from tracking.tracks import PART_NAMES, PARTS
-from tracking.untrusted import verdicts_of
+from tracking.untrusted import FAILURES, verdicts_of
 
 BUILT_IN = "part_failures.h5"
 """The name of the detector among the resources."""
 
 _TEXTS = ("samples", "made", "software", "chosen")
 _AGAIN = "train it again or choose another one"
-_FAILURES = (
-    *(OSError, KeyError, ValueError, TypeError),
-    *(RuntimeError, AttributeError, OverflowError, MemoryError),
-)
-"""What the library and conversions raise on a file that is not as it should be."""
 
 
 def save_detector(path: Path, detector: Detector) -> None:
@@ -110,7 +105,7 @@ def _read(path: Path) -> Detector:
     try:
         with h5py.File(path, "r", locking=False) as file:
             return _detector(file)
-    except _FAILURES as why:
+    except FAILURES as why:
         reason = " ".join(str(why).split())
         raise FormatError(f"{path}: the detector is damaged ({reason}); {_AGAIN}") from why
 

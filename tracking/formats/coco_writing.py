@@ -12,11 +12,10 @@ import numpy as np
 
 import tracking
 from tracking.atomic_output import replacing
-from tracking.errors import FormatError
 from tracking.formats.label_text import PERSON, kind_of
 from tracking.formats.number_text import short_decimals
 from tracking.formats.row_rules import BOX
-from tracking.formats.track_writer import ROWS_AT_ONCE, Exported
+from tracking.formats.track_writer import ROWS_AT_ONCE, Exported, nobody_boxed
 from tracking.progress import Progress
 from tracking.tracks import Columns
 
@@ -37,7 +36,7 @@ def export_coco(path: Path, exported: Exported, report: Progress) -> tuple[Path,
         _write_images(stream, exported)
         tracks = _write_annotations(stream, exported, kinds, report)
         if not tracks:
-            raise FormatError(f"{path}: nobody has a box, and COCO holds nothing else")
+            raise nobody_boxed(path, "COCO")
         _write_array(stream, "tracks", _tracks(exported, sorted(tracks), kinds))
         stream.write("\n}\n")
     return (path,)
@@ -76,14 +75,12 @@ def _head(exported: Exported, kinds: dict[str, int]) -> dict[str, Any]:
 def _write_images(stream: TextIO, exported: Exported) -> None:
     """One for every frame, whether somebody is there or not; files count from 1, as in TAO."""
     width, height = exported.size_px or (0, 0)
-    count = len(exported)
-    last = int(exported.rows["frame"][count - 1 : count].max(initial=-1))
     prefix = json.dumps(exported.name + "/" if exported.name else "")[1:-1]
     rest = f'"video_id": {_VIDEO}, "width": {width}, "height": {height}, "license": 0'
     lines = (
         f'{{"id": {frame + _FIRST_IMAGE}, "frame_index": {frame}, '
         f'"file_name": "{prefix}frame{frame + 1:06d}.jpg", {rest}}}'
-        for frame in range(max(exported.frames, last + 1))
+        for frame in range(exported.frame_stop)
     )
     _write_array(stream, "images", lines)
     stream.write(",\n")

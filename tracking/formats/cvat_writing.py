@@ -9,7 +9,6 @@ from xml.sax.saxutils import escape, quoteattr
 import numpy as np
 
 from tracking.atomic_output import replacing
-from tracking.errors import FormatError
 from tracking.formats.cvat_interpolation import keyframes_of
 from tracking.formats.cvat_track import AUTOMATIC, NAME, OWN_KEYS, TRACK_ID, is_occluded
 from tracking.formats.label_text import PERSON, attributes_of, key_beside, kind_of, line
@@ -26,25 +25,13 @@ def export_cvat(path: Path, exported: Exported, report: Progress) -> tuple[Path,
 
     Raises FormatError where no row has a box.
     """
-    frames = max(exported.frames, _past_last(exported))
-    anybody = False
+    frames = exported.frame_stop
     with replacing(path) as stream:
         stream.write(_head(exported, frames))
-        for track, rows in exported.track_by_track(report):
-            boxed = np.isfinite(rows["left"])
-            if boxed.any():
-                rows = {name: column[boxed] for name, column in rows.items()}
-                stream.writelines(_track(track, rows, exported, frames))
-                anybody = True
-        if not anybody:
-            raise FormatError(f"{path}: nobody has a box, and CVAT holds nothing else")
+        for track, rows in exported.tracks_with_boxes(path, "CVAT", report):
+            stream.writelines(_track(track, rows, exported, frames))
         stream.write("</annotations>\n")
     return (path,)
-
-
-def _past_last(exported: Exported) -> int:
-    count = len(exported)
-    return int(exported.rows["frame"][count - 1 : count].max(initial=-1)) + 1
 
 
 def _head(exported: Exported, frames: int) -> str:

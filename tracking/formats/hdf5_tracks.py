@@ -14,16 +14,14 @@ import numpy as np
 from tracking.errors import FormatError, explain_unreadable
 from tracking.formats import hdf5_tracks_inspection
 from tracking.formats.read_result import FASTEST_FPS
-from tracking.untrusted import verdicts_of
-
-_SIGNATURE = b"\x89HDF\r\n\x1a\n"
+from tracking.untrusted import SIGNATURE, verdicts_of
 
 
 def has_layout(*layouts: str) -> Callable[[Path, bytes], bool]:
     """Says of a file whether it is HDF5 of one of these layouts."""
 
     def recognises(path: Path, head: bytes) -> bool:
-        if not head.startswith(_SIGNATURE):
+        if not head.startswith(SIGNATURE):
             return False
         try:
             return _verdict(path).get("layout") in layouts

@@ -38,28 +38,17 @@ def export_label_studio(path: Path, exported: Exported, report: Progress) -> tup
         raise FormatError(
             f"{path}: Label Studio tells boxes in percent, and the picture's size is not known"
         )
-    frames = max(exported.frames, exported_stop(exported))
+    frames = exported.frame_stop
     task = {_VIDEO_TAG: line(exported.name)}
-    anybody = False
     with replacing(path) as stream:
         stream.write(f'[\n{{"data": {json.dumps(task)}, "annotations": [{{"result": [')
-        for track, rows in exported.track_by_track(report):
-            boxed = np.isfinite(rows["left"])
-            if boxed.any():
-                rows = {name: column[boxed] for name, column in rows.items()}
-                stream.write(",\n" if anybody else "\n")
-                stream.writelines(_region(track, rows, exported, frames))
-                anybody = True
-        if not anybody:
-            raise FormatError(f"{path}: nobody has a box, and Label Studio holds nothing else")
+        between = "\n"
+        for track, rows in exported.tracks_with_boxes(path, "Label Studio", report):
+            stream.write(between)
+            stream.writelines(_region(track, rows, exported, frames))
+            between = ",\n"
         stream.write("\n]}]}\n]\n")
     return (path,)
-
-
-def exported_stop(exported: Exported) -> int:
-    """The frame behind the last that has rows."""
-    count = len(exported)
-    return int(exported.rows["frame"][count - 1 : count].max(initial=-1)) + 1
 
 
 def _region(track: int, rows: Columns, exported: Exported, frames: int) -> Iterator[str]:

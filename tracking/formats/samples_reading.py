@@ -18,9 +18,8 @@ from tracking.formats import samples_inspection
 from tracking.formats.lines import header_of, numbered_rows, place_of
 from tracking.formats.samples_layout import HDF5_FORMAT, NUMBERS, SHARED, TEXTS
 from tracking.tracks import LARGEST_NUMBER, PART_NAMES
-from tracking.untrusted import verdicts_of
+from tracking.untrusted import SIGNATURE, verdicts_of
 
-_HDF5 = b"\x89HDF\r\n\x1a\n"
 _ENDINGS = (".h5", ".hdf5")
 _LIBSVM = (".libsvm", ".svm", ".txt")
 _LABELS = {"frame", "track", "part", "on"}
@@ -86,7 +85,7 @@ def is_hdf5(path: Path) -> bool:
 def begins_as_hdf5(path: Path) -> bool:
     """Whether a file begins as HDF5 does. Raises OSError where it cannot be read."""
     with path.open("rb") as stream:
-        return stream.read(len(_HDF5)) == _HDF5
+        return stream.read(len(SIGNATURE)) == SIGNATURE
 
 
 def _columns_of(file: h5py.File) -> dict[str, NDArray[Any]]:

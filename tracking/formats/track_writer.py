@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.errors import FormatError
 from tracking.progress import Progress, no_progress
 from tracking.tracks import Columns, ParticleColumn, TrackLabel, TrackTable
 
@@ -104,6 +105,28 @@ class Exported:
             done += len(rows["frame"])
         report(count, count)
 
+    def tracks_with_boxes(
+        self, path: Path, what: str, report: Progress = no_progress
+    ) -> Iterator[tuple[int, dict[str, NDArray[Any]]]]:
+        """Each track that has boxes, ascending, with its rows that have one, by frame.
+
+        Raises FormatError, which names the path and `what` format it is, where nobody has any.
+        """
+        anybody = False
+        for track, rows in self.track_by_track(report):
+            boxed = np.isfinite(rows["left"])
+            if boxed.any():
+                anybody = True
+                yield track, {name: column[boxed] for name, column in rows.items()}
+        if not anybody:
+            raise nobody_boxed(path, what)
+
+    @property
+    def frame_stop(self) -> int:
+        """How many frames there are in footage and tracks."""
+        count = len(self)
+        return max(self.frames, int(self.rows["frame"][count - 1 : count].max(initial=-1)) + 1)
+
     def label(self, track: int) -> TrackLabel:
         """The track's label; empty where nothing was said."""
         return self.labels.get(track, TrackLabel())
@@ -123,6 +146,11 @@ class Exported:
         """(n,) confidence of some rows; 0 only where a row does not count."""
         found = np.asarray(rows["confidence"], np.float32)
         return np.where(self.counted(rows) & (found == 0), LEAST_CONFIDENCE, found)
+
+
+def nobody_boxed(path: Path, what: str) -> FormatError:
+    """The error where a format of boxes is to hold tracks without any."""
+    return FormatError(f"{path}: nobody has a box, and {what} holds nothing else")
 
 
 def _cut(rows: Columns, cuts: NDArray[np.int64]) -> list[dict[str, NDArray[Any]]]:

@@ -11,7 +11,6 @@ import numpy as np
 import tracking
 from tracking.atomic_output import replacing
 from tracking.cells import CsvWriter
-from tracking.errors import FormatError
 from tracking.formats.cvat_track import is_occluded
 from tracking.formats.label_text import kind_of
 from tracking.formats.number_text import short_decimals
@@ -45,19 +44,12 @@ def export_viame(path: Path, exported: Exported, report: Progress) -> tuple[Path
 
     Raises FormatError where no row has a box.
     """
-    anybody = False
     with replacing(path) as stream:
         metadata = [] if exported.fps is None else [f"fps: {exported.fps!r}"]
         metadata.append(f'exported_by: "trackwright {tracking.__version__}"')
         stream.write(f"{','.join(_HEADER)}\n{_as_csv(['# metadata', *metadata])}")
-        for track, rows in exported.track_by_track(report):
-            boxed = np.isfinite(rows["left"])
-            if boxed.any():
-                rows = {name: column[boxed] for name, column in rows.items()}
-                stream.writelines(_rows(track, rows, exported))
-                anybody = True
-        if not anybody:
-            raise FormatError(f"{path}: nobody has a box, and VIAME's CSV holds nothing else")
+        for track, rows in exported.tracks_with_boxes(path, "VIAME's CSV", report):
+            stream.writelines(_rows(track, rows, exported))
     return (path,)
 
 

@@ -13,7 +13,7 @@ from tracking.errors import FormatError
 from tracking.formats.label_text import attributes_of, kind_of, line
 from tracking.formats.number_text import short_decimals
 from tracking.formats.row_rules import BOX
-from tracking.formats.track_writer import Exported
+from tracking.formats.track_writer import Exported, nobody_boxed
 from tracking.formats.xanylabeling_folder import ENDING
 from tracking.progress import Progress
 from tracking.tracks import Columns, TrackLabel
@@ -44,7 +44,7 @@ def export_xanylabeling(path: Path, exported: Exported, report: Progress) -> tup
                 text = _frame(name, exported.size_px, shapes)
                 (folder / f"{name}{ENDING}").write_text(text, encoding="utf-8")
         if not anybody:
-            raise FormatError(f"{path}: nobody has a box, and X-AnyLabeling holds nothing else")
+            raise nobody_boxed(path, "X-AnyLabeling")
     return (path,)
 
 

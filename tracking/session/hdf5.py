@@ -14,12 +14,7 @@ import numpy as np
 from tracking.errors import SessionError
 from tracking.session.layout import TEXT, table_at
 from tracking.session.table_reader import PendingColumns
-
-_FAILURES = (
-    *(OSError, KeyError, ValueError, TypeError),
-    *(RuntimeError, AttributeError, OverflowError, MemoryError),
-)
-"""What the library and conversions raise on a file that is not as it should be."""
+from tracking.untrusted import FAILURES
 
 
 @contextmanager
@@ -32,7 +27,7 @@ def open_readonly(path: Path) -> Iterator[h5py.File]:
         raise SessionError(
             f"{path} is out of reach: it was moved or its disk has gone; put it back"
         ) from why
-    except _FAILURES as why:
+    except FAILURES as why:
         # What the library says of a file that is cut short tells its users nothing.
         reason = f" ({' '.join(str(why).split())})" if isinstance(why, ValueError) else ""
         raise SessionError(

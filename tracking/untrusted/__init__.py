@@ -11,6 +11,8 @@ from tracking.untrusted.program import (
     verdicts_of,
 )
 from tracking.untrusted.walk import (
+    FAILURES,
+    SIGNATURE,
     Kind,
     Refused,
     Walk,

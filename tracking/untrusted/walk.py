@@ -35,7 +35,13 @@ _OURS = {
     "trackwright-detector": ("detector", "track with it (--detector)"),
 }
 """What other files of this program are, and what to do with them."""
-_SIGNATURE = b"\x89HDF\r\n\x1a\n"
+SIGNATURE = b"\x89HDF\r\n\x1a\n"
+"""How an HDF5 file begins."""
+FAILURES = (
+    *(OSError, KeyError, ValueError, TypeError),
+    *(RuntimeError, AttributeError, OverflowError, MemoryError),
+)
+"""What the HDF5 library and conversions raise on a file that is not as it should be."""
 
 
 class Refused(Exception):  # noqa: N818 - a verdict, told to whoever asked
@@ -78,8 +84,8 @@ class Kind:
 def check_signature(path: Path, kind: Kind) -> None:
     """Refuse what is no HDF5 file. Raises Refused and OSError."""
     with path.open("rb") as raw:
-        start = raw.read(len(_SIGNATURE))
-    if start != _SIGNATURE:
+        start = raw.read(len(SIGNATURE))
+    if start != SIGNATURE:
         raise Refused(f"is {'not an HDF5 file' if start else 'empty'}; {kind.choose}")
 
 
