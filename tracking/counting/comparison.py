@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from tracking.arrays import Floats
 from tracking.counting.passages import Passages
-from tracking.counting.paths import Floats
 
 LATEST_S = 1.0
 """A passage found is the one that happened when they are no farther apart in time."""

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from tracking.arrays import Integers
 from tracking.counting.occupancy import Occupancy, occupancy
 from tracking.counting.passages import Passages, passages
-from tracking.counting.paths import Integers
 from tracking.counting.steps import PAPER_STEP_S, Steps
 from tracking.errors import CountingError
 from tracking.setting import setting

@@ -9,7 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tracking.counting.paths import Flags, Floats, Integers, Paths
+from tracking.arrays import Flags, Floats, Integers
+from tracking.counting.paths import Paths
 from tracking.counting.speeds import velocities
 from tracking.errors import CountingError
 

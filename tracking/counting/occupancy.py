@@ -8,7 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tracking.counting.paths import Floats, Integers, Paths
+from tracking.arrays import Floats, Integers
+from tracking.counting.paths import Paths
 from tracking.counting.polygons import area, inside
 from tracking.counting.speeds import Velocities, lengths
 from tracking.counting.steps import PAPER_STEP_S, Steps

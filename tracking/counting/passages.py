@@ -8,7 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tracking.counting.paths import Flags, Floats, Integers, Paths
+from tracking.arrays import Flags, Floats, Integers
+from tracking.counting.paths import Paths
 from tracking.tracks.labels import CountingLine
 
 _ON_LINE = 1e-9

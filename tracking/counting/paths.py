@@ -9,11 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from tracking.arrays import Flags, Floats, Integers
 from tracking.errors import CountingError
 
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
-Flags = NDArray[np.bool_]
 _FLOOR = ("x", "y")
 _BOX = ("left", "top", "width", "height")
 

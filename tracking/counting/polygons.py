@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from tracking.counting.paths import Flags, Floats
+from tracking.arrays import Flags, Floats
 
 
 def inside(polygon: Sequence[tuple[float, float]], places: Floats) -> Flags:

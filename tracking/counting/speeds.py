@@ -6,7 +6,8 @@ import math
 
 import numpy as np
 
-from tracking.counting.paths import Floats, Integers, Paths
+from tracking.arrays import Floats, Integers
+from tracking.counting.paths import Paths
 
 WINDOW_S = 0.5
 """How long a stretch of a path a speed is taken from, half of it before and half after."""

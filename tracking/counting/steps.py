@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.counting.paths import Floats, Integers
+from tracking.arrays import Floats, Integers
 from tracking.errors import CountingError
 
 PAPER_STEP_S = 0.5

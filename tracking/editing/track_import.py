@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Flags
 from tracking.editing.boxes.floor_boxes import (
     SIDES,
     USUAL_HEIGHT_M,
@@ -35,7 +36,6 @@ _PLACE, _VELOCITY = ("x", "y"), ("vx", "vy")
 _FEWEST = 3
 """Rows of a track that is thinned."""
 
-Flags = NDArray[np.bool_]
 SeenAs = Callable[[NDArray[Any], NDArray[Any]], NDArray[Any]]
 """What a format keeps of visibilities, given them and which boxes are predicted."""
 

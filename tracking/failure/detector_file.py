@@ -10,11 +10,11 @@ from pathlib import Path
 import h5py
 import numpy as np
 
+from tracking.arrays import Floats
 from tracking.atomic_output import replace_with
 from tracking.errors import FormatError
 from tracking.failure import inspection
 from tracking.failure.core.detector import Detector, Origin
-from tracking.failure.core.features import Floats
 from tracking.failure.core.machines import Machine, Machines
 from tracking.failure.core.operating_points import Curve
 from tracking.failure.core.preparation import Preparation, numbers_seen

@@ -9,8 +9,9 @@ from itertools import islice, zip_longest
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Floats
 from tracking.failure.core.detector import Detector
-from tracking.failure.core.features import Floats, part_features
+from tracking.failure.core.features import part_features
 from tracking.failure.labelled_samples import PartStates, part_states, were_hidden
 from tracking.failure.past import states_before
 from tracking.tracks import PARTS, Columns, PartKey

@@ -8,7 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.failure.core.features import NUMBERS, Floats, part_features
+from tracking.arrays import Floats
+from tracking.failure.core.features import NUMBERS, part_features
 from tracking.failure.core.samples import Samples, no_samples, samples_from_rows
 from tracking.failure.past import states_before
 from tracking.tracks import PARTS, Columns, PartLabel, pairs_of, row_keys

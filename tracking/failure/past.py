@@ -15,7 +15,8 @@ from collections import deque
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.failure.core.features import FEATURE_SPAN_S, NUMBERS, Floats
+from tracking.arrays import Floats
+from tracking.failure.core.features import FEATURE_SPAN_S, NUMBERS
 from tracking.tracks import PARTS
 
 Tracks = NDArray[np.integer]

@@ -5,9 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from tracking.failure.core.features import Floats
+from tracking.arrays import Flags, Floats
 from tracking.failure.labelled_samples import were_hidden
 from tracking.tracks import LARGEST_NUMBER, PARTS, Columns, PartLabel, row_keys
 from tracking.tracks.on_part import (
@@ -26,8 +25,6 @@ EVERY_S = 0.15
 _CLEAR = 0.1
 """How far from half and half a share must be to be clear: what is neither is dropped."""
 _BEGINNING_S = 1.0
-
-Flags = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
+from tracking.arrays import Floats
 
 _HEAD_M = 1.75
 _COVERED_M = 1.1

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
+from tracking.arrays import Floats
+
 Particles = NDArray[np.float32]  # (people, N, 2), metres on the floor
 Weights = NDArray[np.float32]  # (people, N), each row sums to 1
 

@@ -13,7 +13,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
+from tracking.arrays import Floats
+
 States = NDArray[np.float32]
 Counts = NDArray[np.int64]
 

@@ -13,7 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import solveh_banded
 
-Floats = NDArray[np.float64]
+from tracking.arrays import Floats
+
 _ROUNDS = 3
 """After so many rounds the weights of outliers hardly change."""
 _LEAST_WEIGHT = 1e-9

@@ -9,6 +9,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Mask, Picture
 from tracking.foreground.background_modes import (
     SecondaryMode,
     primary_and_secondary_mode,
@@ -23,9 +24,6 @@ from tracking.foreground.difference import (
 from tracking.foreground.gain import brightness_ratio
 from tracking.foreground.local_light import MUCH_CHANGED, change_of_light, patches_of_light
 from tracking.foreground.settings import ForegroundSettings
-
-Picture = NDArray[np.uint8]
-Mask = NDArray[np.uint8]
 
 _SMALLEST_GAIN_STEP = 0.012
 _USUAL_EXPOSURE = (0.75, 1.33)

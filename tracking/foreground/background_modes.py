@@ -13,6 +13,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Picture
 from tracking.foreground.difference import largest_difference
 from tracking.foreground.gain import brightness_ratio
 from tracking.foreground.local_light import MUCH_CHANGED, change_of_light
@@ -24,8 +25,6 @@ _LASTING = 3
 _LASTING_SPREAD = 0.75
 """How far two of them may be from the third, together, in times of `_SAME_WITHIN`: as noise, and
 light that was not quite taken out, make it. Clothes that are not the same mostly differ by more."""
-
-Picture = NDArray[np.uint8]
 
 
 _DIFFERS = 16

@@ -5,7 +5,8 @@ from __future__ import annotations
 import cv2
 import numpy as np
 
-from tracking.foreground.marks import Marks, Picture, Points
+from tracking.arrays import Picture
+from tracking.foreground.marks import Marks, Points
 
 _EVERY_S = 1.0
 _WIDE_PX = 320

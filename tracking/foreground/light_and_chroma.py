@@ -8,7 +8,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-Picture = NDArray[np.uint8]
+from tracking.arrays import Picture
+
 Scores = NDArray[np.float32]
 Box = tuple[slice, slice]
 

@@ -8,9 +8,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-Picture = NDArray[np.uint8]
-Mask = NDArray[np.uint8]
-Flags = NDArray[np.bool_]
+from tracking.arrays import Flags, Mask, Picture
+
 Floats = NDArray[np.float32]
 
 _BLOCK_PX = 16

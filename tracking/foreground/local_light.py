@@ -6,12 +6,10 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Flags, Mask, Picture
 from tracking.foreground.difference import largest_difference
 from tracking.foreground.light_blocks import Blocks, filled, grid, means, quotient, white
 
-Picture = NDArray[np.uint8]
-Mask = NDArray[np.uint8]
-Flags = NDArray[np.bool_]
 Floats = NDArray[np.float32]
 Box = tuple[slice, slice]
 

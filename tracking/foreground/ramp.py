@@ -6,13 +6,11 @@ from dataclasses import dataclass
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
+from tracking.arrays import Picture
 from tracking.foreground.background import BackgroundModel, Subtraction
 from tracking.foreground.difference import largest_difference
 from tracking.setting import setting
-
-Picture = NDArray[np.uint8]
 
 _STEPS = 32
 """Grey levels of the quotient for a difference of exactly the limit."""

@@ -6,6 +6,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Picture
 from tracking.foreground.background import Subtraction
 from tracking.foreground.light_and_chroma import (
     BackgroundChroma,
@@ -21,7 +22,6 @@ from tracking.foreground.light_and_chroma import (
 )
 from tracking.foreground.settings import ForegroundSettings
 
-Picture = NDArray[np.uint8]
 Scores = NDArray[np.float32]
 
 PERHAPS = 1

@@ -6,6 +6,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Picture
 from tracking.foreground.background import Subtraction
 from tracking.foreground.light_and_chroma import (
     BackgroundChroma,
@@ -18,8 +19,6 @@ from tracking.foreground.light_and_chroma import (
     log_ratio,
     texture_change,
 )
-
-Picture = NDArray[np.uint8]
 
 _LEVELS = 8
 _DARKEST, _BRIGHTEST = -1.4, 0.0

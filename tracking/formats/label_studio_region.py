@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Floats
 from tracking.formats.filled_rows import held_until
 from tracking.formats.json_numbers import number_of, whole_of
 from tracking.formats.label_text import label_of, unescaped
@@ -33,8 +34,6 @@ _SHOWN_AS = 3
 """Whole numbers kept of a keyframe: its frame, whether it is enabled, and its number."""
 _NUMBERS = len(BOX) + 2
 """And its sides, turn and time."""
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)

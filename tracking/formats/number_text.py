@@ -16,12 +16,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Floats
+
 Block = NDArray[np.uint32]
 """(n, words) a column as characters, four to a word, 0 where there is none; the first word has room
 for what divides columns in its first byte, and for the sign in its second."""
 
 Whole = NDArray[np.int64]
-Floats = NDArray[np.float64]
 
 _LEAST, _MOST = 2.0**-7, 1e8
 """Between these, and at 0, 60 bits hold all of a fraction and two words all whole digits."""

@@ -22,6 +22,7 @@ import h5py
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Floats
 from tracking.errors import FormatError
 from tracking.formats.hdf5_tracks import number_of, opened, text_of
 from tracking.formats.label_text import left_out
@@ -49,7 +50,6 @@ _MOST_NODES = 1000
 _NODES_AT_ONCE = 1 << 20
 _NO_TRACK = -1
 
-Floats = NDArray[np.float64]
 Whole = NDArray[np.int64]
 
 

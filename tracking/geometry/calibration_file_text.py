@@ -11,8 +11,8 @@ import yaml
 from defusedxml.common import DefusedXmlException
 from defusedxml.ElementTree import fromstring
 
+from tracking.arrays import Floats
 from tracking.errors import CalibrationError
-from tracking.geometry.lens import Floats
 
 MAX_BYTES = 256 * 1024
 _MAX_DEPTH = 12

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import numpy as np
 
+from tracking.arrays import Floats
 from tracking.atomic_output import replace_with
 from tracking.errors import OutputError
-from tracking.geometry.lens import Floats
 from tracking.geometry.stereo_calibration import StereoCalibration
 
 _NUMBERS_A_LINE = 4

@@ -6,8 +6,9 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from tracking.arrays import Floats
 from tracking.errors import CalibrationError
-from tracking.geometry.lens import Floats, Lens
+from tracking.geometry.lens import Lens
 
 DISTORTION_LENGTHS = (0, 4, 5, 8, 12, 14)
 """Numbers of distortion coefficients that OpenCV's model knows."""

@@ -8,7 +8,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.geometry.lens import Floats
+from tracking.arrays import Floats
 from tracking.geometry.view import View
 
 _WIDEST = 1.35

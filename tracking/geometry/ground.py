@@ -7,8 +7,8 @@ from functools import lru_cache
 
 import numpy as np
 
+from tracking.arrays import Floats
 from tracking.errors import CalibrationError
-from tracking.geometry.lens import Floats
 
 
 @dataclass(frozen=True, slots=True)

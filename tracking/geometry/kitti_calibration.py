@@ -7,9 +7,9 @@ from pathlib import Path
 
 import numpy as np
 
+from tracking.arrays import Floats
 from tracking.errors import CalibrationError
 from tracking.geometry.camera import Camera
-from tracking.geometry.lens import Floats
 from tracking.geometry.stereo_calibration import StereoCalibration
 
 _LINE = re.compile(r"^P(?:_rect_)?0?([0-3]):(.*)$", re.MULTILINE)

@@ -6,9 +6,8 @@ from dataclasses import dataclass
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
+from tracking.arrays import Floats
 
 _WIDEST_RADIUS = 5.0
 """Tangent of the widest angle looked at (79 degrees off the axis)."""

@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
+from tracking.arrays import Floats
 from tracking.errors import CalibrationError
 from tracking.geometry.camera import Camera
-from tracking.geometry.lens import Floats
 from tracking.geometry.stereo_calibration import StereoCalibration
 
 _SINGLE_NAMES = {"camera_matrix": "M1", "distortion_coefficients": "D1"}

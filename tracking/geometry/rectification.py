@@ -6,10 +6,10 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Floats
 from tracking.errors import CalibrationError
 from tracking.geometry.camera import Camera
 from tracking.geometry.ground import Ground
-from tracking.geometry.lens import Floats
 from tracking.geometry.rectified_rig import rectified_rig
 from tracking.geometry.stereo_calibration import StereoCalibration
 

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from tracking.arrays import Floats
 from tracking.geometry.camera import Camera
-from tracking.geometry.lens import Floats
 from tracking.geometry.stereo_calibration import StereoCalibration
 
 _LEAST_ZOOM = 0.6

@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 
+from tracking.arrays import Floats
 from tracking.errors import CalibrationError
 from tracking.geometry.calibration_file_text import matrix
 from tracking.geometry.camera import Camera
-from tracking.geometry.lens import Floats
 from tracking.geometry.stereo_calibration import StereoCalibration
 
 _MODELS = ("plumb_bob", "rational_polynomial", "")

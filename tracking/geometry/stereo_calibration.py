@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from tracking.arrays import Floats
 from tracking.errors import CalibrationError
 from tracking.geometry.camera import Camera
-from tracking.geometry.lens import Floats
 
 _ROTATION_TOLERANCE = 1e-3
 _WIDEST_BASELINE_M = 20.0

@@ -7,9 +7,9 @@ from itertools import pairwise
 
 import numpy as np
 
+from tracking.arrays import Floats
 from tracking.geometry.camera import Camera
 from tracking.geometry.ground import Ground
-from tracking.geometry.lens import Floats
 
 _BODY_RINGS = ((0.0, 0.35), (0.1, 0.8), (0.5, 1.0), (0.8, 1.0), (0.93, 0.5), (1.0, 0.3))
 """A standing person as rings: height and radius as shares of body height and half width."""

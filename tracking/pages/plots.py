@@ -6,11 +6,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
+from tracking.arrays import Floats
 from tracking.pages.templates import render
-
-Floats = NDArray[np.float64]
 
 _PANEL = (400.0, 230.0)
 _MARGIN = (62.0, 40.0)  # left of and above a panel

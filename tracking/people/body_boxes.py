@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Floats
 from tracking.geometry import Ground, Rectification, View
 from tracking.people.boxes import (
     GridBox,
@@ -16,8 +17,6 @@ from tracking.people.boxes import (
 from tracking.people.regions import Extent
 from tracking.people.settings import PeopleSettings
 from tracking.stereo import STEP, SightLines
-
-Floats = NDArray[np.float64]
 
 _FEET_SEEN_M = 0.15
 """A region that comes down so far shows its feet."""

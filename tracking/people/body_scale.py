@@ -7,11 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Floats
 from tracking.geometry import View
 from tracking.people.boxes import full_body_boxes, standing_boxes
 from tracking.people.settings import PeopleSettings
-
-Floats = NDArray[np.float64]
 
 _SLENDER = 0.29
 """Breadth of a person over height where nothing is known in metres."""

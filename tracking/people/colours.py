@@ -9,10 +9,10 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Rows
 from tracking.people.settings import PeopleSettings
 
 Histogram = NDArray[np.float32]
-Rows = NDArray[np.intp]
 
 _BANDS = (0.15, 0.5, 0.85)
 """Where the upper body begins, the lower one, and what is below it: shares of a box's height."""

@@ -8,11 +8,11 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Picture
 from tracking.geometry import Rectification
 from tracking.people.motion_agreement import (
     MOST_HELD,
     MotionAgreement,
-    Picture,
     Stretch,
     beside_px,
     late_by,

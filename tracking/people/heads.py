@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Floats
 from tracking.people.body_scale import Bodies, Standing
 from tracking.people.silhouette_split import placed
 
-Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
 _RISES = 0.045

@@ -7,12 +7,9 @@ from collections.abc import Sequence
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
+from tracking.arrays import Floats, Picture
 from tracking.recording.image_pairs import MOST_LAG
-
-Picture = NDArray[np.uint8]
-Floats = NDArray[np.float64]
 
 _WIDE_PX = 160
 """About the width of the thinned pictures compared."""

@@ -9,12 +9,12 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Mask
 from tracking.foreground import in_size
 from tracking.people.detections import Detections
 
 T = TypeVar("T", np.uint8, np.float32)
 
-Mask = NDArray[np.uint8]
 Disparity = NDArray[np.float32]
 
 _SHADOW = 127

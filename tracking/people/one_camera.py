@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Floats, Mask
 from tracking.foreground import PERHAPS, Subtraction
 from tracking.geometry import Camera, Ground, Rectification, View
 from tracking.people import upright
@@ -17,9 +18,6 @@ from tracking.people.ghosts import without_ghosts
 from tracking.people.region_features import described
 from tracking.people.regions_of_people import people_regions
 from tracking.people.settings import PeopleSettings
-
-Mask = NDArray[np.uint8]
-Floats = NDArray[np.float64]
 
 _FARTHEST_M = 25.0
 """Farther off, a pixel more or less of the feet is metres on the floor."""

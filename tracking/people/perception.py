@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import find_objects
 
+from tracking.arrays import Mask
 from tracking.errors import RecordingError
 from tracking.foreground import (
     BackgroundModel,
@@ -34,8 +35,6 @@ from tracking.stereo import (
     SubtractionStereo,
     least_side_px,
 )
-
-Mask = NDArray[np.uint8]
 
 _PROTECTED_MARGIN_PX = 8
 _NEARER_PX = 0.5

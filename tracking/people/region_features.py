@@ -6,14 +6,13 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Floats
 from tracking.people.body_scale import Standing
 from tracking.people.boxes import GridBox, hidden_sides, region_boxes
 from tracking.people.colours import Histogram, clothes_colours, colour_histograms
 from tracking.people.detections import Detections
 from tracking.people.settings import PeopleSettings
 from tracking.people.silhouettes import Labels
-
-Floats = NDArray[np.float64]
 
 _BOTTOM = 3
 _STEP = 2

@@ -6,8 +6,8 @@ from collections.abc import Iterable
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
+from tracking.arrays import Mask
 from tracking.foreground import (
     PERHAPS,
     BackgroundModel,
@@ -26,8 +26,6 @@ from tracking.people.regions_of_people import people_regions
 from tracking.people.settings import PeopleSettings
 from tracking.people.working_scale import shrink_of, shrunk
 from tracking.recording.frame import Image, StereoFrame
-
-Mask = NDArray[np.uint8]
 
 _NEAREST = cv2.INTER_NEAREST
 _PROTECTED = np.ones((17, 17), np.uint8)

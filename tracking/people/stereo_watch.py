@@ -5,14 +5,8 @@ from __future__ import annotations
 import cv2
 import numpy as np
 
-from tracking.people.motion_agreement import (
-    Floats,
-    MotionAgreement,
-    Picture,
-    late_by,
-    stands_still,
-    thinned,
-)
+from tracking.arrays import Floats, Picture
+from tracking.people.motion_agreement import MotionAgreement, late_by, stands_still, thinned
 from tracking.recording.image_pairs import MOST_LAG
 
 _TILE = 20

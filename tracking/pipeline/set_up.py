@@ -8,16 +8,13 @@ from typing import Any
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
+from tracking.arrays import Floats, Picture
 from tracking.errors import SettingsError
 from tracking.geometry import Ground, Rectification
 from tracking.recording import Recording, StereoFrame
 from tracking.stereo import SightLines
 from tracking.trackers import changed_settings, settings_fields, settings_values
-
-Floats = NDArray[np.float64]
-Picture = NDArray[np.uint8]
 
 _MATCHING = "stereo."
 """Settings of how the cameras are matched begin so; all are numbers with a unit."""

@@ -6,7 +6,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from tracking.review.core.evidence import Floats, Rows, body_px, boxes, evidence_of
+from tracking.arrays import Floats
+from tracking.review.core.evidence import Rows, body_px, boxes, evidence_of
 from tracking.review.core.material import REACH_M, Material, extent_of_boxes
 from tracking.review.footage import AROUND_S, Footage
 from tracking.review.hazard.expected_errors import Hazards

@@ -12,9 +12,8 @@ from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 
 import numpy as np
-from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
+from tracking.arrays import Floats
 
 BASE, EFOLD, ROW = -1.17, 0.48, 0.31
 """Log odds of no hazard at all but for its logarithm, what an e-fold more of it adds, and what

@@ -9,10 +9,9 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Floats
 from tracking.review.review_item import ReviewItem
 from tracking.tracks import Labels, TrackTable
-
-Floats = NDArray[np.float64]
 
 
 class Mistake(Protocol):

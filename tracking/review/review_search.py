@@ -6,10 +6,11 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from tracking.arrays import Floats
 from tracking.geometry import View
 from tracking.progress import Progress
 from tracking.review.block import Block, Scene, search_block
-from tracking.review.core.evidence import Floats, Rows
+from tracking.review.core.evidence import Rows
 from tracking.review.footage import Footage
 from tracking.review.queue import rank
 from tracking.review.review_item import ReviewItem

@@ -6,7 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tracking.review.core.evidence import Evidence, Flags, Floats, Rows
+from tracking.arrays import Flags, Floats
+from tracking.review.core.evidence import Evidence, Rows
 from tracking.review.hazard.expected_errors import Hazards
 from tracking.review.reason_groups import Places, Reasons
 

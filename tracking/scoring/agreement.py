@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from scipy.optimize import linear_sum_assignment
 
+from tracking.arrays import Integers
 from tracking.scoring.assignment import assign
 from tracking.scoring.comparison import Comparison, compare
 from tracking.scoring.disagreements import Disagreement, stretches_of
@@ -17,7 +18,7 @@ from tracking.scoring.identity import identity
 from tracking.scoring.kappa import cohen_kappa
 from tracking.scoring.pairs import EPS
 from tracking.scoring.similarity import Match
-from tracking.scoring.table import Integers, ScoringTable
+from tracking.scoring.table import ScoringTable
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,8 +7,8 @@ from collections.abc import Iterator
 import numpy as np
 from scipy.optimize import linear_sum_assignment
 
+from tracking.arrays import Flags, Floats, Integers
 from tracking.scoring.pairs import Candidates, Frames, Rows
-from tracking.scoring.table import Flags, Floats, Integers
 
 _PAIRS_AT_ONCE = 1 << 16
 _MARGIN = 1e-9

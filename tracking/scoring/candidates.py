@@ -6,10 +6,11 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from tracking.arrays import Floats, Integers
 from tracking.errors import FormatError
 from tracking.scoring.pairs import Candidates, Frames, Rows
 from tracking.scoring.similarity import Match
-from tracking.scoring.table import Floats, Integers, ScoringTable
+from tracking.scoring.table import ScoringTable
 
 _PAIRS_AT_ONCE = 1 << 17
 _MOST_OF_A_FRAME = 1 << 24

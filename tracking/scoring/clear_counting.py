@@ -6,12 +6,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from tracking.arrays import Flags, Floats, Integers
 from tracking.scoring.clear import Clear
 from tracking.scoring.comparison import Comparison
 from tracking.scoring.conventions import Conventions
 from tracking.scoring.id_index import grouped
 from tracking.scoring.pairs import Candidates
-from tracking.scoring.table import Flags, Floats, Integers
 
 _MOSTLY_TRACKED, _MOSTLY_LOST = 0.8, 0.2
 

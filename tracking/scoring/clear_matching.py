@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from tracking.arrays import Flags, Integers
 from tracking.scoring.assignment import best_of_few, in_several, solve, stretches
 from tracking.scoring.comparison import Comparison
 from tracking.scoring.pairs import EPS, Candidates, Frames
-from tracking.scoring.table import Flags, Integers
 
 _LOYALTY = 1000
 """So much more than any similarity that last frame's partner is kept while the two still match."""

@@ -6,12 +6,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from tracking.arrays import Flags, Integers
 from tracking.scoring.assignment import assign
 from tracking.scoring.candidates import candidates
 from tracking.scoring.id_index import grouped, numbered
 from tracking.scoring.pairs import EPS, Candidates, Frames
 from tracking.scoring.similarity import Match
-from tracking.scoring.table import Flags, Integers, ScoringTable
+from tracking.scoring.table import ScoringTable
 
 
 @dataclass(frozen=True, slots=True)

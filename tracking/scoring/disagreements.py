@@ -7,7 +7,7 @@ from typing import Literal
 
 import numpy as np
 
-from tracking.scoring.table import Integers
+from tracking.arrays import Integers
 
 Kind = Literal["identity", "only a", "only b"]
 

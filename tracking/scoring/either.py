@@ -6,10 +6,11 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from tracking.arrays import Floats
 from tracking.errors import FormatError
 from tracking.scoring.pairs import Rows
 from tracking.scoring.similarity import BoxMatch, FloorMatch
-from tracking.scoring.table import Floats, ScoringTable
+from tracking.scoring.table import ScoringTable
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,10 +8,11 @@ from enum import IntEnum
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Flags, Floats, Integers
 from tracking.scoring.clear_counting import Successions, successions
 from tracking.scoring.examination import Examination, examine
 from tracking.scoring.similarity import Match
-from tracking.scoring.table import Flags, Floats, Integers, ScoringTable
+from tracking.scoring.table import ScoringTable
 
 NOBODY = 0
 """Stands in `ErrorTable` for a person or a track that is not concerned."""

@@ -6,13 +6,14 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from tracking.arrays import Flags, Floats
 from tracking.scoring.clear_matching import clear_matches
 from tracking.scoring.comparison import Comparison, compare
 from tracking.scoring.conventions import Conventions
 from tracking.scoring.motmetrics import motmetrics_admitted, motmetrics_matches
 from tracking.scoring.pairs import Candidates
 from tracking.scoring.similarity import BoxMatch, FloorMatch, Match
-from tracking.scoring.table import Flags, Floats, ScoringTable
+from tracking.scoring.table import ScoringTable
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tracking.scoring.table import Floats
+from tracking.arrays import Floats
 
 ALPHAS = np.arange(0.05, 0.99, 0.05)
 """Similarities from which a matched pair counts, 0.05 to 0.95."""

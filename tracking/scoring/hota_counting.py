@@ -6,11 +6,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from tracking.arrays import Floats, Integers
 from tracking.scoring.assignment import assign
 from tracking.scoring.comparison import Comparison
 from tracking.scoring.hota import ALPHAS, Hota
 from tracking.scoring.pairs import EPS, Candidates
-from tracking.scoring.table import Floats, Integers
 
 _DENSE = 4
 """Couples are numbered without sorting while there are at most so many as pairs, times this."""

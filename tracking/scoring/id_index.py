@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from tracking.scoring.table import Integers
+from tracking.arrays import Integers
 
 _SPARSE = 8
 """Ids that spread over more than so many times as many numbers as there are rows are sorted."""

@@ -9,8 +9,8 @@ from scipy.optimize import linear_sum_assignment
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
+from tracking.arrays import Flags, Integers
 from tracking.scoring.comparison import Comparison
-from tracking.scoring.table import Flags, Integers
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from tracking.scoring.table import Integers
+from tracking.arrays import Integers
 
 
 def cohen_kappa(first: Integers, second: Integers) -> float:

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 from scipy.optimize import linear_sum_assignment
 
+from tracking.arrays import Flags, Floats, Integers
 from tracking.scoring.comparison import Comparison
 from tracking.scoring.pairs import Candidates
-from tracking.scoring.table import Flags, Floats, Integers
 
 
 def motmetrics_admitted(comparison: Comparison) -> Flags:

@@ -6,7 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tracking.scoring.table import Flags, Floats, Integers, ScoringTable
+from tracking.arrays import Flags, Floats, Integers
+from tracking.scoring.table import ScoringTable
 
 EPS = float(np.finfo(np.float64).eps)
 

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from tracking.arrays import Flags, Floats, Integers
 from tracking.scoring.comparison import Comparison
 from tracking.scoring.pairs import Candidates
-from tracking.scoring.table import Flags, Floats, Integers
 
 DETECTED_AFTER = 10
 """Frames in which a person is matched before it counts as detected."""

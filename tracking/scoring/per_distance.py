@@ -8,13 +8,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from tracking.arrays import Floats, Integers
 from tracking.errors import SettingsError
 from tracking.scoring.clear_counting import successions
 from tracking.scoring.conventions import Conventions
 from tracking.scoring.examination import Examination
 from tracking.scoring.identity import naming
 from tracking.scoring.papers import PositionError
-from tracking.scoring.table import Floats, Integers
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -6,13 +6,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from tracking.arrays import Integers
 from tracking.scoring.clear_counting import successions
 from tracking.scoring.examination import Examination, examine
 from tracking.scoring.id_index import grouped
 from tracking.scoring.identity import naming
 from tracking.scoring.papers import PositionError, detected_and_kept
 from tracking.scoring.similarity import Match
-from tracking.scoring.table import Integers, ScoringTable
+from tracking.scoring.table import ScoringTable
 
 
 @dataclass(frozen=True, slots=True)

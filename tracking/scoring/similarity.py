@@ -7,9 +7,10 @@ from typing import Protocol
 
 import numpy as np
 
+from tracking.arrays import Floats
 from tracking.errors import FormatError, SettingsError
 from tracking.scoring.pairs import EPS, Rows
-from tracking.scoring.table import Floats, ScoringTable
+from tracking.scoring.table import ScoringTable
 
 
 class Match(Protocol):

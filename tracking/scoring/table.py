@@ -8,12 +8,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Flags, Floats, Integers
 from tracking.errors import FormatError
 from tracking.tracks.columns import Columns
-
-Integers = NDArray[np.int64]
-Floats = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 
 _WHOLE = 1 << 62
 """A frame and a track fit into one number below this."""

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tracking.scoring.table import Flags, Floats, Integers
+from tracking.arrays import Flags, Floats, Integers
 
 OVERLAPS = np.arange(0.5, 0.96, 0.05)
 """Track overlaps from which a track counts as found, 0.5 to 0.95."""

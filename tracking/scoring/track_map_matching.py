@@ -6,11 +6,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from tracking.arrays import Flags, Floats, Integers
 from tracking.scoring.comparison import Comparison
 from tracking.scoring.examination import Examination
 from tracking.scoring.pairs import EPS
 from tracking.scoring.similarity import BoxMatch
-from tracking.scoring.table import Flags, Floats, Integers, ScoringTable
+from tracking.scoring.table import ScoringTable
 from tracking.scoring.track_map import OVERLAPS, SUBSETS, TrackMap
 from tracking.tracks.boxes import common_px2
 

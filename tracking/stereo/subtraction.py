@@ -8,13 +8,13 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Mask
 from tracking.stereo.row_alignment import Levelling
 from tracking.stereo.settings import StereoSettings
 from tracking.stereo.sharpness import EvenSharpness
 from tracking.stereo.sight_lines import SightLines
 
 Grey = NDArray[np.uint8]
-Mask = NDArray[np.uint8]
 Disparity = NDArray[np.float32]
 Parts = NDArray[np.int16]
 

@@ -9,12 +9,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Floats
 from tracking.synthesis.figures import Figures
 from tracking.synthesis.skeleton import UP, Skeleton, left_of
 from tracking.synthesis.tubes import Rings, TubeShape, directions, surface
 from tracking.tracks import HEAD, HIP_LEG, TORSO
-
-Floats = NDArray[np.float64]
 
 _WAIST = 0.585
 _TORSO = np.array(

@@ -9,6 +9,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Float32s, Floats
 from tracking.synthesis.body import TUBES, bodies, profile_of
 from tracking.synthesis.crowd import PlannedWalk, walk
 from tracking.synthesis.figures import Figures
@@ -22,9 +23,6 @@ from tracking.synthesis.scenarios import scenario_of
 from tracking.synthesis.skeleton import Posture, skeleton_of
 from tracking.synthesis.specs import SceneSpec
 from tracking.synthesis.wardrobe import ATLAS, PATCHES, RED_AND_BROWN, random_outfit, texture
-
-Floats = NDArray[np.float64]
-Float32s = NDArray[np.float32]
 
 LEVELS = 3
 """Each person's texture is kept in this many sizes, each half of the one before."""

@@ -8,10 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter1d
 
+from tracking.arrays import Floats
 from tracking.synthesis.itineraries import Itinerary, clear_of_walls
 from tracking.synthesis.specs import SceneSpec
-
-Floats = NDArray[np.float64]
 
 CLOSEST_M = 0.5
 """No two people's floor positions come nearer to each other than this."""

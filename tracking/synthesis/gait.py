@@ -5,12 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter1d
 
+from tracking.arrays import Floats
 from tracking.synthesis.crowd import PlannedWalk
-
-Floats = NDArray[np.float64]
 
 _STANCE = 0.6  # share of a stride in which a foot stands
 _MIDDLE = 0.3  # the body passes over the foot in the middle of that

@@ -5,12 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from tracking.arrays import Floats
 from tracking.synthesis.rig import Rig
 from tracking.synthesis.specs import SceneSpec, WallSpec
-
-Floats = NDArray[np.float64]
 
 EMPTY_S = 2.0
 """The first seconds show nobody, so that a background can be learned."""

@@ -6,14 +6,11 @@ from dataclasses import dataclass
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
+from tracking.arrays import Float32s, Floats
 from tracking.synthesis.raster import DepthBuffer, fill
 from tracking.synthesis.rig import Rig
 from tracking.synthesis.specs import LampSpec
-
-Floats = NDArray[np.float64]
-Float32s = NDArray[np.float32]
 
 _FARTHEST_M = 19.0
 _CELL_SHARE = 1 / 700  # size of a shadow cell as a share of the floor in view

@@ -6,11 +6,9 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Float32s, Floats
 from tracking.synthesis.patterns import noise
 from tracking.synthesis.specs import SceneSpec
-
-Floats = NDArray[np.float64]
-Float32s = NDArray[np.float32]
 
 _NOISE_SIZE = 512
 _LOOK_UP_COLUMNS = 1024

@@ -7,14 +7,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Float32s, Floats
 from tracking.synthesis.body import topology
 from tracking.synthesis.cast import LEVELS, level_layout, texture_coordinates
 from tracking.synthesis.raster import DepthBuffer, Samples, fill, planes
 from tracking.synthesis.rig import Rig
 from tracking.synthesis.specs import LampSpec
-
-Floats = NDArray[np.float64]
-Float32s = NDArray[np.float32]
 
 FINE = 2
 """Samples per pixel along each side."""

@@ -3,12 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from tracking.synthesis.itineraries import EMPTY_S, Itinerary
 from tracking.synthesis.specs import PassageSpec
-
-Floats = NDArray[np.float64]
 
 _LAST_S = 8.0  # nobody sets off so late that the way out would be cut off
 _BUNCH_S = 1.2  # spread of those who come at once

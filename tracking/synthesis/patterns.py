@@ -6,7 +6,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-Float32s = NDArray[np.float32]
+from tracking.arrays import Float32s
+
 Colour = NDArray[np.float64]
 
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Float32s, Floats
 from tracking.synthesis.painter import FINE, sample_corners
 from tracking.synthesis.patterns import noise
 from tracking.synthesis.raster import DepthBuffer, Samples, fill, planes
@@ -14,9 +15,6 @@ from tracking.synthesis.rig import Rig
 from tracking.synthesis.scenery import Backdrop
 from tracking.synthesis.specs import LampSpec, SceneSpec
 from tracking.synthesis.tubes import Rings, TubeShape, surface
-
-Floats = NDArray[np.float64]
-Float32s = NDArray[np.float32]
 
 _HEIGHT_M = 3.6
 _BASE_M = 0.35

@@ -5,11 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from tracking.arrays import Floats
 from tracking.synthesis.crowd import PlannedWalk
-
-Floats = NDArray[np.float64]
 
 _STANDS_M_S = 0.15
 _DOWN_S = 0.6

@@ -11,7 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-Float32s = NDArray[np.float32]
+from tracking.arrays import Float32s
+
 Ints = NDArray[np.int32]
 
 

@@ -5,12 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter1d
 
+from tracking.arrays import Floats
 from tracking.synthesis.crowd import PlannedWalk
-
-Floats = NDArray[np.float64]
 
 EVERYBODY = -1
 

@@ -8,6 +8,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Float32s, Floats
 from tracking.recording.frame import Image, StereoFrame
 from tracking.synthesis.cast import Cast
 from tracking.synthesis.disturbances import NO_DISTURBANCES, Disturbances, knock_camera
@@ -16,10 +17,6 @@ from tracking.synthesis.scenario import Moment
 from tracking.synthesis.specs import SceneSpec
 from tracking.synthesis.stage import Stage
 from tracking.synthesis.truth import SceneTruth, Surfaces, no_surfaces, nobody
-
-Floats = NDArray[np.float64]
-Float32s = NDArray[np.float32]
-
 
 _GAINS = (1.0, 0.965)  # the cameras are never quite alike
 _OFFSETS = (0.0, 0.4)  # grey levels

@@ -6,14 +6,11 @@ from dataclasses import dataclass
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
+from tracking.arrays import Float32s, Floats
 from tracking.synthesis.materials import Floor, wall_colour
 from tracking.synthesis.rig import NEAREST_M, Rig
 from tracking.synthesis.specs import SceneSpec, WallSpec
-
-Floats = NDArray[np.float64]
-Float32s = NDArray[np.float32]
 
 _OVERSAMPLING = 3
 _FARTHEST_M = 60.0

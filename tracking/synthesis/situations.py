@@ -11,8 +11,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from tracking.arrays import Floats
 from tracking.synthesis.itineraries import EMPTY_S
 from tracking.synthesis.scenario import EVERYBODY, Moment, Role, Scenario
 
@@ -23,7 +24,6 @@ _STRETCH = (0.95, 1.12)
 _SHIFT_M = 0.07
 _W, _N, _E, _S = -3.1, 2.4, 3.1, -2.4  # out of view, at each side
 
-Floats = NDArray[np.float64]
 Points = Sequence[tuple[float, float, float]]
 
 

@@ -5,11 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from tracking.arrays import Floats
 from tracking.synthesis.figures import Figures
-
-Floats = NDArray[np.float64]
 
 UP = np.array([0.0, 0.0, 1.0])
 

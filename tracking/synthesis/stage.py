@@ -6,6 +6,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Float32s, Floats
 from tracking.synthesis.body import topology
 from tracking.synthesis.cast import Cast
 from tracking.synthesis.light import FloorShade, FloorShadows
@@ -16,9 +17,6 @@ from tracking.synthesis.scenery import backdrop, inverse_depth
 from tracking.synthesis.skeleton import Posture
 from tracking.synthesis.specs import SceneSpec
 from tracking.synthesis.truth import SceneTruth, Surfaces, surfaces_of, truth_of
-
-Floats = NDArray[np.float64]
-Float32s = NDArray[np.float32]
 
 _TRUTH_MARGIN = 1.0
 

@@ -7,12 +7,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Floats
 from tracking.synthesis.body import topology
 from tracking.synthesis.painter import FINE, PeopleSamples
 from tracking.synthesis.rig import BASELINE_M, Rig
 from tracking.tracks import PARTS
-
-Floats = NDArray[np.float64]
 
 CARED_FOR = 0.3
 """Whoever is seen less than this is a don't-care in truth.txt."""

@@ -7,16 +7,8 @@ from dataclasses import dataclass, replace
 import cv2
 import numpy as np
 
-from tracking.synthesis.patterns import (
-    Colour,
-    Float32s,
-    checks,
-    folds,
-    noise,
-    plaid,
-    plain,
-    stripes,
-)
+from tracking.arrays import Float32s
+from tracking.synthesis.patterns import Colour, checks, folds, noise, plaid, plain, stripes
 
 ATLAS = (320, 256)
 """Rows and columns of a person's texture."""

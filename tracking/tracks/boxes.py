@@ -6,9 +6,8 @@ Rectangles of body parts are corners and may be none: `on_part` is for those.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
+from tracking.arrays import Floats
 
 
 def common_px2(one: Floats, other: Floats) -> Floats:

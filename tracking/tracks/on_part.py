@@ -11,7 +11,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
+from tracking.arrays import Floats
 
 MOST_FOREIGN = 0.5
 """Share of a rectangle that lies outside of its part from which on it is wrong."""

@@ -11,13 +11,13 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Floats
 from tracking.errors import FormatError
 
 MOST_BYTES = 256 << 20
 """Three hours of twenty people at 20 frames a second are as large; read, it takes twice that."""
 
 Rows = NDArray[np.int64]
-Floats = NDArray[np.float64]
 Row = tuple[tuple[int, ...], tuple[float, ...]]
 
 

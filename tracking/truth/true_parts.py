@@ -6,8 +6,9 @@ import math
 from dataclasses import dataclass
 from pathlib import Path
 
+from tracking.arrays import Floats
 from tracking.tracks import LARGEST_NUMBER, PART_WORDS
-from tracking.truth.table import Floats, Row, Rows, TruthTable, read_table
+from tracking.truth.table import Row, Rows, TruthTable, read_table
 
 TRUE_PARTS = "truth_parts.csv"
 """The name of the file beside a rendered recording."""

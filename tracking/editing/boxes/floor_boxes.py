@@ -8,13 +8,11 @@ carried elsewhere keeps its likeness and one carried nowhere stays what it was.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from tracking.arrays import Floats
 from tracking.geometry import View
 from tracking.people.boxes import standing_boxes
 from tracking.tracks import Box, Columns
-
-Floats = NDArray[np.float64]
 
 SIDES = ("left", "top", "width", "height")
 USUAL_HEIGHT_M = 1.75

@@ -8,9 +8,9 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Floats
 from tracking.editing.boxes.floor_boxes import (
     SIDES,
-    Floats,
     body_heights,
     body_positions,
     boxes_of,

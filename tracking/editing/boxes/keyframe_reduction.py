@@ -8,10 +8,11 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.editing.boxes.floor_boxes import Floats, boxes_of, places_of
+from tracking.arrays import Flags, Floats
+from tracking.editing.boxes.floor_boxes import boxes_of, places_of
 from tracking.editing.boxes.interpolation import How, Way
 from tracking.editing.boxes.keyframes import vouch_for
-from tracking.editing.boxes.stretches import Flags, compare_windows, interpolate_between
+from tracking.editing.boxes.stretches import compare_windows, interpolate_between
 from tracking.editing.core.change import Change, State
 from tracking.editing.core.scope import Scope, check_scope, scope_text
 from tracking.editing.core.selection import Rows, select_rows, stack_rows

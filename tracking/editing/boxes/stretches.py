@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Flags
 from tracking.editing.boxes.interpolation import Way, interpolate, was_straight
 from tracking.editing.core.selection import Rows, rows_differ, select_rows, stack_rows
 from tracking.tracks import Columns, Source, TrackTable
 
-Flags = NDArray[np.bool_]
 _FIRST_LOOK = 64
 """So many rows are looked through at first; a track may have a million."""
 

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Floats
 from tracking.editing.boxes.floor_boxes import USUAL_HEIGHT_M, boxes_of, places_of
 from tracking.tracks import Columns, TrackTable
 
-Floats = NDArray[np.float64]
 Frames = NDArray[np.int32]
 
 _WINDOW, _GUARD = 6, 3

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Floats
 from tracking.editing.identity.courses import Courses, Frames, courses_of, swap_gain
 from tracking.errors import EditError
 from tracking.tracks import CLOTHES, Columns, TrackTable, check_known
@@ -25,8 +26,6 @@ _MOST_FRAMES = 50_000
 _AROUND_FRAMES, _MET_M = 4000, 2.0
 """So far around the frame looked at is looked first; farther where they did not meet there."""
 
-
-Floats = NDArray[np.float64]
 
 _WINDOW = 40
 """Frames on either side of a cut; longer, and the next change over is among them."""

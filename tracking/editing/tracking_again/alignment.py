@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Flags
 from tracking.editing.core.scope import check_scope
 from tracking.editing.core.selection import Rows, select_rows, stack_rows
 from tracking.editing.tracking_again.counterparts import Places, counterparts, mates, same_keys
@@ -15,7 +16,6 @@ from tracking.editing.tracking_again.run_identities import map_identities
 from tracking.errors import EditError
 from tracking.tracks import CORRECTED_COLUMNS, Columns, Run, Source, TrackTable, between
 
-Flags = NDArray[np.bool_]
 Indices = NDArray[np.int64]
 
 _BEFORE = 25

@@ -8,11 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Flags, Floats
 from tracking.tracks import Columns, row_keys
 from tracking.tracks.boxes import overlaps
 
-Floats = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 Indices = NDArray[np.int64]
 
 SAME_M, SAME_OVERLAP = 0.3, 0.5

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Flags
 from tracking.editing.log.history import History
 from tracking.editing.tracking_again.alignment import Alignment, Exchange, align, exchangeable
 from tracking.editing.tracking_again.counterparts import HERE_M
@@ -16,7 +17,6 @@ from tracking.editing.tracking_again.protection import Protection, find_protecte
 from tracking.progress import Progress
 from tracking.tracks import Columns, Labels, Run, TrackTable
 
-Flags = NDArray[np.bool_]
 Integers = NDArray[np.integer]
 
 _JOINED_FRAMES = 5

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Flags
 from tracking.editing.core.change import Stretches, no_rows, no_stretches
 from tracking.editing.core.selection import stack_rows
 from tracking.editing.log.history import Entry, History
@@ -15,7 +16,6 @@ from tracking.editing.log.traces import NO_TRACE, Placed, Trace
 from tracking.editing.tracking_again.coverage import Coverage
 from tracking.tracks import LARGEST_NUMBER, Columns, Labels, Source, TrackTable, row_keys
 
-Flags = NDArray[np.bool_]
 Integers = NDArray[np.integer]
 
 MARGIN_S = 0.5

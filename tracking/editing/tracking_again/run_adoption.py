@@ -7,6 +7,7 @@ from collections.abc import Collection, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Flags
 from tracking.editing.core.change import Change, State, Stretches
 from tracking.editing.core.scope import Scope, scope_text, tracks_text
 from tracking.editing.core.selection import Rows, rows_differ, select_rows
@@ -21,8 +22,6 @@ from tracking.editing.tracking_again.protection import (
 )
 from tracking.errors import EditError
 from tracking.tracks import Columns, Labels, Run, TrackTable
-
-Flags = NDArray[np.bool_]
 
 
 def plan_take(

@@ -6,11 +6,9 @@ One definition for labelling, training and tracking.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from tracking.arrays import Floats
 from tracking.tracks import PART_WORDS, PARTS
-
-Floats = NDArray[np.float64]
 
 FEATURE_SPAN_S = 0.5
 """How far back the differences reach: by time, whatever the frame rate."""

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from tracking.failure.core.features import Floats
+from tracking.arrays import Floats
 
 
 @dataclass(frozen=True, slots=True, eq=False)

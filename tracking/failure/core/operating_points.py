@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tracking.failure.core.features import Floats
+from tracking.arrays import Floats
 
 NO_BETTER_THAN_CHANCE = 0.6
 """Below this area under its curve a machine found hardly more than drawing lots finds (0.5)."""

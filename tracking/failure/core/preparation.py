@@ -6,7 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tracking.failure.core.features import FEATURES, Floats
+from tracking.arrays import Floats
+from tracking.failure.core.features import FEATURES
 
 _CENTRES = [0, 1, 6, 7, 12, 13]
 """Columns of the parts' relative centres."""

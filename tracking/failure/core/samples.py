@@ -11,7 +11,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.failure.core.features import FEATURES, Floats
+from tracking.arrays import Floats
+from tracking.failure.core.features import FEATURES
 
 TEXT = np.dtype(object)
 """Stands for a column of text."""

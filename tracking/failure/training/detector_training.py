@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 import tracking
+from tracking.arrays import Floats
 from tracking.failure.core.detector import FALSE_ALARMS, Detector, Origin
-from tracking.failure.core.features import Floats
 from tracking.failure.core.machines import Machines
 from tracking.failure.core.operating_points import Curve
 from tracking.failure.core.preparation import Preparation, fitted_preparation

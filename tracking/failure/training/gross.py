@@ -11,7 +11,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.failure.core.features import FEATURES, NUMBERS, Floats
+from tracking.arrays import Floats
+from tracking.failure.core.features import FEATURES, NUMBERS
 from tracking.failure.core.preparation import body_sizes
 from tracking.failure.core.samples import Samples
 from tracking.failure.training.questions import SEVERAL, Question

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Floats
 from tracking.errors import TrainingError
-from tracking.failure.core.features import Floats
 from tracking.failure.core.samples import Samples
 from tracking.tracks import PART_NAMES, PARTS
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.failure.core.features import Floats
+from tracking.arrays import Floats
 from tracking.failure.core.machines import Machines
 from tracking.failure.core.operating_points import Curve
 from tracking.failure.core.preparation import Preparation

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.failure.core.features import Floats
+from tracking.arrays import Floats
 from tracking.failure.core.machines import Machine
 
 _CACHE_MB = 64

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
+from tracking.arrays import Floats
 
 START = (0.15, 0.48)
 """Where neck and hip are before anything is seen, as shares of the person's height."""

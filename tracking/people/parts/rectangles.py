@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Floats
 from tracking.tracks import HIP_LEG
 
-Floats = NDArray[np.float64]
 Mask = NDArray[np.uint8] | NDArray[np.bool_]
 
 _LEAST_SIZE_PX = 2.0

@@ -7,10 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Floats
 from tracking.people.parts.lines import decompose
 from tracking.people.parts.rectangles import inner_rectangles
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.review.core.evidence import LOOKS, Evidence, Flags, Floats, Rows
+from tracking.arrays import Flags, Floats
+from tracking.review.core.evidence import LOOKS, Evidence, Rows
 
 _WINDOW_S = 3.0
 """How far back, and ahead, looks are averaged."""

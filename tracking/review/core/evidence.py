@@ -7,11 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Flags, Floats
 from tracking.tracks import CLOTHES, Columns, Run, TrackTable, row_keys
 from tracking.tracks.run_rows import rows_in_run
 
-Floats = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 Rows = NDArray[np.int64]
 
 BODY_M = 1.7

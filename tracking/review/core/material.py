@@ -6,8 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from tracking.arrays import Flags, Floats
 from tracking.review.core.appearance import Looks, Sides
-from tracking.review.core.evidence import Evidence, Flags, Floats, Rows
+from tracking.review.core.evidence import Evidence, Rows
 from tracking.tracks import Occluder
 
 REACH_M = 1.2

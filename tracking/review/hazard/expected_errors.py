@@ -6,7 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tracking.review.core.evidence import Evidence, Floats, Rows
+from tracking.arrays import Floats
+from tracking.review.core.evidence import Evidence, Rows
 from tracking.review.core.material import Material
 from tracking.review.hazard.features import features
 from tracking.review.hazard.trees import Trees, built_in_trees

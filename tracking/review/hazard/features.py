@@ -7,8 +7,9 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Floats
 from tracking.review.core.appearance import EVERY_S, swap_gain_of_appearance, unlikeness
-from tracking.review.core.evidence import Evidence, Floats, Rows
+from tracking.review.core.evidence import Evidence, Rows
 from tracking.review.core.material import Material
 from tracking.review.reasons.jumps import steps_off
 from tracking.review.reasons.turns import gains, leads, meetings, miss

@@ -11,9 +11,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Floats
 from tracking.review.hazard.features import FEATURES
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)

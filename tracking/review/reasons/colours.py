@@ -6,8 +6,9 @@ from collections.abc import Callable
 
 import numpy as np
 
+from tracking.arrays import Floats
 from tracking.review.core.appearance import GUARD_S, MOST, unlikeness
-from tracking.review.core.evidence import Floats, Rows
+from tracking.review.core.evidence import Rows
 from tracking.review.core.findings import FlaggedPlaces, of_tracks, peaks, ramp
 from tracking.review.core.material import Material
 

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from tracking.arrays import Flags, Floats
 from tracking.review.core.appearance import unlikeness
-from tracking.review.core.evidence import Flags, Floats, Rows
+from tracking.review.core.evidence import Rows
 from tracking.review.core.findings import FlaggedPlaces, join_findings, of_pairs, of_tracks, ramp
 from tracking.review.core.material import Material
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from tracking.review.core.evidence import Evidence, Flags, Floats
+from tracking.arrays import Flags, Floats
+from tracking.review.core.evidence import Evidence
 from tracking.review.core.findings import FlaggedPlaces, of_tracks, peaks, ramp
 from tracking.review.core.material import Material
 from tracking.tracks import Source

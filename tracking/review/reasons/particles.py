@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from tracking.review.core.evidence import Floats
+from tracking.arrays import Floats
 from tracking.review.core.findings import FlaggedPlaces, of_tracks, peaks, ramp
 from tracking.review.core.material import Material
 

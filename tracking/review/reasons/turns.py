@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from tracking.review.core.evidence import Evidence, Floats, Rows
+from tracking.arrays import Floats
+from tracking.review.core.evidence import Evidence, Rows
 from tracking.review.core.findings import FlaggedPlaces, of_pairs, peaks, ramp
 from tracking.review.core.material import REACH_M, Material
 from tracking.review.reasons.jumps import steps_off

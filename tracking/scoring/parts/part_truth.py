@@ -6,8 +6,8 @@ from pathlib import Path
 
 import numpy as np
 
+from tracking.arrays import Floats
 from tracking.errors import FormatError
-from tracking.scoring.parts.rectangles import Floats
 from tracking.scoring.parts.rows import PartTruth, Whole, by_person
 from tracking.tracks import row_keys
 from tracking.tracks.on_part import corners_of_boxes

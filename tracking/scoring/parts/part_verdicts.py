@@ -21,7 +21,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tracking.scoring.parts.rectangles import Bools, Floats, overlaps
+from tracking.arrays import Floats
+from tracking.scoring.parts.rectangles import Bools, overlaps
 from tracking.scoring.parts.rows import PartTruth, TrackedParts, Whole
 from tracking.tracks.on_part import foreign_share, lies_on
 

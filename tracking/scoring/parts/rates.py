@@ -10,8 +10,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Floats
 from tracking.scoring.parts.part_verdicts import Judged
-from tracking.scoring.parts.rectangles import Bools, Floats
+from tracking.scoring.parts.rectangles import Bools
 from tracking.tracks import PART_WORDS, PARTS
 
 SUBJECTS = (*PART_WORDS, "person")

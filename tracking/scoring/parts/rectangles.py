@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Floats
 from tracking.tracks.on_part import areas, common_areas
 
-Floats = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
 

@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.scoring.parts.rectangles import Bools, Floats, bounding
+from tracking.arrays import Floats
+from tracking.scoring.parts.rectangles import Bools, bounding
 from tracking.tracks import PARTS, pairs_of, row_keys
 
 Whole = NDArray[np.int64]

@@ -5,8 +5,8 @@ from __future__ import annotations
 import cv2
 import numpy as np
 
+from tracking.arrays import Floats
 from tracking.recording import Image
-from tracking.scoring.table import Floats
 
 _WIDTH, _HEIGHT = 400, 300
 _QUALITY = 82

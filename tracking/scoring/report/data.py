@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 import tracking
+from tracking.arrays import Integers
 from tracking.scoring.errors import ErrorKind, ErrorTable
 from tracking.scoring.per_person import PersonScore
 from tracking.scoring.report.distances import distances_data
@@ -13,7 +14,6 @@ from tracking.scoring.report.measures import finite
 from tracking.scoring.report.sources import sources_data
 from tracking.scoring.report.stretches import Stretches
 from tracking.scoring.similarity import FloorMatch
-from tracking.scoring.table import Integers
 
 FORMAT = "trackwright-score-report"
 

@@ -8,6 +8,7 @@ from itertools import islice
 
 import numpy as np
 
+from tracking.arrays import Floats
 from tracking.pages import Shape, path_of
 from tracking.scoring.errors import ErrorKind, ErrorTable
 from tracking.scoring.report.findings import Finding
@@ -15,7 +16,6 @@ from tracking.scoring.report.ground_plan import GroundPlan, known
 from tracking.scoring.report.marks import LOOK, TITLES, mark
 from tracking.scoring.report.over_time import Clock, said
 from tracking.scoring.report.stretches import Stretches
-from tracking.scoring.table import Floats
 
 MOST_MARKS = 600
 """Of each kind; the longest stretches, and the first switches, are drawn."""

@@ -6,10 +6,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from tracking.arrays import Floats
 from tracking.pages import Axes, Axis
 from tracking.scoring.errors import ErrorTable
 from tracking.scoring.report.subject import Subject
-from tracking.scoring.table import Floats, ScoringTable
+from tracking.scoring.table import ScoringTable
 
 _WIDTH, _TALLEST = 620.0, 560.0
 _FAR_OUT = 2.0

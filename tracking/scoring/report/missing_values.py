@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from tracking.arrays import Integers
 from tracking.scoring.report.findings import Finding
-from tracking.scoring.table import Integers
 
 _NO_VALUE = "what only rows that match can tell is 0 or a dash"
 

@@ -7,12 +7,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from tracking.arrays import Integers
 from tracking.pages import Axis, Bar, Shape
 from tracking.scoring.errors import ErrorKind, ErrorTable
 from tracking.scoring.report.findings import Finding
 from tracking.scoring.report.marks import LOOK, TITLES, mark
 from tracking.scoring.report.stretches import Stretches, joined
-from tracking.scoring.table import Integers
 
 MOST_PEOPLE = 40
 """Of more, those with the most errors are drawn."""

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tracking.scoring.table import Floats, Integers
+from tracking.arrays import Floats, Integers
 
 
 @dataclass(frozen=True, slots=True, eq=False)

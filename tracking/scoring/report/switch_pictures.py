@@ -8,11 +8,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from tracking.arrays import Floats
 from tracking.errors import RecordingError
 from tracking.scoring.errors import ErrorKind, ErrorTable
 from tracking.scoring.report.findings import Finding
 from tracking.scoring.report.subject import Subject
-from tracking.scoring.table import Floats, ScoringTable
+from tracking.scoring.table import ScoringTable
 
 if TYPE_CHECKING:
     from tracking.recording import Image
