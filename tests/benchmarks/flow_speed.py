@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager
 from unittest.mock import patch
 
 import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from tests.benchmarks.timing import Stopwatch
 from tracking.geometry import Camera, Ground, View
 from tracking.recording import StereoFrame
 from tracking.trackers.flow import FlowSettings, kernel_table
@@ -55,43 +55,35 @@ def _frame_ms() -> dict[str, float | None]:
     frames = _footage(view)
     perception, tracker = FlowPerception(FPS), FlowTracker(view, FPS, settings)
     perception.learn([frames[0]] * 2)
-    spent = {"perception": 0.0, "points": 0.0, "people": 0.0}
+    watches = {name: Stopwatch() for name in ("perception", "points", "people", "")}
     tracklets: list[int] = []
-    begun = 0.0
-    with _timed(spent):
+    with (
+        _timed(PointFollower, watches["points"]),
+        _timed(HeldPeople, watches["people"]),
+    ):
         for number, frame in enumerate(frames[1:]):
             if number == WARM_UP:
-                spent.update(dict.fromkeys(spent, 0.0))
-                begun = time.process_time()
-            before = time.process_time()
-            observation = perception.observe(frame)
-            spent["perception"] += time.process_time() - before
-            result = tracker.step(observation)
+                for watch in watches.values():
+                    watch.total_s = 0.0
+            with watches[""]:
+                with watches["perception"]:
+                    observation = perception.observe(frame)
+                result = tracker.step(observation)
             tracklets.append(len(result.tracklets["track"]))
-        frame_s = time.process_time() - begun
     count = len(frames) - 1 - WARM_UP
-    each = {f"{name}_ms": 1000 * total / count for name, total in spent.items()}
-    return {"ms": 1000 * frame_s / count, "tracklets": float(np.mean(tracklets[WARM_UP:])), **each}
+    each = {f"{name}_ms".lstrip("_"): 1000 * one.total_s / count for name, one in watches.items()}
+    return {"ms": each.pop("ms"), "tracklets": float(np.mean(tracklets[WARM_UP:])), **each}
 
 
-@contextmanager
-def _timed(spent: dict[str, float]) -> Iterator[None]:
-    """Adds up the processor time of following points and of people."""
-    follow, people = PointFollower.step, HeldPeople.step
+def _timed(kind: type, watch: Stopwatch) -> AbstractContextManager[object]:
+    """Adds up the processor time of a class's steps."""
+    step = kind.step
 
-    def points(self: PointFollower, *args: object) -> object:
-        before = time.process_time()
-        found = follow(self, *args)  # type: ignore[arg-type]  # passed on as it came
-        spent["points"] += time.process_time() - before
-        return found
+    def timed(self: object, *args: object) -> object:
+        with watch:
+            return step(self, *args)
 
-    def persons(self: HeldPeople, *args: object) -> None:
-        before = time.process_time()
-        people(self, *args)  # type: ignore[arg-type]  # passed on as it came
-        spent["people"] += time.process_time() - before
-
-    with patch.object(PointFollower, "step", points), patch.object(HeldPeople, "step", persons):
-        yield
+    return patch.object(kind, "step", timed)
 
 
 def _footage(view: View) -> list[StereoFrame]:
@@ -138,15 +130,14 @@ def _clustering_ms() -> tuple[float, float]:
     table = kernel_table(_view()).scaled(2.0)
     bundles = list(_bundles())
     before = cluster_cold(bundles[0], table, _FEWEST, _JOIN).mode
-    begun = time.process_time()
+    warm, cold = Stopwatch(), Stopwatch()
     for tracklets in bundles[1:]:
-        before = cluster_warm(before, tracklets, table, _FEWEST, _JOIN, occlusion=True).mode
-    between = time.process_time()
-    for tracklets in bundles[1:]:
-        cluster_cold(tracklets, table, _FEWEST, _JOIN, occlusion=True)
-    ended = time.process_time()
-    frames = len(bundles) - 1
-    return 1000 * (between - begun) / frames, 1000 * (ended - between) / frames
+        with warm:
+            before = cluster_warm(before, tracklets, table, _FEWEST, _JOIN, occlusion=True).mode
+        with cold:
+            cluster_cold(tracklets, table, _FEWEST, _JOIN, occlusion=True)
+    warm_ms, cold_ms = (1000 * watch.total_s / (len(bundles) - 1) for watch in (warm, cold))
+    return warm_ms, cold_ms
 
 
 def _bundles() -> Iterator[Vectors]:

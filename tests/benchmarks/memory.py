@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import tempfile
-import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +11,7 @@ import h5py
 import numpy as np
 
 from tests.benchmarks.pipeline import recording
+from tests.benchmarks.timing import least_ms
 from tracking.pipeline import KeptSteps, track
 from tracking.recording import open_recording
 from tracking.session.image_file import ImageFile
@@ -65,9 +65,9 @@ def _figures(
         "saved": saved(coded, path, noisy=True),
     }
     times = {
-        "gzip": _ms(lambda: saved(drawn, path, noisy=False)),
-        "kept": _ms(lambda: kept_on_disk(steps, folder)) * share,
-        "saved": _ms(lambda: saved(kept.columns, path, noisy=True)) * share,
+        "gzip": least_ms(lambda: saved(drawn, path, noisy=False), _TIMES),
+        "kept": least_ms(lambda: kept_on_disk(steps, folder), _TIMES) * share,
+        "saved": least_ms(lambda: saved(kept.columns, path, noisy=True), _TIMES) * share,
     }
     return {
         "particles": rows / len(steps) / share,
@@ -88,13 +88,3 @@ def saved(columns: Mapping[str, Any], path: Path, *, noisy: bool) -> int:
     image.finish()
     image.close()
     return int(size)
-
-
-def _ms(work: Callable[[], object]) -> float:
-    """The quickest of several times, of the processor."""
-    taken = []
-    for _ in range(_TIMES):
-        begun = time.process_time()
-        work()
-        taken.append(1000 * (time.process_time() - begun))
-    return min(taken)

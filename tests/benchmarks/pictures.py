@@ -44,8 +44,8 @@ def write(image: Picture, text: str, place: tuple[int, int], colour: Colour = WH
 
 def fresh_run(folder: Path, case: Case) -> Run:
     """A run tracked now, with all that is not kept of others: particles, verdicts in force."""
-    ((_, run, *_),) = fresh_runs(folder, [case])
-    return run
+    ((_, fresh),) = fresh_runs(folder, [case])
+    return fresh.run
 
 
 def spheroids(clip: Clip, second: float, kept: Path | None = None) -> Picture:

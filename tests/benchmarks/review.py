@@ -18,7 +18,7 @@ from collections.abc import Iterator, Sequence
 import cv2
 import numpy as np
 
-from tests.benchmarks.review_cases import FRESH, REPORTED, TUNING, Case, cases
+from tests.benchmarks.review_cases import FRESH, REPORTED, TUNING, Case, cases, is_calm
 from tests.benchmarks.review_fit import fit
 from tracking.review import ReviewMeasures, find_review_items, rank, review_measures
 from tracking.scoring import BoxMatch, FloorMatch
@@ -74,13 +74,13 @@ def _groups(found: Sequence[Case], each: bool) -> Iterator[tuple[str, Sequence[C
             group = [
                 case
                 for case in found
-                if case.errors and case.footage.is_calm == calm and bool(case.swaps) == swapped
+                if case.errors and is_calm(case.clip) == calm and bool(case.swaps) == swapped
             ]
             name = f"{'calm' if calm else 'crowded'}, {'swapped' if swapped else 'as tracked'}"
             if group:
                 yield name, group
-            for scene in sorted({case.footage.scene for case in group}) if each else ():
-                yield f"{name}, {scene}", [case for case in group if case.footage.scene == scene]
+            for scene in sorted({case.clip.scene for case in group}) if each else ():
+                yield f"{name}, {scene}", [case for case in group if case.clip.scene == scene]
 
 
 def _row(name: str, group: Sequence[Case], order: str) -> str:

@@ -2,26 +2,22 @@
 
 from __future__ import annotations
 
-import sys
-import tempfile
 from collections.abc import Iterator, Sequence
-from contextlib import closing
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 
+from tests.benchmarks.clips import Clip, folder_of, truth_table
+from tests.benchmarks.runner import Case as Tracker
+from tests.benchmarks.runner import run_of
 from tracking.editing import apply_change, plan_swap
-from tracking.errors import EditError, TrackwrightError
-from tracking.formats import read_mot
+from tracking.errors import EditError
 from tracking.geometry import View
-from tracking.pipeline import track
 from tracking.recording import open_recording
 from tracking.review.core.evidence import gather_evidence
 from tracking.review.core.material import neighbours
 from tracking.scoring import IdentityError, Match, ScoringTable, identity_errors
-from tracking.session import Session
-from tracking.synthesis import SCENES, render_recording
+from tracking.synthesis import SCENES
 from tracking.tracks import Labels, Run, TrackTable
 
 TRACKERS = ("stereo-colour", "stereo-direction")
@@ -33,29 +29,17 @@ _SECONDS_PER_SWAP = 20
 _MOST_VARIANTS = 3
 
 
-@dataclass(frozen=True)
-class Footage:
-    """A scene to render: calm ones last longer with fewer people."""
-
-    scene: str
-    seconds: int
-    people: int
-    seed: int
-
-    @property
-    def is_calm(self) -> bool:
-        return self.people < 0.3 * self.seconds
-
-    def __str__(self) -> str:
-        return f"{self.scene}-{self.seconds}-{self.people}-{self.seed}"
+def _footage(seconds: float, people: Sequence[int], seeds: Sequence[int]) -> tuple[Clip, ...]:
+    """One clip of each of the places."""
+    named = zip(_PLACES, people, seeds, strict=True)
+    return tuple(Clip(scene, seed, seconds, count) for scene, count, seed in named)
 
 
-def _footage(seconds: int, people: Sequence[int], seeds: Sequence[int]) -> tuple[Footage, ...]:
-    """One footage for each of the places."""
-    return tuple(
-        Footage(scene, seconds, count, seed)
-        for scene, count, seed in zip(_PLACES, people, seeds, strict=True)
-    )
+def is_calm(clip: Clip) -> bool:
+    """Whether few people come by: calm clips last longer."""
+    assert clip.seconds is not None
+    assert clip.people is not None
+    return clip.people < 0.3 * clip.seconds
 
 
 _FEW = [24] * len(_PLACES)
@@ -64,28 +48,28 @@ TUNING = (
     *_footage(90, _FEW, range(3101, 3107)),
     *_footage(30, _USUAL, range(3111, 3117)),
     *_footage(60, [2 * count for count in _USUAL], range(3121, 3127)),
-    Footage("uniforms", 180, 24, 3135),
-    Footage("lobby", 90, 24, 3401),
-    Footage("square", 90, 24, 3402),
-    Footage("uniforms", 90, 24, 3405),
+    Clip("uniforms", 3135, 180, 24),
+    Clip("lobby", 3401, 90, 24),
+    Clip("square", 3402, 90, 24),
+    Clip("uniforms", 3405, 90, 24),
 )
 """Scenes that hazards and likelihoods were fitted on."""
 REPORTED = (
     *_footage(90, _FEW, range(3301, 3307)),
-    Footage("lobby", 180, 30, 3321),
-    Footage("uniforms", 180, 24, 3325),
+    Clip("lobby", 3321, 180, 30),
+    Clip("uniforms", 3325, 180, 24),
     *_footage(30, _USUAL, (3311, 3312, 3333, 3314, 3315, 3316)),
 )
 """Scenes that nothing was fitted on; what was tried was compared on them."""
 FRESH = (
-    Footage("lobby", 90, 24, 3801),
-    Footage("square", 90, 24, 3802),
-    Footage("pillars", 90, 24, 3803),
-    Footage("lobby", 45, 12, 3811),
-    Footage("plaza", 45, 12, 3812),
-    Footage("pillars", 45, 12, 3813),
-    Footage("uniforms", 45, 12, 3814),
-    Footage("square", 45, 12, 3815),
+    Clip("lobby", 3801, 90, 24),
+    Clip("square", 3802, 90, 24),
+    Clip("pillars", 3803, 90, 24),
+    Clip("lobby", 3811, 45, 12),
+    Clip("plaza", 3812, 45, 12),
+    Clip("pillars", 3813, 45, 12),
+    Clip("uniforms", 3814, 45, 12),
+    Clip("square", 3815, 45, 12),
 )
 """Scenes that nothing was chosen by: looked at when all was done."""
 
@@ -98,7 +82,7 @@ class Case:
         swaps: how many tracks were swapped on purpose; 0: the tracker's own errors only.
     """
 
-    footage: Footage
+    clip: Clip
     tracker: str
     swaps: int
     table: TrackTable
@@ -112,65 +96,23 @@ class Case:
         return self.run.frames[1]
 
 
-def cases(wanted: tuple[Footage, ...], match: Match) -> Iterator[Case]:
+def cases(wanted: tuple[Clip, ...], match: Match) -> Iterator[Case]:
     """Each scene with each tracker, as it is and with swaps."""
-    for footage in wanted:
-        folder = _rendered(footage)
-        rows = ScoringTable.from_columns(read_mot(folder / "truth.txt"), dont_cares=True)
+    for clip in wanted:
+        folder = folder_of(clip)
+        rows = truth_table(folder)
+        with open_recording(folder) as recording:
+            view, fps = recording.view, recording.fps
+        assert view is not None
         for tracker in TRACKERS:
-            run, view, fps = _tracked(folder, tracker)
+            run = run_of(folder, Tracker(tracker)).run
             for variant in range(_MOST_VARIANTS + 1):
                 table = TrackTable(run.tracks)
-                swaps = _swap(table, run, fps, footage.seed * 10 + variant) if variant else 0
+                swaps = _swap(table, run, fps, clip.seed * 10 + variant) if variant else 0
                 if swaps or not variant:
                     result = ScoringTable.from_columns(table.columns())
                     errors = identity_errors(rows, result, match)
-                    yield Case(footage, tracker, swaps, table, run, view, fps, errors)
-
-
-def _folder(footage: Footage) -> Path:
-    return Path(tempfile.gettempdir()) / "trackwright-review" / str(footage)
-
-
-def _rendered(footage: Footage) -> Path:
-    folder = _folder(footage)
-    if not (folder / "truth.txt").is_file():
-        print(f"rendering {folder}", file=sys.stderr)
-        render_recording(folder, footage.scene, footage.seconds, footage.people, footage.seed)
-    return folder
-
-
-def _tracked(folder: Path, tracker: str) -> tuple[Run, View, float]:
-    """The tracker's run, kept as a session beside the footage."""
-    path = folder.with_name(f"{folder.name}-{tracker}.h5")
-    with open_recording(folder) as recording:
-        assert recording.view is not None
-        view, fps = recording.view, recording.fps
-        run = _kept(path)
-        if run is None:
-            print(f"tracking {path}", file=sys.stderr)
-            with track(recording, tracker) as tracking:
-                for _ in tracking:
-                    pass
-                run = tracking.run()
-            Session.create(recording, [run], path).close()
-    return run, view, fps
-
-
-def _kept(path: Path) -> Run | None:
-    """The run kept in a session; None where there is none, or none that this program can read.
-
-    What a program of another day kept and this one refuses is deleted, to be tracked anew.
-    """
-    if not path.is_file():
-        return None
-    try:
-        with closing(Session.open(path)) as session:
-            return session.runs[0]
-    except (TrackwrightError, LookupError) as error:
-        print(f"tracking anew: {error}", file=sys.stderr)
-        path.unlink()
-        return None
+                    yield Case(clip, tracker, swaps, table, run, view, fps, errors)
 
 
 def _swap(table: TrackTable, run: Run, fps: float, seed: int) -> int:

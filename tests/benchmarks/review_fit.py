@@ -12,7 +12,7 @@ from scipy.optimize import minimize
 from sklearn.ensemble import HistGradientBoostingClassifier
 
 import resources
-from tests.benchmarks.review_cases import Case
+from tests.benchmarks.review_cases import Case, is_calm
 from tracking.review.block import JOINED_S
 from tracking.review.core.evidence import Evidence, gather_evidence
 from tracking.review.core.material import Material
@@ -83,7 +83,7 @@ def _rows(case: Case, random: np.random.Generator) -> tuple[Singles, Flags, Floa
         walk = [FEATURES.index(name) for name in _WALK]
         usual = random.choice(np.flatnonzero(~wrong), len(smooth))
         values[np.ix_(smooth, walk)] = values[np.ix_(usual, walk)]
-    weight = (1.0 if case.swaps else _NATURAL) * (_CALM if case.footage.is_calm else 1.0)
+    weight = (1.0 if case.swaps else _NATURAL) * (_CALM if is_calm(case.clip) else 1.0)
     return values, wrong, weight * np.where(wrong, 1.0, 1.0 / _KEPT)
 
 

@@ -12,7 +12,7 @@ import io
 import os
 import time
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -21,19 +21,20 @@ import numpy as np
 
 from tests.benchmarks.clips import LIBRARIES, clips_cache, hash_of_files, sources_of
 from tests.benchmarks.command import tell
+from tests.benchmarks.timing import Stopwatch
 from tracking.failure import built_in_detector
 from tracking.pipeline import KeptSteps, background_samples, begin_pairing
 from tracking.recording import Instants, Recording, open_recording
 from tracking.settings import settings_from, settings_values
 from tracking.trackers import tracker_named
 from tracking.trackers.protocol import Perception, Tracker
-from tracking.tracks import Columns
+from tracking.tracks import PARTICLE_COLUMNS, Columns, Particles
 from tracking.tracks.run import Run
 
 SEED = 0
 _SEEN_BY = ("foreground", "stereo", "people")
 """Settings that decide what a tracker for two cameras sees."""
-_TABLES = ("tracks", "parts", "times", "notes")
+_TABLES = ("tracks", "detections", "associations", "signals", "parts")
 _PACKAGES = (
     *("errors.py", "failure/*.py", "filtering/**/*.py", "foreground/**/*.py", "geometry/**/*.py"),
     *("people/**/*.py", "pipeline/**/*.py", "recording/**/*.py", "setting*.py"),
@@ -65,32 +66,21 @@ class Case:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class KeptRun:
-    """What is kept of a run.
+    """A run and the time it took.
 
     Attributes:
-        tracks, parts: its columns.
+        run: without its particles where it was kept, with all it has where it was tracked now.
         times: processor time in one row: `frames`, `seeing_s` (people found in all of them; shared
             by trackers that perceive alike) and `following_s` (steps, and finishing the run).
-        notes: what the user is told, a line each.
     """
 
-    tracks: Columns
-    parts: Columns
+    run: Run
     times: Columns
-    notes: tuple[str, ...]
 
-
-class _Stopwatch:
-    """Processor time of a with statement, summed over all times it is entered."""
-
-    def __init__(self) -> None:
-        self.total_s = 0.0
-
-    def __enter__(self) -> None:
-        self._began_s = time.process_time()
-
-    def __exit__(self, *_: object) -> None:
-        self.total_s += time.process_time() - self._began_s
+    @property
+    def tracks(self) -> Columns:
+        """The run's."""
+        return self.run.tracks
 
 
 def run_of(folder: Path, case: Case) -> KeptRun:
@@ -106,9 +96,10 @@ def runs_over(folder: Path, cases: Sequence[Case]) -> dict[Case, KeptRun]:
     """
     contents = hash_of_files(folder, (path for path in folder.rglob("*") if path.is_file()))
     paths = {case: clips_cache() / "runs" / _file_name(folder, contents, case) for case in cases}
-    for case, run, times, notes in fresh_runs(folder, [c for c in cases if not paths[c].is_file()]):
-        _keep(paths[case], {"tracks": run.tracks, "parts": run.parts, "times": times}, notes)
-    return {case: _read(path) for case, path in paths.items()}
+    missing = [case for case, path in paths.items() if not path.is_file()]
+    for case, fresh in fresh_runs(folder, missing):
+        _keep(paths[case], fresh)
+    return {case: _read(path, case) for case, path in paths.items()}
 
 
 def _file_name(folder: Path, contents: str, case: Case) -> str:
@@ -125,31 +116,35 @@ def sources() -> str:
     return sources_of(_PACKAGES)
 
 
-def _keep(path: Path, tables: dict[str, Columns], notes: tuple[str, ...]) -> None:
+def _keep(path: Path, fresh: KeptRun) -> None:
     """Keep the tables of a run; the file appears whole."""
+    tables = {"times": fresh.times, **{name: getattr(fresh.run, name) for name in _TABLES}}
     columns = {f"{t}/{name}": column for t, its in tables.items() for name, column in its.items()}
+    columns |= {"frames": np.array(fresh.run.frames), "notes": np.array(fresh.run.notes, str)}
     image = io.BytesIO()
-    np.savez_compressed(image, **columns, notes=np.array(notes, str))  # type: ignore[arg-type]
+    np.savez_compressed(image, **columns)  # type: ignore[arg-type]  # names are not its options
     path.parent.mkdir(parents=True, exist_ok=True)
     part = path.with_suffix(f".{os.getpid()}.part")
     part.write_bytes(image.getvalue())
     part.replace(path)
 
 
-def _read(path: Path) -> KeptRun:
+def _read(path: Path, case: Case) -> KeptRun:
+    tables: dict[str, dict[str, Any]] = {name: {} for name in (*_TABLES, "times")}
     with np.load(path) as held:
-        tables: dict[str, Columns] = {name: {} for name in _TABLES[:-1]}
         for name in held.files:
             table, _, column = name.partition("/")
             if column:
                 tables[table][column] = held[name]
-        return KeptRun(**tables, notes=tuple(held["notes"].tolist()))
+        frames, notes = tuple(held["frames"].tolist()), tuple(held["notes"].tolist())
+    times, settings = tables.pop("times"), settings_values(case.chosen())
+    particles = Particles.none(PARTICLE_COLUMNS)
+    known = {"seed": SEED, "frames": frames, "particles": particles, "notes": notes}
+    return KeptRun(Run(tracker=case.tracker, settings=settings, **known, **tables), times)
 
 
-def fresh_runs(
-    folder: Path, cases: Sequence[Case]
-) -> Iterator[tuple[Case, Run, Columns, tuple[str, ...]]]:
-    """Cases with their runs, tracked now, their `times` and their notes."""
+def fresh_runs(folder: Path, cases: Sequence[Case]) -> Iterator[tuple[Case, KeptRun]]:
+    """Cases with their runs, tracked now."""
     for together in _seeing_alike(cases):
         began = time.perf_counter()
         with open_recording(folder) as recording:
@@ -170,14 +165,12 @@ def _seeing_alike(cases: Sequence[Case]) -> Iterator[list[Case]]:
     yield from groups.values()
 
 
-def _tracked(
-    recording: Recording, cases: list[Case]
-) -> Iterator[tuple[Case, Run, Columns, tuple[str, ...]]]:
+def _tracked(recording: Recording, cases: list[Case]) -> Iterator[tuple[Case, KeptRun]]:
     built = [_build(recording, case) for case in cases]
     perception = built[0][0]
     perception.learn(background_samples(recording))
     steps = [KeptSteps() for _ in cases]
-    seeing, following = _Stopwatch(), [_Stopwatch() for _ in cases]
+    seeing, following = Stopwatch(), [Stopwatch() for _ in cases]
     pairing, instants = perception.stereo_watch, Instants(recording)
     if pairing is not None:
         begin_pairing(pairing, instants, 0)
@@ -195,8 +188,8 @@ def _tracked(
             run = own.run(case.tracker, settings_values(case.chosen()), SEED, recording)
         times = (recording.frame_count, seeing.total_s, watch.total_s)
         named = zip(("frames", "seeing_s", "following_s"), times, strict=True)
-        notes = (*tracker.notes, *perception.notes)
-        yield case, run, {name: np.array([value], float) for name, value in named}, notes
+        run = replace(run, notes=(*tracker.notes, *perception.notes))
+        yield case, KeptRun(run, {name: np.array([value], float) for name, value in named})
 
 
 def _build(recording: Recording, case: Case) -> tuple[Perception, Tracker]:

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import os
-import sys
 import tempfile
 import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import closing
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any
 from unittest.mock import patch
 
 import h5py
@@ -26,12 +25,12 @@ from app.presenters.timeline.lanes import TimelinePresenter
 from app.views.timeline import TimelineView
 from tests.benchmarks.command import tell
 from tests.benchmarks.large_sessions import NoPictures, crowd
+from tests.benchmarks.timing import Peak, clock_ms
 from tracking.editing import plan_swap
 from tracking.session import Session, session_reader
 
 _EDITS, _OPENINGS = 20, 9
 _BEAT_S = 0.002
-Done = TypeVar("Done")
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,7 +83,7 @@ def _figures(size: Size, folder: Path) -> dict[str, float]:
     figures["file_mb"] = path.stat().st_size / 1e6
     figures |= _openings(path)
     with closing(Session.open(path)) as session, Peak() as peak:
-        figures["picture_ms"], _ = _timed(lambda: _first_picture(session, size))
+        figures["picture_ms"], _ = clock_ms(lambda: _first_picture(session, size))
         figures |= _edits(session, size)
         figures["edits_peak_mb"] = peak.grown_mb()
         figures |= _save(session)
@@ -94,7 +93,7 @@ def _figures(size: Size, folder: Path) -> dict[str, float]:
 def _openings(path: Path) -> dict[str, float]:
     taken: dict[str, list[float]] = {"raw": [], "open": [], "open_unknown": []}
     for _ in range(_OPENINGS):
-        taken["raw"].append(_timed(lambda: _read_raw(path))[0])
+        taken["raw"].append(clock_ms(lambda: _read_raw(path))[0])
         taken["open"].append(_open(path))
         with patch.object(session_reader, "is_sealed", return_value=False):
             taken["open_unknown"].append(_open(path))
@@ -105,7 +104,7 @@ def _openings(path: Path) -> dict[str, float]:
 
 
 def _open(path: Path) -> float:
-    taken, session = _timed(lambda: Session.open(path))
+    taken, session = clock_ms(lambda: Session.open(path))
     session.close()
     return taken
 
@@ -115,7 +114,7 @@ def _make(size: Size, path: Path) -> dict[str, float]:
     run = crowd(size.rows, size.tracks, size.frames, size.particles)
     recording = NoPictures(path.parent, frame_count=size.frames)
     with Peak() as peak:
-        taken, session = _timed(lambda: Session.create(recording, [run], path))
+        taken, session = clock_ms(lambda: Session.create(recording, [run], path))
         grown = peak.grown_mb()
     rows = float(len(session.tracks))
     session.close()
@@ -146,8 +145,8 @@ def _edits(session: Session, size: Size) -> dict[str, float]:
         frames = table.frames_of_track(a)
         session.apply(plan_swap(table, a, b, int(frames[len(frames) // 2])))
 
-    swaps = [_timed(lambda a=int(a), b=int(b): swap(a, b))[0] for a, b in pairs]  # type: ignore[misc]  # mypy infers no lambda with defaults
-    undone = [_timed(session.undo)[0] for _ in pairs]
+    swaps = [clock_ms(lambda a=int(a), b=int(b): swap(a, b))[0] for a, b in pairs]  # type: ignore[misc]  # mypy infers no lambda with defaults
+    undone = [clock_ms(session.undo)[0] for _ in pairs]
     named = {"swap": swaps, "undo": undone}
     figures = {"first_swap_ms": swaps.pop(0)}
     for name, taken in named.items():
@@ -159,10 +158,10 @@ def _save(session: Session) -> dict[str, float]:
     """A save as the window does it: a thread writes while this one goes on."""
     session.apply(plan_swap(session.tracks, 1, 2, 0))
     with Peak() as peak:
-        begun_ms, pending = _timed(session.begin_save)
+        begun_ms, pending = clock_ms(session.begin_save)
         writer = threading.Thread(target=pending.write)
-        written_ms, gaps = _timed(lambda: list(_beats_beside(writer)))
-        ended_ms, _ = _timed(lambda: session.finish_save(pending))
+        written_ms, gaps = clock_ms(lambda: list(_beats_beside(writer)))
+        ended_ms, _ = clock_ms(lambda: session.finish_save(pending))
         grown = peak.grown_mb()
     return {
         "save_ms": begun_ms + written_ms + ended_ms,
@@ -182,35 +181,3 @@ def _beats_beside(worker: threading.Thread) -> Iterator[float]:
         yield max(0.0, 1000 * (time.perf_counter() - begun_s - _BEAT_S))
         if not worker.is_alive():
             return
-
-
-class Peak:
-    """How much more memory this program takes at its highest than when this was begun."""
-
-    def __enter__(self) -> Peak:
-        if sys.platform == "linux":
-            Path("/proc/self/clear_refs").write_text("5")  # the high-water mark begins anew
-        self._before = _status_mb("VmRSS")
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        """Nothing to let go."""
-
-    def grown_mb(self) -> float:
-        """In MB so far; NaN where the system does not tell."""
-        return _status_mb("VmHWM") - self._before
-
-
-def _status_mb(name: str) -> float:
-    status = Path("/proc/self/status")
-    if not status.is_file():
-        return float("nan")
-    lines = dict(line.split(":", 1) for line in status.read_text().splitlines())
-    return int(lines[name].split()[0]) / 1000
-
-
-def _timed(work: Callable[[], Done]) -> tuple[float, Done]:
-    """Milliseconds of the clock, and what came of it."""
-    begun = time.perf_counter()
-    done = work()
-    return 1000.0 * (time.perf_counter() - begun), done

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import time
-from collections.abc import Callable
-
 import cv2
 import numpy as np
 
+from tests.benchmarks.timing import Stopwatch, least_ms
 from tracking.geometry import Camera, FlatView, Ground, View, standing_ellipses
 from tracking.recording.frame import StereoFrame
 from tracking.trackers.spheroid import SpheroidPerception, SpheroidSettings
@@ -74,13 +72,7 @@ def _likelihoods_ms(people: int) -> float:
         evidence = JudgedFrame(ramp, counted, count_covering(ramp.shape, own))
         return judge_and_weigh(followed, evidence, flat, settings)[0]
 
-    return 1000.0 * min(_seconds(weigh) for _ in range(_ROUNDS))
-
-
-def _seconds(work: Callable[[], object]) -> float:
-    began = time.process_time()
-    work()
-    return time.process_time() - began
+    return least_ms(weigh, _ROUNDS)
 
 
 def _fps(people: int) -> float:
@@ -90,18 +82,17 @@ def _fps(people: int) -> float:
     tracker = SpheroidTracker(perception, settings, perception.flat.covered, 0)
     frames = _walking(view, people)
     perception.learn([frames[0]])
-    spent = 0.0
-    followed = 0
+    watch, followed = Stopwatch(), 0
     for frame in frames[1:]:
-        began = time.process_time()
-        result = tracker.step(perception.observe(frame))
-        if frame.number >= _WARM:
-            spent += time.process_time() - began
-            followed += len(result.tracks["track"])
+        if frame.number == _WARM:
+            watch, followed = Stopwatch(), 0
+        with watch:
+            result = tracker.step(perception.observe(frame))
+        followed += len(result.tracks["track"])
     counted = _FRAMES - _WARM
     if followed < 0.9 * people * counted:
         raise RuntimeError(f"only {followed / counted:.1f} of {people} people were followed")
-    return counted / spent
+    return counted / watch.total_s
 
 
 def _walking(view: View, people: int) -> list[StereoFrame]:

@@ -56,11 +56,13 @@ def test_a_run_over_shared_perception_is_the_run_alone(rendered: Path) -> None:
             with track(recording, case.tracker, case.chosen(), runner.SEED) as alone:
                 for _ in alone:
                     pass
-                tracks, notes = alone.run().tracks, alone.notes
-            assert len(tracks["track"]) > 0
-            for name, column in tracks.items():
-                np.testing.assert_array_equal(seen[case].tracks[name], column)
-            assert seen[case].notes == notes
+                run, notes = alone.run(), alone.notes
+            assert len(run.tracks["track"]) > 0
+            for table in ("tracks", "detections", "associations", "signals", "parts"):
+                for name, column in getattr(run, table).items():
+                    kept = getattr(seen[case].run, table)[name]
+                    np.testing.assert_array_equal(kept, column)
+            assert (seen[case].run.notes, seen[case].run.frames) == (notes, run.frames)
 
 
 def test_a_run_is_tracked_once_and_comes_back_as_it_was(

@@ -180,8 +180,3 @@ def _timed(
         passed_s, busy_s = time.perf_counter() - begun_s, time.process_time() - own_s
         taken.append((1000 * passed_s, 1000 * busy_s))
     return taken
-
-
-if __name__ == "__main__":
-    for name, value in measure().items():
-        print(f"{name:24} {value:10.2f}")

@@ -1,145 +1,203 @@
-"""How long the window's drawings take, offscreen, in software: milliseconds per paint."""
+"""The whole real window while it plays what is cached: both cameras, floor and timeline."""
 
 from __future__ import annotations
 
 import os
+import tempfile
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
 
 import numpy as np
-from PySide6.QtGui import QImage
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtCore import QObject, Qt, QTimer
+from PySide6.QtWidgets import QWidget
 
-from app.presenters.scenes import (
-    FloorPerson,
-    Lane,
-    OverheadScene,
-    PersonMark,
-    PictureScene,
-    Side,
-    TimelineScene,
-)
-from app.views.look.theme import Look, apply_look
+from app.views.application import borrowed_window, show_document, wait_until
 from app.views.pictures.overhead import OverheadView
 from app.views.pictures.picture import PictureView
-from app.views.timeline import TimelineView
-from tests.benchmarks import window_playing
+from app.views.recording.recording_controller import RecordingController
+from app.views.timeline.overview import OverviewStrip
+from app.views.timeline.tracks_area import TracksArea
+from app.views.window.main_window import MainWindow
+from tracking.recording import Recording, open_recording
+from tracking.session import Session
+from tracking.synthesis import render_recording
+from tracking.tracks import DETECTION_COLUMNS, TRACK_COLUMNS, Particles, Run, empty
 
-PEOPLE, PARTICLES_EACH, TRAIL = 15, 500, 60
-LANES, FRAMES = 1000, 36_000
-_PAINTS = 60
-_COLOURS = [(0, 114, 178), (230, 159, 0), (0, 158, 115), (204, 121, 167), (86, 180, 233)]
-
-
-def picture_scene(frame: int, rng: np.random.Generator) -> PictureScene:
-    """A VGA picture with fifteen people and their trails."""
-    image = rng.integers(0, 255, (480, 640, 3), np.uint8)
-    people = []
-    for track in range(1, PEOPLE + 1):
-        left, top = rng.uniform((20, 20), (560, 300)).tolist()
-        trail = np.column_stack([np.linspace(left - 60, left, TRAIL), np.full(TRAIL, top + 120.0)])
-        colour = _COLOURS[track % len(_COLOURS)]
-        box = (left, top, 40.0, 120.0)
-        selected, predicted = track == PEOPLE, track % 5 == 0
-        people.append(PersonMark(track, box, str(track), colour, selected, predicted, trail))
-    return PictureScene(Side.LEFT, frame, image, tuple(people))
-
-
-def overhead_scene(frame: int, rng: np.random.Generator) -> OverheadScene:
-    """Fifteen people with five hundred particles each."""
-    at = rng.uniform((-4, 2), (4, 9), (PEOPLE, 2))
-    colours = np.array([_COLOURS[k % len(_COLOURS)] for k in range(PEOPLE)], np.uint8)
-    spread = rng.normal(0, 0.2, (PEOPLE, PARTICLES_EACH, 2))
-    weights = np.exp(-(spread**2).sum(axis=2) / 0.05)
-    people = tuple(
-        FloorPerson(
-            k + 1,
-            str(k + 1),
-            (float(x), float(y)),
-            (0.8, 0.4),
-            _COLOURS[k % len(_COLOURS)],
-            k == 0,
-            k % 5 == 0,
-            np.column_stack([np.linspace(x - 2, x, TRAIL), np.linspace(y - 1, y, TRAIL)]),
-        )
-        for k, (x, y) in enumerate(at)
-    )
-    return OverheadScene(
-        frame,
-        (at[:, None] + spread).reshape(-1, 2).astype(np.float32),
-        np.repeat(colours, PARTICLES_EACH, axis=0),
-        weights.reshape(-1).astype(np.float32),
-        at + 0.05,
-        people,
-        np.array([(-2.0, 2.0), (2.0, 2.0), (5.0, 9.0), (-5.0, 9.0)]),
-        (0.0, 0.0),
-        (-5.5, -0.5, 5.5, 9.5),
-    )
+PEOPLE, PARTICLES_EACH = 15, 500
+FPS, FRAMES, ROUNDS = 60.0, 150, 3
+LIVE_FRAMES = 140
+WINDOW = (1600, 1000)
+_BEAT_MS, _LATE_MS = 5, 16.0
+_DRAWN = {
+    PictureView: "picture",
+    OverheadView: "floor",
+    TracksArea: "lanes",
+    OverviewStrip: "overview",
+}
 
 
-def timeline_scene(frame: int, rng: np.random.Generator) -> TimelineScene:
-    """A thousand lanes over half an hour at twenty frames a second."""
-    lanes = []
-    for track in range(1, LANES + 1):
-        edges = np.sort(rng.choice(FRAMES, 41, replace=False)).astype(np.int64)
-        predicted = np.arange(40) % 2
-        spans = np.column_stack([edges[:-1], edges[1:], predicted])
-        lanes.append(Lane(track, str(track), _COLOURS[track % 5], track == 3, spans))
-    activity = rng.integers(0, 12, FRAMES).astype(np.uint16)
-    return TimelineScene(FRAMES, 20.0, frame, tuple(lanes), activity, (0, 20_000), ((0, 200),))
+class Heartbeat(QObject):
+    """A timer that notes how long the event loop kept it waiting, in ms.
 
-
-def _paint_ms(widget: QWidget, show: Callable[[int], None]) -> float:
-    """The median processor time of showing another scene and painting it.
-
-    Of all threads together: how busy the machine is with other things does not count.
+    `gaps_ms` is what the user would feel; `own_ms` the processor time this process took meanwhile,
+    which leaves out what else the machine was busy with.
     """
-    target = QImage(widget.size(), QImage.Format.Format_RGB32)
-    taken = []
-    for paint in range(_PAINTS):
-        begun = time.process_time()
-        show(paint)
-        widget.render(target)
-        taken.append(1000 * (time.process_time() - begun))
-    return float(np.median(taken))
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.gaps_ms: list[float] = []
+        self.own_ms: list[float] = []
+        self._last_s = self._own_s = 0.0
+        self._timer = QTimer(self, interval=_BEAT_MS, timerType=Qt.TimerType.PreciseTimer)
+        self._timer.timeout.connect(self._beat)
+
+    def start(self) -> None:
+        self.gaps_ms.clear()
+        self.own_ms.clear()
+        self._last_s, self._own_s = time.perf_counter(), time.process_time()
+        self._timer.start()
+
+    def stop(self) -> None:
+        self._timer.stop()
+
+    def figures(self) -> dict[str, float]:
+        """Of the time between two beats; `late` counts those of more than 16 ms."""
+        gaps, own = np.array(self.gaps_ms), np.array(self.own_ms)
+        return {
+            "gap_median_ms": float(np.median(gaps)),
+            "gap_p99_ms": float(np.quantile(gaps, 0.99)),
+            "gap_max_ms": float(gaps.max()),
+            "gap_late_share": float((gaps > _LATE_MS).mean()),
+            "own_gap_p99_ms": float(np.quantile(own, 0.99)),
+            "own_gap_max_ms": float(own.max()),
+            "own_gap_late_share": float((own > _LATE_MS).mean()),
+        }
+
+    def _beat(self) -> None:
+        now_s = time.perf_counter()
+        self.gaps_ms.append(1000 * (now_s - self._last_s))
+        own_s = time.process_time()
+        self.own_ms.append(1000 * (own_s - self._own_s))
+        self._last_s, self._own_s = now_s, own_s
+
+
+@contextmanager
+def timed_paints() -> Iterator[dict[str, list[float]]]:
+    """Milliseconds of every paint of the views that are made inside, by kind of view."""
+    taken: dict[str, list[float]] = {name: [] for name in _DRAWN.values()}
+    before = {kind: kind.paintEvent for kind in _DRAWN}
+    try:
+        for kind, name in _DRAWN.items():
+            kind.paintEvent = _timed(kind.paintEvent, taken[name])
+        yield taken
+    finally:
+        for kind, paint in before.items():
+            kind.paintEvent = paint
+
+
+def _timed(paint: Callable[[Any, Any], None], taken: list[float]) -> Callable[[Any, Any], None]:
+    def paint_timed(self: QWidget, event: Any) -> None:
+        begun_s = time.perf_counter()
+        paint(self, event)
+        taken.append(1000 * (time.perf_counter() - begun_s))
+
+    return paint_timed
+
+
+def walkers(recording: Recording) -> Run:
+    """Fifteen people who walk in circles, with five hundred particles each."""
+    rng, view = np.random.default_rng(0), recording.view
+    assert view is not None
+    rows, frames = PEOPLE * FRAMES, np.repeat(np.arange(FRAMES), PEOPLE)
+    phase = np.tile(np.arange(PEOPLE) * 2.4, FRAMES) + frames / FPS
+    radius = np.tile(np.linspace(0.5, 2.5, PEOPLE), FRAMES)
+    middle_y = float(view.field_of_view(12.0)[:, 1].mean())
+    xy = np.column_stack((radius * np.cos(phase), middle_y + radius * np.sin(phase)))
+    boxes = view.box_of_person(xy, 1.7, 0.5)
+    values = {"frame": frames, "track": np.tile(np.arange(1, PEOPLE + 1), FRAMES)}
+    values |= dict(zip(("left", "top", "width", "height"), boxes.T, strict=True))
+    values |= {"x": xy[:, 0], "y": xy[:, 1], "confidence": np.full(rows, 0.9)}
+    values |= {"vx": -radius * np.sin(phase), "vy": radius * np.cos(phase)}
+    values |= {"visibility": np.ones(rows), "predicted": (frames // 30 + values["track"]) % 5 == 0}
+    spread = rng.normal(0, 0.2, (rows, PARTICLES_EACH, 2))
+    weights = np.exp(-(spread**2).sum(axis=2) / 0.05).ravel()
+    at = (xy[:, None] + spread).reshape(-1, 2).astype(np.float32)
+    track = np.repeat(values["track"], PARTICLES_EACH).astype(np.int32)
+    columns = {"track": track, "x": at[:, 0], "y": at[:, 1], "weight": weights.astype(np.float32)}
+    return Run(
+        tracker="benchmark",
+        settings={},
+        seed=0,
+        frames=(0, FRAMES),
+        tracks={name: values[name].astype(dtype) for name, dtype in TRACK_COLUMNS.items()},
+        detections=empty(DETECTION_COLUMNS),
+        particles=Particles(np.arange(FRAMES + 1) * PEOPLE * PARTICLES_EACH, columns),
+    )
 
 
 def measure() -> dict[str, float]:
-    """Milliseconds a paint takes: floor with 7,500 particles, picture, and a thousand lanes.
+    """Frames a second shown, ms a paint of each view, and how long the event loop is kept busy.
 
-    `lanes_ms` draws all lanes in sight anew; `playhead_ms` is what a frame of playback costs. Then
-    the whole window while it plays, see `window_playing`.
+    `shown_fps` counts the frames painted while a 60 fps recording plays at its own speed, and
+    `frame_cpu_ms` is the processor time of all threads for each; `live_` is with a tracker at work.
     """
     os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
-    application = QApplication.instance() or QApplication([])
-    assert isinstance(application, QApplication)
-    apply_look(application, Look.DARK)
-    alone = _figures()  # the widgets are gone before the application is
-    return alone | window_playing.measure()
+    with tempfile.TemporaryDirectory(prefix="trackwright-") as folder:
+        place, session = Path(folder) / "plaza", Path(folder) / "plaza.h5"
+        render_recording(place, "plaza", FRAMES / FPS, PEOPLE, 1, fps=FPS)
+        with open_recording(place) as recording:
+            Session.create(recording, [walkers(recording)], session).close()
+        with timed_paints() as taken, borrowed_window("dark", WINDOW) as window:
+            playing = _play(window, session, taken)
+        with borrowed_window("dark", WINDOW) as window:
+            return playing | {f"live_{name}": value for name, value in _live(window, place).items()}
 
 
-def _figures() -> dict[str, float]:
-    rng = np.random.default_rng(0)
-    floors = [overhead_scene(frame, rng) for frame in range(8)]
-    pictures = [picture_scene(frame, rng) for frame in range(8)]
-    lanes = [timeline_scene(frame, rng) for frame in range(2)]
-    overhead, picture, timeline = OverheadView(), PictureView(Side.LEFT), TimelineView()
-    overhead.resize(700, 700)
-    picture.resize(700, 560)
-    timeline.resize(1500, 320)
-    still = lanes[0]
-    moving = [
-        TimelineScene(FRAMES, 20.0, 100 * frame, still.lanes, still.activity, still.tracked)
-        for frame in range(8)
-    ]
+def _play(window: MainWindow, session: Path, taken: dict[str, list[float]]) -> dict[str, float]:
+    """Play what is cached several times over."""
+    show_document(window, session, 0)
+    controller, heart = window.controller, Heartbeat()
+    assert controller is not None
+    controller.set_cameras("both")
+    controller.editing.pick(1)
+    wait_until(lambda: controller.playback.loaded == ((0, FRAMES),))
+    _round(controller)  # what is made once is made
+    for times in taken.values():
+        times.clear()
+    heart.start()
+    begun_s, busy_s = time.perf_counter(), time.process_time()
+    for _ in range(ROUNDS):
+        _round(controller)
+    passed_s, busy_s = time.perf_counter() - begun_s, time.process_time() - busy_s
+    heart.stop()
+    paints = {f"{name}_paint_ms": float(np.median(times)) for name, times in taken.items()}
     return {
-        "overhead_ms": _paint_ms(overhead, lambda k: overhead.show_scene(floors[k % 8])),
-        "picture_ms": _paint_ms(picture, lambda k: picture.show_scene(pictures[k % 8])),
-        "lanes_ms": _paint_ms(timeline, lambda k: timeline.show_scene(lanes[k % 2])),
-        "playhead_ms": _paint_ms(timeline, lambda k: timeline.show_scene(moving[k % 8])),
+        "shown_fps": len(taken["floor"]) / passed_s,
+        "frame_cpu_ms": 1000 * busy_s / len(taken["floor"]),
+        **paints,
+        **heart.figures(),
     }
 
 
-if __name__ == "__main__":
-    for name, value in measure().items():
-        print(f"{name:16} {value:.2f}")
+def _live(window: MainWindow, recording: Path) -> dict[str, float]:
+    """Play while the best tracker works on the recording, both from its first frame."""
+    show_document(window, recording, 0)
+    controller, heart = window.controller, Heartbeat()
+    assert controller is not None
+    controller.set_cameras("both")
+    wait_until(lambda: len(controller.playback.loaded) > 0)
+    heart.start()
+    controller.toggle()
+    wait_until(lambda: controller.live.done >= LIVE_FRAMES or not controller.live.running)
+    heart.stop()
+    return heart.figures()
+
+
+def _round(controller: RecordingController) -> None:
+    """Play from the start to the end."""
+    controller.playback.go(0)
+    controller.toggle()
+    wait_until(lambda: not controller.playback.clock.playing)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from tests.benchmarks.clips import Clip, folder_of
-from tests.benchmarks.runner import Case, KeptRun, run_of
+from tests.benchmarks.runner import Case, run_of
 from tracking.recording import open_recording
 from tracking.scoring.parts import (
     Judged,
@@ -15,6 +15,7 @@ from tracking.scoring.parts import (
     tracked_parts,
     tracked_people,
 )
+from tracking.tracks import Run
 
 ADJUSTED = Case("three-part", name="with adjustment")
 PAPER = Case(
@@ -29,7 +30,7 @@ WHOLE = Case("whole-body", name="whole body")
 CASES = (ADJUSTED, PAPER, PLAIN, JOINT, WHOLE)
 
 
-def rectangles(run: KeptRun, case: Case) -> TrackedParts:
+def rectangles(run: Run, case: Case) -> TrackedParts:
     """The rectangles of a run: parts, or people where they are followed as a whole."""
     return tracked_people(run.tracks) if case == WHOLE else tracked_parts(run.parts)
 
@@ -39,4 +40,4 @@ def judged_clip(clip: Clip, case: Case, kept: Path | None = None) -> list[Judged
     folder = folder_of(clip, kept)
     with open_recording(folder) as recording:
         truth = read_part_truth(folder, recording.frame_count, recording.size)
-    return judge(truth, rectangles(run_of(folder, case), case), clip.fps)
+    return judge(truth, rectangles(run_of(folder, case).run, case), clip.fps)

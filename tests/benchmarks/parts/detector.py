@@ -57,7 +57,7 @@ def samples_of_clips(clips: Sequence[Clip], kept: Path | None = None) -> Samples
 
 
 def _samples_of_clip(clip: Clip, folder: Path) -> Samples:
-    parts, truth = run_of(folder, PLAIN).parts, read_true_parts(folder / TRUE_PARTS)
+    parts, truth = run_of(folder, PLAIN).run.parts, read_true_parts(folder / TRUE_PARTS)
     labels = labels_from_truth(truth, parts, clip.fps)
     people = people_followed(truth, parts, clip.fps)
     return samples_of(labels, parts, clip.fps, title_of(clip), people)

@@ -5,8 +5,6 @@
 
 from __future__ import annotations
 
-import time
-from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -15,6 +13,7 @@ from sklearn.preprocessing import FunctionTransformer
 from sklearn.svm import SVC
 
 from tests.benchmarks.command import one_core, parser_of
+from tests.benchmarks.timing import least_ms
 from tracking.failure import Detector, Machine, built_in_detector, load_detector
 
 PEOPLE = 15
@@ -30,8 +29,13 @@ def measure(detector: Detector | None = None) -> dict[str, float]:
     peers = [peer_of(detector, machine) for machine in detector.machines.each]
     theirs = np.stack([peer.decision_function(features) for peer in peers], axis=1)
     ours = detector.machines.decide(detector.preparation.of(features))
-    own_us = _microseconds(lambda: detector.judge(features))
-    peer_us = _microseconds(lambda: [peer.decision_function(features) for peer in peers])
+    own_us, peer_us = (
+        1000 * least_ms(work, _ROUNDS)
+        for work in (
+            lambda: detector.judge(features),
+            lambda: [peer.decision_function(features) for peer in peers],
+        )
+    )
     return {
         "us": own_us,
         "scikit_learn_us": peer_us,
@@ -61,18 +65,6 @@ def peer_of(detector: Detector, machine: Machine) -> Pipeline:
     peer._intercept_ = -np.array([machine.intercept])
     steps = [("prepare", FunctionTransformer(detector.preparation.of)), ("decide", peer)]
     return Pipeline(steps)
-
-
-def _microseconds(work: Callable[[], object]) -> float:
-    """The best of many rounds: others use the machine too."""
-    for _ in range(20):
-        work()
-    taken = []
-    for _ in range(_ROUNDS):
-        start = time.perf_counter()
-        work()
-        taken.append(time.perf_counter() - start)
-    return 1e6 * min(taken)
 
 
 def main() -> None:

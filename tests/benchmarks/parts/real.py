@@ -45,7 +45,7 @@ def judged_recording(folder: Path) -> list[Judged]:
     with open_recording(folder) as recording:
         size, fps = recording.size, recording.fps
     truth = truth_of_boxes(read_mot(folder / "truth.txt"), size)
-    return judge(truth, rectangles(run_of(folder, ADJUSTED), ADJUSTED), fps)
+    return judge(truth, rectangles(run_of(folder, ADJUSTED).run, ADJUSTED), fps)
 
 
 def truth_of_boxes(columns: Mapping[str, NDArray[Any]], size_px: tuple[int, int]) -> PartTruth:

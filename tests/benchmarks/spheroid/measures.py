@@ -234,7 +234,7 @@ def robustness(clips: Sequence[Clip], kept: Path | None = None) -> list[dict[str
 
 
 def _robust(clip: Clip, folder: Path) -> dict[str, Any]:
-    run = run_of(folder, OURS)
+    run = run_of(folder, OURS).run
     result = score(truth_table(folder), _floor_table(run.tracks), FloorMatch(RADIUS_M))
     alone_s = ghosts_s(read_mot(folder / "truth.txt"), run.tracks, clip.fps)
     return {
