@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from tracking.session import SourceFingerprint
+from tracking.recording import Fingerprint
 from tracking.tracks import (
     ASSOCIATION_COLUMNS,
     DETECTION_COLUMNS,
@@ -36,7 +36,7 @@ class NoPictures:
     own_manifest: bool = True
     calibration_text: str = ""
 
-    def fingerprints(self) -> tuple[SourceFingerprint, ...]:
+    def fingerprints(self) -> tuple[Fingerprint, ...]:
         return ()
 
 

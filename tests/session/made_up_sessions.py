@@ -11,7 +11,8 @@ from pathlib import Path
 import numpy as np
 
 from tracking.editing import plan_swap
-from tracking.session import Session, SourceFingerprint
+from tracking.recording import Fingerprint
+from tracking.session import Session
 from tracking.session.session_writer import companions
 from tracking.tracks import (
     ASSOCIATION_COLUMNS,
@@ -39,9 +40,9 @@ class OneFile:
     own_manifest: bool = True
     calibration_text: str = "M1: ä\n"
 
-    def fingerprints(self) -> Sequence[SourceFingerprint]:
+    def fingerprints(self) -> Sequence[Fingerprint]:
         data = (self.folder / "left.mp4").read_bytes()
-        return (SourceFingerprint("left.mp4", len(data), hashlib.sha256(data).hexdigest()),)
+        return (Fingerprint("left.mp4", len(data), hashlib.sha256(data).hexdigest()),)
 
 
 def make_recording(folder: Path, data: bytes = b"pictures") -> OneFile:

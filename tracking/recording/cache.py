@@ -4,25 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from threading import Lock
-from typing import Protocol
 
 from tracking.recording.frame import StereoFrame
+from tracking.recording.instants import Instants
 
 _AHEAD_SHARE = 0.75
 """Of the frames that fit, how many lie ahead of the playing position; the rest stay behind it."""
 _BEHIND_COST = 3
 """A frame behind the playing position is worth as little as one this many times as far ahead."""
-
-
-class FrameReader(Protocol):
-    """What the cache reads from: a `Recording`."""
-
-    @property
-    def frame_count(self) -> int:
-        """The number of frames."""
-
-    def read(self, number: int) -> StereoFrame:
-        """One frame."""
 
 
 class FrameCache:
@@ -36,7 +25,7 @@ class FrameCache:
         capacity_bytes: how much the pictures may take together.
     """
 
-    def __init__(self, recording: FrameReader, capacity_bytes: int) -> None:
+    def __init__(self, recording: Instants, capacity_bytes: int) -> None:
         self._recording = recording
         self._capacity_bytes = capacity_bytes
         self._lock = Lock()

@@ -54,23 +54,10 @@ class ReviewMeasures:
         """The share of the mistakes found with this share of the footage; NaN without mistakes."""
         return self.found_within(footage) / self.errors if self.errors else float("nan")
 
-    def footage_for(self, recall: float) -> float:
-        """The share of the footage that this share of the mistakes takes; NaN if never reached."""
-        enough = np.flatnonzero(self.found >= recall * self.errors - 1e-9)
-        if not self.errors or not len(enough):
-            return float("nan")
-        return float(self.footage[enough[0]])
-
     def people_within(self, footage: float) -> float:
         """The share of the tracks' rows watched by then."""
         done = int(np.searchsorted(self.footage, footage + 1e-12, "right"))
         return float(self.people[done - 1]) if done else 0.0
-
-    def found_per_minute(self, footage: float) -> float:
-        """Mistakes found for each minute watched of this share of the footage."""
-        done = int(np.searchsorted(self.footage, footage + 1e-12, "right"))
-        watched = float(self.footage[done - 1]) * self.minutes if done else 0.0
-        return self.found_within(footage) / watched if watched else float("nan")
 
 
 def review_measures(
@@ -143,11 +130,6 @@ class ReviewMeter:
         return cls(minutes, len(decisions), decisions.count("fixed"))
 
     @property
-    def decided_per_minute(self) -> float:
-        """Review items decided for each minute watched; NaN before anything was watched."""
-        return self.decided / self.minutes if self.minutes > 0 else float("nan")
-
-    @property
     def fixed_per_minute(self) -> float:
-        """Mistakes found and put right for each minute watched; NaN likewise."""
+        """Mistakes found and put right for each minute watched; NaN before anything was."""
         return self.fixed / self.minutes if self.minutes > 0 else float("nan")

@@ -11,7 +11,7 @@ from tracking.session.known_recordings import KnownRecordings
 from tracking.session.pending_edits import last_worked_on_s, read_history
 from tracking.session.pending_save import PendingSave
 from tracking.session.provenance import ids_by_now, parts_by_now
-from tracking.session.reference import RecordingReference, SourceFingerprint
+from tracking.session.reference import RecordingReference
 from tracking.session.runs import Runs
 from tracking.session.samples import boxes_of, places_of, samples_from, samples_with_boxes
 from tracking.session.session_writer import find_backups

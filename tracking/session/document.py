@@ -18,7 +18,7 @@ from tracking.session.notes import tell
 from tracking.session.on_disk import OnDisk
 from tracking.session.pending_edits import read_with_waiting
 from tracking.session.pending_save import PendingSave, next_stamps
-from tracking.session.reference import Footage, refer_to
+from tracking.session.reference import refer_to
 from tracking.session.session_reader import read_session
 from tracking.session.session_writer import UNLIMITED, file_state, find_backups, keep_damaged
 from tracking.session.stamps import make_id, now, resolve_author, software
@@ -42,7 +42,7 @@ class Session(OnDisk):
     @classmethod
     def create(
         cls,
-        recording: Footage,
+        recording: Recording,
         runs: Sequence[Run] = (),
         path: Path | None = None,
         *,

@@ -4,78 +4,14 @@ from __future__ import annotations
 
 import hashlib
 import os
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path, PurePosixPath, PureWindowsPath
-from typing import Protocol
+from typing import TYPE_CHECKING
 
+from tracking.recording import Fingerprint
 
-class Footage(Protocol):
-    """What is asked of a recording; `tracking.recording.Recording` is one."""
-
-    @property
-    def folder(self) -> Path:
-        """What the manifest's paths are relative to."""
-
-    @property
-    def name(self) -> str:
-        """As people call it."""
-
-    @property
-    def fps(self) -> float:
-        """Frames a second."""
-
-    @property
-    def frame_count(self) -> int:
-        """How many frames there are."""
-
-    @property
-    def size(self) -> tuple[int, int]:
-        """Width and height in pixels."""
-
-    @property
-    def is_stereo(self) -> bool:
-        """Whether there are two cameras."""
-
-    @property
-    def manifest_text(self) -> str:
-        """The manifest, as written or made up."""
-
-    @property
-    def own_manifest(self) -> bool:
-        """Whether that is the folder's recording.toml, as read."""
-
-    @property
-    def calibration_text(self) -> str:
-        """The calibration as written; "" where there is none."""
-
-    def fingerprints(self) -> Sequence[Fingerprint]:
-        """One of each source."""
-
-
-class Fingerprint(Protocol):
-    """What tells one source from another; `tracking.recording`'s is one."""
-
-    @property
-    def source(self) -> str:
-        """The source as the manifest names it."""
-
-    @property
-    def size_bytes(self) -> int:
-        """Its size."""
-
-    @property
-    def sha256(self) -> str:
-        """Hash of its first and last MiB."""
-
-
-@dataclass(frozen=True, slots=True)
-class SourceFingerprint:
-    """The fingerprint of a source, as it stands in a session file."""
-
-    source: str
-    size_bytes: int
-    sha256: str
+if TYPE_CHECKING:
+    from tracking.recording import Recording
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,7 +37,7 @@ class RecordingReference:
     manifest: str
     own_manifest: bool
     calibration: str
-    sources: tuple[SourceFingerprint, ...]
+    sources: tuple[Fingerprint, ...]
 
     @property
     def is_inside(self) -> bool:
@@ -119,7 +55,7 @@ class RecordingReference:
         """What the pictures alone are known by, whatever the recording is called."""
         return " ".join(part.sha256 for part in self.sources)
 
-    def relocated_to(self, recording: Footage, session_folder: Path) -> RecordingReference:
+    def relocated_to(self, recording: Recording, session_folder: Path) -> RecordingReference:
         """The reference by which it is found again as it was opened now.
 
         Of a recording.toml it goes on to say what the tracks were made with.
@@ -135,7 +71,7 @@ class RecordingReference:
         )
 
 
-def refer_to(recording: Footage, session_folder: Path) -> RecordingReference:
+def refer_to(recording: Recording, session_folder: Path) -> RecordingReference:
     """The reference a session in that folder holds to a recording."""
     return RecordingReference(
         name=_writable(recording.name),
@@ -147,7 +83,9 @@ def refer_to(recording: Footage, session_folder: Path) -> RecordingReference:
         manifest=recording.manifest_text,
         own_manifest=bool(recording.own_manifest),
         calibration=recording.calibration_text,
-        sources=_plain(recording.fingerprints()),
+        sources=tuple(
+            replace(one, source=_writable(one.source)) for one in recording.fingerprints()
+        ),
     )
 
 
@@ -156,13 +94,6 @@ def stays_inside(path: str) -> bool:
     parts = PurePosixPath(path.replace("\\", "/")).parts
     absolute = PurePosixPath(path).is_absolute() or PureWindowsPath(path).drive
     return not (absolute or ".." in parts or path.startswith(("/", "\\", "~")))
-
-
-def _plain(fingerprints: Sequence[Fingerprint]) -> tuple[SourceFingerprint, ...]:
-    return tuple(
-        SourceFingerprint(_writable(part.source), int(part.size_bytes), part.sha256)
-        for part in fingerprints
-    )
 
 
 def relative(path: Path, folder: Path) -> str:

@@ -12,6 +12,7 @@ import h5py
 
 from tracking.editing import Entry, History, Scope, TouchIndex, footprint_of
 from tracking.errors import EditError, SessionError
+from tracking.recording import Fingerprint
 from tracking.session import inspection
 from tracking.session.findings import CHECKSUM, Finding, read_findings
 from tracking.session.hdf5 import (
@@ -25,7 +26,7 @@ from tracking.session.image import Snapshot, Stamps
 from tracking.session.label_tables import read_labels
 from tracking.session.layout import VERSION
 from tracking.session.notes import note_of_change, note_of_missing_seal, tell_damage
-from tracking.session.reference import RecordingReference, SourceFingerprint
+from tracking.session.reference import RecordingReference
 from tracking.session.runs import StoredRun
 from tracking.session.seal import holds as is_sealed
 from tracking.session.seal import is_changed, is_missing
@@ -220,7 +221,7 @@ def read_recording(group: h5py.Group) -> RecordingReference:
         manifest=str(group["manifest"].asstr(errors="replace")[()]),
         own_manifest=bool(group.attrs.get("own_manifest", True)),
         calibration=str(group["calibration"].asstr(errors="replace")[()]),
-        sources=tuple(SourceFingerprint(**row) for row in read_rows(group["sources"])),
+        sources=tuple(Fingerprint(**row) for row in read_rows(group["sources"])),
     )
 
 

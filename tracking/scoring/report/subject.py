@@ -4,24 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING
 
 from tracking.scoring.table import ScoringTable
 
 if TYPE_CHECKING:  # scores without pictures do without what reads them
     from tracking.geometry import View
-    from tracking.recording import StereoFrame
-
-
-class Pictures(Protocol):
-    """What is asked of a recording; `tracking.recording.Recording` is one."""
-
-    @property
-    def frame_count(self) -> int:
-        """How many frames there are."""
-
-    def read(self, number: int) -> StereoFrame:
-        """One frame; raises RecordingError."""
+    from tracking.recording import Recording
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -37,7 +26,7 @@ class Footage:
     fps: float | None = None
     size_px: tuple[int, int] | None = None
     view: View | None = None
-    pictures: Pictures | None = None
+    pictures: Recording | None = None
 
 
 @dataclass(frozen=True, slots=True)
