@@ -102,7 +102,8 @@ interchange: $(STAMP) ## other tools read what is written, and the other way rou
 
 pictures: $(STAMP) ## make the pictures in docs/ through a virtual screen
 	@$(BIN)/python -m app.system_libraries
-	$(BIN)/python -m tests.pictures
+	@command -v xvfb-run >/dev/null || { echo "xvfb-run is missing: apt-get install xvfb" >&2; exit 1; }
+	xvfb-run -a -s "-screen 0 1920x1200x24" $(BIN)/python -m tests.pictures
 
 lock: $(STAMP) ## pin the newest allowed versions of all dependencies, with hashes
 	$(BIN)/pip install --quiet uv
