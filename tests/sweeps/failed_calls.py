@@ -94,7 +94,9 @@ def attack(worker: Worker) -> Iterator[str]:
         worker.count(f"faults of {name}")
         worker.count("ended with an error in one line", outcome.status == 1)
         failed = [call for call in calls(report) if call.error.endswith("(INJECTED)")]
-        what = "; ".join(f"{call.name} {call.paths[-1:]}" for call in failed) or "nothing"
+        what = (
+            "; ".join(f"{call.name} {call.handles or call.names}" for call in failed) or "nothing"
+        )
         for wrong in wrongs(outcome, path, said, scenario):
             yield f"{name}, {fault.option} ({what}): {wrong}"
 
@@ -115,7 +117,9 @@ def faults_of(name: str, worker: Worker) -> list[Fault]:
     counted, found = Counter[tuple[int, str]](), set[tuple[str, int]]()
     for call in calls(report):
         counted[call.thread, call.name] += 1
-        if any(str(path.parent) in text for text in call.paths):
+        if any(
+            str(path.parent) in one for one in (*call.names, *(each[1] for each in call.handles))
+        ):
             found.add((call.name, counted[call.thread, call.name]))
     if worker.place == 0:
         print(f"{name}: {len(found)} calls", flush=True)

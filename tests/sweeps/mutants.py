@@ -46,7 +46,7 @@ def attack(worker: Worker) -> Iterator[str]:
             if kind.slow and number % _SELDOM:
                 continue
             file = placed(kind, kit)
-            mutate(file, worker.chance(name, number), text=kind.text)
+            mutate(file, worker.chance(name, number))
             outcome = run(kind, kit, file)
             worker.count("mutants")
             worker.count("refused in one line" if outcome.status else "read")

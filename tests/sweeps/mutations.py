@@ -39,9 +39,10 @@ _STRINGS = ("", "x" * 70_000, "\x1b[31m\n<b>", "{" * 5000, "[" * 5000)
 _TABLES = (5, np.zeros(3), np.zeros((2, 2)), np.arange(9), ["a", "b"], np.zeros(0))
 
 
-def mutate(path: Path, chance: random.Random, *, text: bool) -> None:
+def mutate(path: Path, chance: random.Random) -> None:
     """Damage a file in one of the ways its kind knows."""
     data = path.read_bytes()
+    is_text = b"\0" not in data
     if data.startswith(b"\x89HDF") and chance.random() < 0.5:
         with contextlib.suppress(OSError, RuntimeError, TypeError, ValueError, KeyError):
             mutate_hdf5(path, chance)
@@ -51,7 +52,7 @@ def mutate(path: Path, chance: random.Random, *, text: bool) -> None:
             mutate_sqlite(path, chance)
             return
     for _ in range(chance.choice((1, 1, 1, 2, 5))):
-        of_text = text and chance.random() < 0.8
+        of_text = is_text and chance.random() < 0.8
         data = mutated_text(data, chance) if of_text else mutated_bytes(data, chance)
     path.write_bytes(data)
 

@@ -22,7 +22,7 @@ from tests.sweeps.disk_model import Disk, File, Folder
 from tests.sweeps.runner import Worker, emptied, sweep
 from tests.sweeps.session_state import Said, look
 from tests.sweeps.sessions import made_session
-from tests.sweeps.system_calls import Call, calls, check, text_of, traced
+from tests.sweeps.system_calls import Call, calls, check, traced
 
 _STEPS = 40
 _CUTS_A_RECORDING = 25
@@ -30,9 +30,6 @@ _LONGEST_S = 120.0
 _BLOCKS = (512, 4096)
 _IN_ORDER = 0.5
 """Share of the recordings whose names reach the disk in order."""
-_TEXT = re.compile(r'"((?:\\x..)*)"')
-_HANDLE = re.compile(r"(\d+)<((?:\\x..)*)>")
-_NAME = re.compile(r'(?:(?:AT_FDCWD|\d+)<((?:\\x..)*)>, )?"((?:\\x..)*)"')
 
 
 def attack(worker: Worker) -> Iterator[str]:
@@ -101,7 +98,7 @@ class Replay:
         return look(place / "s.h5", Said.of_lines(self._lines))[0]
 
     def _open(self, call: Call) -> None:
-        (path,), handle = named(call), call.result
+        (path,), handle = call.names, call.result
         self._at[handle] = 0
         self._appends.discard(handle)
         if "O_APPEND" in call.arguments:
@@ -112,76 +109,67 @@ class Replay:
         if isinstance(node, File) and "O_TRUNC" in call.arguments and node.now:
             node.resize(0)
 
-    def _file(self, call: Call) -> File | None:
-        node = self._disk.find(handle_of(call)[1])
-        return node if isinstance(node, File) else None
+    def _file(self, call: Call) -> File:
+        """The file that a call is about; one of no name where it is none of the tree's."""
+        node = self._disk.find(call.handles[0][1])
+        return node if isinstance(node, File) else File()
 
     def _write(self, call: Call) -> None:
-        handle, path = handle_of(call)
-        data = data_of(call)
+        handle, path = call.handles[0]
         if path == self._said:
-            self._lines += data.decode().splitlines()
-        self._put(handle, path, data)
+            self._lines += call.data.decode().splitlines()
+        self._put(handle, self._file(call), call.data)
 
-    def _put(self, handle: int, path: str, data: bytes) -> None:
-        node = self._disk.find(path)
-        if isinstance(node, File):
-            if handle in self._appends:
-                self._at[handle] = len(node.now)
-            node.write(self._at.get(handle, 0), data)
-        self._at[handle] = self._at.get(handle, 0) + len(data)
+    def _put(self, handle: int, file: File, data: bytes) -> None:
+        at = len(file.now) if handle in self._appends else self._at.get(handle, 0)
+        file.write(at, data)
+        self._at[handle] = at + len(data)
 
     def _write_at(self, call: Call) -> None:
-        if (file := self._file(call)) is not None:
-            file.write(int(call.arguments.rsplit(",", 1)[1]), data_of(call))
+        self._file(call).write(*call.numbers(1), call.data)
 
     def _read(self, call: Call) -> None:
-        handle, _ = handle_of(call)
+        handle, _ = call.handles[0]
         self._at[handle] = self._at.get(handle, 0) + call.result
 
     def _seek(self, call: Call) -> None:
-        self._at[handle_of(call)[0]] = call.result
+        self._at[call.handles[0][0]] = call.result
 
     def _resize(self, call: Call) -> None:
-        if (file := self._file(call)) is not None:
-            file.resize(int(call.arguments.rsplit(",", 1)[1]))
+        self._file(call).resize(*call.numbers(1))
 
     def _allocate(self, call: Call) -> None:
-        _, start, length = call.arguments.rsplit(",", 2)
-        file, end = self._file(call), int(start) + int(length)
-        if file is not None and len(file.now) < end:
+        file, end = self._file(call), sum(call.numbers(2))
+        if len(file.now) < end:
             file.resize(end)
 
     def _send(self, call: Call) -> None:
         """`sendfile` and `copy_file_range`, from where the handle that is read stands."""
-        handles = [(int(number), decoded(path)) for number, path in _HANDLE.findall(call.arguments)]
-        if call.name == "copy_file_range":
-            handles.reverse()
-        (target, path), (source, read) = handles
+        (target, path), (source, read) = call.handles[:: -1 if "copy" in call.name else 1]
         told = re.search(r"\[(\d+)\]", call.arguments)
         start = int(told[1]) if told else self._at.get(source, 0)
-        node = self._disk.find(read)
-        if isinstance(node, File):
-            self._put(target, path, bytes(node.now[start : start + call.result]))
+        node, other = self._disk.find(read), self._disk.find(path)
+        if isinstance(node, File) and isinstance(other, File):
+            self._put(target, other, bytes(node.now[start : start + call.result]))
         if told is None:
             self._at[source] = start + call.result
 
     def _rename(self, call: Call) -> None:
-        old, new = named(call)
+        old, new = call.names
         self._disk.name((old, None), (new, self._disk.find(old)))
 
     def _link(self, call: Call) -> None:
-        old, new = named(call)
+        old, new = call.names
         self._disk.name((new, self._disk.find(old)))
 
     def _remove(self, call: Call) -> None:
-        self._disk.name((named(call)[0], None))
+        self._disk.name((call.names[0], None))
 
     def _make_folder(self, call: Call) -> None:
-        self._disk.name((named(call)[0], Folder()))
+        self._disk.name((call.names[0], Folder()))
 
     def _sync(self, call: Call) -> None:
-        node = self._disk.find(handle_of(call)[1])
+        node = self._disk.find(call.handles[0][1])
         if isinstance(node, File):
             node.sync()
         elif node is not None:
@@ -204,29 +192,6 @@ _KINDS: Mapping[str, Callable[[Replay, Call], None]] = {
     **dict.fromkeys(("fsync", "fdatasync"), Replay._sync),
 }
 _CALLS = ",".join(_KINDS)
-
-
-def handle_of(call: Call) -> tuple[int, str]:
-    """The first handle among the arguments, and the path it stands for."""
-    number, path = _HANDLE.findall(call.arguments)[0]
-    return int(number), decoded(path)
-
-
-def data_of(call: Call) -> bytes:
-    """What a call wrote."""
-    return b"".join(map(text_of, _TEXT.findall(call.arguments)))[: call.result]
-
-
-def named(call: Call) -> list[str]:
-    """The names among the arguments, each in the folder whose handle stands before it."""
-    return [
-        str(Path(decoded(folder) or "/", decoded(name)))
-        for folder, name in _NAME.findall(call.arguments)
-    ]
-
-
-def decoded(escaped: str) -> str:
-    return text_of(escaped).decode(errors="surrogateescape")
 
 
 if __name__ == "__main__":

@@ -51,15 +51,14 @@ class Kind:
         folder: of the kit, copied for each mutant. file: the one in it that is damaged.
         commands: that read it, one after the other up to the first that fails; W/ stands for the
             copy, K/ for the kit.
-        text: it is text. whole: what is told of a damaged one is what is told of the whole one,
-            or a note says that it is not. locked: another program holds it, a lock.
+        whole: what is told of a damaged one is what is told of the whole one, or a note says that
+            it is not. locked: another program holds it, a lock.
         slow: reading it takes seconds, so that only one mutant of ten is made.
     """
 
     folder: str
     file: str
     commands: tuple[tuple[str, ...], ...]
-    text: bool = False
     whole: bool = False
     locked: bool = False
     slow: bool = False
@@ -114,7 +113,7 @@ def of_sessions(kit: Path) -> dict[str, Kind]:
         "session": Kind("session", "s.h5", _SEEN, whole=True),
         "journal": Kind("waiting", f"{_HIDDEN}/journal.sqlite", _SEEN, whole=True),
         "journal-wal": Kind("waiting", f"{_HIDDEN}/journal.sqlite-wal", _SEEN, whole=True),
-        "lock": Kind("locked", f"{_HIDDEN}/lock", restored[1:], text=True, locked=True),
+        "lock": Kind("locked", f"{_HIDDEN}/lock", restored[1:], locked=True),
         "backup": Kind("older", f"{_HIDDEN}/s.1.h5", restored),
     }
 
@@ -146,17 +145,15 @@ def of_recordings(kit: Path) -> dict[str, Kind]:
     (kit / "settings").mkdir()
     show_window(kit / "settings" / "settings.ini", (kit / "session" / "s.h5",))
     return {
-        "recording.toml": Kind("stereo", "rec/recording.toml", _INFO, text=True),
-        "calibration.yaml": Kind("stereo", "rec/calibration.yaml", _INFO, text=True),
-        "calibration.xml": Kind("xml", "rec/calibration.xml", _INFO, text=True),
-        "calib.txt": Kind("kitti", "rec/calib.txt", _INFO, text=True),
-        "camera_info.yaml": Kind("ros", "rec/right.yaml", _INFO, text=True),
+        "recording.toml": Kind("stereo", "rec/recording.toml", _INFO),
+        "calibration.yaml": Kind("stereo", "rec/calibration.yaml", _INFO),
+        "calibration.xml": Kind("xml", "rec/calibration.xml", _INFO),
+        "calib.txt": Kind("kitti", "rec/calib.txt", _INFO),
+        "camera_info.yaml": Kind("ros", "rec/right.yaml", _INFO),
         "png": Kind("pictures", "rec/000000.png", view_options),
         "jpeg": Kind("jpegs", "rec/000001.jpg", view_options),
         "video": Kind("stereo", "rec/left.mp4", shown),
-        "settings": Kind(
-            "settings", "settings.ini", ((WINDOW, "W/settings.ini"),), text=True, slow=True
-        ),
+        "settings": Kind("settings", "settings.ini", ((WINDOW, "W/settings.ini"),), slow=True),
         "detector": Kind("detector", "d.h5", ((*parts, "--detector", "W/d.h5"),)),
     }
 
@@ -195,25 +192,23 @@ def _calibrations(kit: Path) -> None:
     written.release()
     rows = [f"P{one}: 300 0 160 {-30 * one} 0 300 120 0 0 0 1 0\n" for one in range(4)]
     (kit / "kitti" / "rec" / "calib.txt").write_text("".join(rows))
-    for name, offset in (("left", 0.0), ("right", -30.0)):
-        (kit / "ros" / "rec" / f"{name}.yaml").write_text(_ros(offset))
+    for name, offset in (("left", "0"), ("right", "-30")):
+        (kit / "ros" / "rec" / f"{name}.yaml").write_text(_ROS.replace("OFFSET", offset))
     named = {"xml": '"calibration.xml"', "kitti": '"calib.txt"'}
     for folder, name in {**named, "ros": '["left.yaml", "right.yaml"]'}.items():
         manifest = kit / folder / "rec" / "recording.toml"
         manifest.write_text(manifest.read_text().replace('"calibration.yaml"', name))
 
 
-def _ros(offset: float) -> str:
-    rows = {
-        "camera_matrix": (3, 3, [300, 0, 160, 0, 300, 120, 0, 0, 1]),
-        "distortion_coefficients": (1, 5, [0, 0, 0, 0, 0]),
-        "rectification_matrix": (3, 3, [1, 0, 0, 0, 1, 0, 0, 0, 1]),
-        "projection_matrix": (3, 4, [300, 0, 160, offset, 0, 300, 120, 0, 0, 0, 1, 0]),
-    }
-    said = "image_width: 320\nimage_height: 240\ncamera_name: c\ndistortion_model: plumb_bob\n"
-    for name, (height, width, data) in rows.items():
-        said += f"{name}:\n  rows: {height}\n  cols: {width}\n  data: {data}\n"
-    return said
+_ROS = """image_width: 320
+image_height: 240
+camera_name: c
+distortion_model: plumb_bob
+camera_matrix: {rows: 3, cols: 3, data: [300, 0, 160, 0, 300, 120, 0, 0, 1]}
+distortion_coefficients: {rows: 1, cols: 5, data: [0, 0, 0, 0, 0]}
+rectification_matrix: {rows: 3, cols: 3, data: [1, 0, 0, 0, 1, 0, 0, 0, 1]}
+projection_matrix: {rows: 3, cols: 4, data: [300, 0, 160, OFFSET, 0, 300, 120, 0, 0, 0, 1, 0]}
+"""
 
 
 # Tables of body parts
@@ -228,20 +223,15 @@ def of_tables(kit: Path) -> dict[str, Kind]:
     for name in ("samples.csv", "samples.h5"):
         write_samples(kit / "tables" / name, samples)
     lines = "".join(f"{frame},1,head,1,10,20,30,40\n" for frame in range(1, 6))
-    (kit / "tables" / "labels.csv").write_text(
-        f"frame,track,part,on,left,top,width,height\n{lines}"
-    )
+    head = "frame,track,part,on,left,top,width,height\n"
+    (kit / "tables" / "labels.csv").write_text(f"{head}{lines}")
     shutil.copy(kit / "session" / "s.h5", kit / "tables" / "s.h5")
-
-    def trained(name: str) -> tuple[tuple[str, ...], ...]:
-        return (("train", f"W/{name}", "-o", "W/d.h5"),)  # too few to train from: read, then told
-
+    # Too few to train from: they are read, then that is told.
+    train = {name: ("train", f"W/{name}", "-o", "W/d.h5") for name in ("samples.csv", "samples.h5")}
+    label = ("import-labels", "W/labels.csv", "W/s.h5")
     return {
-        "samples.csv": Kind("tables", "samples.csv", trained("samples.csv"), text=True),
-        "samples.h5": Kind("tables", "samples.h5", trained("samples.h5")),
-        "part-labels": Kind(
-            "tables", "labels.csv", (("import-labels", "W/labels.csv", "W/s.h5"),), text=True
-        ),
+        **{name: Kind("tables", name, (words,)) for name, words in train.items()},
+        "part-labels": Kind("tables", "labels.csv", (label,)),
     }
 
 
@@ -250,49 +240,28 @@ def of_tables(kit: Path) -> dict[str, Kind]:
 
 def of_tracks(kit: Path) -> dict[str, Kind]:
     """A file of each format, as far as it can be written here, and those that are only read."""
-    found, tracks = {}, exported(random_tracks(5, 12, 3), 12)
-    for name, each in FORMATS.items():
-        if each.read is not None and each.write is not None:
-            path = of_its_own(kit, f"{name}{each.extensions[0]}")
-            each.write(path, tracks, no_progress)
-            binary = path.is_file() and b"\0" in path.read_bytes()
-            found[name] = _importing(name, path, text=not binary)
-    for name, (file, make) in _ONLY_READ.items():
-        path = of_its_own(kit, file)
+    found, how = {}, (exported(random_tracks(5, 12, 3), 12), no_progress)
+    made = {
+        name: (f"{name}{one.extensions[0]}", lambda path, one=one: one.write(path, *how))
+        for name, one in FORMATS.items()
+        if one.read is not None and one.write is not None
+    }
+    for name, (file, make) in {**made, **_ONLY_READ}.items():
+        path = kit / f"tracks-{Path(file).stem}" / file
+        path.parent.mkdir()
         make(path)
-        found[name] = _importing(name, path, text=not file.endswith((".h5", ".slp")))
-    scored = of_its_own(kit, "scored.txt")
-    shutil.copy(kit / "tracks-mot" / "mot.txt", scored)
-    words = ("score", "W/scored.txt", "--truth", "K/tracks-mot/mot.txt", "--json")
-    found["scored mot"] = Kind("tracks-scored", "scored.txt", (words,), text=True)
-    return found
+        words = ("import", f"W/{file}", "--recording", "K/stereo/rec", "-o", "W/out.h5")
+        damaged = min(path.iterdir()) if path.is_dir() else path  # some are a folder of files
+        found[name] = Kind(path.parent.name, str(damaged.relative_to(path.parent)), (words,))
+    scored = ("score", "W/mot.txt", "--truth", "K/tracks-mot/mot.txt", "--json")
+    return {**found, "scored mot": Kind("tracks-mot", "mot.txt", (scored,))}
 
 
-def of_its_own(kit: Path, file: str) -> Path:
-    """Where a file of tracks goes: a folder of its own."""
-    path = kit / f"tracks-{Path(file).stem}" / file
-    path.parent.mkdir()
-    return path
-
-
-def _importing(name: str, path: Path, *, text: bool) -> Kind:
-    words = ("import", f"W/{path.name}", "--recording", "K/stereo/rec", "-o", "W/out.h5")
-    damaged = min(path.iterdir()) if path.is_dir() else path  # some are a folder of files
-    return Kind(path.parent.name, str(damaged.relative_to(path.parent)), (words,), text=text)
-
-
+_SLEAP_ROWS = ("track_0,0,0.5,,1,2,3,4", "track_0,1,,,5,6,,", "Zoë,1,,,1,1,2,1")
 _ONLY_READ = {
     "sleap": ("sleap.h5", lambda path: analysis(path, (1, 3, 2, 0), SCORES.T)),
     "sleap project": ("project.slp", project),
-    "sleap csv": (
-        "sleap-table.csv",
-        lambda path: csv_file(
-            path, "track_0,0,0.5,,1,2,3,4", "track_0,1,,,5,6,,", "Zoë,1,,,1,1,2,1"
-        ),
-    ),
+    "sleap csv": ("sleap-table.csv", lambda path: csv_file(path, *_SLEAP_ROWS)),
     "idtracker": ("idtracker.h5", trajectories),
-    "petrack-trc": (
-        "petrack-trc.trc",
-        lambda path: path.write_text(of_version(4), encoding="utf-8"),
-    ),
+    "petrack-trc": ("petrack-trc.trc", lambda path: path.write_text(of_version(4), "utf-8")),
 }

@@ -23,6 +23,9 @@ _MOST_LETTERS = 1 << 26
 _LINE = re.compile(r"(\d+) +(.*)")
 _CALL = re.compile(r"(\w+)\((.*)\) += (-?\d+|\?)(.*)")
 _RESUMED = re.compile(r"<\.\.\. \w+ resumed>(.*)")
+_TEXT = re.compile(r'"((?:\\x..)*)"')
+_HANDLE = re.compile(r"(\d+)<((?:\\x..)*)>")
+_NAME = re.compile(r'(?:(?:AT_FDCWD|\d+)<((?:\\x..)*)>, )?"((?:\\x..)*)"')
 _ATTACHED = "attached"
 
 
@@ -40,10 +43,25 @@ class Call:
     error: str
 
     @property
-    def paths(self) -> list[str]:
-        """All paths among the arguments: names, and those that handles stand for."""
-        found = re.findall(r'<((?:\\x..)+)>|"((?:\\x..)+)"', self.arguments)
-        return [text_of(handle or name).decode(errors="replace") for handle, name in found]
+    def handles(self) -> list[tuple[int, str]]:
+        """The handles among the arguments, and the paths they stand for."""
+        found = _HANDLE.findall(self.arguments)
+        return [(int(number), _decoded(path)) for number, path in found]
+
+    @property
+    def names(self) -> list[str]:
+        """The names among the arguments, each in the folder whose handle stands before it."""
+        found = _NAME.findall(self.arguments)
+        return [str(Path(_decoded(folder) or "/", _decoded(name))) for folder, name in found]
+
+    @property
+    def data(self) -> bytes:
+        """What a call that writes has written."""
+        return b"".join(map(_bytes, _TEXT.findall(self.arguments)))[: self.result]
+
+    def numbers(self, count: int) -> tuple[int, ...]:
+        """The last arguments."""
+        return tuple(int(word) for word in self.arguments.rsplit(",", count)[1:])
 
 
 def check() -> None:
@@ -103,6 +121,9 @@ def calls(report: Path) -> Iterator[Call]:
                 yield Call(thread, call[1], call[2], result, call[4].strip())
 
 
-def text_of(escaped: str) -> bytes:
-    """The bytes of a text of hexadecimal escapes."""
+def _bytes(escaped: str) -> bytes:
     return bytes.fromhex(escaped.replace("\\x", ""))
+
+
+def _decoded(escaped: str) -> str:
+    return _bytes(escaped).decode(errors="surrogateescape")
