@@ -9,10 +9,11 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "session"))
 
-from kill_points import take_step
 from made_up_sessions import FRAMES
 
 from tests.sweeps.session_state import state
+from tracking.editing import plan_delete, plan_draw_box, plan_rename, plan_split, plan_swap
+from tracking.errors import EditError
 from tracking.formats import FORMATS, Filmed
 from tracking.session import (
     ImportOrigin,
@@ -72,3 +73,24 @@ class Corrector:
             number = self._chance.randint(1, min(2, len(kept)))
             self._tell(f"~ {state(Session.look_into(kept[number - 1]))}")
             self._session = self._session.restore(number)
+
+
+def take_step(session: Session, chance: random.Random) -> None:
+    """One step of an editor's day, the same for the same state and chance."""
+    a, b = chance.randint(1, 6), chance.randint(1, 6)
+    frame, end = chance.randint(0, 40), chance.choice((None, 41))
+    table = session.tracks
+    steps = (
+        lambda: session.apply(plan_swap(table, a, b, frame, end)),
+        lambda: session.apply(plan_swap(table, a, b, frame, end)),
+        lambda: session.apply(plan_split(table, a, frame)),
+        lambda: session.apply(plan_delete(table, a, frame, frame + 1)),
+        lambda: session.apply(plan_draw_box(table, a, frame, (1.0, 2.0, 3.0, 4.0))),
+        lambda: session.apply(plan_rename(table, session.labels, a, f"person {frame}")),
+        session.undo,
+        session.redo,
+    )
+    try:
+        chance.choice(steps)()
+    except EditError:
+        return

@@ -94,11 +94,9 @@ def attack(worker: Worker) -> Iterator[str]:
         worker.count(f"faults of {name}")
         worker.count("ended with an error in one line", outcome.status == 1)
         failed = [call for call in calls(report) if call.error.endswith("(INJECTED)")]
-        what = (
-            "; ".join(f"{call.name} {call.handles or call.names}" for call in failed) or "nothing"
-        )
+        what = "; ".join(f"{each.name} {each.handles or each.names}" for each in failed)
         for wrong in wrongs(outcome, path, said, scenario):
-            yield f"{name}, {fault.option} ({what}): {wrong}"
+            yield f"{name}, {fault.option} ({what or 'nothing'}): {wrong}"
 
 
 def in_turn(faults: list[Fault], seed: int) -> list[Fault]:
@@ -117,9 +115,7 @@ def faults_of(name: str, worker: Worker) -> list[Fault]:
     counted, found = Counter[tuple[int, str]](), set[tuple[str, int]]()
     for call in calls(report):
         counted[call.thread, call.name] += 1
-        if any(
-            str(path.parent) in one for one in (*call.names, *(each[1] for each in call.handles))
-        ):
+        if call.mentions(path.parent):
             found.add((call.name, counted[call.thread, call.name]))
     if worker.place == 0:
         print(f"{name}: {len(found)} calls", flush=True)
@@ -175,17 +171,32 @@ def made(folder: Path) -> Path:
 # Scenarios
 
 
+def opened(path: Path) -> Session:
+    """The session; the program ends with a line where it cannot be opened."""
+    try:
+        return Session.open(path)
+    except TrackwrightError as why:
+        tell(why)
+        sys.exit(1)
+
+
+def opened_for_writing(path: Path) -> Session:
+    """The session; the program ends where only reading is possible: the next opening is as ever."""
+    session = opened(path)
+    if session.read_only:
+        session.close()
+        sys.exit(0)
+    return session
+
+
+def tell(why: object) -> None:
+    """As a command does."""
+    print(f"trackwright: {why}", file=sys.stderr)
+
+
 def correct(path: Path, said: Path) -> int:
     """Open, edit, save, undo; go on where something is refused."""
-    handle = os.open(said, os.O_WRONLY | os.O_APPEND)
-    try:
-        session = Session.open(path)
-    except TrackwrightError as why:
-        print(f"trackwright: {why}", file=sys.stderr)
-        return 1
-    if session.read_only:  # which is told; the next opening is as ever
-        session.close()
-        return 0
+    handle, session = os.open(said, os.O_WRONLY | os.O_APPEND), opened_for_writing(path)
     steps = (
         *(renamed("a"), Session.save, renamed("b"), Session.undo, renamed("c"), Session.save),
         *(Session.undo, Session.save, renamed("d")),
@@ -212,21 +223,26 @@ def went_on(session: Session, handle: int) -> int:
             session.close()
             return 0
         except TrackwrightError as why:
-            print(f"trackwright: {why}", file=sys.stderr)
+            tell(why)
     return _STATUS_NO_RECOVERY
 
 
 def restore_and_correct(path: Path, said: Path) -> int:
     """Restore, go on with what there is then, and edit."""
-    handle = os.open(said, os.O_WRONLY | os.O_APPEND)
-    session = Session.open(path)
-    if session.read_only:
-        session.close()
-        return 0
+    handle, session = os.open(said, os.O_WRONLY | os.O_APPEND), opened_for_writing(path)
     with contextlib.suppress(TrackwrightError):
         session = session.restore(1)
     os.write(handle, f"= {state(session)}\n".encode())
     return went_on(session, handle)
+
+
+def open_only(path: Path, said: Path) -> int:
+    """Open and close: what fails meanwhile is no damage, and nothing is kept aside."""
+    session = opened(path)
+    session.close()
+    for line in session.damage:
+        tell(line)
+    return _STATUS_NO_RECOVERY if session.damage else 0
 
 
 def typed(*words: str) -> Callable[[Path, Path], int]:
@@ -250,19 +266,6 @@ def say_coming(path: Path, said: Path) -> None:
 def exporting(name: str, file: str) -> Scenario:
     """A session's tracks for another tool."""
     return Scenario(typed("export", "S", "-o", f"D/{file}", "--format", name), (file,))
-
-
-def open_only(path: Path, said: Path) -> int:
-    """Open and close: what fails meanwhile is no damage, and nothing is kept aside."""
-    try:
-        session = Session.open(path)
-    except TrackwrightError as why:
-        print(f"trackwright: {why}", file=sys.stderr)
-        return 1
-    session.close()
-    for line in session.damage:
-        print(f"trackwright: {line}", file=sys.stderr)
-    return _STATUS_NO_RECOVERY if session.damage else 0
 
 
 SCENARIOS = {

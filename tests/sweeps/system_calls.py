@@ -59,6 +59,10 @@ class Call:
         """What a call that writes has written."""
         return b"".join(map(_bytes, _TEXT.findall(self.arguments)))[: self.result]
 
+    def mentions(self, path: Path) -> bool:
+        """Whether a name among the arguments, or what a handle stands for, begins with a path."""
+        return "".join(f"\\x{byte:02x}" for byte in bytes(path)) in self.arguments
+
     def numbers(self, count: int) -> tuple[int, ...]:
         """The last arguments."""
         return tuple(int(word) for word in self.arguments.rsplit(",", count)[1:])
