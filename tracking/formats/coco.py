@@ -25,6 +25,7 @@ from numpy.typing import NDArray
 from tracking.errors import FormatError
 from tracking.formats.coco_writing import export_coco
 from tracking.formats.filled_rows import MOST_TRACKS
+from tracking.formats.json_numbers import number_of, whole_of
 from tracking.formats.json_stream import elements_of
 from tracking.formats.label_text import label_as_read, label_of
 from tracking.formats.line_survey import MOST_ROWS
@@ -32,7 +33,7 @@ from tracking.formats.read_result import FASTEST_FPS, Filmed, Imported, Reading
 from tracking.formats.row_rules import BOX, MAX_FRAME
 from tracking.formats.track_format import Content, TrackFormat
 from tracking.progress import Progress, no_progress
-from tracking.tracks import LARGEST_NUMBER, TrackLabel
+from tracking.tracks import TrackLabel
 
 _MEMBERS = ("info", "videos", "images", "tracks", "categories", "annotations")
 _START = re.compile(
@@ -110,7 +111,7 @@ class _File:
         self._fps = self._fps or _fps_of(info)
 
     def _take_videos(self, at: int, video: dict[str, Any]) -> None:
-        number = _whole(video.get("id"))
+        number = whole_of(video.get("id"))
         if number is None:
             self._reading.bad(f"videos[{at}]", "its id is no whole number")
         else:
@@ -121,7 +122,7 @@ class _File:
         self._size_px = self._size_px or _size_of(video)
 
     def _take_images(self, at: int, image: Mapping[str, Any]) -> None:
-        number, frame = _whole(image.get("id")), _frame_of(image)
+        number, frame = whole_of(image.get("id")), _frame_of(image)
         if number is None or frame is None:
             self._reading.bad(f"images[{at}]", "its id or frame_index is no whole number")
         elif number in self._images:
@@ -131,19 +132,19 @@ class _File:
         self._size_px = self._size_px or _size_of(image)
 
     def _take_tracks(self, _at: int, track: dict[str, Any]) -> None:
-        number = _whole(track.get("id"))
+        number = whole_of(track.get("id"))
         if number is not None:  # a track with no id has no annotations
             self._tracks[number] = track
 
     def _take_categories(self, _at: int, category: Mapping[str, Any]) -> None:
-        number = _whole(category.get("id"))
+        number = whole_of(category.get("id"))
         if number is not None:
             self._kinds[number] = str(category.get("name", ""))
 
     def _take_annotations(self, at: int, row: Mapping[str, Any]) -> None:
         said = _track_said(row)
         self._untracked += said is None
-        track, image, box = _whole(said), _whole(row.get("image_id")), row.get("bbox")
+        track, image, box = whole_of(said), whole_of(row.get("image_id")), row.get("bbox")
         if track is None or image is None:
             self._reading.bad(f"annotations[{at}]", "its track_id or image_id is no whole number")
             return
@@ -151,7 +152,7 @@ class _File:
         if numbers is None:
             self._reading.bad(f"annotations[{at}]", "its bbox is not four numbers")
             return
-        kind = _whole(row.get("category_id"))
+        kind = whole_of(row.get("category_id"))
         self._whole.extend((at, image, track, -1 if kind is None else kind))
         self._boxes.extend(numbers)
         self._confidence.append(_confidence_of(row))
@@ -205,7 +206,7 @@ class _File:
         labels = {}
         for number, first in zip(*np.unique(track, return_index=True), strict=True):
             known = self._tracks.get(int(said[first]), {})
-            of_track = _whole(known.get("category_id"))
+            of_track = whole_of(known.get("category_id"))
             name = self._kinds.get(int(kind[first]) if of_track is None else of_track, "")
             attributes = known.get("attributes")
             if not isinstance(attributes, dict):
@@ -225,7 +226,7 @@ def _track_said(row: Mapping[str, Any]) -> Any:
 
 
 def _frame_of(image: Mapping[str, Any]) -> int | None:
-    frame = _whole(image.get("frame_index", image.get("frame_id")))
+    frame = whole_of(image.get("frame_index", image.get("frame_id")))
     return frame if frame is not None and 0 <= frame < MAX_FRAME else None
 
 
@@ -237,24 +238,15 @@ def _confidence_of(row: Mapping[str, Any]) -> float:
 
 
 def _fps_of(known: Mapping[str, Any]) -> float | None:
-    fps = known.get("fps")
-    if fps is None or not _is_number(fps) or not 0 < fps < FASTEST_FPS:
-        return None
-    return float(fps)
+    fps = number_of(known.get("fps"))
+    return fps if fps is not None and 0 < fps < FASTEST_FPS else None
 
 
 def _size_of(known: Mapping[str, Any]) -> tuple[int, int] | None:
-    width, height = _whole(known.get("width")), _whole(known.get("height"))
+    width, height = whole_of(known.get("width")), whole_of(known.get("height"))
     if width is None or height is None or not 0 < min(width, height) <= _WIDEST_PX:
         return None
     return (width, height) if max(width, height) <= _WIDEST_PX else None
-
-
-def _whole(value: Any) -> int | None:
-    """A whole number that fits; None for everything else."""
-    if type(value) is float and value.is_integer():
-        value = int(value)
-    return value if type(value) is int and abs(value) <= LARGEST_NUMBER else None
 
 
 def _is_number(value: Any) -> bool:

@@ -14,10 +14,8 @@ from numpy.typing import NDArray
 from tracking.errors import OutputError
 from tracking.pipeline.particle_codec import CODINGS, Block, Coding, Plain
 from tracking.pipeline.spool import Spool
-from tracking.tracks import Columns, ParticleColumn, Particles
+from tracking.tracks import Columns, ParticleColumn, Particles, Types
 from tracking.tracks.growable_columns import FrameStarts
-
-Types = Mapping[str, np.dtype[Any]]
 
 
 class SpooledColumn:

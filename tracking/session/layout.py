@@ -9,7 +9,6 @@ import re
 from collections.abc import Container, Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
-from typing import Any
 
 import numpy as np
 
@@ -26,6 +25,8 @@ from tracking.tracks import (
     SIGNAL_COLUMNS,
     TRACK_COLUMNS,
     TRACKLET_COLUMNS,
+    Types,
+    column_types,
 )
 
 FORMAT = "trackwright-session"
@@ -33,8 +34,6 @@ VERSION = (1, 5)
 """Major: older programs cannot read it. Minor: they can, and miss something."""
 
 CHUNK_ROWS = 65_536
-
-Types = Mapping[str, np.dtype[Any]]
 
 TEXT = np.dtype(object)
 """Stands for a column of text: UTF-8 of any length."""
@@ -67,10 +66,6 @@ class Table:
         return {name: dtype for name, dtype in self.columns.items() if name not in missing}
 
 
-def _types(**columns: type | np.dtype[Any]) -> Types:
-    return MappingProxyType({name: np.dtype(kind) for name, kind in columns.items()})
-
-
 def _later(*columns: str) -> frozenset[str]:
     return frozenset(columns)
 
@@ -79,19 +74,19 @@ TRAJECTORY_TYPE = np.dtype(
     [("id", np.int32), ("frame", np.int32), ("x", np.float64), ("y", np.float64), ("z", np.float64)]
 )
 
-SAMPLES = Table(_types(**SAMPLE_COLUMNS, **dict.fromkeys(FEATURE_NAMES, np.float64)))
+SAMPLES = Table(column_types(**SAMPLE_COLUMNS, **dict.fromkeys(FEATURE_NAMES, np.float64)))
 """What the part labels teach the failure detector, made anew at every save. Without samples the
 group is empty; files before format 1.2 never have any."""
 
 TABLES: Mapping[str, Table] = MappingProxyType(
     {
-        "recording/sources": Table(_types(source=TEXT, size_bytes=np.int64, sha256=TEXT)),
+        "recording/sources": Table(column_types(source=TEXT, size_bytes=np.int64, sha256=TEXT)),
         "tracks": Table(CORRECTED_COLUMNS),
         # The colour each track is shown in: its place in the window's palette. Came with 1.5.
-        "colours": Table(_types(track=np.int64, place=np.uint8), is_later=True),
-        "labels": Table(_types(track=np.int64, name=TEXT, attributes=TEXT, notes=TEXT)),
+        "colours": Table(column_types(track=np.int64, place=np.uint8), is_later=True),
+        "labels": Table(column_types(track=np.int64, name=TEXT, attributes=TEXT, notes=TEXT)),
         "labels/parts": Table(
-            _types(
+            column_types(
                 frame=np.int32,
                 track=np.int32,
                 part=np.uint8,  # 0 head, 1 torso, 2 hip-leg
@@ -110,10 +105,10 @@ TABLES: Mapping[str, Table] = MappingProxyType(
                 _later("author", "reason"),
             ),
         ),
-        "labels/occluders": Table(_types(name=TEXT, polygon=TEXT)),
-        "labels/reviewed": Table(_types(track=np.int64, start=np.int64, end=np.int64)),
+        "labels/occluders": Table(column_types(name=TEXT, polygon=TEXT)),
+        "labels/reviewed": Table(column_types(track=np.int64, start=np.int64, end=np.int64)),
         "labels/lines": Table(  # m on the floor, or px of the left image as recorded
-            _types(
+            column_types(
                 name=TEXT,
                 **dict.fromkeys(("x1", "y1", "x2", "y2"), np.float64),
                 in_picture=np.bool_,
@@ -122,15 +117,15 @@ TABLES: Mapping[str, Table] = MappingProxyType(
             is_later=True,
         ),
         "labels/regions": Table(
-            _types(name=TEXT, polygon=TEXT, in_picture=np.bool_),
+            column_types(name=TEXT, polygon=TEXT, in_picture=np.bool_),
             (_later("in_picture"),),
             is_later=True,
         ),
         "labels/verdicts": Table(
-            _types(kind=TEXT, tracks=TEXT, frame=np.int64, decision=TEXT), is_later=True
+            column_types(kind=TEXT, tracks=TEXT, frame=np.int64, decision=TEXT), is_later=True
         ),
         "edits": Table(
-            _types(
+            column_types(
                 id=np.int64,
                 time=TEXT,  # UTC, ISO 8601
                 author=TEXT,
@@ -170,4 +165,6 @@ RUN_TABLES: Mapping[str, Table] = MappingProxyType(
 def table_at(path: str) -> Table:
     """The table at an HDF5 path such as `/labels/parts` or `/runs/0/tracks`."""
     of_run = re.fullmatch(r"/runs/\d+/(\w+)", path)
-    return RUN_TABLES[of_run[1]] if of_run else {**TABLES, "samples": SAMPLES}[path.lstrip("/")]
+    if of_run:
+        return RUN_TABLES[of_run[1]]
+    return SAMPLES if path == "/samples" else TABLES[path.lstrip("/")]

@@ -14,6 +14,8 @@ from tracking.tracks.columns import (
     TRACKLET_COLUMNS,
     Columns,
     Source,
+    Types,
+    column_types,
     empty,
 )
 from tracking.tracks.label_checks import (

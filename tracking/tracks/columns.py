@@ -11,122 +11,112 @@ from numpy.typing import NDArray
 
 Columns = Mapping[str, NDArray[Any]]
 """One 1-D array per column, all of equal length."""
+Types = Mapping[str, np.dtype[Any]]
+"""Of columns, by name, in order."""
 
-TRACK_COLUMNS: Mapping[str, np.dtype[Any]] = MappingProxyType(
-    {
-        "frame": np.dtype(np.int32),  # from 0
-        "track": np.dtype(np.int32),  # positive, stable, never renumbered
-        "left": np.dtype(np.float64),  # px of the left image as recorded, 0-based
-        "top": np.dtype(np.float64),
-        "width": np.dtype(np.float64),
-        "height": np.dtype(np.float64),
-        "x": np.dtype(np.float64),  # m on the floor
-        "y": np.dtype(np.float64),
-        "vx": np.dtype(np.float64),  # m/s on the floor
-        "vy": np.dtype(np.float64),
-        "confidence": np.dtype(np.float32),  # 0 to 1
-        "visibility": np.dtype(np.float32),  # 0 to 1
-        "predicted": np.dtype(np.bool_),  # True: no detection matched in this frame
-    }
+
+def column_types(**types: type | np.dtype[Any]) -> Types:
+    """The types of a table's columns."""
+    return MappingProxyType({name: np.dtype(kind) for name, kind in types.items()})
+
+
+TRACK_COLUMNS = column_types(
+    frame=np.int32,  # from 0
+    track=np.int32,  # positive, stable, never renumbered
+    left=np.float64,  # px of the left image as recorded, 0-based
+    top=np.float64,
+    width=np.float64,
+    height=np.float64,
+    x=np.float64,  # m on the floor
+    y=np.float64,
+    vx=np.float64,  # m/s on the floor
+    vy=np.float64,
+    confidence=np.float32,  # 0 to 1
+    visibility=np.float32,  # 0 to 1
+    predicted=np.bool_,  # True: no detection matched in this frame
 )
 
-CORRECTED_COLUMNS: Mapping[str, np.dtype[Any]] = MappingProxyType(
-    {**TRACK_COLUMNS, "source": np.dtype(np.uint8)}
-)
+CORRECTED_COLUMNS = column_types(**TRACK_COLUMNS, source=np.uint8)
 """A run's columns and where a row comes from: see `Source`."""
 
-DETECTION_COLUMNS: Mapping[str, np.dtype[Any]] = MappingProxyType(
-    {
-        "frame": np.dtype(np.int32),
-        "left": np.dtype(np.float64),
-        "top": np.dtype(np.float64),
-        "width": np.dtype(np.float64),
-        "height": np.dtype(np.float64),
-        "x": np.dtype(np.float64),
-        "y": np.dtype(np.float64),
-        "z": np.dtype(np.float64),
-        "track": np.dtype(np.int32),  # the track it was matched with; 0: none
-    }
+DETECTION_COLUMNS = column_types(
+    frame=np.int32,
+    left=np.float64,
+    top=np.float64,
+    width=np.float64,
+    height=np.float64,
+    x=np.float64,
+    y=np.float64,
+    z=np.float64,
+    track=np.int32,  # the track it was matched with; 0: none
 )
 
-PARTICLE_COLUMNS: Mapping[str, np.dtype[Any]] = MappingProxyType(
-    {
-        "track": np.dtype(np.int32),
-        "x": np.dtype(np.float32),  # m on the floor
-        "y": np.dtype(np.float32),
-        "weight": np.dtype(np.float32),  # sums to 1 over a person's particles
-    }
+PARTICLE_COLUMNS = column_types(
+    track=np.int32,
+    x=np.float32,  # m on the floor
+    y=np.float32,
+    weight=np.float32,  # sums to 1 over a person's particles
 )
 
-PART_COLUMNS: Mapping[str, np.dtype[Any]] = MappingProxyType(
-    {
-        "frame": np.dtype(np.int32),
-        "track": np.dtype(np.int32),
-        "part": np.dtype(np.uint8),  # 0 head, 1 torso, 2 hip-leg
-        "cx": np.dtype(np.float64),  # px of the left image as recorded
-        "cy": np.dtype(np.float64),
-        "width": np.dtype(np.float64),
-        "height": np.dtype(np.float64),
-        "vx": np.dtype(np.float64),  # px a frame
-        "vy": np.dtype(np.float64),
-        "failed": np.dtype(np.bool_),  # the failure detector's verdict, before any adjustment
-        "score": np.dtype(np.float64),  # of the detector, above 0: failed; NaN: not judged
-        "entropy": np.dtype(np.float32),  # of the weights, 1: all alike; NaN: not filtered
-        "particles": np.dtype(np.int32),  # how many this frame; 0: not filtered
-        "occluded": np.dtype(np.bool_),  # motion only, the colours learnt are frozen
-    }
+PART_COLUMNS = column_types(
+    frame=np.int32,
+    track=np.int32,
+    part=np.uint8,  # 0 head, 1 torso, 2 hip-leg
+    cx=np.float64,  # px of the left image as recorded
+    cy=np.float64,
+    width=np.float64,
+    height=np.float64,
+    vx=np.float64,  # px a frame
+    vy=np.float64,
+    failed=np.bool_,  # the failure detector's verdict, before any adjustment
+    score=np.float64,  # of the detector, above 0: failed; NaN: not judged
+    entropy=np.float32,  # of the weights, 1: all alike; NaN: not filtered
+    particles=np.int32,  # how many this frame; 0: not filtered
+    occluded=np.bool_,  # motion only, the colours learnt are frozen
 )
 
-PART_PARTICLE_COLUMNS: Mapping[str, np.dtype[Any]] = MappingProxyType(
-    {
-        "track": np.dtype(np.int32),
-        "part": np.dtype(np.uint8),
-        "u": np.dtype(np.float32),  # px of the left image as recorded: a rectangle's centre
-        "v": np.dtype(np.float32),
-        "weight": np.dtype(np.float32),  # sums to 1 over a part's particles that are kept
-    }
+PART_PARTICLE_COLUMNS = column_types(
+    track=np.int32,
+    part=np.uint8,
+    u=np.float32,  # px of the left image as recorded: a rectangle's centre
+    v=np.float32,
+    weight=np.float32,  # sums to 1 over a part's particles that are kept
 )
 
-TRACKLET_COLUMNS: Mapping[str, np.dtype[Any]] = MappingProxyType(
-    {
-        "track": np.dtype(np.int32),  # 0: of nobody who is followed
-        "u0": np.dtype(np.float32),  # px of the left image as recorded: in this frame
-        "v0": np.dtype(np.float32),
-        "u1": np.dtype(np.float32),  # a step before
-        "v1": np.dtype(np.float32),
-        "u2": np.dtype(np.float32),  # two steps before
-        "v2": np.dtype(np.float32),
-        "foot_v": np.dtype(np.float32),  # where the foreground below it ends; NaN: not known
-    }
+TRACKLET_COLUMNS = column_types(
+    track=np.int32,  # 0: of nobody who is followed
+    u0=np.float32,  # px of the left image as recorded: in this frame
+    v0=np.float32,
+    u1=np.float32,  # a step before
+    v1=np.float32,
+    u2=np.float32,  # two steps before
+    v2=np.float32,
+    foot_v=np.float32,  # where the foreground below it ends; NaN: not known
 )
 """Points followed in the picture, with their last positions."""
 
-ASSOCIATION_COLUMNS: Mapping[str, np.dtype[Any]] = MappingProxyType(
-    {
-        "frame": np.dtype(np.int32),
-        "track": np.dtype(np.int32),
-        "distance": np.dtype(np.float64),  # costs per cue; NaN where the cue was not used
-        "colour": np.dtype(np.float64),
-        "direction": np.dtype(np.float64),
-        "total": np.dtype(np.float64),
-        "margin": np.dtype(np.float64),  # total cost of the next best choice less this one's
-    }
+ASSOCIATION_COLUMNS = column_types(
+    frame=np.int32,
+    track=np.int32,
+    distance=np.float64,  # costs per cue; NaN where the cue was not used
+    colour=np.float64,
+    direction=np.float64,
+    total=np.float64,
+    margin=np.float64,  # total cost of the next best choice less this one's
 )
 
-SIGNAL_COLUMNS: Mapping[str, np.dtype[Any]] = MappingProxyType(
-    {
-        "frame": np.dtype(np.int32),
-        "track": np.dtype(np.int32),
-        "height_m": np.dtype(np.float32),  # of the detection matched alone; NaN: none
-        "upper_l": np.dtype(np.float32),  # CIELAB of the upper body: mean lightness, 0 to 100
-        "upper_a": np.dtype(np.float32),  # green to red
-        "upper_b": np.dtype(np.float32),  # blue to yellow
-        "lower_l": np.dtype(np.float32),  # the same of the lower body
-        "lower_a": np.dtype(np.float32),
-        "lower_b": np.dtype(np.float32),
-        "spread_m": np.dtype(np.float32),  # of the particles, along their longest direction
-        "split": np.dtype(np.float32),  # how clearly the particles are two clusters: 0 to 1
-    }
+SIGNAL_COLUMNS = column_types(
+    frame=np.int32,
+    track=np.int32,
+    height_m=np.float32,  # of the detection matched alone; NaN: none
+    upper_l=np.float32,  # CIELAB of the upper body: mean lightness, 0 to 100
+    upper_a=np.float32,  # green to red
+    upper_b=np.float32,  # blue to yellow
+    lower_l=np.float32,  # the same of the lower body
+    lower_a=np.float32,
+    lower_b=np.float32,
+    spread_m=np.float32,  # of the particles, along their longest direction
+    split=np.float32,  # how clearly the particles are two clusters: 0 to 1
 )
 """What a run noticed of each of its tracks' rows; differences in it tell people apart."""
 
@@ -142,12 +132,12 @@ class Source:
     INTERPOLATED = 2
 
 
-def empty(columns: Mapping[str, np.dtype[Any]]) -> dict[str, NDArray[Any]]:
+def empty(columns: Types) -> dict[str, NDArray[Any]]:
     """No rows of the given columns."""
     return {name: np.zeros(0, dtype) for name, dtype in columns.items()}
 
 
-def typed(values: Columns, columns: Mapping[str, np.dtype[Any]]) -> dict[str, NDArray[Any]]:
+def typed(values: Columns, columns: Types) -> dict[str, NDArray[Any]]:
     """The values in the columns' order and types."""
     return {name: np.ascontiguousarray(values[name], dtype) for name, dtype in columns.items()}
 

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.tracks.columns import Columns, empty
+from tracking.tracks.columns import Columns, Types, empty
 
 
 class Growing:
@@ -80,7 +80,7 @@ class GrowingTable:
         columns: all rows so far; what was given before stays as it is.
     """
 
-    def __init__(self, types: Mapping[str, np.dtype[Any]]) -> None:
+    def __init__(self, types: Types) -> None:
         """No rows of these columns."""
         self.columns: Columns = empty(types)
         self._growing = {name: Growing(column) for name, column in self.columns.items()}

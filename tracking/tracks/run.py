@@ -17,6 +17,7 @@ from tracking.tracks.columns import (
     SIGNAL_COLUMNS,
     TRACKLET_COLUMNS,
     Columns,
+    Types,
     empty,
 )
 
@@ -47,7 +48,7 @@ class Particles:
     columns: Mapping[str, ParticleColumn]
 
     @classmethod
-    def none(cls, columns: Mapping[str, np.dtype[Any]]) -> Particles:
+    def none(cls, columns: Types) -> Particles:
         """No particles in any frame, with these columns."""
         return cls(np.zeros(1, np.int64), empty(columns))
 

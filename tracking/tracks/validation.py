@@ -9,14 +9,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tracking.errors import EditError
-from tracking.tracks.columns import Columns
+from tracking.tracks.columns import Columns, Types
 
 LARGEST_NUMBER = 2**31 - 1
 """Frames and track ids are 32-bit integers in the file; one past the last frame fits, too."""
 
 
 def checked_columns(
-    columns: Mapping[str, ArrayLike], types: Mapping[str, np.dtype[Any]], what: str = "table"
+    columns: Mapping[str, ArrayLike], types: Types, what: str = "table"
 ) -> dict[str, NDArray[Any]]:
     """The columns as 1-D arrays of equal length and of the given types; others are left out.
 

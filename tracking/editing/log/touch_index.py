@@ -3,19 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from types import MappingProxyType
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tracking.editing.log.edit_footprint import KINDS, Boxes, overlaps
 from tracking.errors import EditError
-from tracking.tracks import LARGEST_NUMBER
+from tracking.tracks import LARGEST_NUMBER, column_types
 
-TOUCHED_COLUMNS: Mapping[str, np.dtype[Any]] = MappingProxyType(
-    {name: np.dtype(np.int64) for name in ("edit", "kind", "of", "start", "end")}
-)
+TOUCHED_COLUMNS = column_types(**dict.fromkeys(("edit", "kind", "of", "start", "end"), np.int64))
 _FEWEST = 64
 
 

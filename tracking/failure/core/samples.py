@@ -13,21 +13,20 @@ from numpy.typing import NDArray
 
 from tracking.arrays import Floats
 from tracking.failure.core.features import FEATURES
+from tracking.tracks.columns import column_types
 
 TEXT = np.dtype(object)
 """Stands for a column of text."""
 
-SAMPLE_COLUMNS: Mapping[str, np.dtype[Any]] = MappingProxyType(
-    {
-        "recording": TEXT,  # its name
-        "track": np.dtype(np.int32),
-        "frame": np.dtype(np.int32),
-        "part": np.dtype(np.uint8),  # 0 head, 1 torso, 2 hip-leg
-        "label": np.dtype(np.uint8),  # 1 on its part, 0 off its part
-        "author": TEXT,  # who labelled it; "" where nobody knows
-        "reason": TEXT,  # why it was suggested to them; "" where it was not
-        "source": TEXT,  # one of `SAMPLE_SOURCES`
-    }
+SAMPLE_COLUMNS = column_types(
+    recording=TEXT,  # its name
+    track=np.int32,
+    frame=np.int32,
+    part=np.uint8,  # 0 head, 1 torso, 2 hip-leg
+    label=np.uint8,  # 1 on its part, 0 off its part
+    author=TEXT,  # who labelled it; "" where nobody knows
+    reason=TEXT,  # why it was suggested to them; "" where it was not
+    source=TEXT,  # one of `SAMPLE_SOURCES`
 )
 SAMPLE_SOURCES = ("label", "correction", "truth")
 """A rectangle somebody judged, one that somebody put right, one judged by rendered truth."""
