@@ -16,8 +16,7 @@ from tracking.errors import FormatError, OutputError
 from tracking.formats import format_of
 from tracking.formats.read_result import Filmed, Imported
 from tracking.formats.track_writer import Exported, no_progress
-from tracking.formats.xanylabeling import X_ANYLABELING, import_xanylabeling
-from tracking.formats.xanylabeling_writing import export_xanylabeling
+from tracking.formats.xanylabeling import X_ANYLABELING, export_xanylabeling, import_xanylabeling
 from tracking.tracks import TrackLabel, TrackTable
 
 SIZE = (640, 480)

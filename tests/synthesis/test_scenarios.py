@@ -11,11 +11,11 @@ import pytest
 
 from tracking.errors import SettingsError
 from tracking.synthesis import SCENES, Scene, render_recording
+from tracking.synthesis.cast import scenario_of
 from tracking.synthesis.crowd import CLOSEST_M, PlannedWalk
 from tracking.synthesis.marks import MARKS_M
 from tracking.synthesis.rig import Rig
 from tracking.synthesis.scenario import EVERYBODY, Moment
-from tracking.synthesis.scenarios import scenario_of
 
 SCENARIOS = sorted(name for name, spec in SCENES.items() if spec.scenario)
 SITUATIONS = [name for name in SCENARIOS if name.startswith("situation-")]

@@ -8,13 +8,14 @@ as their number differs; see `Clouds`. Nothing here loops over particles or peop
 from tracking.filtering.association import (
     Association,
     associate,
+    bhattacharyya_distance,
     cheapest_pairs,
+    direction_cost,
     margins,
     nearest_first,
+    turning_angle,
 )
 from tracking.filtering.clouds import cloud_shapes
-from tracking.filtering.direction import direction_cost, turning_angle
-from tracking.filtering.histograms import bhattacharyya_distance
 from tracking.filtering.occlusion import hiding_reach, out_of_hiding
 from tracking.filtering.particles import (
     effective_share,

@@ -104,3 +104,40 @@ def margins(
     np.fill_diagonal(exchange, np.inf)
     best = np.minimum(best, exchange.min(axis=1, initial=np.inf))
     return np.where(np.isinf(best), np.nan, best - own)
+
+
+def turning_angle(walked: Floats, candidate: Floats) -> Floats:
+    """The angle between where people walked and where each candidate would have them walk.
+
+    Args:
+        walked: (people, 2) m, along each track's own history; NaN where it has no direction.
+        candidate: (people, detections, 2) m, from a past position of the track to the detection.
+
+    Returns (people, detections) in 0 to pi rad; NaN where either has no direction.
+    """
+    forward = np.einsum("pk,pdk->pd", walked, candidate)
+    sideways = walked[:, None, 0] * candidate[..., 1] - walked[:, None, 1] * candidate[..., 0]
+    return np.asarray(np.abs(np.arctan2(sideways, forward)))
+
+
+def direction_cost(angle: Floats, threshold_rad: float, weight: float) -> Floats:
+    """What a turn costs: `Da = k alpha / alpha_thr`, and `k` from the threshold on.
+
+    ([Kawashita2014] eq. 5; its first branch is garbled in print, this one grows to `k` as the
+    text demands.) NaN angles give NaN.
+    """
+    return weight * np.minimum(angle / threshold_rad, 1.0)
+
+
+def bhattacharyya_distance(
+    models: NDArray[np.float32], seen: NDArray[np.float32]
+) -> NDArray[np.float64]:
+    """The distance of every model to every histogram seen: (people, detections), in 0 to 1.
+
+    `rho = sum_u sqrt(p_u q_u)`, `Dc = sqrt(1 - rho)` ([Kawashita2012] eq. 3 and 4).
+
+    Args:
+        models: (people, bins), rows sum to 1. seen: (detections, bins), rows sum to 1.
+    """
+    rho = (np.sqrt(models) @ np.sqrt(seen).T).astype(np.float64)
+    return np.sqrt(np.clip(1.0 - rho, 0.0, 1.0))

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
+from types import MappingProxyType
 
 import cv2
 import numpy as np
 from numpy.typing import NDArray
 
 from tracking.arrays import Float32s, Floats
+from tracking.errors import SettingsError
+from tracking.synthesis import marks, situations
 from tracking.synthesis.body import TUBES, bodies, profile_of
 from tracking.synthesis.crowd import PlannedWalk, walk
 from tracking.synthesis.figures import Figures
@@ -18,14 +22,32 @@ from tracking.synthesis.itineraries import plan_itineraries
 from tracking.synthesis.passages import plan_passage
 from tracking.synthesis.postures import Stoops, stoops_of
 from tracking.synthesis.rig import Rig
-from tracking.synthesis.scenario import Moment
-from tracking.synthesis.scenarios import scenario_of
+from tracking.synthesis.scenario import Moment, Scenario
 from tracking.synthesis.skeleton import Posture, skeleton_of
 from tracking.synthesis.specs import SceneSpec
 from tracking.synthesis.wardrobe import ATLAS, PATCHES, RED_AND_BROWN, random_outfit, texture
 
 LEVELS = 3
 """Each person's texture is kept in this many sizes, each half of the one before."""
+
+
+_FIXED: Mapping[str, Callable[[], Scenario]] = MappingProxyType(
+    {
+        "marks": marks.standing,
+        "marks-walking": marks.walking,
+        "marks-pairs": marks.pairs,
+    }
+)
+_VARIED: Mapping[str, Callable[[int], Scenario]] = MappingProxyType(
+    {
+        "situations": situations.situations,
+        **{
+            f"situation-{n}": partial(situations.situation, n)
+            for n in range(1, situations.COUNT + 1)
+        },
+    }
+)
+"""Another seed is another way of doing the same."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -179,3 +201,18 @@ def _textures(figures: Figures, spec: SceneSpec, seed: int) -> Float32s:
             half = image.shape[1] // 2, image.shape[0] // 2
             image = np.asarray(cv2.resize(image, half, interpolation=cv2.INTER_AREA), np.float32)
     return np.concatenate(texels) if texels else np.zeros((1, 3), np.float32)
+
+
+def scenario_of(spec: SceneSpec, people: int, seed: int) -> Scenario:
+    """The scenario that a scene follows.
+
+    Raises:
+        SettingsError: it is not for so many people.
+    """
+    fixed = _FIXED.get(spec.scenario)
+    scenario = fixed() if fixed else _VARIED[spec.scenario](seed)
+    if people != len(scenario.roles):
+        raise SettingsError(
+            f"people is {people}; the scene {spec.name} is for {len(scenario.roles)}, leave it out"
+        )
+    return scenario

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from tracking.formats import read_mot
 from tracking.recording import open_recording
 from tracking.scoring import ScoringTable
-from tracking.truth.visibility import VISIBILITY, read_visibility
+from tracking.truth.true_parts import VISIBILITY, read_visibility
 
 Columns = Mapping[str, NDArray[np.generic]]
 Floats = NDArray[np.float64]
