@@ -20,8 +20,8 @@ GROUPS = {
     "timeline": "timeline",
     "window": "window",
     "parts": "parts.speed",
-    "spheroid": "spheroid_speed",
-    "flow": "flow_speed",
+    "spheroid": "spheroid.speed",
+    "flow": "flow.speed",
     "formats": "formats",
     "memory": "memory",
 }

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import os
+import sys
 from dataclasses import replace
 from importlib import import_module
 from pathlib import Path
 
 import pytest
 
-from tests.benchmarks import pages
+from tests.benchmarks import command, pages
 from tests.benchmarks.pages import Page
 from tests.benchmarks.tables import met, table, unit_of
 
@@ -89,6 +91,17 @@ def test_without_a_report_figures_are_printed_and_nothing_is_written(
     assert said.out == "Fast: 3\n"
     assert said.err.startswith("speed, fast: measuring ...\n")
     assert not page.folder.exists()
+
+
+def test_measuring_begins_anew_on_one_core(monkeypatch: pytest.MonkeyPatch) -> None:
+    begun: list[list[str]] = []
+    monkeypatch.setattr("os.execv", lambda _, words: begun.append(words))
+    monkeypatch.setenv("OMP_NUM_THREADS", "4")
+    monkeypatch.setenv("OPENBLAS_NUM_THREADS", "1")
+    command.one_core()
+    assert os.environ["OMP_NUM_THREADS"] == "1"
+    command.one_core()
+    assert begun == [[sys.executable, *sys.orig_argv[1:]]]
 
 
 def test_a_goal_is_met_or_missed_by_so_much() -> None:

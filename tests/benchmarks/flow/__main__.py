@@ -13,7 +13,7 @@ import numpy as np
 
 from tests.benchmarks.clips import Clip
 from tests.benchmarks.flow.counts import STRETCH_S, count_real_footage, count_scenes
-from tests.benchmarks.flow_speed import measure as speed
+from tests.benchmarks.flow.speed import measure as speed
 from tests.benchmarks.pages import Figures, Page
 from tracking.counting import PAPER_STEP_S
 from tracking.pages import Panel, svg

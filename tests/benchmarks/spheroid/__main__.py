@@ -24,7 +24,7 @@ from tests.benchmarks.spheroid.measures import (
     standing,
     walking,
 )
-from tests.benchmarks.spheroid_speed import measure as speed
+from tests.benchmarks.spheroid.speed import measure as speed
 from tests.benchmarks.tables import met
 from tracking.synthesis import Disturbances
 from tracking.synthesis.marks import MARKS_M

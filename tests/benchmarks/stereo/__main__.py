@@ -51,11 +51,6 @@ def _picture(lost: Figures, options: Options) -> Picture | None:
     return strip(lost["shown"], folders) if lost["shown"] else None
 
 
-def of_truth(row: Figures, name: str) -> str:
-    """Rows of a kind, in per cent of all rows of the truth that count."""
-    return f"{100 * row[name] / max(row['truth_rows'], 1):.2f}"
-
-
 # As they are measured: runs of `tables` and `trackers` serve `goals`; programs of others come last,
 # as they may fail.
 PAGE = Page(
@@ -73,33 +68,14 @@ PAGE = Page(
         "peers": _peers,
     },
     words={
-        "first_fresh": clips.FIRST_FRESH,
-        "fresh_rounds": clips.FRESH_ROUNDS,
-        "names": tuple(case.tracker for case in clips.AS_THEY_COME),
-        "paper_2012": clips.PAPER_2012,
-        "columns": clips.COLUMNS,
-        "papers": {s: (*papers.PAPER.get(s, (None,) * 3), None) for s in clips.PAPERS},
-        "floor_m": measures.FLOOR_M,
-        "radius_m": RADIUS_M,
-        "longest": measures.LONGEST,
-        "reasons": WHAT,
-        "places": WHERE,
-        "goals_asked": goals.GOALS,
-        "accuracy": goals.ACCURACY,
-        "everywhere": goals.EVERYWHERE,
-        "advice": goals.advice,
-        "flatter": goals.flatter,
-        "people": goals.people,
-        "rounds": goals.rounds,
-        "seeds_of": goals.seeds_of,
-        "of_truth": of_truth,
+        "clips": clips,
+        "figured": measures,
+        "judged": goals,
+        "papers": papers,
+        "beside": peers,
+        "kinds": {"what": WHAT, "where": WHERE},
         "wilson": interval,
-        "percent": papers.percent,
-        "paper_summary": papers.summary,
-        "sentences": papers.sentences,
-        "words_used": papers.words_used,
-        "explained": papers.explained,
-        "verdicts": peers.verdicts,
+        "radius_m": RADIUS_M,
     },
     pictures={"lost": ("lost", _picture)},
 )

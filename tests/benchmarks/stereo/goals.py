@@ -119,6 +119,11 @@ def seeds_of(clips: Iterable[str]) -> str:
     return f"{seeds[0]} {'and' if len(seeds) == 2 else 'to'} {seeds[-1]}"
 
 
+def of_truth(row: Figures, name: str) -> str:
+    """Rows of a kind, in per cent of all rows of the truth that count."""
+    return f"{100 * row[name] / max(row['truth_rows'], 1):.2f}"
+
+
 def advice(rows: Figures) -> str:
     """Which tracker to take when, by what each is best at."""
     best = {

@@ -20,6 +20,7 @@ PAPER = {
     "square": (None, 86.0, 92.0),
 }
 """[Kawashita2012] and [Kawashita2014]: distance; with colour; with direction; in per cent."""
+_NOTHING = (None,) * len(CUES)
 
 _NAMED = {COLOUR: "colour", DIRECTION: "direction"}
 _DECIDED = (reasons.SWAPPED, reasons.TAKEN, reasons.DOUBLED)
@@ -38,6 +39,12 @@ _EXPLAINED = {
 def percent(column: Figures, ending: str = "") -> float:
     """Tracking accuracy in per cent; ending: "_by_place", or "" by box."""
     return 100 * len(column[f"kept{ending}"]) / max(len(column[f"detected{ending}"]), 1)
+
+
+def paper(scene: str, column: int) -> str:
+    """The paper's figure beside one of our columns; "" where there is none."""
+    value = (*PAPER.get(scene, _NOTHING), None)[column]
+    return "" if value is None else f"{value:g}"
 
 
 def summary(figures: Figures) -> str:
