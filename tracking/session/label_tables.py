@@ -33,13 +33,12 @@ _BOX = ("left", "top", "width", "height")
 
 
 def tables_of(labels: Labels) -> dict[str, dict[str, list[Any]]]:
-    """Every table under `/labels` and `/labels` itself: its columns by path."""
+    """Every table under `/labels` and itself: its columns by path, in the file's order."""
     rows: Mapping[str, Iterable[Row]] = {
         "labels": (
             {"track": track, **_fields(label), "attributes": json.dumps(dict(label.attributes))}
             for track, label in labels.tracks.items()
         ),
-        "labels/parts": (_part_row(label) for label in labels.parts.values()),
         "labels/occluders": map(_polygon_row, labels.occluders),
         "labels/reviewed": map(_fields, labels.reviewed),
         "labels/lines": (
@@ -53,7 +52,9 @@ def tables_of(labels: Labels) -> dict[str, dict[str, list[Any]]]:
             for verdict in sorted(labels.verdicts.values())
         ),
     }
-    return {path: _columns(path, list(given)) for path, given in rows.items()}
+    columns = {path: _columns(path, list(given)) for path, given in rows.items()}
+    columns["labels/parts"] = _part_columns(labels.parts)
+    return {path: columns[path] for path in TABLES if path in columns}
 
 
 def read_labels(file: h5py.File) -> Labels:
@@ -86,14 +87,17 @@ def _polygon_row(item: Occluder | Region) -> Row:
     return {**_fields(item), "polygon": json.dumps(item.polygon)}
 
 
-def _part_row(label: PartLabel) -> Row:
-    """Where a person was unsure, on_part is False and sure too."""
+def _part_columns(parts: PartLabels) -> dict[str, list[Any]]:
+    """Column by column, as there may be many. Unsure is on_part False, and sure too."""
+    labels = list(parts.values())
+    sides = zip(*(label.box for label in labels), strict=True) if labels else ([],) * len(_BOX)
+    said = ("frame", "track", "part", "author", "reason")
     return {
-        **_fields(label),
-        "on_part": label.on_part is True,
-        "sure": label.on_part is not None,
-        **dict(zip(_BOX, label.box, strict=True)),
-        "source": PART_SOURCES.index(label.source),
+        **{name: [getattr(label, name) for label in labels] for name in said},
+        **{name: list(side) for name, side in zip(_BOX, sides, strict=True)},
+        "on_part": [label.on_part is True for label in labels],
+        "sure": [label.on_part is not None for label in labels],
+        "source": [PART_SOURCES.index(label.source) for label in labels],
     }
 
 
