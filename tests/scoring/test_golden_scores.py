@@ -11,9 +11,7 @@ from pathlib import Path
 import pytest
 from golden_scores import WAYS, golden_figures, golden_sequences
 
-from tests.peers.apart import COUNTS, Figures, differences
-from tests.peers.motmetrics_names import motmetrics_figures
-from tests.peers.trackeval_names import trackeval_figures
+from tests.peers.figures import COUNTS, Figures, differences, motmetrics_figures, trackeval_figures
 from tracking.formats import read_mot
 from tracking.scoring import Conventions, ScoringTable, combined, score
 

@@ -8,8 +8,7 @@ import pytest
 from golden_scores import golden_sequences
 from scenes_of_rows import pseudo_random, standing, table
 
-from tests.peers.apart import differences
-from tests.peers.trackeval_names import trackeval_figures
+from tests.peers.figures import differences, trackeval_figures
 from tracking.errors import SettingsError
 from tracking.scoring import (
     Conventions,

@@ -14,13 +14,11 @@ from pathlib import Path
 
 import numpy as np
 
-from tests.peers.apart import COUNTS, Figures, differences
 from tests.peers.drawn_sequences import GHOSTS, Sequence, drawn, tables, walking
 from tests.peers.environments import MOTMETRICS, TRACKEVAL, require
+from tests.peers.figures import COUNTS, Figures, differences, motmetrics_figures, trackeval_figures
 from tests.peers.golden import SCRIPTS, told_by
-from tests.peers.motmetrics_names import motmetrics_figures
 from tests.peers.sequences import COLUMNS
-from tests.peers.trackeval_names import trackeval_figures
 from tests.sweeps.runner import Worker, emptied, sweep
 from tracking.formats import FORMATS, Exported, Filmed, no_progress, read_mot
 from tracking.formats.read_result import in_order, with_all_columns
@@ -34,7 +32,7 @@ from tracking.scoring import (
     combined,
     score,
 )
-from tracking.tracks import TrackLabel, TrackTable
+from tracking.tracks import Columns, TrackLabel, TrackTable
 
 SEQUENCES, NEAR = 50, 1e-9
 WALKS, FRAMES, PEOPLE = 10, 80, 10
@@ -120,17 +118,13 @@ def footage(rows: np.ndarray, **known: bool) -> Exported:
 
 def in_files(folder: Path, pairs: list[Pair]) -> Iterator[Compared]:
     """Files scored by those who read them, and by us."""
-    for whom, (peer, kind, write, ours) in FILES.items():
-        places = [emptied(folder / "files" / str(case)) for case in range(len(pairs))]
-        for place, pair in zip(places, pairs, strict=True):
-            write(place, pair)
-        theirs = peer.told(SCRIPTS[peer.name], kind, *places)
-        numbered = map(str, range(len(places)))
-        yield (
-            whom,
-            {str(case): ours(place) for case, place in enumerate(places)},
-            dict(zip(numbered, theirs, strict=True)),
-        )
+    for whom, (peer, kind, write_pair, figures) in FILES.items():
+        places = {str(case): emptied(folder / "files" / str(case)) for case in range(len(pairs))}
+        for place, pair in zip(places.values(), pairs, strict=True):
+            write_pair(place, pair)
+        told = peer.told(SCRIPTS[peer.name], kind, *places.values())
+        ours = {case: figures(place) for case, place in places.items()}
+        yield whom, ours, dict(zip(places, told, strict=True))
 
 
 def mot_folders(dialect: str, benchmark: str) -> Callable[[Path, Pair], None]:
@@ -168,44 +162,42 @@ def write(name: str, path: Path, exported: Exported) -> None:
     writes(path, exported, no_progress)
 
 
-def of_mot(folder: Path, conventions: Conventions = Conventions.TRACKEVAL) -> Score:
-    """Our score of MOT text."""
+def mot_figures(folder: Path) -> Figures:
+    """Ours of MOT text, by TrackEval's names."""
     truth, ours = (read_mot(folder / path) for path in (GROUND_TRUTH, RESULT))
-    sides = ScoringTable.from_columns(truth, dont_cares=True), ScoringTable.from_columns(ours)
-    return score(*sides, None, FRAMES, conventions)
+    return trackeval_figures(scored(truth, ours))
 
 
-def of_kitti(folder: Path) -> Score:
-    """Our score of KITTI's labels, of people alone."""
+def mot_figures_by_motmetrics(folder: Path) -> Figures:
+    """Ours of MOT text, by py-motmetrics' conventions and names."""
+    truth, ours = (read_mot(folder / path) for path in (GROUND_TRUTH, RESULT))
+    return motmetrics_figures(scored(truth, ours, Conventions.MOTMETRICS))
+
+
+def kitti_figures(folder: Path) -> Figures:
+    """Ours of KITTI's labels, of people alone, by TrackEval's names."""
     read = FORMATS["kitti"].read
     assert read is not None
     truth, found = (read(folder / path, Filmed()) for path in KITTI)
     people = ~np.isin(truth.columns["track"], list(truth.labels))
     counted = {name: column[people] for name, column in truth.columns.items()}
-    sides = (
-        ScoringTable.from_columns(counted, dont_cares=True),
-        ScoringTable.from_columns(found.columns),
-    )
-    return score(*sides, None, FRAMES)
+    return trackeval_figures(scored(counted, found.columns))
 
 
+def scored(
+    truth: Columns, ours: Columns, conventions: Conventions = Conventions.TRACKEVAL
+) -> Score:
+    """Our score of one sequence."""
+    sides = ScoringTable.from_columns(truth, dont_cares=True), ScoringTable.from_columns(ours)
+    return score(*sides, None, FRAMES, conventions)
+
+
+_WITH_CLASSES, _WITH_PLACES = mot_folders("mot16", "MOT17"), mot_folders("mot", "MOT15")
 FILES = {
-    "TrackEval, MOT text with classes": (
-        *(TRACKEVAL, "mot", mot_folders("mot16", "MOT17")),
-        lambda place: trackeval_figures(of_mot(place)),
-    ),
-    "TrackEval, MOT text with places": (
-        *(TRACKEVAL, "mot", mot_folders("mot", "MOT15")),
-        lambda place: trackeval_figures(of_mot(place)),
-    ),
-    "TrackEval, KITTI's labels": (
-        *(TRACKEVAL, "kitti", kitti_folders),
-        lambda place: trackeval_figures(of_kitti(place)),
-    ),
-    "py-motmetrics, MOT text": (
-        *(MOTMETRICS, "mot", mot_folders("mot16", "MOT17")),
-        lambda place: motmetrics_figures(of_mot(place, Conventions.MOTMETRICS)),
-    ),
+    "TrackEval, MOT text with classes": (TRACKEVAL, "mot", _WITH_CLASSES, mot_figures),
+    "TrackEval, MOT text with places": (TRACKEVAL, "mot", _WITH_PLACES, mot_figures),
+    "TrackEval, KITTI's labels": (TRACKEVAL, "kitti", kitti_folders, kitti_figures),
+    "py-motmetrics, MOT text": (MOTMETRICS, "mot", _WITH_CLASSES, mot_figures_by_motmetrics),
 }
 
 if __name__ == "__main__":
