@@ -62,47 +62,34 @@ class Scenario:
     only_opens: bool = False
 
 
-@dataclass(frozen=True, slots=True)
-class Fault:
-    """The n-th call of a name by a thread fails with this error."""
-
-    call: str
-    number: int
-    error: str
-
-    @property
-    def option(self) -> str:
-        """As strace takes it."""
-        return f"inject={self.call}:error={self.error}:when={self.number}"
+Fault = tuple[str, str]
+"""The name of a call, and what strace is told to make one of them fail."""
 
 
 def attack(worker: Worker) -> Iterator[str]:
     """List the calls of all scenarios, and fail one a run: one scenario after the other in turn."""
     preload()
     names = [name for name in SCENARIOS if worker.asked.only in ("", name)]
-    lists = [
-        [(name, fault) for fault in in_turn(faults_of(name, worker), worker.asked.seed)]
-        for name in names
-    ]
-    turns = zip_longest(*lists)
-    for name, fault in worker.of([one for turn in turns for one in turn if one is not None]):
+    lists = [in_turn(faults_of(name, worker), worker.asked.seed) for name in names]
+    turns = [zip(names, turn, strict=True) for turn in zip_longest(*lists)]
+    for name, fault in worker.of([one for turn in turns for one in turn if one[1]]):
         path, said, scenario = made(worker.folder), worker.folder / "said", SCENARIOS[name]
         if scenario.restores:
             say_coming(path, said)
-        options = ("-e", f"trace={fault.call}", "-e", fault.option)
+        options = ("-e", f"trace={fault[0]}", "-e", fault[1])
         outcome, report = traced(partial(scenario.work, path, said), worker.folder, options)
         worker.count(f"faults of {name}")
         worker.count("ended with an error in one line", outcome.status == 1)
         failed = [call for call in calls(report) if call.error.endswith("(INJECTED)")]
         what = "; ".join(f"{each.name} {each.handles or each.names}" for each in failed)
         for wrong in wrongs(outcome, path, said, scenario):
-            yield f"{name}, {fault.option} ({what or 'nothing'}): {wrong}"
+            yield f"{name}, {fault[1]} ({what or 'nothing'}): {wrong}"
 
 
 def in_turn(faults: list[Fault], seed: int) -> list[Fault]:
     """Those of calls that write before those of calls that read, each in random order."""
     random.Random(seed).shuffle(faults)
-    return sorted(faults, key=lambda fault: fault.call in _READING)
+    return sorted(faults, key=lambda fault: fault[0] in _READING)
 
 
 def faults_of(name: str, worker: Worker) -> list[Fault]:
@@ -115,12 +102,12 @@ def faults_of(name: str, worker: Worker) -> list[Fault]:
     counted, found = Counter[tuple[int, str]](), set[tuple[str, int]]()
     for call in calls(report):
         counted[call.thread, call.name] += 1
-        if call.mentions(path.parent):
+        if call.is_in(path.parent):
             found.add((call.name, counted[call.thread, call.name]))
     if worker.place == 0:
         print(f"{name}: {len(found)} calls", flush=True)
     return [
-        Fault(call, number, error)
+        (call, f"inject={call}:error={error}:when={number}")
         for call, number in sorted(found)
         for error in (_ERRORS if call not in _READING or call == "openat" else _ERRORS[1:4])
     ]

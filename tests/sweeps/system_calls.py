@@ -26,6 +26,8 @@ _RESUMED = re.compile(r"<\.\.\. \w+ resumed>(.*)")
 _TEXT = re.compile(r'"((?:\\x..)*)"')
 _HANDLE = re.compile(r"(\d+)<((?:\\x..)*)>")
 _NAME = re.compile(r'(?:(?:AT_FDCWD|\d+)<((?:\\x..)*)>, )?"((?:\\x..)*)"')
+_WITH_DATA = ("read", "pread64", "write", "writev", "pwrite64", "pwritev")
+"""Calls whose texts are no names."""
 _ATTACHED = "attached"
 
 
@@ -59,9 +61,12 @@ class Call:
         """What a call that writes has written."""
         return b"".join(map(_bytes, _TEXT.findall(self.arguments)))[: self.result]
 
-    def mentions(self, path: Path) -> bool:
-        """Whether a name among the arguments, or what a handle stands for, begins with a path."""
-        return "".join(f"\\x{byte:02x}" for byte in bytes(path)) in self.arguments
+    def is_in(self, folder: Path) -> bool:
+        """Whether it is of a file in a folder, and not only reads or writes the folder's name."""
+        places = [path for _, path in self.handles]
+        if self.name not in _WITH_DATA:
+            places += self.names
+        return any(Path(place).is_relative_to(folder) for place in places)
 
     def numbers(self, count: int) -> tuple[int, ...]:
         """The last arguments."""
