@@ -34,6 +34,7 @@ def attack(worker: Worker) -> Iterator[str]:
     preload()
     kit = Kit(worker.folder)
     if worker.place == 0 and not worker.asked.only:
+        worker.count("with modules in the way that have the names of library modules", 2)
         yield from shadowed(emptied(worker.folder / "shadow"), kit.folder / "session" / "s.h5")
     for case in worker.of([case for case in _CASES if worker.asked.only in case.name]):
         place = emptied(worker.folder / "case")
