@@ -14,7 +14,7 @@ from app.cli.commands import program
 from app.cli.failure import MISUSED, run_reporting_errors
 from app.cli.output import escape_what_stdout_lacks, say
 from app.cli.sessions import print_notes
-from app.interrupts import end_at_once
+from app.core.interrupts import end_at_once
 
 NOT_BUILT = ("batch",)
 """Commands that are announced; typing one is answered with a line of its own."""

@@ -48,7 +48,7 @@ def install_folders(module: Path) -> Iterator[str]:
 def main() -> None:
     """Run what was typed and exit."""
     sys.meta_path.insert(0, OwnPackages(install_folders(Path(__file__).resolve())))
-    from app.interrupts import ending_at_once  # found by what was said a line above
+    from app.core.interrupts import ending_at_once
 
     with ending_at_once():
         from app.__main__ import main as run_and_exit

@@ -22,7 +22,7 @@ from app.cli.output import (
 )
 from app.cli.sessions import open_session
 from app.cli.shape_options import line_of, refuse_repeated, region_of
-from app.presenters.files.export import select_exported
+from app.features.files.export import select_exported
 from tracking.counting import (
     Counts,
     CountSettings,

@@ -13,8 +13,8 @@ from app.cli.output import print_json, print_lines, print_table, progress, say
 from app.cli.score_inputs import score_of
 from app.cli.track import has_work, save_partial_run, save_session, track_recording
 from app.cli.tracks import tracks_at, truth_at
-from app.interrupts import ending_at_once
-from app.presenters.files.demonstration import Demonstration
+from app.core.interrupts import ending_at_once
+from app.features.files.demonstration import Demonstration
 from tracking.recording import open_recording
 from tracking.scoring import Score
 from tracking.session import Session
@@ -43,7 +43,7 @@ def run_demo(out: Path | None, *, gui: bool, as_json: bool) -> None:
 def _show(demo: Demonstration) -> int:
     """The window, playing: on what somebody has worked on, else tracking the recording anew."""
     with ending_at_once():
-        from app.views.application import run
+        from app.shell.application import run
 
     worked_on = demo.session.exists() and _is_worked_on(demo.session)
     shown = demo.session if worked_on else demo.recording
@@ -75,7 +75,7 @@ def _picture(session: Path, place: Path) -> Path:
     with ending_at_once():
         from PySide6.QtCore import qInstallMessageHandler
 
-        from app.views.application import picture
+        from app.shell.application import picture
 
     before = qInstallMessageHandler(_pass_on)
     try:

@@ -23,9 +23,9 @@ from app.cli.output import (
     text_at,
 )
 from app.cli.sessions import open_session
-from app.presenters.files.document_loader import known_recordings
-from app.presenters.files.export import capture_export
-from app.presenters.files.own_files import is_own, remember
+from app.core.document.document_loader import known_recordings
+from app.features.files.export import capture_export
+from app.features.files.own_files import is_own, remember
 from tracking.errors import FormatError, OutputError
 from tracking.formats import (
     FORMATS,

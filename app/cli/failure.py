@@ -12,7 +12,7 @@ from pathlib import Path
 import platformdirs
 
 from app.cli.output import say
-from app.interrupts import INTERRUPTED, STOPPED
+from app.core.interrupts import INTERRUPTED, STOPPED
 from tracking.errors import OutputError, SettingsError, TrackwrightError, told_by_system
 
 

@@ -11,7 +11,7 @@ from app.cli.import_tracks import Source, show_bad_rows
 from app.cli.output import print_json, print_line, progress, say
 from app.cli.recordings import open_with_options
 from app.cli.track import refuse_to_lose
-from app.presenters.files.document_loader import known_recordings, remember_place
+from app.core.document.document_loader import known_recordings, remember_place
 from tracking.errors import SessionError
 from tracking.formats import Filmed, Imported
 from tracking.progress import no_progress

@@ -7,9 +7,9 @@ import numpy as np
 
 from app.cli.output import say
 from app.cli.training_set import with_advice
-from app.presenters.parts.mistake_pictures import Cut, Search, crop_surroundings
-from app.presenters.parts.training_result import TrainingResult
-from app.presenters.parts.training_set import Source, TrainingSet
+from app.features.parts.mistake_pictures import Cut, Search, crop_surroundings
+from app.features.parts.training_result import TrainingResult
+from app.features.parts.training_set import Source, TrainingSet
 from tracking.errors import TrackwrightError
 from tracking.failure import Trained
 

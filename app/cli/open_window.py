@@ -7,8 +7,8 @@ from pathlib import Path
 from app.cli.display import why_no_window
 from app.cli.option_groups import Bare
 from app.cli.recordings import options_of
-from app.interrupts import ending_at_once
-from app.presenters.files.document_loader import open_path
+from app.core.document.document_loader import open_path
+from app.core.interrupts import ending_at_once
 from tracking.errors import OutputError
 from tracking.recording import OpenOptions
 
@@ -32,7 +32,7 @@ def run_open(path: Path | None, bare: Bare, recording: Path | None) -> None:
     if why_not:
         raise OutputError(f"{why_not}. Without a window: info, track, demo --no-gui")
     with ending_at_once():
-        from app.views.application import run
+        from app.shell.application import run
 
     raise SystemExit(run(path or bare.left, options))
 

@@ -17,7 +17,7 @@ from app.cli.output import print_json, print_line, progress, say
 from app.cli.part_options import refuse_missing_detector, settings_texts
 from app.cli.ranges import parse_range
 from app.cli.recordings import open_with_options
-from app.presenters.files.document_loader import remember_place
+from app.core.document.document_loader import remember_place
 from tracking.errors import (
     OutputError,
     SessionError,

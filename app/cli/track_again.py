@@ -23,7 +23,7 @@ from app.cli.track import (
     save_partial_run,
     settings_of,
 )
-from app.presenters.files.document_loader import open_path, remember_place
+from app.core.document.document_loader import open_path, remember_place
 from tracking.editing import Change, Difference, differences, plan_take
 from tracking.errors import EditError, RecordingError, SessionError, SettingsError
 from tracking.pipeline import track

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from app.presenters.parts.training_set import Source, TrainingSet, build_training_set, source_at
+from app.features.parts.training_set import Source, TrainingSet, build_training_set, source_at
 from tracking.session import RecordingMissing
 
 

@@ -14,11 +14,11 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 from run_with_parts import with_parts
 
-from app.background import late_camera
-from app.presenters.files import document_loader
-from app.views.application import start_application
-from app.views.widgets.user_settings import UserSettings
-from app.views.window.main_window import MainWindow
+from app.core.document import document_loader
+from app.core.playback import late_camera
+from app.core.widgets.user_settings import UserSettings
+from app.shell.application import start_application
+from app.shell.main_window import MainWindow
 from tracking.people import first_lag, lag_looks
 from tracking.pipeline import track
 from tracking.recording import Recording, StereoFrame, open_recording
@@ -162,4 +162,4 @@ def parted_session(tiny_recording: Path, tiny_run: Run, tmp_path: Path) -> Path:
 def own_state(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch) -> None:
     """What is remembered of exports is the tests' own."""
     folder = tmp_path_factory.mktemp("state")
-    monkeypatch.setattr("app.presenters.files.own_files.user_state_path", lambda *_, **__: folder)
+    monkeypatch.setattr("app.features.files.own_files.user_state_path", lambda *_, **__: folder)

@@ -37,7 +37,7 @@ def test_an_interrupt_while_modules_are_imported_is_told_in_a_line(name: str) ->
 _AT_ONCE = """
 import os, signal, sys
 sys.path.insert(0, {root!r})
-from app.interrupts import end_at_once
+from app.core.interrupts import end_at_once
 end_at_once()
 file = os.open({file!r}, os.O_RDWR | os.O_CREAT)
 os.write(file, b"data")

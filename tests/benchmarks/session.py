@@ -19,10 +19,10 @@ from numpy.typing import NDArray
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication
 
-from app.presenters.document.frame_state import FrameState
-from app.presenters.document.session_tracks import SessionTracks
-from app.presenters.timeline.lanes import TimelinePresenter
-from app.views.timeline import TimelineView
+from app.core.tracks.frame_state import FrameState
+from app.core.tracks.session_tracks import SessionTracks
+from app.features.timeline.panel import TimelineView
+from app.features.timeline.presenter import TimelinePresenter
 from tests.benchmarks.command import tell
 from tests.benchmarks.large_sessions import NoPictures, crowd
 from tests.benchmarks.timing import Peak, clock_ms

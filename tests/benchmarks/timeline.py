@@ -13,14 +13,14 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QImage, QWheelEvent
 from PySide6.QtWidgets import QApplication
 
-from app.presenters.document.frame_state import FrameState
-from app.presenters.document.session_tracks import SessionTracks
-from app.presenters.panels import EditMarks
-from app.presenters.scenes import MarkKind, TimelineMark, TimelineScene
-from app.presenters.timeline.lanes import TimelinePresenter
-from app.views.look.theme import Look, apply_look
-from app.views.timeline import TimelineView
-from app.views.timeline.rows import Arrangement, LaneHeight, LaneOrder
+from app.core.document.edit_history import EditMarks
+from app.core.look.theme import Look, apply_look
+from app.core.scenes import MarkKind, TimelineMark, TimelineScene
+from app.core.tracks.frame_state import FrameState
+from app.core.tracks.session_tracks import SessionTracks
+from app.features.timeline.panel import TimelineView
+from app.features.timeline.presenter import TimelinePresenter
+from app.features.timeline.rows import Arrangement, LaneHeight, LaneOrder
 from tests.benchmarks.large_sessions import NoPictures, crowd
 from tracking.editing import Change, plan_delete, plan_move_box, plan_swap
 from tracking.session import Session

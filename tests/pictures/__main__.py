@@ -19,10 +19,10 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage, QPixmap
 
 from app.cli.display import why_no_window
-from app.views.application import borrowed_window, show_document, wait_until
-from app.views.look.theme import Look
-from app.views.recording.recording_controller import RecordingController
-from app.views.window.main_window import MainWindow
+from app.shell.application import borrowed_window, show_document, wait_until
+from app.core.look.theme import Look
+from app.shell.recording_controller import RecordingController
+from app.shell.main_window import MainWindow
 from tracking.synthesis import render_recording
 
 IMAGES = Path(__file__).parents[2] / "docs" / "images"

@@ -15,7 +15,7 @@ import pytest
 from made_up_sessions import edit, make_session
 
 from app.cli.restore import run_restore
-from app.presenters.files.document_loader import copy_newest_backup
+from app.core.document.document_loader import copy_newest_backup
 from tracking.errors import OutputError, SessionError, TrackwrightError, UnsafeFileError
 from tracking.session import Session, find_backups, list_backups, replace_damaged
 from tracking.session.session_writer import companions

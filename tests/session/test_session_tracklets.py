@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from made_up_sessions import FRAMES, make_recording, make_run
 
-from app.presenters.document.session_tracks import SessionTracks
+from app.core.tracks.session_tracks import SessionTracks
 from tracking.editing import plan_delete
 from tracking.errors import SessionError
 from tracking.session import Session

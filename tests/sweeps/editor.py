@@ -8,9 +8,9 @@ from pathlib import Path
 from PySide6.QtCore import QCoreApplication, QSettings, Qt
 from PySide6.QtTest import QTest
 
-from app.views.application import start_application, wait_until
-from app.views.widgets.user_settings import UserSettings
-from app.views.window.main_window import MainWindow
+from app.core.widgets.user_settings import UserSettings
+from app.shell.application import start_application, wait_until
+from app.shell.main_window import MainWindow
 from tests.sweeps.session_state import state
 from tracking.session import Session
 

@@ -33,10 +33,10 @@ _OURS = re.compile(r'File "[^"]*/(app|tracking)/(?!interrupts|launcher)')
 WELL, BEFORE = "ended well", "before the first line of the program"
 _OFFSCREEN = """
 import sys
-from app.interrupts import ending_at_once
+from app.core.interrupts import ending_at_once
 with ending_at_once():
     from pathlib import Path
-    from app.views.application import run
+    from app.shell.application import run
 path = Path(sys.argv[1])
 sys.exit(run(path, play=path.is_dir()))
 """

@@ -22,7 +22,7 @@ from tests.sweeps.runner import Worker, sweep
 from tests.sweeps.sessions import LOBBY, tracked_session
 
 if TYPE_CHECKING:
-    from app.views.window.main_window import MainWindow
+    from app.shell.main_window import MainWindow
 
 MOST_MIB = 450
 """The window with nothing open has 280 MiB."""
@@ -35,8 +35,8 @@ def attack(worker: Worker) -> Iterator[str]:
     session = worker.asked.session or tracked_session(worker.folder, **LOBBY)
     from PySide6.QtCore import QObject
 
-    from app.memory import map_large_blocks  # Qt: only where it is shown
-    from app.views.application import borrowed_window
+    from app.core.memory import map_large_blocks
+    from app.shell.application import borrowed_window
 
     sizes = list[float]()
     map_large_blocks()
@@ -64,8 +64,8 @@ def attack(worker: Worker) -> Iterator[str]:
 
 def open_and_close(window: MainWindow, session: Path) -> None:
     """One cycle; nothing holds the controller after it."""
-    from app.views.application import wait_until
-    from app.views.files.files import GIVE_BACK_MS
+    from app.shell.application import wait_until
+    from app.shell.files import GIVE_BACK_MS
 
     window.files.open_path(session)
     assert wait_until(lambda: window.controller is not None), "the session did not open"
@@ -78,7 +78,7 @@ def open_and_close(window: MainWindow, session: Path) -> None:
 
 def play(window: MainWindow) -> None:
     """Play the first frames."""
-    from app.views.application import wait_until
+    from app.shell.application import wait_until
 
     controller = window.controller
     assert controller is not None

@@ -162,9 +162,9 @@ def show_window(settings: Path, opened: Sequence[Path] = ()) -> int:
     """Show the window with what it remembers in this file, and close it."""
     from PySide6.QtCore import QCoreApplication, QSettings
 
-    from app.views.application import start_application
-    from app.views.widgets.user_settings import Place, UserSettings
-    from app.views.window.main_window import MainWindow
+    from app.core.widgets.user_settings import Place, UserSettings
+    from app.shell.application import start_application
+    from app.shell.main_window import MainWindow
 
     kept = QSettings(str(settings), QSettings.Format.IniFormat)
     remembered = UserSettings(kept)

@@ -11,11 +11,12 @@ import pytest
 from patient import PATIENCE_S
 from PySide6.QtCore import QObject
 
-from app.background import FrameReader, OverlayMaker
-from app.presenters.document.document import Document
-from app.presenters.document.frame_state import ViewOptions
-from app.presenters.pictures.overlays import Kinds
-from app.presenters.scenes import Side
+from app.core.document.document import Document
+from app.core.playback.frames import FrameReader
+from app.core.scenes import Side
+from app.core.tracks.frame_state import ViewOptions
+from app.features.pictures.overlay_maker import OverlayMaker
+from app.features.pictures.overlays import Kinds
 from tests.benchmarks.stereo.troubles import Trouble, troubled
 from tracking.recording import Instants, Recording, StereoFrame, open_recording
 from tracking.session import Session

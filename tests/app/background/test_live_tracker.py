@@ -12,9 +12,10 @@ from patient import PATIENCE_MS, PATIENCE_S
 from PySide6.QtCore import QObject
 from pytestqt.qtbot import QtBot
 
-from app.background import LiveTracker, live
-from app.presenters.runs.run_summary import RunSummary
-from app.tracking_process import TrackerProcess
+from app.core.tracking_process import TrackerProcess
+from app.features.runs import live_tracker as live
+from app.features.runs.live_tracker import LiveTracker
+from app.features.runs.run_summary import RunSummary
 from tracking.errors import RecordingError
 from tracking.pipeline import track
 from tracking.recording import Recording, open_recording

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from command_line import Trackwright
 
-from app.presenters.files.document_loader import open_path
+from app.core.document.document_loader import open_path
 from tracking.editing import apply_change, plan_mark_reviewed, plan_move_box, plan_swap
 from tracking.recording import open_recording
 from tracking.session import Session

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 from command_line import Trackwright
 
-from app.presenters.files.document_loader import open_path
+from app.core.document.document_loader import open_path
 from tracking.editing import plan_delete
 from tracking.session import Session
 
@@ -25,7 +25,7 @@ def quick_recording(footage: Path, monkeypatch: pytest.MonkeyPatch) -> list[Path
         made.append(folder)
         return Path(shutil.copytree(footage, folder))
 
-    monkeypatch.setattr("app.presenters.files.demonstration.render_recording", copied)
+    monkeypatch.setattr("app.features.files.demonstration.render_recording", copied)
     return made
 
 
@@ -49,7 +49,7 @@ def shown(monkeypatch: pytest.MonkeyPatch) -> list[Shown]:
         windows.append(Shown(path, play, save_at))
         return 0
 
-    monkeypatch.setattr("app.views.application.run", run)
+    monkeypatch.setattr("app.shell.application.run", run)
     monkeypatch.setattr("app.cli.demo.has_display", lambda: True)
     monkeypatch.setattr("app.cli.open_window.why_no_window", lambda: "")
     monkeypatch.setattr("app.cli.demo.why_no_window", lambda: "")

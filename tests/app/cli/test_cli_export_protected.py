@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from command_line import Trackwright
 
-from app.presenters.files.export import refuse_to_lose
+from app.features.files.export import refuse_to_lose
 from tracking.errors import OutputError
 
 MANIFEST = """

@@ -81,7 +81,7 @@ def test_the_tracker_s_process_does_too(others: Path, footage: Path) -> None:
     code = (
         f"import sys; sys.path.insert(0, {CHECKOUT!r})\n"
         "import pathlib\n"
-        "from app.tracking_process import TrackerProcess, TrackingRequest\n"
+        "from app.core.tracking_process import TrackerProcess, TrackingRequest\n"
         "from tracking.recording import open_recording\n"
         "with open_recording(pathlib.Path(sys.argv[1])) as recording:\n"
         "    request = TrackingRequest.of(recording, 'flow', None, 0, (0, 2))\n"

@@ -15,7 +15,7 @@ import pytest
 from command_line import Trackwright
 
 import app.cli.track
-from app.presenters.files.document_loader import open_path
+from app.core.document.document_loader import open_path
 from tracking.editing import plan_delete
 from tracking.formats import read_mot
 from tracking.geometry import Ground

@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 from command_line import Trackwright
 
-from app.presenters.parts.training_set import source_at
+from app.features.parts.training_set import source_at
 from tracking.editing import plan_label_part
 from tracking.failure import FEATURE_NAMES, SAMPLE_COLUMNS, load_detector, training
 from tracking.failure.training import Candidate

@@ -10,10 +10,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.presenters.document.frame_state import FrameState, ViewOptions
-from app.presenters.pictures.bodies import BodyPainter, _laid_over, legend_of, why_nothing
-from app.presenters.pictures.of_run import AtWork
-from app.presenters.track_colours import TrackColours
+from app.core.colours.track_colours import TrackColours
+from app.core.tracks.frame_state import FrameState, ViewOptions
+from app.core.tracks.made_by import AtWork
+from app.features.pictures.bodies import BodyPainter, _laid_over, legend_of, why_nothing
 from tracking.geometry import Camera, Ground, View
 from tracking.trackers.flow import FlowSettings, kernel_table
 from tracking.trackers.flow.mean_shift import is_inside

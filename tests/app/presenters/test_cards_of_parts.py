@@ -1,9 +1,9 @@
 """What the tracker and people say of parts, a card a person."""
 
-from app.presenters.labelling.labelling_scene import PartMark, SuggestedPart
-from app.presenters.parts.cards import cards_of
-from app.presenters.parts.parts_scene import PartBox, Verdict
-from app.presenters.track_colours import TrackColours
+from app.core.colours.track_colours import TrackColours
+from app.features.labelling.scene import PartMark, SuggestedPart
+from app.features.parts.cards import cards_of
+from app.features.parts.scene import PartBox, Verdict
 
 COLOUR_OF = TrackColours().of
 BOX = (10.0, 20.0, 8.0, 8.0)

@@ -2,7 +2,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.presenters.playing.clock import PlaybackClock
+from app.core.playback.clock import PlaybackClock
 
 
 @pytest.fixture

@@ -5,12 +5,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.presenters.correcting import EditKind
-from app.presenters.document import session_colours
-from app.presenters.document.document import Document
-from app.presenters.files import document_loader
-from app.presenters.palette import TRACK_COLOURS, usual_place
-from app.presenters.track_colours import TrackColours
+from app.core.colours.palette import TRACK_COLOURS, usual_place
+from app.core.colours.track_colours import TrackColours
+from app.core.document import document_loader
+from app.core.document.document import Document
+from app.core.editing import EditKind
+from app.core.tracks import session_colours
 from tracking.editing import plan_reassign, plan_split
 from tracking.recording import open_recording
 from tracking.session import Session

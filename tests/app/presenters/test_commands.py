@@ -1,7 +1,7 @@
 from collections import Counter
 from dataclasses import replace
 
-from app.presenters.commands import COMMANDS, MENUS, CommandContext, command_items
+from app.core.commands import COMMANDS, MENUS, CommandContext, command_items
 
 BY_NAME = {command.name: command for command in COMMANDS}
 

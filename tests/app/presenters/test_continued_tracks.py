@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from two_people import FRAMES, steps, table
 
-from app.presenters.document.live_tracks import ContinuedTracks, LiveTracks
-from app.presenters.document.session_tracks import SessionTracks
+from app.core.tracks.live_tracks import ContinuedTracks, LiveTracks
+from app.core.tracks.session_tracks import SessionTracks
 from tracking.editing import apply_change, plan_delete
 from tracking.tracks import Labels
 

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 from two_people import FRAMES, columns
 
-from app.presenters.counting.counts import CountingPresenter, least_step_s
-from app.presenters.counting.plots import plots_of
-from app.presenters.counting.subject import Length, count_subject
-from app.presenters.document.document import Document
+from app.core.document.document import Document
+from app.features.counting.plots import plots_of
+from app.features.counting.presenter import CountingPresenter, least_step_s
+from app.features.counting.subject import Length, count_subject
 from tracking.counting import CountingLine, Steps, count
 from tracking.errors import CancelledError, CountingError
 from tracking.recording import open_recording

@@ -1,22 +1,22 @@
 import pytest
 import two_people
 
-from app.presenters.correcting import (
-    EditContext,
+from app.core.colours.track_colours import TrackColours
+from app.core.editing import (
     EditFlow,
     EditKind,
     EditScope,
     PreviewedTracks,
-    RecordingGeometry,
     preview_plan,
     preview_trails,
 )
-from app.presenters.correcting.edit_planner import plan_of
-from app.presenters.correcting.edit_texts import rows_changed
-from app.presenters.correcting.swap_candidates import find_swap_candidates
-from app.presenters.document.session_tracks import SessionTracks
-from app.presenters.pictures.trails import floor_points
-from app.presenters.track_colours import TrackColours
+from app.core.editing.edit_planner import plan_of
+from app.core.editing.edit_texts import rows_changed
+from app.core.editing.swap_candidates import find_swap_candidates
+from app.core.projection.trails import floor_points
+from app.core.tracks.edit_context import EditContext
+from app.core.tracks.recording_geometry import RecordingGeometry
+from app.core.tracks.session_tracks import SessionTracks
 from tracking.editing import SwapFrame, apply_change, plan_delete, plan_swap
 from tracking.errors import EditError
 from tracking.tracks import Labels

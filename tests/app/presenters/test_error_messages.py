@@ -1,6 +1,6 @@
 import logging
 
-from app.presenters.error_messages import explain
+from app.core.error_messages import explain
 from tracking.errors import FormatError, SessionError
 
 

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from app.presenters.document.document import Document
-from app.presenters.pictures.extent import extent, unite
+from app.core.document.document import Document
+from app.core.projection.extent import extent, unite
 from tracking.recording import open_recording
 from tracking.session import Session
 

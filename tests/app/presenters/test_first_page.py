@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from app.presenters.files.first_page import first_page
+from app.features.files.first_page import first_page
 
 
 def _titles(*recent):

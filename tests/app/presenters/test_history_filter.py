@@ -1,7 +1,7 @@
 import pytest
 
-from app.presenters.history.history_filter import HistoryFilter
-from app.presenters.scenes import HistoryItem
+from app.core.scenes import HistoryItem
+from app.features.history.history_filter import HistoryFilter
 
 
 def _item(edit, text, author="mika", kind="swap") -> HistoryItem:

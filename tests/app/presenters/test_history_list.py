@@ -1,6 +1,6 @@
 import pytest
 
-from app.presenters.panels import HistoryList
+from app.core.document.edit_history import HistoryList
 from tracking.editing import Change, History, State
 
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from two_people import FRAMES, table
 
-from app.presenters.files.track_import import (
+from app.features.files.track_import import (
     FittedTracks,
     ImportChoice,
     import_scene,

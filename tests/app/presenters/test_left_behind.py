@@ -9,7 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from app.presenters.files import document_loader, left_behind
+from app.core.document import document_loader
+from app.features.files import left_behind
 from tracking.editing import plan_rename
 from tracking.errors import CancelledError
 from tracking.progress import no_progress

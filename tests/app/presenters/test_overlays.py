@@ -1,17 +1,11 @@
 import numpy as np
 import pytest
 
-from app.presenters.document.document import Document
-from app.presenters.document.frame_state import PictureOverlay, ViewOptions
-from app.presenters.pictures.anaglyph import anaglyph_image
-from app.presenters.pictures.overlays import (
-    FOREGROUND,
-    SHADOW,
-    Kinds,
-    OverlayPainter,
-    paint_overlays,
-)
-from app.presenters.scenes import Side
+from app.core.document.document import Document
+from app.core.scenes import Side
+from app.core.tracks.frame_state import PictureOverlay, ViewOptions
+from app.features.pictures.anaglyph import anaglyph_image
+from app.features.pictures.overlays import FOREGROUND, SHADOW, Kinds, OverlayPainter, paint_overlays
 from tracking.errors import CalibrationError
 from tracking.geometry import Rectification
 from tracking.people import Overlays

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from app.presenters.files.own_files import is_own, remember
+from app.features.files.own_files import is_own, remember
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="a file that cannot be read, even by root")

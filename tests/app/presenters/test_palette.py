@@ -1,9 +1,9 @@
 import numpy as np
 import pytest
 
-from app.presenters.colour_sight import of_one_hue
-from app.presenters.palette import TRACK_COLOURS
-from app.presenters.scoring.score_scene import ERROR_COLOURS
+from app.core.colours.colour_sight import of_one_hue
+from app.core.colours.palette import TRACK_COLOURS
+from app.features.scoring.scene import ERROR_COLOURS
 from tracking.scoring import ErrorKind
 
 # Machado, Oliveira and Fernandes 2009, severity 1.0: what red- and green-blind people see.

@@ -9,11 +9,11 @@ import two_people
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from app.presenters.document.frame_state import FrameState
-from app.presenters.document.live_tracks import LiveTracks
-from app.presenters.document.session_tracks import SessionTracks
-from app.presenters.parts.failures import PartFailures, first_failures
-from app.presenters.parts.part_views import curves_of, curves_scene, part_boxes, verdict_text
+from app.core.tracks.frame_state import FrameState
+from app.core.tracks.live_tracks import LiveTracks
+from app.core.tracks.session_tracks import SessionTracks
+from app.features.parts.failures import PartFailures, first_failures
+from app.features.parts.part_views import curves_of, curves_scene, part_boxes, verdict_text
 from tracking.tracks import PART_COLUMNS
 
 

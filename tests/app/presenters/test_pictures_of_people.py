@@ -4,14 +4,14 @@ import numpy as np
 import pytest
 import two_people
 
-from app.presenters.correcting import EditKind
-from app.presenters.document.document import Document
-from app.presenters.document.frame_state import FrameState, ViewOptions
-from app.presenters.document.session_tracks import SessionTracks
-from app.presenters.panels import track_card
-from app.presenters.pictures.extent import MARGIN_M
-from app.presenters.pictures.overhead import OverheadPresenter, relative_weights
-from app.presenters.scenes import Side
+from app.core.document.document import Document
+from app.core.document.edit_history import track_card
+from app.core.editing import EditKind
+from app.core.projection.extent import MARGIN_M
+from app.core.scenes import Side
+from app.core.tracks.frame_state import FrameState, ViewOptions
+from app.core.tracks.session_tracks import SessionTracks
+from app.features.pictures.overhead_presenter import OverheadPresenter, relative_weights
 from tracking.recording import open_recording
 from tracking.session import Session
 from tracking.tracks import Source, TrackLabel, TrackTable

@@ -1,16 +1,16 @@
 import pytest
 from two_people import table as two_people
 
-from app.presenters.reviewing.review import (
+from app.core.colours.track_colours import TrackColours
+from app.core.scenes import MarkKind
+from app.features.review.presenter import (
     ReviewQueue,
     is_fixable,
     kind_title,
     plan_review_verdict,
     with_fixed_verdict,
 )
-from app.presenters.reviewing.review_scene import Order
-from app.presenters.scenes import MarkKind
-from app.presenters.track_colours import TrackColours
+from app.features.review.scene import Order
 from tracking.editing import apply_change, plan_mark_reviewed, plan_swap
 from tracking.review import ReviewItem
 from tracking.review.reason_phrases import KINDS

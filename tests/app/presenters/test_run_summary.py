@@ -4,8 +4,8 @@ import numpy as np
 from two_people import columns
 from two_people import run as made_run
 
-from app.presenters.i18n import use_translator
-from app.presenters.runs.run_summary import RunSummary, describe_further_run
+from app.core.i18n import use_translator
+from app.features.runs.run_summary import RunSummary, describe_further_run
 
 ASKED = (0, 100)
 

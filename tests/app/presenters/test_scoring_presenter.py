@@ -10,11 +10,11 @@ from two_people import steps
 from app.__main__ import run
 from app.cli.score_inputs import true_table
 from app.cli.tracks import truth_at
-from app.presenters.document.document import Document
-from app.presenters.scenes import Side
-from app.presenters.scoring.scorer import ScoringPresenter
-from app.presenters.scoring.subject import score_subject
-from app.presenters.scoring.truths import TruthKind, TruthSource
+from app.core.document.document import Document
+from app.core.scenes import Side
+from app.features.scoring.presenter import ScoringPresenter
+from app.features.scoring.subject import score_subject
+from app.features.scoring.truths import TruthKind, TruthSource
 from tracking.editing import plan_delete
 from tracking.errors import FormatError, SessionError
 from tracking.formats import read_mot

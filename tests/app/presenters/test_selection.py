@@ -1,4 +1,4 @@
-from app.presenters.document.selection import Selection
+from app.core.tracks.selection import Selection
 
 
 def test_choosing_says_whether_something_changed():

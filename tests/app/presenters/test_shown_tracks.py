@@ -2,8 +2,8 @@ import numpy as np
 import pytest
 import two_people
 
-from app.presenters.document.live_tracks import LiveTracks
-from app.presenters.document.session_tracks import SessionTracks
+from app.core.tracks.live_tracks import LiveTracks
+from app.core.tracks.session_tracks import SessionTracks
 from tracking.editing import apply_change, plan_delete, plan_merge_tracks, plan_split, plan_swap
 from tracking.tracks import Labels, TrackTable
 

@@ -1,7 +1,7 @@
 from dataclasses import replace
 
-from app.presenters.labelling.labelling_scene import SuggestedPart
-from app.presenters.labelling.suggestion_list import SuggestionQueue
+from app.features.labelling.scene import SuggestedPart
+from app.features.labelling.suggestion_list import SuggestionQueue
 from tracking.tracks import PartLabels
 
 

@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 import two_people
 
-from app.presenters.document.frame_state import FrameState
-from app.presenters.document.session_tracks import SessionTracks
-from app.presenters.panels import EditMarks
-from app.presenters.scenes import MarkKind, SpanKind, TimelineMark
-from app.presenters.timeline.lanes import TimelinePresenter
+from app.core.document.edit_history import EditMarks
+from app.core.scenes import MarkKind, SpanKind, TimelineMark
+from app.core.tracks.frame_state import FrameState
+from app.core.tracks.session_tracks import SessionTracks
+from app.features.timeline.presenter import TimelinePresenter
 from tracking.editing import (
     History,
     apply_change,

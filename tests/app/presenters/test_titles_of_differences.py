@@ -6,8 +6,8 @@ from pathlib import Path
 import pytest
 from two_people import table
 
-from app.presenters.comparing.difference_search import ComparisonResult
-from app.presenters.comparing.differences import Comparison
+from app.features.comparison.difference_search import ComparisonResult
+from app.features.comparison.presenter import Comparison
 from tracking.editing import Difference
 from tracking.recording import open_recording
 from tracking.session import Session

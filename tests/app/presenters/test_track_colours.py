@@ -5,11 +5,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from app.presenters.co_occurrence import closeness, find_co_occurrences
-from app.presenters.colour_sight import alike, of_one_hue
-from app.presenters.palette import NOBODY, TRACK_COLOURS
-from app.presenters.shown_colours import THEMES, readable_colour
-from app.presenters.track_colours import TrackColours
+from app.core.colours.co_occurrence import closeness, find_co_occurrences
+from app.core.colours.colour_sight import alike, of_one_hue
+from app.core.colours.palette import NOBODY, TRACK_COLOURS
+from app.core.colours.shown_colours import THEMES, readable_colour
+from app.core.colours.track_colours import TrackColours
 from tracking.tracks import CORRECTED_COLUMNS, TrackTable
 
 _ALIKE = {

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from app.presenters.runs.tracker_state import TrackerWords
+from app.features.runs.tracker_state import TrackerWords
 from tracking.recording import Recording, open_recording
 from tracking.session import Session
 from tracking.tracks import Run

@@ -4,8 +4,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.presenters.reviewing.review_meter import _corrections
-from app.presenters.reviewing.watched_ranges import WatchedRanges
+from app.features.review.review_meter import _corrections
+from app.features.review.watched_ranges import WatchedRanges
 
 FPS = 10.0
 

@@ -4,17 +4,12 @@ import numpy as np
 import pytest
 import two_people
 
-from app.presenters.correcting import (
-    EditContext,
-    EditFlow,
-    EditKind,
-    RecordingGeometry,
-    preview_plan,
-    swap_candidates,
-)
-from app.presenters.correcting.correction import CorrectionPresenter
-from app.presenters.correcting.review_target import find_first_frame
-from app.presenters.document.selection import Selection
+from app.core.editing import EditFlow, EditKind, preview_plan, swap_candidates
+from app.core.editing.correction import CorrectionPresenter
+from app.core.editing.review_target import find_first_frame
+from app.core.tracks.edit_context import EditContext
+from app.core.tracks.recording_geometry import RecordingGeometry
+from app.core.tracks.selection import Selection
 from tracking.editing import SwapFrame
 from tracking.review import ReviewItem
 from tracking.tracks import CORRECTED_COLUMNS, Labels, TrackTable

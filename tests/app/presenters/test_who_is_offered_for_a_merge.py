@@ -3,9 +3,11 @@
 import numpy as np
 import two_people
 
-from app.presenters.correcting import EditContext, EditKind, RecordingGeometry
-from app.presenters.correcting.correction import CorrectionPresenter
-from app.presenters.document.selection import Selection
+from app.core.editing import EditKind
+from app.core.editing.correction import CorrectionPresenter
+from app.core.tracks.edit_context import EditContext
+from app.core.tracks.recording_geometry import RecordingGeometry
+from app.core.tracks.selection import Selection
 from tracking.tracks import Labels, TrackTable
 
 SPANS = {4: (40, 60), 7: (30, 70), 1: (0, 38), 2: (62, 100), 3: (80, 100), 5: (62, 90)}

@@ -1,6 +1,6 @@
 import pytest
 
-from app.presenters import i18n
+from app.core import i18n
 
 
 def test_places_in_a_text_are_filled():

@@ -13,8 +13,8 @@ import numpy as np
 import pytest
 from patient import PATIENCE_S
 
-from app.tracking_process import TrackerProcess, TrackingRequest, child
-from app.tracking_process.messages import (
+from app.core.tracking_process import TrackerProcess, TrackingRequest, child
+from app.core.tracking_process.messages import (
     Kind,
     TrackerBug,
     packed_error,
@@ -157,7 +157,7 @@ def test_killing_before_the_beginning_begins_nothing(request_):
 
 PARENT = """
 import sys
-from app.tracking_process import TrackerProcess, TrackingRequest
+from app.core.tracking_process import TrackerProcess, TrackingRequest
 process = TrackerProcess(TrackingRequest.from_line(sys.stdin.buffer.readline()))
 for batch in process.batches():
     print(process.pid, flush=True)

@@ -9,7 +9,7 @@ from PySide6.QtCore import QPoint, QPointF, Qt, SignalInstance
 from PySide6.QtGui import QColor, QImage, QWheelEvent
 from PySide6.QtWidgets import QApplication, QWidget
 
-from app.views.look.theme import Look, Theme, apply_look
+from app.core.look.theme import Look, Theme, apply_look
 
 
 @pytest.fixture(params=[Look.DARK, Look.LIGHT], ids=["dark", "light"], scope="module")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from app.presenters.scenes import (
+from app.core.scenes import (
     FloorPerson,
     Lane,
     OverheadScene,

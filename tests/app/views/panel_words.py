@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QAbstractButton, QLabel
 
-from app.presenters.scenes import TrackCard
+from app.core.scenes import TrackCard
 
 CARD = TrackCard(4, "red coat", (200, 30, 30), 12, 402, 381, 9, 0.87, (("bag", "none"),), "turns")
 

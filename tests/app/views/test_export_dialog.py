@@ -4,13 +4,13 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QWidget
 
-from app.presenters.files.export import refuse_to_lose
-from app.presenters.files.export_formats import (
+from app.features.files.export import refuse_to_lose
+from app.features.files.export_dialog import ExportDialog
+from app.features.files.export_formats import (
     export_formats,
     propose_file_name,
     propose_report_folder,
 )
-from app.views.files.export_dialog import ExportDialog
 from tracking.errors import OutputError
 
 FORMATS = export_formats()

@@ -6,14 +6,14 @@ import pytest
 from panel_words import CARD, words
 from PySide6.QtWidgets import QAbstractButton, QLineEdit
 
-from app.presenters.comparing.differences_scene import DifferenceItem, DifferencesScene, Side
-from app.presenters.reviewing.review_scene import ReviewScene
-from app.views.comparing.differences_panel import DifferencesPanel
-from app.views.correcting.edit_panel import EditPanel
-from app.views.correcting.track_panel import TrackPanel
-from app.views.history.history_panel import HistoryPanel
-from app.views.reviewing.review_panel import ReviewPanel
-from app.views.widgets.notice import NoticeBar
+from app.core.widgets.notice import NoticeBar
+from app.features.comparison.differences_scene import DifferenceItem, DifferencesScene, Side
+from app.features.comparison.panel import DifferencesPanel
+from app.features.correction.panel import EditPanel
+from app.features.correction.track_panel import TrackPanel
+from app.features.history.panel import HistoryPanel
+from app.features.review.panel import ReviewPanel
+from app.features.review.scene import ReviewScene
 
 
 def test_the_review_queue_says_why_it_is_empty(qtbot, dark):

@@ -12,9 +12,9 @@ from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 from shifted_runs import AGAIN_AT, SHIFTED
 
-from app.presenters.files import document_loader
-from app.views.recording.recording_controller import RecordingController
-from app.views.window.main_window import MainWindow
+from app.core.document import document_loader
+from app.shell.main_window import MainWindow
+from app.shell.recording_controller import RecordingController
 from tracking.recording import open_recording
 from tracking.session import Session
 from tracking.tracks import SIGNAL_COLUMNS, Run, empty

@@ -13,8 +13,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu, QWidget
 from pytestqt.qtbot import QtBot
 
-from app.views.recording.recording_controller import RecordingController
-from app.views.window.main_window import MainWindow
+from app.shell.main_window import MainWindow
+from app.shell.recording_controller import RecordingController
 
 CROWDED = 60
 NO_KEY = Qt.KeyboardModifier.NoModifier

@@ -6,9 +6,11 @@ import shiboken6
 from patient import PATIENCE_S
 from PySide6.QtCore import QObject
 
-from app.background import FrameReader, Job, late_camera
-from app.views.widgets.progress_strip import ProgressStrip
-from app.views.widgets.work import Work
+from app.core.jobs.jobs import Job
+from app.core.playback import late_camera
+from app.core.playback.frames import FrameReader
+from app.core.widgets.progress_strip import ProgressStrip
+from app.core.widgets.work import Work
 from tracking.errors import CancelledError, OutputError, RecordingError
 from tracking.recording import open_recording
 

@@ -1,6 +1,6 @@
 import sys
 
-from app.views import application
+from app.shell import application
 
 
 def test_what_nobody_caught_is_shown_in_the_window_which_lives_on(window, monkeypatch):

@@ -1,7 +1,7 @@
 import pytest
 from PySide6.QtGui import QImage
 
-from app.views.application import picture
+from app.shell.application import picture
 from tracking.errors import OutputError, TrackwrightError
 
 

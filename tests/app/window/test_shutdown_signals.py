@@ -7,7 +7,7 @@ from unittest.mock import Mock
 
 import pytest
 
-from app.views.window import shutdown_signals
+from app.shell import shutdown_signals
 
 
 def test_a_terminal_that_is_closed_keeps_nobody_from_ending(monkeypatch):

@@ -4,9 +4,9 @@ import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
 
-from app.presenters.files import document_loader
-from app.views.pictures.canvas import Canvas
-from app.views.pictures.viewport import Viewport
+from app.core.document import document_loader
+from app.core.drawing.canvas import Canvas
+from app.core.drawing.viewport import Viewport
 from tracking.recording import open_recording
 from tracking.session import Session
 

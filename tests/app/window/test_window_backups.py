@@ -3,7 +3,7 @@
 import pytest
 from PySide6.QtWidgets import QPlainTextEdit, QTableWidget
 
-from app.views.files.backup_dialog import BackupDialog
+from app.features.files.backup_dialog import BackupDialog
 from tracking.editing import plan_delete
 
 

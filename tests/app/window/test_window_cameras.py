@@ -4,8 +4,8 @@ import pytest
 from correcting_window import open_for_correcting
 from PySide6.QtCore import QSettings
 
-from app.views.recording.workspace import Workspace
-from app.views.widgets.user_settings import UserSettings
+from app.core.widgets.user_settings import UserSettings
+from app.shell.workspace import Workspace
 
 
 @pytest.fixture

@@ -5,8 +5,8 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QMessageBox, QPlainTextEdit
 
-from app.presenters.correcting import Way
-from app.views.correcting.attributes import AttributesTable
+from app.core.editing import Way
+from app.features.correction.attributes import AttributesTable
 from tracking.session import Session
 
 Key = Qt.Key

@@ -13,7 +13,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QToolButton
 from pytestqt.qtbot import QtBot
 
-from app.views.window.main_window import MainWindow
+from app.shell.main_window import MainWindow
 from tracking.editing import plan_swap
 from tracking.session import Session
 from tracking.tracks import Labels

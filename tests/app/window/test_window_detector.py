@@ -10,15 +10,15 @@ from PySide6.QtCore import QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QPushButton
 
-from app.presenters.files.document_loader import known_recordings
-from app.presenters.parts.detector_choice import DetectorChoice, restore_choice
-from app.presenters.parts.mistake_pictures import Here, Search, crop_surroundings
-from app.presenters.parts.training_result import MistakeItem
-from app.presenters.parts.training_set import build_training_set, source_at
-from app.views.parts.detectors import _labels_here
-from app.views.parts.result_dialog import ResultDialog
-from app.views.parts.train_dialog import TrainDialog
-from app.views.runs.track_dialog import TrackDialog
+from app.core.document.detector_choice import DetectorChoice, restore_choice
+from app.core.document.document_loader import known_recordings
+from app.features.parts.mistake_pictures import Here, Search, crop_surroundings
+from app.features.parts.result_dialog import ResultDialog
+from app.features.parts.train_dialog import TrainDialog
+from app.features.parts.training_result import MistakeItem
+from app.features.parts.training_set import build_training_set, source_at
+from app.features.runs.track_dialog import TrackDialog
+from app.shell.detectors import _labels_here
 from tracking.editing import plan_label_part, plan_occluders
 from tracking.failure import Mistake, built_in_detector, load_detector, save_detector
 from tracking.tracks import Occluder, PartLabel

@@ -4,9 +4,9 @@ import pytest
 from correcting_window import CROWDED, CTRL, SHIFT, Hands, open_for_correcting
 from PySide6.QtCore import Qt
 
-from app.presenters.correcting import EditKind, EditScope
-from app.presenters.correcting.kinds import LongestGap
-from app.views.correcting.attributes import AttributesTable
+from app.core.editing import EditKind, EditScope
+from app.core.editing.kinds import LongestGap
+from app.features.correction.attributes import AttributesTable
 from tracking.tracks import Source
 
 Key = Qt.Key

@@ -10,8 +10,8 @@ from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QToolButton
 
-from app.presenters.correcting import EditScope
-from app.presenters.scenes import Side
+from app.core.editing import EditScope
+from app.core.scenes import Side
 from tests.pace import pace
 from tracking.tracks import Source
 

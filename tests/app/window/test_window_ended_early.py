@@ -2,7 +2,7 @@
 
 import pytest
 
-from app.tracking_process import TrackerProcess
+from app.core.tracking_process import TrackerProcess
 from tracking.errors import TrackwrightError
 
 

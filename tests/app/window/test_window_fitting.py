@@ -6,8 +6,8 @@ from hypothesis import strategies as st
 from PySide6.QtCore import QMargins, QRect, QSize
 from PySide6.QtGui import QGuiApplication
 
-from app.views.window.main_window import MainWindow
-from app.views.window.screen_fit import fitted, keep_on_screen
+from app.shell.main_window import MainWindow
+from app.shell.screen_fit import fitted, keep_on_screen
 
 FRAME = QMargins(4, 24, 4, 4)
 _SIDES = st.integers(200, 4000)

@@ -7,10 +7,10 @@ import pytest
 from patient import PATIENCE_S
 from PySide6.QtCore import Qt
 
-from app.presenters.correcting import EditKind
-from app.presenters.document import session_colours
-from app.presenters.track_colours import TrackColours
-from app.views.recording.recording_controller import RecordingController
+from app.core.colours.track_colours import TrackColours
+from app.core.editing import EditKind
+from app.core.tracks import session_colours
+from app.shell.recording_controller import RecordingController
 from tracking.errors import EditError, RecordingError
 from tracking.session import Session
 from tracking.trackers import StepResult

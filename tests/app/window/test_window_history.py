@@ -9,7 +9,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QInputDialog, QMenu
 
-from app.presenters.panels import HistoryList
+from app.core.document.edit_history import HistoryList
 from tests.pace import spent
 from tracking.editing import Change, History, LabelState, State
 from tracking.tracks import TrackLabel

@@ -14,10 +14,10 @@ from PySide6.QtCore import Qt, QUrl
 from PySide6.QtWidgets import QMessageBox
 
 from app.cli.export import check_is_own
-from app.presenters.files.export import capture_export
-from app.presenters.files.export_formats import export_formats
-from app.views.files import export_controller, import_controller
-from app.views.files.import_dialog import ImportDialog
+from app.features.files.export import capture_export
+from app.features.files.export_formats import export_formats
+from app.features.files.import_dialog import ImportDialog
+from app.shell import export_controller, import_controller
 from tracking.errors import OutputError
 from tracking.formats import format_of, read_mot
 from tracking.session import Session

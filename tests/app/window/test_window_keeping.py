@@ -5,7 +5,7 @@ import errno
 import pytest
 from PySide6.QtWidgets import QMessageBox
 
-from app.presenters.files import document_loader
+from app.core.document import document_loader
 from tracking.errors import OutputError
 
 

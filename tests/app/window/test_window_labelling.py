@@ -5,7 +5,7 @@ from correcting_window import CROWDED, open_for_correcting
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
 
-from app.presenters.labelling.labelling_scene import Tool
+from app.features.labelling.scene import Tool
 
 Key = Qt.Key
 _CTRL, _ALT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.AltModifier

@@ -6,7 +6,7 @@ import pytest
 from correcting_window import CTRL, Hands, open_for_correcting
 from PySide6.QtCore import Qt
 
-from app.views.files import save_controller
+from app.shell import save_controller
 from tracking.session import Session
 from tracking.tracks import Source
 

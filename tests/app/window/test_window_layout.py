@@ -3,9 +3,9 @@
 import pytest
 from PySide6.QtWidgets import QApplication
 
-from app.views.reviewing import review_search
-from app.views.timeline.rows import Arrangement, LaneHeight, LaneOrder
-from app.views.window.main_window import MainWindow
+from app.features.review import review_search
+from app.features.timeline.rows import Arrangement, LaneHeight, LaneOrder
+from app.shell.main_window import MainWindow
 
 
 @pytest.fixture

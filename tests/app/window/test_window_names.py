@@ -12,8 +12,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.presenters.commands import COMMANDS
-from app.views.pictures.canvas import Canvas
+from app.core.commands import COMMANDS
+from app.core.drawing.canvas import Canvas
 
 _CONTROLS = (
     QAbstractButton,

@@ -181,7 +181,7 @@ def test_a_passing_word_that_was_read_gives_way_to_the_next_command(window, hand
     window.notice.say("tracked", passing=True)
     window.run_command("play.next")
     assert window.notice.text == "tracked"
-    monkeypatch.setattr("app.views.widgets.notice._READ_S", 0.0)
+    monkeypatch.setattr("app.core.widgets.notice._READ_S", 0.0)
     window.run_command("play.next")
     assert window.notice.text == ""
     window.notice.say("look after the camera")

@@ -9,9 +9,9 @@ import pytest
 from correcting_window import open_for_correcting
 from PySide6.QtCore import Qt
 
-from app.presenters.pictures.of_run import AtWork
-from app.presenters.pictures.overlays import Kinds
-from app.presenters.pictures.ramp_overlay import RampPainter
+from app.core.tracks.made_by import AtWork
+from app.features.pictures.overlays import Kinds
+from app.features.pictures.ramp_overlay import RampPainter
 from tracking.errors import CalibrationError
 from tracking.recording import open_recording
 from tracking.trackers import settings_from

@@ -8,10 +8,11 @@ from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog
 
-from app.presenters.files import demonstration, document_loader, left_behind
-from app.presenters.files.demonstration import Demonstration
-from app.views.timeline.tracks_area import TracksArea
-from app.views.widgets.user_settings import Place
+from app.core.document import document_loader
+from app.core.widgets.user_settings import Place
+from app.features.files import demonstration, left_behind
+from app.features.files.demonstration import Demonstration
+from app.features.timeline.tracks_area import TracksArea
 from tracking.errors import CancelledError
 from tracking.recording import open_recording
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from PySide6.QtWidgets import QTabBar
 
-from app.views.recording.below_floor import BelowFloor
+from app.shell.below_floor import BelowFloor
 
 
 def _tabs(window):

@@ -5,7 +5,7 @@ from correcting_window import CROWDED, CTRL, LEFT, NO_KEY, Hands, open_for_corre
 from PySide6.QtCore import QPoint, QPointF, QRectF, Qt
 from PySide6.QtTest import QTest
 
-from app.presenters.parts.detector_choice import DetectorChoice
+from app.core.document.detector_choice import DetectorChoice
 from tracking.failure import built_in_detector, suggest
 
 Key = Qt.Key

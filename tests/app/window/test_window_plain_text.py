@@ -25,8 +25,8 @@ from PySide6.QtWidgets import (
 from pytestqt.qtbot import QtBot
 from shiboken6 import isValid
 
-from app.presenters.files import document_loader
-from app.views.window.main_window import MainWindow
+from app.core.document import document_loader
+from app.shell.main_window import MainWindow
 from tracking.editing import (
     plan_lines,
     plan_regions,

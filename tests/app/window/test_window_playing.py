@@ -4,8 +4,8 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from app.presenters.playing.clock import LONGEST_STALL_S
-from app.views.playing.playback import Playback
+from app.core.playback.clock import LONGEST_STALL_S
+from app.core.playback.playback import Playback
 from tracking.recording import open_recording
 
 
@@ -26,7 +26,7 @@ def test_it_tells_which_frames_are_at_hand(playback, qtbot):
 def test_it_plays_as_many_frames_as_are_asked_for_in_the_time_that_passed(playback, monkeypatch):
     now_s = [50.0]
     clock = SimpleNamespace(perf_counter=lambda: now_s[0])
-    monkeypatch.setattr("app.views.playing.playback.time", clock)
+    monkeypatch.setattr("app.core.playback.playback.time", clock)
     playback.set_speed(4.0)
     playback.toggle()
     for passed_s in (0.25, 0.1, 0.4):

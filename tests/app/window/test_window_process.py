@@ -12,14 +12,14 @@ import pytest
 from patient import PATIENCE_S
 from PySide6.QtCore import QSettings
 
-from app.views.application import borrowed_window, show_document
-from app.views.widgets.user_settings import Place, UserSettings
-from app.views.window.main_window import MainWindow
+from app.core.widgets.user_settings import Place, UserSettings
+from app.shell.application import borrowed_window, show_document
+from app.shell.main_window import MainWindow
 
 _PROGRAM = """
 import sys
 from pathlib import Path
-from app.views.application import run
+from app.shell.application import run
 sys.exit(run(Path(sys.argv[1])))
 """
 _ROOT = Path(__file__).parents[3]
@@ -100,7 +100,7 @@ import os, signal, sys
 from PySide6.QtCore import QEvent, QObject
 from PySide6.QtWidgets import QMainWindow
 from app.views import application
-from app.views.widgets.user_settings import Remembered
+from app.core.widgets.user_settings import Remembered
 
 class Interrupt(QObject):
     done = False
@@ -119,7 +119,7 @@ _QUIT_BY_THE_SYSTEM = """
 import sys
 from PySide6.QtCore import QCoreApplication, QTimer
 from app.views import application
-from app.views.widgets.user_settings import Remembered
+from app.core.widgets.user_settings import Remembered
 
 application.start_application(Remembered())
 timer = QTimer(interval=200)

@@ -8,11 +8,11 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLineEdit
 
-from app.presenters.correcting import EditKind, EditScope
-from app.presenters.files import document_loader
-from app.presenters.playing.clock import LONGEST_STALL_S
-from app.presenters.reviewing.review_scene import Order
-from app.views.reviewing.review_panel import ReviewPanel
+from app.core.document import document_loader
+from app.core.editing import EditKind, EditScope
+from app.core.playback.clock import LONGEST_STALL_S
+from app.features.review.panel import ReviewPanel
+from app.features.review.scene import Order
 from tracking.editing import plan_rename
 from tracking.recording import open_recording
 from tracking.session import IMPORTED, Session

@@ -5,9 +5,9 @@ from dataclasses import replace
 import pytest
 from shifted_runs import boxes, items, place
 
-from app.presenters.runs.runs import CORRECTED
-from app.views.recording.again import show_runs
-from app.views.runs.runs_dialog import RunsDialog
+from app.features.runs.presenter import CORRECTED
+from app.features.runs.runs_dialog import RunsDialog
+from app.shell.again import show_runs
 from tracking.editing import plan_delete
 
 

@@ -1,9 +1,9 @@
 import numpy as np
 import pytest
 
-from app.presenters.files import document_loader
-from app.presenters.runs.run_summary import RunSummary
-from app.views.runs.track_dialog import TrackDialog
+from app.core.document import document_loader
+from app.features.runs.run_summary import RunSummary
+from app.features.runs.track_dialog import TrackDialog
 from tracking.session import Session
 
 

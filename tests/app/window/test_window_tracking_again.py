@@ -9,9 +9,9 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from shifted_runs import AGAIN_AT, SHIFTED, boxes, items, place
 
-from app.presenters.comparing.differences import Comparison
-from app.presenters.i18n import span_text
-from app.views.runs.track_dialog import TrackDialog
+from app.core.i18n import span_text
+from app.features.comparison.presenter import Comparison
+from app.features.runs.track_dialog import TrackDialog
 from tracking.editing import plan_mark_reviewed
 
 

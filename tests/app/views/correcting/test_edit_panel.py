@@ -10,8 +10,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton
 
-from app.presenters.scenes import ChoiceRow, EditPreview, Proposal
-from app.views.correcting.edit_panel import EditPanel
+from app.core.scenes import ChoiceRow, EditPreview, Proposal
+from app.features.correction.panel import EditPanel
 
 SWAP = EditPreview(
     "Swap 4 and 7 from frame 834 on",

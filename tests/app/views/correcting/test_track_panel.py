@@ -10,7 +10,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
 from PySide6.QtTest import QTest
 
-from app.views.correcting.track_panel import TrackPanel
+from app.features.correction.track_panel import TrackPanel
 
 LEFT = Qt.MouseButton.LeftButton
 

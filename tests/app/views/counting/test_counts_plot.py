@@ -3,14 +3,9 @@
 import numpy as np
 import pytest
 
-from app.presenters.counting.counting_scene import (
-    FORWARD_COLOUR,
-    CountCurve,
-    CountingScene,
-    CountPlot,
-)
-from app.views.counting.counts_plot import CountsPlot
-from app.views.timeline.axis import TimeAxis
+from app.core.plots.axis import TimeAxis
+from app.features.counting.counts_plot import CountsPlot
+from app.features.counting.scene import FORWARD_COLOUR, CountCurve, CountingScene, CountPlot
 
 FRAMES = 2000
 

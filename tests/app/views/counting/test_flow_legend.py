@@ -5,11 +5,11 @@ import pytest
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QColor, QImage, QPainter
 
-from app.presenters.counting.flow_scene import flow_scene
-from app.views.look.theme import load_theme
-from app.views.pictures.flow_map import _draw_cells
-from app.views.pictures.legend import draw_legend
-from app.views.pictures.viewport import Viewport
+from app.core.drawing.legend import draw_legend
+from app.core.drawing.viewport import Viewport
+from app.core.look.theme import load_theme
+from app.features.counting.flow_scene import flow_scene
+from app.features.pictures.flow_map import _draw_cells
 from tracking.counting import FlowMap
 
 

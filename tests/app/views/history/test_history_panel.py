@@ -7,8 +7,8 @@ from panel_words import words
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QMenu
 
-from app.presenters.scenes import HistoryItem
-from app.views.history.history_panel import HistoryPanel
+from app.core.scenes import HistoryItem
+from app.features.history.panel import HistoryPanel
 
 LEFT = Qt.MouseButton.LeftButton
 

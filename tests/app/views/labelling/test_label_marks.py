@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from PySide6.QtGui import QImage, QPainter
 
-from app.presenters.labelling.labelling_scene import PartMark
-from app.views.labelling.marks import draw_parts
-from app.views.pictures.viewport import Viewport
+from app.core.drawing.label_marks import draw_parts
+from app.core.drawing.viewport import Viewport
+from app.features.labelling.scene import PartMark
 
 SIDE = 200
 BOX = (40.0, 40.0, 120.0, 120.0)

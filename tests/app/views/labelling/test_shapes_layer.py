@@ -5,9 +5,9 @@ from drawn_scenes import picture
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-from app.presenters.scenes import Side
-from app.views.labelling.shapes import ShapesLayer
-from app.views.pictures.picture import PictureView
+from app.core.scenes import Side
+from app.features.labelling.shapes import ShapesLayer
+from app.features.pictures.picture_view import PictureView
 
 FIRST = ((20.0, 20.0), (60.0, 20.0), (60.0, 60.0))
 SECOND = ((80.0, 20.0), (110.0, 20.0), (110.0, 60.0))

@@ -1,7 +1,7 @@
 """The list of parts that are worth labelling."""
 
-from app.presenters.labelling.labelling_scene import LabellingScene, SuggestedPart, Tool
-from app.views.labelling.suggestions import SuggestionsList
+from app.features.labelling.scene import LabellingScene, SuggestedPart, Tool
+from app.features.labelling.suggestions import SuggestionsList
 
 NARROW_LETTERS = 34
 

@@ -9,9 +9,9 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QGuiApplication
 
-from app.presenters.palette import TRACK_COLOURS
-from app.views.look.icons import IconButton, application_icon, icon, pixmap
-from app.views.look.theme import (
+from app.core.colours.palette import TRACK_COLOURS
+from app.core.look.icons import IconButton, application_icon, icon, pixmap
+from app.core.look.theme import (
     Look,
     apply_look,
     contrast,

@@ -12,17 +12,17 @@ from hypothesis import strategies as st
 from PySide6.QtCore import QPointF, QRectF, QSizeF
 from PySide6.QtGui import QImage, QPainter
 
-from app.presenters.parts.part_curve import LaneScore, PartCurve
-from app.presenters.parts.parts_scene import CardLine, PartBox, PartCard, PicturedParts, Verdict
-from app.presenters.scenes import Side
-from app.views.look.theme import contrast, current_theme
-from app.views.parts.cards import leaders
-from app.views.pictures import box_names
-from app.views.pictures import picture as picture_view
-from app.views.pictures.picture import PictureView
-from app.views.timeline.axis import TimeAxis
-from app.views.timeline.curves import whole_span
-from app.views.timeline.lane_score import _ink, draw_score
+from app.core.drawing.part_cards import leaders
+from app.core.look.theme import contrast, current_theme
+from app.core.plots.axis import TimeAxis
+from app.core.plots.curves import whole_span
+from app.core.scenes import Side
+from app.core.scenes.part_curve import LaneScore, PartCurve
+from app.features.parts.scene import CardLine, PartBox, PartCard, PicturedParts, Verdict
+from app.features.pictures import box_names
+from app.features.pictures import picture_view as picture_view
+from app.features.pictures.picture_view import PictureView
+from app.features.timeline.lane_score import _ink, draw_score
 
 FIRST, LAST = 40, 59
 PURPLE = (110, 70, 180)

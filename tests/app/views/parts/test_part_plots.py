@@ -6,15 +6,15 @@ import numpy as np
 import pytest
 from PySide6.QtGui import QFontMetricsF
 
-from app.presenters.parts.part_curve import PartCurve
-from app.presenters.parts.parts_scene import CurvesScene
-from app.presenters.parts.training_result import MistakeItem
-from app.presenters.parts.training_set import Source
-from app.views.look.theme import scaled_font
-from app.views.parts.curves_plot import CurvesPlot
-from app.views.parts.mistakes import MistakesList
-from app.views.parts.roc import RocPlot
-from app.views.timeline.axis import TimeAxis
+from app.core.look.theme import scaled_font
+from app.core.plots.axis import TimeAxis
+from app.core.scenes.part_curve import PartCurve
+from app.features.parts.curves_plot import CurvesPlot
+from app.features.parts.mistakes import MistakesList
+from app.features.parts.roc import RocPlot
+from app.features.parts.scene import CurvesScene
+from app.features.parts.training_result import MistakeItem
+from app.features.parts.training_set import Source
 from tracking.failure import Mistake
 from tracking.failure.core.samples import samples_from_rows
 

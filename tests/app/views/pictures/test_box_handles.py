@@ -3,7 +3,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from PySide6.QtCore import QPointF, QRectF
 
-from app.views.pictures.box_handles import INSIDE, Grip, handle_at, handles_of
+from app.features.pictures.box_handles import INSIDE, Grip, handle_at, handles_of
 
 RECT = QRectF(100, 50, 80, 160)
 

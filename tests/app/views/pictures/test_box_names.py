@@ -12,10 +12,10 @@ from hypothesis import strategies as st
 from PySide6.QtCore import QEvent, QRectF
 from PySide6.QtWidgets import QApplication
 
-from app.presenters.scenes import Side
-from app.views.look.theme import scaled_font
-from app.views.pictures import box_names
-from app.views.pictures.picture import PictureView
+from app.core.look.theme import scaled_font
+from app.core.scenes import Side
+from app.features.pictures import box_names
+from app.features.pictures.picture_view import PictureView
 
 BOXES = st.tuples(
     st.integers(10, 280), st.integers(30, 150), st.integers(15, 50), st.integers(40, 85)

@@ -10,11 +10,11 @@ from drawn_scenes import person, picture
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QFontMetricsF, QImage
 
-from app.presenters.scenes import LegendEntry
-from app.views.look.theme import scaled_font
-from app.views.pictures import box_names
-from app.views.pictures.captions import lay_out
-from app.views.pictures.picture import PictureView
+from app.core.look.theme import scaled_font
+from app.core.scenes import LegendEntry
+from app.features.pictures import box_names
+from app.features.pictures.captions import lay_out
+from app.features.pictures.picture_view import PictureView
 
 SAID = "Nothing was recorded at this instant: another frame is shown"
 LEGEND = (

@@ -2,7 +2,7 @@
 
 from PySide6.QtCore import QPointF, QRectF, QSizeF
 
-from app.views.pictures.floor_legend import FloorLegend
+from app.features.pictures.floor_legend import FloorLegend
 
 AREA = QRectF(0, 0, 400, 300)
 FOOT = QPointF(20, 280)

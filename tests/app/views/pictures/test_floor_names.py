@@ -11,8 +11,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from PySide6.QtCore import QPointF, QRectF
 
-from app.views.pictures.floor_names import WantedName, discs, place_names
-from app.views.pictures.overhead import OverheadView
+from app.features.pictures.floor_names import WantedName, discs, place_names
+from app.features.pictures.overhead_view import OverheadView
 
 AREA = QRectF(0, 0, 400, 300)
 RADIUS = 12.0

@@ -4,7 +4,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from PySide6.QtCore import QRectF, QSizeF
 
-from app.views.pictures.free_place import free_place
+from app.core.drawing.free_place import free_place
 
 AREA = QRectF(0, 0, 800, 600)
 SIZE = QSizeF(160, 70)

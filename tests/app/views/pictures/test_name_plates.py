@@ -9,11 +9,11 @@ from hypothesis import strategies as st
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QColor, QFont, QFontMetricsF
 
-from app.presenters.scenes import Side
-from app.views.look.theme import contrast, ink_on
-from app.views.pictures import box_names
-from app.views.pictures.name_plates import place_plates, plate_rect, plate_text
-from app.views.pictures.picture import PictureView
+from app.core.drawing.name_plates import place_plates, plate_rect, plate_text
+from app.core.look.theme import contrast, ink_on
+from app.core.scenes import Side
+from app.features.pictures import box_names
+from app.features.pictures.picture_view import PictureView
 
 AREA = QRectF(0, 0, 800, 600)
 CORNERS = st.tuples(st.floats(-50, 850), st.floats(-50, 650))

@@ -6,13 +6,13 @@ from drawn_scenes import RED, floor_person, overhead
 from PySide6.QtCore import QPoint, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QImage, QPainter
 
-from app.presenters.counting.counting_scene import FlowScene
-from app.presenters.scenes import LegendEntry, PreviewTrail
-from app.presenters.scoring.score_scene import FlooredTruth
-from app.views.look.theme import scaled_font
-from app.views.pictures.floor import nice_step
-from app.views.pictures.overhead import OverheadView
-from app.views.pictures.particles import draw_particles, soft_dot
+from app.core.drawing.particles import draw_particles, soft_dot
+from app.core.look.theme import scaled_font
+from app.core.scenes import LegendEntry, PreviewTrail
+from app.features.counting.scene import FlowScene
+from app.features.pictures.floor import nice_step
+from app.features.pictures.overhead_view import OverheadView
+from app.features.scoring.scene import FlooredTruth
 
 LEFT = Qt.MouseButton.LeftButton
 

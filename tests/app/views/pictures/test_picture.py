@@ -8,9 +8,9 @@ from drawn_scenes import BLUE, RED, person, picture
 from PySide6.QtCore import QPoint, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor
 
-from app.presenters.scenes import LegendEntry, PictureScene, PreviewTrail, Side
-from app.presenters.scoring.score_scene import PicturedTruth
-from app.views.pictures.picture import PictureView
+from app.core.scenes import LegendEntry, PictureScene, PreviewTrail, Side
+from app.features.pictures.picture_view import PictureView
+from app.features.scoring.scene import PicturedTruth
 
 LEFT = Qt.MouseButton.LeftButton
 

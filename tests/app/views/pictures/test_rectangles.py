@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from PySide6.QtCore import QRectF
 
-from app.views.pictures.rectangles import as_rect, beyond, coords, covers, first_free, within
+from app.core.drawing.rectangles import as_rect, beyond, coords, covers, first_free, within
 
 SIDES = st.integers(1, 60)
 RECTS = st.builds(QRectF, st.integers(-20, 120), st.integers(-20, 90), SIDES, SIDES)

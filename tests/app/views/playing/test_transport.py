@@ -4,10 +4,10 @@ import pytest
 from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtWidgets import QLabel, QToolButton
 
-from app.presenters.scenes import TransportScene
-from app.views.pictures.camera_switch import CameraSwitch
-from app.views.playing.transport import TransportBar, clock_text
-from app.views.widgets.progress_strip import ProgressStrip
+from app.core.scenes import TransportScene
+from app.core.widgets.progress_strip import ProgressStrip
+from app.features.pictures.camera_switch import CameraSwitch
+from app.features.playback.transport import TransportBar, clock_text
 
 LEFT = Qt.MouseButton.LeftButton
 

@@ -3,9 +3,9 @@ from PySide6.QtCore import QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel
 
-from app.views.runs.settings_form import SettingsForm
-from app.views.runs.settings_search import FoldButton
-from app.views.runs.track_dialog import TrackDialog
+from app.core.widgets.settings_form import SettingsForm
+from app.core.widgets.settings_search import FoldButton
+from app.features.runs.track_dialog import TrackDialog
 from tracking.recording import open_recording
 from tracking.trackers import TRACKERS, best_tracker, settings_fields
 

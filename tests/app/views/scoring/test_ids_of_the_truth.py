@@ -4,7 +4,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from PySide6.QtCore import QRectF
 
-from app.views.scoring.truth_marks import IdPlate, shown_ids
+from app.core.drawing.truth_marks import IdPlate, shown_ids
 from tracking.scoring import ErrorKind
 
 AREA = QRectF(0, 0, 400, 300)

@@ -6,9 +6,9 @@ from itertools import product
 import pytest
 from PySide6.QtCore import Qt
 
-from app.presenters.scoring.figures import FIGURES
-from app.presenters.scoring.score_scene import ErrorChoice, ScoreRow, ScoreScene
-from app.views.scoring.score_panel import ScorePanel
+from app.features.scoring.figures import FIGURES
+from app.features.scoring.panel import ScorePanel
+from app.features.scoring.scene import ErrorChoice, ScoreRow, ScoreScene
 from tracking.scoring import ErrorKind
 
 SCENE = ScoreScene(

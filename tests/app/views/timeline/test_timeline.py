@@ -10,10 +10,10 @@ from hypothesis import strategies as st
 from PySide6.QtCore import QPoint, QPointF, QRect, Qt
 from PySide6.QtGui import QPixmap
 
-from app.views.timeline import TimelineView
-from app.views.timeline.axis import TimeAxis, ticks
-from app.views.timeline.overview_picture import busiest
-from app.views.timeline.ruler import PLAYHEAD_HEIGHT
+from app.core.plots.axis import TimeAxis, ticks
+from app.features.timeline.overview_picture import busiest
+from app.features.timeline.panel import TimelineView
+from app.features.timeline.ruler import PLAYHEAD_HEIGHT
 
 LEFT, MIDDLE = Qt.MouseButton.LeftButton, Qt.MouseButton.MiddleButton
 AXIS = TimeAxis(100.0, 800.0, 0.0, 1000.0, 1000)

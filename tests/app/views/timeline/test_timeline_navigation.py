@@ -9,10 +9,10 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtWidgets import QApplication
 
-from app.presenters.scenes import MarkKind, TimelineMark
-from app.views.timeline import TimelineView
-from app.views.timeline.axis import TimeAxis
-from app.views.timeline.rows import Arrangement, LaneHeight, LaneOrder, LaneRows
+from app.core.plots.axis import TimeAxis
+from app.core.scenes import MarkKind, TimelineMark
+from app.features.timeline.panel import TimelineView
+from app.features.timeline.rows import Arrangement, LaneHeight, LaneOrder, LaneRows
 
 LEFT = Qt.MouseButton.LeftButton
 SHIFT, CTRL = Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.ControlModifier

@@ -5,9 +5,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.presenters.scenes import SpanKind
-from app.views.timeline.axis import TimeAxis
-from app.views.timeline.strips import covered, covered_by_kind, dotted, opacity, spans_in_view
+from app.core.plots.axis import TimeAxis
+from app.core.plots.strips import covered, covered_by_kind, dotted, opacity, spans_in_view
+from app.core.scenes import SpanKind
 
 _FRAMES = 200
 

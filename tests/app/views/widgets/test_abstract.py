@@ -2,8 +2,8 @@
 
 import pytest
 
-from app.views.pictures.canvas import Canvas
-from app.views.pictures.overhead import OverheadView
+from app.core.drawing.canvas import Canvas
+from app.features.pictures.overhead_view import OverheadView
 
 
 def test_a_widget_of_no_kind_is_not_made(qtbot):

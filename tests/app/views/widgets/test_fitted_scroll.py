@@ -3,7 +3,7 @@
 import pytest
 from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 
-from app.views.widgets.fitted_scroll import ScrolledPanel
+from app.core.widgets.fitted_scroll import ScrolledPanel
 
 WORDS = "what is to be done here, in many words; " * 12
 

@@ -4,7 +4,7 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QSplitter, QWidget
 
-from app.views.widgets.gripped_splitter import GrippedSplitter
+from app.core.widgets.gripped_splitter import GrippedSplitter
 
 
 @pytest.fixture

@@ -5,8 +5,8 @@ from PySide6.QtCore import QLocale, QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDoubleSpinBox, QSpinBox, QToolTip
 
-from app.views.files.import_dialog import ImportDialog
-from app.views.widgets.number_boxes import NumberBox, WholeBox, tell_beside
+from app.core.widgets.number_boxes import NumberBox, WholeBox, tell_beside
+from app.features.files.import_dialog import ImportDialog
 
 C, GERMAN = QLocale.c(), QLocale(QLocale.Language.German)
 

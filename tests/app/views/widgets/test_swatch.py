@@ -1,8 +1,8 @@
 from __future__ import annotations
 
-from app.presenters.palette import TRACK_COLOURS
-from app.views.look.theme import Look, apply_look, load_theme
-from app.views.widgets.parts import Swatch
+from app.core.colours.palette import TRACK_COLOURS
+from app.core.look.theme import Look, apply_look, load_theme
+from app.core.widgets.parts import Swatch
 
 
 def test_a_spot_follows_the_look(qapp, qtbot):

@@ -5,12 +5,12 @@ from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
 from PySide6.QtGui import QDropEvent
 from PySide6.QtWidgets import QLabel, QPushButton, QWidget
 
-from app.presenters.commands import CommandContext, command_items
-from app.presenters.scenes import CommandItem, RecentItem, WelcomeScene
-from app.views.welcome.welcome import WelcomePage
-from app.views.welcome.welcome_parts import RecentRow
-from app.views.window.command_palette import CommandPalette, best_commands, match_score
-from app.views.window.shortcuts import ShortcutsDialog
+from app.core.commands import CommandContext, command_items
+from app.core.scenes import CommandItem, RecentItem, WelcomeScene
+from app.features.welcome.welcome import WelcomePage
+from app.features.welcome.welcome_parts import RecentRow
+from app.shell.command_palette import CommandPalette, best_commands, match_score
+from app.shell.shortcuts import ShortcutsDialog
 
 LEFT = Qt.MouseButton.LeftButton
 ITEMS = (

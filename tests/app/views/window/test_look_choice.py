@@ -5,9 +5,9 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import QSettings
 
-from app.views.look.theme import Look
-from app.views.widgets.user_settings import UserSettings
-from app.views.window.look_choice import look_of
+from app.core.look.theme import Look
+from app.core.widgets.user_settings import UserSettings
+from app.shell.look_choice import look_of
 
 
 @pytest.fixture

@@ -1,0 +1,1 @@
+"""What every feature stands on: the document, playback, commands, jobs, scenes, shared widgets."""

@@ -1,0 +1,1 @@
+"""Colours of tracks and scales: fixed per id, distinct for the colour-blind."""

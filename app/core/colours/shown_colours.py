@@ -1,0 +1,59 @@
+"""A track's colour as it is shown: on a background that would swallow it, another one."""
+
+from __future__ import annotations
+
+import tomllib
+from functools import cache
+from importlib.resources import files
+from typing import Final
+
+from app.core.scenes import Colour
+
+THEMES: Final = ("dark", "light")
+_LEAST_CONTRAST: Final = {"dark": 2.6, "light": 1.9}
+"""Of a line or a bar against its background; dark colours on a dark one need more."""
+_STEP, _MOST_STEPS = 0.05, 12
+
+
+@cache
+def theme_table(theme_name: str) -> dict[str, str]:
+    """The colours of `dark` or `light` as they stand in the resources, by what they are for."""
+    text = (files("resources") / "themes" / f"{theme_name}.toml").read_text(encoding="utf-8")
+    colours: dict[str, str] = tomllib.loads(text)["colours"]
+    return colours
+
+
+@cache
+def readable_colour(theme_name: str, colour: Colour) -> Colour:
+    """The colour, moved towards the text colour until it stands out from the background."""
+    table = theme_table(theme_name)
+    text, background = _rgb(table["text"]), _rgb(table["sunken"])
+    for step in range(_MOST_STEPS + 1):
+        moved = _mixed(colour, text, step * _STEP)
+        if contrast(moved, background) >= _LEAST_CONTRAST[theme_name]:
+            return moved
+    return text
+
+
+def contrast(one: Colour, other: Colour) -> float:
+    """How well two colours are told apart, 1 to 21 [WCAG 2.1, contrast ratio]."""
+    low, high = sorted((_luminance(one), _luminance(other)))
+    return (high + 0.05) / (low + 0.05)
+
+
+def _luminance(colour: Colour) -> float:
+    linear = [
+        part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4
+        for part in (value / 255 for value in colour)
+    ]
+    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+
+
+def _mixed(one: Colour, other: Colour, share: float) -> Colour:
+    red, green, blue = (round(a + share * (b - a)) for a, b in zip(one, other, strict=True))
+    return red, green, blue
+
+
+def _rgb(code: str) -> Colour:
+    """`#rrggbb` as three numbers."""
+    return int(code[1:3], 16), int(code[3:5], 16), int(code[5:7], 16)

@@ -1,0 +1,1 @@
+"""The open recording as one document: session, tracks shown, selection, pending edit."""

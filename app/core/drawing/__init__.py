@@ -1,0 +1,1 @@
+"""Drawing on pictures and the floor: canvas, viewport, and the marks of every scene."""

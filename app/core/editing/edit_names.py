@@ -1,0 +1,87 @@
+"""What edits and their choices are called."""
+
+from __future__ import annotations
+
+from app.core.editing.flow import EditFlow, Fill, Option
+from app.core.editing.kinds import EditKind, EditScope, LongestGap, Way
+from app.core.i18n import tr
+
+
+def title_of(kind: EditKind) -> str:
+    """The title before anything is planned; {a} stands for who it is about."""
+    titles = {
+        EditKind.SWAP: tr("Swap {a} with..."),
+        EditKind.SPLIT: tr("Split {a}"),
+        EditKind.MERGE: tr("Merge into {a}..."),
+        EditKind.REASSIGN: tr("Give {a} to..."),
+        EditKind.DELETE: tr("Delete {a}"),
+        EditKind.DRAW: tr("Draw a box of {a}"),
+        EditKind.MOVE: tr("Move the box of {a}"),
+        EditKind.FLOOR: tr("Move {a} on the floor"),
+        EditKind.INTERPOLATE: tr("Interpolate {a}"),
+        EditKind.FILL: tr("Fill a gap of {a}"),
+        EditKind.FILL_ALL: tr("Fill the gaps of {a}"),
+        EditKind.KEYFRAME: tr("Make a keyframe of {a}"),
+        EditKind.NO_KEYFRAME: tr("Take a keyframe of {a} out"),
+        EditKind.THIN: tr("Make keyframes of {a}"),
+        EditKind.OCCLUDE: tr("Mark {a} as occluded"),
+        EditKind.SHOW: tr("Mark {a} as visible"),
+        EditKind.REVIEW: tr("Mark {a} as reviewed"),
+    }
+    return titles[kind]
+
+
+def question(option: Option) -> str:
+    """What is chosen with an option."""
+    if isinstance(option, EditScope):
+        return tr("How far")
+    if isinstance(option, Fill):
+        return tr("Where neither stands")
+    if isinstance(option, LongestGap):
+        return tr("Gaps of up to")
+    of_merge = option in (Way.KEEP_FIRST, Way.KEEP_SECOND, Way.KEEP_SURER)
+    return tr("Where both stand") if of_merge else tr("How they walk there")
+
+
+def option_name(option: Option, flow: EditFlow) -> str:
+    """One of the things that can be chosen between."""
+    if isinstance(option, EditScope):
+        return _scope_name(option)
+    if isinstance(option, LongestGap):
+        return _length_name(option)
+    others = flow.also or (flow.other,)
+    second = str(others[0]) if len(others) == 1 and others[0] else tr("the other")
+    names: dict[Way | Fill, str] = {
+        Way.KEEP_FIRST: tr("keep {track}", track=flow.track),
+        Way.KEEP_SECOND: tr("keep {track}", track=second),
+        Way.KEEP_SURER: tr("keep the surer"),
+        Way.LINEAR: tr("straight in the picture"),
+        Way.FLOOR: tr("evenly along the floor"),
+        Fill.LEAVE: tr("leave gaps open"),
+        Fill.FILL: tr("fill between them"),
+    }
+    return names[option]
+
+
+def _scope_name(scope: EditScope) -> str:
+    names = {
+        EditScope.ON: tr("from here on"),
+        EditScope.RANGE: tr("this range"),
+        EditScope.FRAME: tr("this frame"),
+        EditScope.WHOLE: tr("the whole track"),
+        EditScope.BETWEEN: tr("between the keyframes"),
+        EditScope.GAP: tr("this gap"),
+        EditScope.JOINED: tr("and the gap beside it"),
+    }
+    return names[scope]
+
+
+def _length_name(longest: LongestGap) -> str:
+    names = {
+        LongestGap.SHORT: tr("half a second"),
+        LongestGap.SECOND: tr("a second"),
+        LongestGap.SECONDS: tr("3 seconds"),
+        LongestGap.LONG: tr("10 seconds"),
+        LongestGap.ANY: tr("any length"),
+    }
+    return names[longest]

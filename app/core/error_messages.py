@@ -1,0 +1,37 @@
+"""What went wrong, in words for the user: the one place where errors become messages."""
+
+from __future__ import annotations
+
+import logging
+
+from app.core.i18n import strip_full_stop, tr
+from tracking.errors import TrackwrightError, told_by_system
+from tracking.session import RecordingMissing
+
+_log = logging.getLogger(__name__)
+_OPTION = " (--"
+"""Begins how what is to be done is said on the command line, which is no help in a window."""
+
+
+def explain(error: BaseException) -> str:
+    """The message for an error.
+
+    Those raised on purpose say what, where and what to do themselves; what the system says of a
+    file is told with what to do. Anything else is a bug of the program: it is logged with where
+    it came from, and the user is told that the edits are safe.
+    """
+    if isinstance(error, RecordingMissing):
+        return error.reason
+    if isinstance(error, TrackwrightError):
+        to_do = error.to_do.partition(_OPTION)[0]
+        return f"{error.reason}; {to_do}" if to_do else error.reason
+    if told := told_by_system(error):
+        _log.warning("unforeseen: %s", told, exc_info=error)
+        return told
+    _log.error("unexpected error", exc_info=error)
+    return tr(
+        "A bug in trackwright: {kind}: {error}. Your edits are safe on disk; save, and start the "
+        "program again if it misbehaves.",
+        kind=type(error).__name__,
+        error=strip_full_stop(str(error)),
+    )

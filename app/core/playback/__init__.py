@@ -1,0 +1,1 @@
+"""The playback clock and the reader of frames."""

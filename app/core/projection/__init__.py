@@ -1,0 +1,1 @@
+"""Places on the floor in the pictures of both cameras, and people as marks there."""

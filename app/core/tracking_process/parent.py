@@ -1,0 +1,136 @@
+"""The parent's end of a tracker in a process of its own."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import subprocess
+import sys
+import threading
+from collections.abc import Iterator
+from pathlib import Path
+
+from app.core.tracking_process.messages import (
+    Kind,
+    receive,
+    unpacked_error,
+    unpacked_notes,
+    unpacked_steps,
+)
+from app.core.tracking_process.request import TrackingRequest
+from tracking.errors import TrackwrightError
+from tracking.trackers import StepResult
+
+_GRACE_S = 3.0
+
+
+class TrackerProcess:
+    """Runs a tracker in a child process.
+
+    `batches` belongs to one thread and waits; `stop` and `kill` may be called from any other one
+    and never wait. The child ends with this process, also where that is killed.
+
+    Attributes:
+        notes: what the user should be told of the tracking, a line each; known at its end.
+    """
+
+    def __init__(self, request: TrackingRequest) -> None:
+        self.notes: tuple[str, ...] = ()
+        self._request = request
+        self._lock = threading.Lock()
+        self._child: subprocess.Popen[bytes] | None = None
+        self._stopping = threading.Event()
+        self._overdue = threading.Timer(_GRACE_S, self.kill)
+
+    @property
+    def pid(self) -> int:
+        """The child's number; 0 before it has begun."""
+        return self._child.pid if self._child is not None else 0
+
+    def batches(self) -> Iterator[tuple[StepResult, ...]]:
+        """Start the child; its results in order, as they come.
+
+        Raises:
+            TrackwrightError: what the tracker told, or the child has died.
+            TrackerBug: anything else that went wrong in the child.
+        """
+        child = self._begin()
+        if child is None:
+            return
+        assert child.stdout is not None
+        try:
+            while (message := receive(child.stdout)) is not None:
+                kind, payload = message
+                if kind is Kind.STEPS:
+                    yield unpacked_steps(payload)
+                elif kind is Kind.ERROR:
+                    raise unpacked_error(payload)
+                elif kind is Kind.NOTES:
+                    self.notes = unpacked_notes(payload)
+                else:
+                    return
+            self._check_death(child)
+        finally:
+            self._end(child)
+
+    def stop(self) -> None:
+        """Ask for the end after the frame in work; who does not obey in time is killed."""
+        with self._lock:
+            if self._stopping.is_set():
+                return
+            self._stopping.set()
+            if self._child is not None and self._child.stdin is not None:
+                with contextlib.suppress(OSError, ValueError):
+                    self._child.stdin.write(b"stop\n")
+                    self._child.stdin.flush()
+                self._overdue.start()
+
+    def kill(self) -> None:
+        """End the child at once; it has nothing to put in order."""
+        with self._lock:
+            self._stopping.set()
+            if self._child is not None:
+                self._child.kill()
+
+    def _begin(self) -> subprocess.Popen[bytes] | None:
+        """The child, at work; None where its end was asked for before it began."""
+        with self._lock:
+            if self._stopping.is_set():
+                return None
+            self._child = _started()
+        assert self._child.stdin is not None
+        with contextlib.suppress(OSError):  # died at once: told when its answers are read
+            self._child.stdin.write(self._request.as_line())
+            self._child.stdin.flush()
+        return self._child
+
+    def _check_death(self, child: subprocess.Popen[bytes]) -> None:
+        if not self._stopping.is_set():
+            raise TrackwrightError(
+                f"the tracker {self._request.tracker} ended by itself (status {child.wait()}), "
+                "perhaps for want of memory; track a shorter range, or again"
+            )
+
+    def _end(self, child: subprocess.Popen[bytes]) -> None:
+        self.kill()
+        self._overdue.cancel()
+        if self._overdue.is_alive():
+            self._overdue.join()
+        child.wait()
+        for pipe in (child.stdin, child.stdout):
+            if pipe is not None:
+                with contextlib.suppress(OSError):
+                    pipe.close()
+
+
+def _started() -> subprocess.Popen[bytes]:
+    """A new interpreter that finds this package, whatever folder it is started in."""
+    root = str(Path(__file__).parents[2])
+    path = os.pathsep.join(filter(None, (root, os.environ.get("PYTHONPATH", ""))))
+    return subprocess.Popen(
+        [sys.executable, "-P", "-m", "app.core.tracking_process.child"],
+        env={**os.environ, "PYTHONPATH": path},
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
+    )

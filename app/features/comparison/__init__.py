@@ -1,0 +1,1 @@
+"""Two versions of the tracks side by side: runs, tracking again, another person's session."""

@@ -1,0 +1,158 @@
+"""Another person's session of the same recording beside the open one."""
+
+from __future__ import annotations
+
+import math
+from contextlib import closing
+from dataclasses import dataclass
+from pathlib import Path
+
+from app.core.colours.track_colours import ColourOf
+from app.core.i18n import span_text, tr
+from app.core.projection.other_people import OtherPeople
+from app.features.comparison.scene import AgreementScene, DisagreementRow
+from tracking.errors import SessionError
+from tracking.progress import Progress
+from tracking.recording import Recording
+from tracking.scoring import Agreement, Disagreement, ScoringTable, agreement
+from tracking.session import RecordingReference, Session
+from tracking.tracks import TrackTable
+
+_STEPS = 4
+_GAP_S = 0.5
+"""Disagreements of the same two tracks that lie closer together are one stretch."""
+
+
+@dataclass(frozen=True, slots=True)
+class OtherSession:
+    """What another person made of the recording, and how far it agrees.
+
+    Attributes:
+        name: of the file. tracks: its corrected tracks. agreement: the open session is a.
+        revision: of the open session's tracks when it was compared.
+    """
+
+    name: str
+    tracks: TrackTable
+    agreement: Agreement
+    revision: int
+
+
+def refuse_other_recording(one: RecordingReference, other: RecordingReference, named: str) -> None:
+    """Two sessions can be compared where they were made from the same sources.
+
+    Args:
+        one, other: what the sessions say of their recordings.
+        named: the other session, as the user knows it.
+
+    Raises:
+        SessionError: the recordings differ.
+    """
+    here = [(part.size_bytes, part.sha256) for part in one.sources], one.frame_count
+    there = [(part.size_bytes, part.sha256) for part in other.sources], other.frame_count
+    if here != there:
+        raise SessionError(
+            f"{named} is of another recording ({_difference(one, other)}); "
+            "choose a session of the same one"
+        )
+
+
+def _difference(one: RecordingReference, other: RecordingReference) -> str:
+    """What tells two recordings apart, which may be called alike."""
+    if other.name != one.name:
+        return f"{other.name}, not {one.name}"
+    if other.frame_count != one.frame_count:
+        return f"{other.frame_count} frames, not {one.frame_count}"
+    return f"{other.name}, too, but its files are others"
+
+
+def read_other(path: Path, own: Session, snapshot: TrackTable, report: Progress) -> OtherSession:
+    """Read another session and compare it; for a thread of its own.
+
+    Args:
+        path: the other session; it is let go again before this returns.
+        own: the open session; only what does not change of it is looked at.
+        snapshot: its tracks.
+
+    Raises:
+        SessionError: it cannot be read, is the open one itself or is of another recording.
+        CancelledError: by `report`.
+    """
+    if own.path is not None and path.resolve() == own.path.resolve():
+        raise SessionError(f"{path.name} is the open session itself; choose another person's")
+    report(0, _STEPS)
+    with closing(Session.open(path)) as session:
+        refuse_other_recording(own.recording, session.recording, path.name)
+        tracks = session.tracks.snapshot()
+    report(1, _STEPS)
+    return OtherSession(
+        path.name, tracks, _compared(own, snapshot, tracks, report), snapshot.revision
+    )
+
+
+def compare_again(
+    other: OtherSession, own: Session, snapshot: TrackTable, report: Progress
+) -> OtherSession:
+    """The same session compared with the open one as it is by now."""
+    found = _compared(own, snapshot, other.tracks, report)
+    return OtherSession(other.name, other.tracks, found, snapshot.revision)
+
+
+def _compared(own: Session, a: TrackTable, b: TrackTable, report: Progress) -> Agreement:
+    table_a = ScoringTable.from_columns(a.columns())
+    report(2, _STEPS)
+    table_b = ScoringTable.from_columns(b.columns())
+    report(3, _STEPS)
+    found = agreement(table_a, table_b, gap=round(_GAP_S * own.recording.fps))
+    report(4, _STEPS)
+    return found
+
+
+class AgreementPresenter:
+    """Makes the scenes of another session beside the open one.
+
+    Attributes:
+        people: the other session's people, each in the colour of who they are taken for.
+    """
+
+    def __init__(self, recording: Recording, other: OtherSession, colour_of: ColourOf) -> None:
+        self._recording, self._colour_of = recording, colour_of
+        self.other = other
+        self._own_of = {b: a for a, b in other.agreement.same}
+        self.people = OtherPeople(recording, other.tracks, self._colour)
+        self._rows = tuple(self._row(one) for one in other.agreement.disagreements)
+
+    def panel(self, revision: int) -> AgreementScene:
+        """The panel; revision: of the open session's tracks now."""
+        found = self.other.agreement
+        figures = tr(
+            "IDF1 {idf1}, kappa {kappa} over {rows} rows",
+            idf1=_share(found.idf1),
+            kappa=_share(found.kappa),
+            rows=found.rows,
+        )
+        return AgreementScene(
+            tr("Compared with {name}", name=self.other.name),
+            figures,
+            self._rows,
+            revision != self.other.revision,
+        )
+
+    def _colour(self, track: int) -> tuple[int, int, int]:
+        return self._colour_of(self._own_of.get(track, track))
+
+    def _row(self, one: Disagreement) -> DisagreementRow:
+        if one.kind == "only a":
+            text = tr("{a} here, nobody there", a=one.track_a)
+        elif one.kind == "only b":
+            text = tr("nobody here, {b} there", b=one.track_b)
+        else:
+            own = self._own_of.get(one.track_b)
+            there = tr("{b} (your {own})", b=one.track_b, own=own) if own else str(one.track_b)
+            text = tr("{a} here, {there} there", a=one.track_a, there=there)
+        first, last = self._recording.time_s(one.start), self._recording.time_s(one.end - 1)
+        return DisagreementRow(text, span_text(first, last), one.start, one.track_a)
+
+
+def _share(value: float) -> str:
+    return "\u2013" if math.isnan(value) else f"{value:.3f}"

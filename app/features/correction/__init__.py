@@ -1,0 +1,1 @@
+"""Correcting tracks: gestures become edits; the panels of the edit and of the track."""

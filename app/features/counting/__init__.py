@@ -1,0 +1,1 @@
+"""Passages over lines, people in regions, the flow map."""

@@ -1,0 +1,137 @@
+"""Counting in the open recording: counters at lines and regions, the panel, the flow map."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import cache, partial
+
+from PySide6.QtCore import QObject, Qt, Signal
+
+from app.core.document.document import Document
+from app.core.i18n import count_text, tr
+from app.core.jobs.latest_job import LatestJob
+from app.core.playback.playback import Playback
+from app.core.tracks.frame_state import FrameState, ViewOptions
+from app.features.counting.presenter import CountingPresenter
+from app.features.counting.subject import (
+    SHOWN,
+    CountResult,
+    CountSubject,
+    Length,
+    capture_rows,
+    count_subject,
+)
+from app.features.labelling.presenter import CountText
+from app.shell.workspace import Workspace
+from tracking.counting import Counts
+from tracking.progress import Progress
+
+Work = Callable[[Progress], CountResult]
+
+
+class CountController(QObject):
+    """Counts in the background what is asked for, and shows it.
+
+    Signals: `changed()`, there are other counts; `said(text)`.
+    """
+
+    changed = Signal()
+    said = Signal(str)
+
+    def __init__(
+        self, document: Document, playback: Playback, workspace: Workspace, parent: QObject
+    ) -> None:
+        super().__init__(parent)
+        self._document, self._workspace = document, workspace
+        self.presenter = CountingPresenter(document)
+        self._search = LatestJob("counting", self._prepare, self)
+        self._search.found.connect(self._take)
+        self._search.failed.connect(self._refuse)
+        self._search.changed.connect(self.changed, Qt.ConnectionType.QueuedConnection)
+        panel = workspace.counting
+        panel.frame_sought.connect(playback.go)
+        panel.picked.connect(self._pick)
+        panel.track_source_chosen.connect(self._choose_track_source)
+        panel.step_chosen.connect(self._choose_step)
+        panel.jitter_chosen.connect(self._choose_jitter)
+        panel.jitter_px_chosen.connect(self._choose_jitter_px)
+        panel.copied.connect(self._tell_copied)
+
+    def close(self) -> None:
+        """End the thread; leave nothing on the views, which outlive the document."""
+        self._search.stop()
+        self._workspace.counting.show_scene(None)
+        self._workspace.overhead.show_flow(None)
+
+    @property
+    def counts(self) -> Counts | None:
+        """What was counted last; None while nothing was."""
+        counted = self.presenter.counted
+        return counted.counts if counted is not None else None
+
+    def work(self) -> Work | None:
+        """Counts the tracks of now anew, on any thread; None where nothing is drawn."""
+        subject = self.presenter.current_subject(mapped=False)
+        return None if subject.is_empty else self._prepare(subject)
+
+    def draw(self, state: FrameState, view_options: ViewOptions) -> None:
+        """Show a frame; what is missing for it is counted."""
+        subject = self.presenter.current_subject(mapped=view_options.flow_map)
+        if view_options.counts or view_options.counting or view_options.flow_map:
+            self._ask(subject)
+        self._workspace.overhead.show_flow(self.presenter.flow() if view_options.flow_map else None)
+        doing = tr("Counting...") if self._search.busy else ""
+        panel = self.presenter.scene(state, doing) if view_options.counting else None
+        self._workspace.counting.show_scene(panel)
+
+    def texts_at(self, state: FrameState, view_options: ViewOptions) -> CountText:
+        """Gives what to write at lines and regions in a frame."""
+        if not view_options.counts:
+            return lambda *_: ""
+        return cache(partial(self.presenter.describe_shape, state))
+
+    def _ask(self, subject: CountSubject) -> None:
+        if not subject.is_empty:
+            self._search.ask(subject)
+
+    def _prepare(self, subject: CountSubject) -> Work:
+        """Takes hold of the tracks; counting them is for another thread."""
+        document = self._document
+        load, recording = capture_rows(document, subject.track_source), document.recording
+        length = Length(recording.fps, recording.frame_count, self.presenter.frames)
+        bounds = document.overhead.bounds
+        return lambda report: count_subject(subject, load, length, bounds, report)
+
+    def _take(self, found: CountResult) -> None:
+        self.presenter.take(found)
+
+    def _refuse(self, subject: CountSubject, error: Exception) -> None:
+        self.presenter.refuse(subject, error)
+
+    # choices
+
+    def _pick(self, is_line: bool, name: str) -> None:
+        self.presenter.pick(is_line, name)
+        self.changed.emit()
+
+    def _choose_track_source(self, number: int) -> None:
+        self.presenter.choice.track_source = number - 1 if number > 0 else SHOWN
+        self.changed.emit()
+
+    def _choose_step(self, step_s: float) -> None:
+        self._settle(step_s=step_s)
+
+    def _choose_jitter(self, jitter_m: float) -> None:
+        self._settle(jitter_m=jitter_m)
+
+    def _choose_jitter_px(self, jitter_px: float) -> None:
+        self._settle(jitter_px=jitter_px)
+
+    def _settle(self, **values: float) -> None:
+        """Count in another way from now on."""
+        self.presenter.choice.settings = replace(self.presenter.choice.settings, **values)
+        self.changed.emit()
+
+    def _tell_copied(self, steps: int) -> None:
+        self.said.emit(count_text(steps, "{n} step copied", "{n} steps copied"))

@@ -1,0 +1,1 @@
+"""Import, export, backups and recovery of sessions: what dialogs show."""

@@ -1,0 +1,1 @@
+"""The log of edits: list, filter, undo of one edit."""

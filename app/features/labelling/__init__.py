@@ -1,0 +1,1 @@
+"""Labels that people draw and say: body parts, occluders, lines, regions, reviewed ranges."""

@@ -1,0 +1,109 @@
+"""Looking for parts that are worth labelling, off the GUI thread."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+
+from PySide6.QtCore import QObject, Signal
+
+from app.core.document.document import Document
+from app.core.error_messages import explain
+from app.core.i18n import tr
+from app.core.jobs.jobs import Job, Progress
+from app.features.labelling.scene import LabellingScene, SuggestedPart, Tool
+from app.features.labelling.suggestion_list import SuggestionQueue
+from app.features.parts.suggestions import suggestions_for
+
+
+class SuggestionSearch(QObject):
+    """Finds suggestions of the open session, once they are asked for.
+
+    Signals: `changed()`, others were found.
+
+    Attributes:
+        queue: what was found. asked: whether anybody asked.
+    """
+
+    changed = Signal()
+
+    def __init__(self, document: Document, parent: QObject) -> None:
+        super().__init__(parent)
+        self.queue = SuggestionQueue()
+        self.asked = False
+        self._document = document
+        self._job: Job | None = None
+        self._problem = ""
+
+    def look(self) -> None:
+        """Look for suggestions in the tracks as they are now."""
+        session = self._document.session
+        self.stop()
+        if session is None:
+            return
+        self.asked = True
+        table, labels, run = session.tracks.snapshot(), session.labels, session.corrected_run
+        fps, detector = self._document.recording.fps, self._document.detector
+
+        def work(_: Progress) -> tuple[SuggestedPart, ...]:
+            return suggestions_for(table, run, labels, fps, detector)
+
+        self._job = Job("suggestions of parts", work, self)
+        self._job.done.connect(self._take)
+        self._job.failed.connect(self._tell)
+        self._job.start()
+
+    def stop(self) -> None:
+        """Ask for none any more; the thread has ended then."""
+        self.asked, self._problem = False, ""
+        self.queue = SuggestionQueue()
+        if self._job is not None:
+            job, self._job = self._job, None
+            job.blockSignals(True)
+            job.cancel()
+            job.wait()
+            job.deleteLater()
+
+    def shown(self, scene: LabellingScene) -> LabellingScene:
+        """The panel's scene with the suggestions, where they are asked for."""
+        session = self._document.session
+        if not self.asked or scene.tool is not Tool.PARTS or session is None:
+            return scene
+        self.queue.take_labels(session.labels.parts)
+        found, place = self.queue.open, self.queue.place
+        return replace(scene, suggestions=found, current=place, doing=self._doing())
+
+    def _doing(self) -> str:
+        if self._job is not None:
+            return tr("Looking where the detector is least sure...")
+        if self._problem or self.queue.open:
+            return self._problem
+        return tr(
+            "Nothing is left to suggest: train the detector (Ctrl+D) with what is labelled, and "
+            "track again with it."
+        )
+
+    def _take(self, found: tuple[SuggestedPart, ...]) -> None:
+        self._drop()
+        session = self._document.session
+        if session is not None:
+            self.queue.take(self._coloured(found), session.labels.parts)
+        self.changed.emit()
+
+    def colour_anew(self) -> None:
+        """Tracks have other colours by now."""
+        self.queue.replace_each(self._coloured)
+
+    def _coloured(self, found: Iterable[SuggestedPart]) -> list[SuggestedPart]:
+        colour_of = self._document.colour_of
+        return [replace(one, colour=colour_of(one.key[1])) for one in found]
+
+    def _tell(self, error: Exception) -> None:
+        self._drop()
+        self._problem = explain(error)
+        self.changed.emit()
+
+    def _drop(self) -> None:
+        if self._job is not None:
+            self._job.deleteLater()
+            self._job = None

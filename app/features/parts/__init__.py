@@ -1,0 +1,1 @@
+"""Body parts that a tracker saw: curves, failures, training of the failure detector."""

@@ -1,0 +1,120 @@
+"""Body parts of the open recording: rectangles, particles, plots, walking failures."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QObject, QRectF, Signal
+
+from app.core.document.document import Document
+from app.core.i18n import tr
+from app.core.playback.playback import Playback
+from app.core.tracks.frame_state import FrameState, ViewOptions
+from app.features.labelling.controller import LabelController
+from app.features.parts.part_views import part_name
+from app.features.parts.presenter import PartsPresenter
+from app.features.parts.scene import Failure, PicturedParts
+from app.shell.workspace import Workspace
+
+_SMALL = 0.25
+"""Of the height of the view: parts of somebody smaller are hard to tell apart."""
+
+
+class Parts(QObject):
+    """Shows the parts that a tracker saw.
+
+    Signals: `changed()`, another person or part is looked at; `said(text)`.
+    """
+
+    changed = Signal()
+    said = Signal(str)
+
+    def __init__(
+        self,
+        document: Document,
+        playback: Playback,
+        workspace: Workspace,
+        labelling: LabelController,
+        parent: QObject,
+    ) -> None:
+        super().__init__(parent)
+        self._document, self._playback = document, playback
+        self._workspace, self._labelling = workspace, labelling
+        self.presenter = PartsPresenter(document, lambda: labelling.part)
+        workspace.curves.frame_sought.connect(playback.go)
+        workspace.left.part_picked.connect(labelling.choose_part)
+
+    def close(self) -> None:
+        """Leave nothing on the views, which outlive the document."""
+        self._workspace.left.show_parts(PicturedParts())
+        self._workspace.curves.show_scene(None)
+
+    def draw(self, state: FrameState, view_options: ViewOptions) -> None:
+        """Show a frame."""
+        labelling, presenter = self._labelling, self.presenter
+        parts = presenter.picture(state, view_options, labelling.shown, labelling.suggested)
+        self._workspace.left.show_parts(parts)
+        curves = presenter.curves(state) if view_options.curves else None
+        self._workspace.curves.show_scene(curves)
+
+    def jump(self, step: int) -> bool:
+        """Go to the next (1) or previous (-1) failure of the selected person, then of others.
+
+        Whether there was one to go to.
+        """
+        if self._document.shows_further_run:
+            self._playback.stay()  # moving shows the session's tracks: look among those
+        frame, track = self._playback.clock.frame, self._document.selection.track
+        failure = self.presenter.next_failure(frame, step)
+        if failure is None:
+            self.said.emit(self._no_failure(step))
+            return False
+        self._playback.pause()
+        self._document.correcting.leave()
+        self._document.selection.choose(failure.track)
+        self._labelling.choose_part(failure.part)
+        self._playback.go(failure.frame)
+        self._come_near(failure)
+        done = self._done_with(track, step) if track not in (0, failure.track) else ""
+        self.said.emit(done + self._told(failure))
+        self.changed.emit()
+        return True
+
+    def _come_near(self, failure: Failure) -> None:
+        """Small people are seen large; of the others all stays as it is, where they are in view."""
+        box, view = self.presenter.person_box(failure.frame, failure.track), self._workspace.left
+        if box is None:
+            return
+        place = view.viewport.rect(QRectF(*box))
+        small = place.height() < _SMALL * view.height()
+        if small or not QRectF(view.rect()).contains(place.center()):
+            view.show_close(QRectF(*box))
+
+    def _told(self, failure: Failure) -> str:
+        who = self._document.label(failure.track).name
+        said = tr("The {part} of {track} begins to fail in frame {frame}")
+        if failure.by_rule:
+            said = tr(
+                "The {part} of {track} begins to fail in frame {frame}, by a rule of the tracker;"
+                " its detector did not see it"
+            )
+        track = f"{failure.track} {who}".rstrip()
+        return said.format(part=part_name(failure.part), track=track, frame=failure.frame)
+
+    def _done_with(self, track: int, step: int) -> str:
+        if step > 0:
+            return tr("No further failure of {track}, on to others. ", track=track)
+        return tr("No earlier failure of {track}, back to others. ", track=track)
+
+    def tell_what_is_missing(self, *, for_one: bool) -> None:
+        """Say why nothing is seen: no parts, or nobody selected for what is one person's."""
+        number = self._playback.number
+        if not (self.presenter.any_tracked or len(self._document.tracks.parts(number)["part"])):
+            self.said.emit(tr("No parts were tracked: track with three-part (Ctrl+T) first"))
+        elif for_one and not self._document.selection:
+            self.said.emit(tr("Click a person to see the particles of their parts"))
+
+    def _no_failure(self, step: int) -> str:
+        if not self.presenter.any_tracked:
+            return tr("No parts were tracked: track with three-part (Ctrl+T) first")
+        if step > 0:
+            return tr("No part of anybody fails after this frame")
+        return tr("No part of anybody fails before this frame")

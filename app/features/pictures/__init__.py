@@ -1,0 +1,1 @@
+"""The pictures of both cameras and the overhead view."""

@@ -1,0 +1,1 @@
+"""The review queue: what may be wrong, decisions, what was watched."""

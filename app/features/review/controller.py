@@ -1,0 +1,393 @@
+"""Reviewing the open recording: review items walked, watched, decided and put right."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Set
+from typing import Any
+
+from PySide6.QtCore import QObject, Signal
+
+from app.core.document.document import Document
+from app.core.editing import EditKind
+from app.core.editing.review_target import find_first_frame
+from app.core.i18n import span_text, tr
+from app.core.playback.playback import Playback
+from app.features.correction.controller import EditController
+from app.features.review.edited_items import EditedItems
+from app.features.review.no_items import empty_words, is_hand_made, waiting_words
+from app.features.review.panel import ReviewPanel
+from app.features.review.presenter import (
+    ReviewQueue,
+    is_fixable,
+    plan_review_verdict,
+    with_fixed_verdict,
+)
+from app.features.review.review_meter import MeterWords
+from app.features.review.review_search import ReviewSearch
+from app.features.review.scene import Order, ReviewScene
+from app.features.review.watched_ranges import WatchedRanges
+from tracking.editing import Change, plan_mark_reviewed, plan_unmark_reviewed
+from tracking.errors import TrackwrightError
+from tracking.review import ReviewItem, ReviewItemKey
+from tracking.session import Session
+from tracking.tracks import Labels, Run, TrackTable
+
+
+class ReviewController(QObject):
+    """The review queue of a document on its panel.
+
+    Signals: `changed()`, what commands can do is another; `failed(error)`; `said(text)`.
+    """
+
+    changed = Signal()
+    failed = Signal(object)
+    said = Signal(str)
+
+    def __init__(
+        self,
+        document: Document,
+        playback: Playback,
+        editing: EditController,
+        panel: ReviewPanel,
+        parent: QObject,
+    ) -> None:
+        super().__init__(parent)
+        recording = document.recording
+        self.queue = ReviewQueue(recording.fps, document.colour_of)
+        self.watching = WatchedRanges(recording.frame_count, recording.fps)
+        self.plays = False
+        self._document, self._playback, self._editing = document, playback, editing
+        self._panel = panel
+        document.correcting.item_looked_at = lambda: self.queue.current
+        self._search = ReviewSearch(self._subject, recording, self)
+        self._looked_at: tuple[Session | None, int, int | None] = None, 0, None
+        self._labels: Labels | None = None
+        self._edited = EditedItems()
+        self._meter: MeterWords | None = None
+        self._marked: tuple[ReviewItem, ...] | None = None
+        self._play_until: int | None = None
+        self._fixing: ReviewItem | None = None
+        self._problem = ""
+        self._hand_made = self._asked = False
+        self._connect()
+
+    def _connect(self) -> None:
+        self._search.found.connect(self._take)
+        self._search.failed.connect(self._tell_problem)
+        self._search.changed.connect(self._show)
+        self._playback.shown.connect(self._watch)
+        self._playback.moved.connect(self._stop_at_the_end)
+        self._panel.item_chosen.connect(self.go_to)
+        self._panel.kind_chosen.connect(self.narrow)
+        self._panel.order_chosen.connect(self._sort_by)
+        self._panel.playing_chosen.connect(self.set_plays)
+        self._panel.search_asked.connect(self.look_through)
+
+    def close(self) -> None:
+        """Look no further, and leave the panel empty."""
+        self._search.blockSignals(True)
+        self._search.stop()
+        self._panel.show_scene(ReviewScene())
+
+    # what there is to look at
+
+    def refresh(self) -> None:
+        """Follow the document: look again where its tracks are others, list what is left."""
+        self._follow_fix()
+        session = self._document.session
+        if session is None:
+            self._search.stop()
+            self._play_until = None
+            self._looked_at, self._labels = (None, 0, None), None
+            self._hand_made = False
+            self.queue.take((), Labels())
+        elif not self._document.is_live:
+            now = (session, session.tracks.revision, session.adopted_run)
+            first = self._looked_at[0] is not session
+            anew = first or self._looked_at[2] != session.adopted_run
+            if now != self._looked_at:
+                self._looked_at, self._problem = now, ""
+                if first:
+                    self._meter = MeterWords(session.labels, session.history)
+                if anew:
+                    self.queue.take((), session.labels)  # the same ids are other people
+                    self._hand_made, self._asked = is_hand_made(session), False
+                if not self._waits:
+                    self._search.look(at_once=anew)
+            before, self._labels = self._labels, session.labels
+            if session.labels is not before:
+                self.queue.take_labels(session.labels)
+            if first or before is None:
+                self._edited.begin(session.history)
+            else:
+                edited = self._document.edited
+                item = self._edited.follow(session.history, self.queue.current_key, edited)
+                undecided = before.verdicts.keys() - session.labels.verdicts.keys()
+                self._return_to(undecided or ({item} if item is not None else set()))
+            self.queue.take_names(
+                {track: label.name for track, label in session.labels.tracks.items()}
+            )
+        self._show()
+
+    @property
+    def _waits(self) -> bool:
+        """No tracker made the tracks: nothing is flagged in them until somebody asks."""
+        return self._hand_made and not self._asked and not self._is_hidden
+
+    def look_through(self) -> None:
+        """Look for what may be wrong also in tracks that no tracker made."""
+        if self._document.session is not None and self._waits:
+            self._asked = True
+            self._search.look(at_once=True)
+            self._show()
+            self.changed.emit()
+
+    def _return_to(self, undecided: Set[ReviewItemKey]) -> None:
+        """A decision or an edit was undone: its item is looked at again; of several none is."""
+        if len(undecided) == 1:
+            (key,) = undecided
+            if self.queue.current_key != key or self.queue.current is None:
+                self.queue.return_to(key)
+                self._select(key[1])
+        elif undecided:
+            self.queue.choose(None)
+
+    def _subject(self) -> tuple[TrackTable, Run | None, Labels]:
+        session = self._document.session
+        assert session is not None
+        adopted = session.adopted_run
+        run = session.runs[adopted] if adopted is not None else None
+        return session.tracks.snapshot(), run, session.labels
+
+    def _take(self, found: tuple[ReviewItem, ...]) -> None:
+        session = self._document.session
+        if session is not None:
+            self.queue.take(found, session.labels, session.tracks)
+            self._show()
+            self.changed.emit()
+
+    def _tell_problem(self, error: Exception) -> None:
+        self._problem = str(error)
+        self._show()
+        self.failed.emit(error)
+
+    # walking the queue
+
+    def walk(self, step: int) -> None:
+        """N (1) or P (-1)."""
+        self._look_at(self.queue.walk(step))
+
+    def go_to(self, key: ReviewItemKey) -> None:
+        """One was clicked."""
+        self._look_at(self.queue.choose(key))
+
+    def narrow(self, kind: str) -> None:
+        """List one kind alone; "" for all."""
+        self.queue.narrow(kind)
+        self._show()
+
+    def _sort_by(self, order: str) -> None:
+        """The panel's choice; connected as a method, as the panel outlives this object."""
+        self.sort(Order(order))
+
+    def sort(self, order: Order) -> None:
+        """List in another order."""
+        self.queue.sort(order)
+        self._show()
+
+    def set_plays(self, plays: bool) -> None:
+        """Whether a stretch is played as soon as it is jumped to."""
+        self.plays = plays
+        self._show()
+        self.changed.emit()
+
+    @property
+    def measures(self) -> bool:
+        """Whether it is told how good the queue is against the truth."""
+        return self._search.measuring
+
+    def set_measures(self, measures: bool) -> None:
+        """Tell how good the queue is against the truth, or tell it no more."""
+        self._search.measure(measures)
+        self._show()
+        self.changed.emit()
+
+    def _look_at(self, review_item: ReviewItem | None) -> None:
+        """Select its people and go to just before it."""
+        if review_item is None:
+            self._show()
+            self.changed.emit()
+            return
+        self._document.correcting.leave()
+        self._select(review_item.tracks)
+        self._playback.pause()
+        self._playback.go(self._start_of(review_item))
+        if self.plays:
+            self.play()
+        self._editing.changed.emit()
+
+    def _start_of(self, review_item: ReviewItem) -> int:
+        """Where watching it starts: just before it, with its people in sight."""
+        session = self._document.session
+        return (
+            review_item.start if session is None else find_first_frame(review_item, session.tracks)
+        )
+
+    def _select(self, tracks: tuple[int, ...]) -> None:
+        selection = self._document.selection
+        selection.choose(0)
+        for track in tracks:
+            if track in self._document.tracks.ids:
+                selection.add(track)
+
+    def play(self) -> None:
+        """Play the stretch of the current review item, from its start to its end."""
+        current = self.queue.current
+        if current is None:
+            return
+        self._playback.go(self._start_of(current))
+        if not self._playback.clock.playing:
+            self._playback.toggle()
+        self._play_until = current.end
+
+    def _stop_at_the_end(self) -> None:
+        clock = self._playback.clock
+        if self._play_until is None:
+            return
+        if not clock.playing:
+            self._play_until = None
+        elif clock.frame >= self._play_until - 1:
+            self._play_until = None
+            self._playback.pause()
+
+    def _watch(self) -> None:
+        self.watching.saw(self._playback.number)
+
+    # deciding
+
+    def decide(self, decision: str) -> None:
+        """Say "right" or "dismissed" of the current review item and go to the next one."""
+        current, session = self.queue.current, self._document.session
+        if current is None or session is None:
+            return
+        labels = session.labels
+        if self._do(lambda: plan_review_verdict(current, decision, labels)):
+            self.walk(1)
+
+    def fix(self) -> None:
+        """Begin the edit that would put the current review item right; Enter does it."""
+        current = self.queue.current
+        if current is None or not is_fixable(current):
+            return
+        self._playback.pause()
+        self._select(current.tracks)
+        self._playback.go(current.frame)
+        self._editing.begin(EditKind(current.fix))
+        self._fixing = current
+        self._document.settle = lambda change, labels: with_fixed_verdict(change, current, labels)
+
+    def _follow_fix(self) -> None:
+        """An edit that is left, or another one, settles nothing."""
+        fixing, flow = self._fixing, self._document.flow
+        if fixing is None or (flow is not None and flow.kind is EditKind(fixing.fix)):
+            return
+        self._fixing, self._document.settle = None, None
+
+    # what is reviewed
+
+    def mark_watched(self, everybody: bool = False) -> None:
+        """Mark the stretch just watched as reviewed, for who is selected or for everybody."""
+        session, (start, end) = self._document.session, self.watching.stretch
+        if session is None or end <= start:
+            return
+        labels, tracks = session.labels, (0,) if everybody else self._document.selection.all
+        self._do(lambda: plan_mark_reviewed(labels, tracks, start, end, session.tracks))
+
+    def unmark_watched(self) -> None:
+        """Take back that the stretch just watched was reviewed, for who is selected or for all."""
+        session, (start, end) = self._document.session, self.watching.stretch
+        if session is None or end <= start:
+            return
+        labels, tracks = session.labels, self._document.selection.all or (0,)
+        self._do(lambda: plan_unmark_reviewed(labels, tracks, start, end))
+
+    def _do(self, plan: Callable[[], Change]) -> bool:
+        """Plan and make an edit of labels; whether that was done."""
+        try:
+            change = plan()
+            self._document.apply(change)
+        except TrackwrightError as error:
+            self.failed.emit(error)
+            return False
+        self.said.emit(tr("Done: {what}", what=change.text))
+        self._editing.changed.emit()
+        return True
+
+    # what is shown
+
+    @property
+    def _is_hidden(self) -> bool:
+        """What is left is of the session's tracks, and those of a tracker at work are shown."""
+        return self._document.is_live
+
+    @property
+    def command_context(self) -> dict[str, Any]:
+        """What the commands of reviewing depend on."""
+        current = None if self._is_hidden else self.queue.current
+        return {
+            "review_items": bool(self.queue.items) and not self._is_hidden,
+            "review_item": current is not None,
+            "fixable": current is not None and is_fixable(current),
+            "watched": self.watching.stretch[1] > 0,
+            "unflagged": self._waits,
+        }
+
+    def _show(self) -> None:
+        left = () if self._is_hidden else self.queue.open
+        if self._marked is not left:
+            self._marked = left
+            self._document.take_review_items(self.queue.marks() if left else ())
+        self._panel.show_scene(self._scene())
+
+    def _scene(self) -> ReviewScene:
+        current = self.queue.current
+        title, text = self._empty_words()
+        if self._is_hidden:
+            return ReviewScene(order=self.queue.order, plays=self.plays, title=title, text=text)
+        return ReviewScene(
+            items=self.queue.items,
+            current=self.queue.place,
+            left=len(self.queue.open),
+            kinds=self.queue.kinds(),
+            kind=self.queue.kind,
+            order=self.queue.order,
+            plays=self.plays,
+            also=self._also(current) if current is not None else "",
+            doing=self._search.doing,
+            title=title,
+            text=text,
+            meter=self._meter_text(),
+            waits=self._waits,
+        )
+
+    def _also(self, review_item: ReviewItem) -> str:
+        """What there is to watch, from a little before, and further reasons."""
+        fps = self._document.recording.fps
+        span = span_text(self._start_of(review_item) / fps, (review_item.end - 1) / fps)
+        return "; ".join((tr("Watch {span}", span=span), *review_item.others))
+
+    def _meter_text(self) -> str:
+        session = self._document.session
+        if session is None or self._meter is None:
+            return ""
+        done = self._meter.text(session.labels, session.history, self.watching.minutes)
+        return "\n".join(line for line in (done, self._search.measures) if line)
+
+    def _empty_words(self) -> tuple[str, str]:
+        """What is said where nothing is listed."""
+        session = self._document.session
+        if session is not None and self._waits:
+            return waiting_words(session)
+        if self._search.doing:
+            return "", ""
+        return empty_words(session, live=self._is_hidden, problem=self._problem)

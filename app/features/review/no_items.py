@@ -1,0 +1,58 @@
+"""What the review queue says where it lists nothing, and whether it was looked for at all."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from app.core.i18n import tr
+from tracking.session import IMPORTED, Session
+
+_NO_TRACKERS = (0.0, 1.0)
+"""Confidences in ground truth: a row counts or does not. Trackers are sure to any degree."""
+_LOOKS = 20_000
+"""About so many rows tell it, evenly spread: millions would hold the window up as it opens."""
+
+
+def is_hand_made(session: Session) -> bool:
+    """Whether a session's tracks are labels, of its own or imported, and no tracker's result.
+
+    Imported tracks are a tracker's where they say how sure it was of each row.
+    """
+    run = session.corrected_run
+    if run is None or run.tracker != IMPORTED:
+        return run is None
+    confidence = run.tracks["confidence"]
+    some = confidence[:: max(1, len(confidence) // _LOOKS)]
+    return bool(np.isin(some, _NO_TRACKERS).all())
+
+
+def waiting_words(session: Session) -> tuple[str, str]:
+    """What is said of tracks made by hand until somebody asks: a title, and a text."""
+    imported = session.adopted_run is not None
+    title = tr("Imported labels") if imported else tr("Labelled by hand")
+    return title, tr("Nothing is flagged in tracks that no tracker made, unless you ask for it.")
+
+
+def empty_words(session: Session | None, *, live: bool, problem: str) -> tuple[str, str]:
+    """What is said where nothing is listed: a title, "" for none, and a text.
+
+    Args:
+        live: the tracks of a tracker at work are shown. problem: why nothing could be found.
+    """
+    if session is None:
+        return "", tr(
+            "What may be wrong is listed here once the recording is tracked, or labelled by "
+            "hand: W or Ins draws a person."
+        )
+    if live:
+        return "", tr("What may be wrong is looked for once the tracker is done.")
+    if problem:
+        return tr("Not looked through"), problem
+    if not session.tracks.track_ids:
+        return tr("Nobody is tracked"), tr(
+            "There is nothing to review. Track again with other settings, or correct another "
+            "run: Ctrl+R lists them. W or Ins draws a person."
+        )
+    return tr("Nothing left to look at"), tr(
+        "Every review item is decided. Watch what is not reviewed yet, or score the tracks."
+    )

@@ -1,0 +1,236 @@
+"""The review queue: which review items are left, which one is looked at, what comes next."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Final
+
+from app.core.colours.track_colours import ColourOf
+from app.core.i18n import time_text, tr
+from app.core.scenes import MarkKind, TimelineMark
+from app.features.review.scene import Order, ReviewKind, ReviewPerson, ReviewRow
+from tracking.editing import Change, plan_verdict, with_verdict
+from tracking.review import ReviewItem, ReviewItemKey, filter_undecided, rank
+from tracking.tracks import Labels, TrackTable, Verdict
+
+_KINDS: Final = {
+    "exchange": "Likely swap",
+    "turn": "Ways change over",
+    "crossing": "Ways cross",
+    "shared": "Seen as one",
+    "lost": "Lost and found",
+    "ended": "Ends midway",
+    "begun": "Begins midway",
+    "colour": "Colours change",
+    "height": "Height changes",
+    "jump": "Jumps",
+    "reversal": "Turns back",
+    "predicted": "Long out of sight",
+    "drift": "Goes on unseen",
+    "margin": "Close choice",
+    "spread": "Particles spread",
+    "split": "Particles split",
+    "part": "Part failed",
+}
+_FIXES: Final = frozenset({"swap", "split", "merge", "delete"})
+"""Edits that can be begun for a review item; others can only be looked at."""
+
+
+def kind_title(kind: str) -> str:
+    """A kind of review item in words."""
+    known = _KINDS.get(kind)
+    return tr(known) if known else kind.replace("_", " ").capitalize()
+
+
+def is_fixable(item: ReviewItem) -> bool:
+    """Whether an edit is known that would put it right."""
+    return item.fix in _FIXES
+
+
+class ReviewQueue:
+    """Review items less those that are decided, walked one after the other.
+
+    The current one is kept by its key, so that it stays the same where the list is found anew.
+    """
+
+    def __init__(self, fps: float, colour_of: ColourOf) -> None:
+        self.kind = ""
+        self.order = Order.WORTH
+        self._fps, self._colour_of = fps, colour_of
+        self._found: tuple[ReviewItem, ...] = ()
+        self._open: tuple[ReviewItem, ...] = ()
+        self._shown: tuple[ReviewItem, ...] = ()
+        self._current: ReviewItemKey | None = None
+        self._returns_to: ReviewItemKey | None = None
+        self._last_place = 0
+        self._table: TrackTable | None = None
+        self._names: Mapping[int, str] = {}
+        self._items: tuple[ReviewRow, ...] = ()
+
+    @property
+    def open(self) -> tuple[ReviewItem, ...]:
+        """All that are left, of every kind, the most worth looking at first."""
+        return self._open
+
+    @property
+    def items(self) -> tuple[ReviewRow, ...]:
+        """Those of the chosen kind in the chosen order, as the panel lists them."""
+        return self._items
+
+    @property
+    def current(self) -> ReviewItem | None:
+        """The one that is looked at."""
+        place = self.place
+        return self._shown[place] if place >= 0 else None
+
+    @property
+    def place(self) -> int:
+        """Where the current one stands in the list; -1: none is looked at."""
+        keys = [item.key for item in self._shown]
+        return keys.index(self._current) if self._current in keys else -1
+
+    @property
+    def current_key(self) -> ReviewItemKey | None:
+        """The key of the one looked at last, also where it is not listed any more."""
+        return self._current
+
+    def take(
+        self, found: Sequence[ReviewItem], labels: Labels, table: TrackTable | None = None
+    ) -> None:
+        """Take what was found in a table, less what people have decided or reviewed."""
+        self._found, self._table = tuple(found), table
+        self.take_labels(labels)
+        if self._returns_to is not None:
+            self.return_to(self._returns_to)
+            self._returns_to = None
+
+    def take_labels(self, labels: Labels) -> None:
+        """Take what people have decided by now."""
+        self._open = filter_undecided(self._found, labels, self._fps, self._table)
+        self._list()
+
+    def take_names(self, names: Mapping[int, str]) -> None:
+        """Take what people are called."""
+        if names != self._names:
+            self._names = dict(names)
+            self._list()
+
+    def narrow(self, kind: str) -> None:
+        """List one kind alone; "" for all."""
+        self.kind = kind
+        self._list()
+
+    def sort(self, order: Order) -> None:
+        """List in another order."""
+        self.order = order
+        self._list()
+
+    def choose(self, key: ReviewItemKey | None) -> ReviewItem | None:
+        """Look at one of the list; None: at none."""
+        self._current, self._returns_to = key, None
+        self._last_place = self.place if self.place >= 0 else self._last_place
+        return self.current
+
+    def return_to(self, key: ReviewItemKey) -> ReviewItem | None:
+        """Look again at one that was edited away, also where another kind alone is listed.
+
+        Found anew meanwhile it may lie a little beside the frame it was at, or go by another kind
+        where another reason is the strongest now: it is looked for again in what is taken next.
+        None where it is still to be found.
+        """
+        near = [
+            one
+            for one in self._open
+            if one.tracks == key[1] and abs(one.frame - key[2]) <= self._fps
+        ]
+        found = min(
+            near, key=lambda one: (one.kind != key[0], abs(one.frame - key[2])), default=None
+        )
+        if found is not None and self.kind not in ("", found.kind):
+            self.narrow("")
+        back = self.choose(key if found is None else found.key)
+        self._returns_to = key
+        return back
+
+    def walk(self, step: int) -> ReviewItem | None:
+        """Go to the next (1) or the previous (-1) one; around at the ends, None where all is done.
+
+        Where the one that was looked at is decided by now, the next one is what took its place.
+        """
+        if not self._shown:
+            return None
+        place, count = self.place, len(self._shown)
+        if place >= 0:
+            following = (place + step) % count
+        else:
+            following = min(self._last_place, count - 1) if step > 0 else self._last_place - 1
+        return self.choose(self._shown[following].key)
+
+    def kinds(self) -> tuple[ReviewKind, ...]:
+        """The kinds there are, with how many are left of each."""
+        counts: dict[str, int] = {}
+        for item in self._open:
+            counts[item.kind] = counts.get(item.kind, 0) + 1
+        titled = [ReviewKind(kind, kind_title(kind), n) for kind, n in counts.items()]
+        return tuple(sorted(titled, key=lambda one: one.title))
+
+    def marks(self) -> tuple[TimelineMark, ...]:
+        """What is left as marks of the timeline, one a person."""
+        return tuple(
+            TimelineMark(
+                MarkKind.REVIEW_ITEM, one.frame, track, f"{kind_title(one.kind)}: {one.text}"
+            )
+            for one in self._open
+            for track in one.tracks
+        )
+
+    def colour_anew(self) -> None:
+        """Tracks have other colours by now."""
+        self._list()
+
+    def _list(self) -> None:
+        if self.kind not in {item.kind for item in self._open}:
+            self.kind = ""
+        wanted = [one for one in self._open if self.kind in ("", one.kind)]
+        self._shown = rank(wanted, self.order.value)
+        self._items = tuple(self._item(item) for item in self._shown)
+
+    def _item(self, item: ReviewItem) -> ReviewRow:
+        return ReviewRow(
+            key=item.key,
+            title=kind_title(item.kind),
+            people=tuple(
+                ReviewPerson(
+                    track, f"{track} {self._names.get(track, '')}".rstrip(), self._colour_of(track)
+                )
+                for track in item.tracks
+            ),
+            frame=item.frame,
+            when=time_text(item.frame / self._fps),
+            why=item.text,
+            others=item.others,
+            likelihood=item.likelihood,
+        )
+
+
+def plan_review_verdict(item: ReviewItem, decision: str, labels: Labels) -> Change:
+    """The change that keeps what a person decided about a review item.
+
+    Raises:
+        EditError: that was said already.
+    """
+    return plan_verdict(labels, _verdict(item, decision), _named(item))
+
+
+def with_fixed_verdict(change: Change, item: ReviewItem, labels: Labels) -> Change:
+    """The edit that puts a review item right, with the verdict that it did: undone together."""
+    return with_verdict(change, labels, _verdict(item, "fixed"))
+
+
+def _verdict(item: ReviewItem, decision: str) -> Verdict:
+    return Verdict(item.kind, item.tracks, item.frame, decision)
+
+
+def _named(item: ReviewItem) -> str:
+    who = ", ".join(str(track) for track in item.tracks)
+    return f"{kind_title(item.kind)} {who} in frame {item.frame}"

@@ -1,0 +1,147 @@
+"""Looking for review items off the GUI thread: a moment after the last edit, the newest wins."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from PySide6.QtCore import QObject, QTimer, Signal
+
+from app.core.i18n import tr
+from app.core.jobs.jobs import Job, Progress
+from app.features.review.review_meter import measure_queue, measures_text
+from tracking.recording import Recording
+from tracking.review import ReviewItemFinder
+from tracking.tracks import Labels, Run, TrackTable
+
+Subject = tuple[TrackTable, Run | None, Labels]
+"""The tracks to look through, the run they come from, the labels."""
+
+_QUIET_MS = 200
+
+
+class ReviewSearch(QObject):
+    """Finds review items in the background; asked for again meanwhile, it begins anew.
+
+    Signals: `found(items)`, a tuple; `changed()`, `doing` or `measures` is another;
+    `failed(error)`.
+
+    Attributes:
+        doing: what goes on, in words; "" at rest.
+        measuring: whether what is found is measured against the truth, where there is one.
+        measures: how good it is, in words; "" where that is not asked, or without a truth.
+    """
+
+    found = Signal(object)
+    changed = Signal()
+    failed = Signal(object)
+
+    def __init__(
+        self, subject: Callable[[], Subject], recording: Recording, parent: QObject
+    ) -> None:
+        """`subject` is asked when a search begins, for a copy that nobody changes."""
+        super().__init__(parent)
+        self.doing = self.measures = ""
+        self.measuring = False
+        self._subject = subject
+        self._recording = recording
+        self._finder = ReviewItemFinder()
+        self._job: Job | None = None
+        self._again = False
+        self._found: tuple[object, TrackTable] | None = None
+        self._waiting = QTimer(self, singleShot=True, interval=_QUIET_MS)
+        self._waiting.timeout.connect(self._begin)
+
+    @property
+    def busy(self) -> bool:
+        """Whether it looks, or is about to."""
+        return self._job is not None or self._waiting.isActive()
+
+    def look(self, at_once: bool = False) -> None:
+        """Look through the tracks as they are by then, once nothing was asked for a moment."""
+        if self._job is not None:
+            self._again = True
+            self._job.cancel()
+        self._waiting.start(0 if at_once else _QUIET_MS)
+
+    def measure(self, asked: bool) -> None:
+        """Measure what is found from now on, and what was found last; or no more."""
+        self.measuring = asked
+        if not asked:
+            self._tell(self.doing, "")
+        elif self._job is None and self._found is not None:
+            self._measure(*self._found)
+
+    def stop(self) -> None:
+        """Look no further; nothing is found any more of what was asked."""
+        self._waiting.stop()
+        self._again = False
+        if self._job is not None:
+            job, self._job = self._job, None
+            job.blockSignals(True)
+            job.cancel()
+            job.wait()
+            job.deleteLater()
+        self._found, self._finder = None, ReviewItemFinder()
+        self._tell("", "")
+
+    def _begin(self) -> None:
+        if self._job is not None:
+            return  # it begins when the one at work has let go
+        self._again = False
+        table, run, labels = self._subject()
+        recording, lookout = self._recording, self._finder
+
+        def find(progress: Progress) -> object:
+            view, size = recording.view, recording.size
+            return lookout.find(table, run, recording.fps, labels, view, progress, size=size)
+
+        self._tell(tr("Looking for what may be wrong..."), self.measures)
+        self._start(find, lambda found: self._take(found, table))
+
+    def _start(self, work: Callable[[Progress], object], done: Callable[[Any], None]) -> None:
+        job = Job("review_items", work, self)
+        job.progressed.connect(self._show)
+        job.done.connect(lambda result: self._end(lambda: done(result)))
+        job.failed.connect(lambda error: self._end(lambda: self.failed.emit(error)))
+        job.cancelled.connect(lambda: self._end(lambda: None))
+        self._job = job
+        job.start()
+
+    def _take(self, found: Any, table: TrackTable) -> None:
+        """Tell what was found; then, where that is asked, measure how good it is."""
+        self._found = found, table
+        self.found.emit(found)
+        if self.measuring:
+            self._measure(found, table)
+
+    def _measure(self, found: Any, table: TrackTable) -> None:
+        """Measure what was found against the truth beside the recording, if there is one."""
+        recording = self._recording
+        if recording.truth_path is not None:
+            self._start(
+                lambda _: measures_text(measure_queue(found, table, recording)),
+                lambda text: self._tell("", text if self.measuring else ""),
+            )
+
+    def _show(self, done: int, total: int) -> None:
+        if total > 0 and self._job is not None:
+            share = 100 * done // total
+            words = tr("Looking for what may be wrong... {share} %", share=share)
+            self._tell(words, self.measures)
+
+    def _end(self, tell: Callable[[], None]) -> None:
+        if self._job is not None:
+            self._job.deleteLater()
+            self._job = None
+        if self._again:
+            if not self._waiting.isActive():
+                self._begin()
+            return
+        self._tell("", self.measures)
+        tell()
+
+    def _tell(self, doing: str, measures: str) -> None:
+        if (doing, measures) != (self.doing, self.measures):
+            self.doing, self.measures = doing, measures
+            self.changed.emit()

@@ -1,0 +1,1 @@
+"""Trackers at work and the runs of a session."""

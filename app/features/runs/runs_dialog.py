@@ -1,0 +1,308 @@
+"""The session's runs: what made them, how they score, and any two compared."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from PySide6.QtCore import QItemSelectionModel, Qt, Signal
+from PySide6.QtGui import QCloseEvent
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QCheckBox,
+    QDialog,
+    QHBoxLayout,
+    QHeaderView,
+    QPushButton,
+    QTableWidget,
+    QTableWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.core.error_messages import explain
+from app.core.i18n import tr
+from app.core.jobs.jobs import Job
+from app.core.widgets.parts import quiet
+from app.features.runs.presenter import CORRECTED, RUN_FIGURES, RunList, RunRow, RunsScene
+from app.features.scoring.figures import Figure
+from tracking.scoring import Score
+
+_FIGURES = len(RUN_FIGURES)
+"""Columns that only a truth fills, the last ones."""
+_MOST_ROWS = 10  # that are seen without scrolling
+_NUMBERS = _FIGURES + 1
+"""Columns that hold numbers, the last ones."""
+_LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+
+
+class RunsDialog(QDialog):
+    """Lists the runs; figures come in the background where there is a truth.
+
+    Signals:
+        compare_asked(int, int): a run with another one, or with `CORRECTED`.
+        correct_asked(int): have this run's tracks be the ones to correct.
+        drop_asked(int): forget the last run.
+    """
+
+    compare_asked = Signal(int, int)
+    correct_asked = Signal(int)
+    drop_asked = Signal(int)
+
+    def __init__(self, runs: RunList, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.setWindowTitle(self.tr("Runs"))
+        self._runs = runs
+        self._scene = runs.scene()
+        self._job: Job | None = None
+        self._table = self._build_table()
+        self._about = quiet("", self)
+        self._about.setWordWrap(True)
+        rows = QVBoxLayout(self)
+        rows.setContentsMargins(20, 20, 20, 16)
+        rows.setSpacing(12)
+        rows.addWidget(self._table, 1)
+        rows.addLayout(self._build_frames())
+        rows.addWidget(self._about)
+        rows.addLayout(self._build_buttons())
+        self._show(self._scene)
+        line = self.fontMetrics().height()
+        self.resize(min(84 * line, self.screen().availableGeometry().width() - 2 * line), 22 * line)
+        self._table.setFocus()  # arrow keys choose, Enter compares
+        if self._scene.scored:
+            self._score()
+
+    def _build_table(self) -> QTableWidget:
+        titles = [
+            self.tr("Tracks"),
+            self.tr("Tracker"),
+            self.tr("Settings changed"),
+            self.tr("Frames"),
+            self.tr("Made"),
+            self.tr("People"),
+            *map(_title, RUN_FIGURES),
+        ]
+        told = {_title(figure): tr(figure.hint) for figure in RUN_FIGURES}
+        told[self.tr("People")] = self.tr("In the frames that are scored")
+        table = QTableWidget(0, len(titles), self)
+        for column, title in enumerate(titles):
+            heading = QTableWidgetItem(title)
+            heading.setTextAlignment(_RIGHT if column >= len(titles) - _NUMBERS else _LEFT)
+            heading.setToolTip(told.get(title, ""))
+            table.setHorizontalHeaderItem(column, heading)
+        table.setAccessibleName(self.tr("Runs of this session"))
+        table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        table.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
+        table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        table.setShowGrid(False)
+        table.setTabKeyNavigation(False)
+        table.verticalHeader().hide()
+        table.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        table.horizontalHeader().setSectionResizeMode(2, QHeaderView.ResizeMode.Stretch)
+        table.horizontalHeader().setHighlightSections(False)
+        table.itemSelectionChanged.connect(self._enable)
+        return table
+
+    def _build_frames(self) -> QVBoxLayout:
+        """Over which frames the rows are scored."""
+        self._share = QCheckBox(self)
+        self._share.setChecked(self._runs.shared)
+        self._share.toggled.connect(self._share_frames)
+        self._over = quiet("", self)
+        self._over.setWordWrap(True)
+        column = QVBoxLayout()
+        column.setSpacing(4)
+        column.addWidget(self._share)
+        column.addWidget(self._over)
+        return column
+
+    def _build_buttons(self) -> QHBoxLayout:
+        self._compare = QPushButton(self.tr("Compare"), self)
+        self._compare.setProperty("primary", True)
+        self._compare.setDefault(True)
+        self._compare.clicked.connect(self._ask_compare)
+        self._correct = QPushButton(self.tr("Correct this run"), self)
+        self._correct.setAutoDefault(False)
+        self._correct.clicked.connect(self._ask_correct)
+        self._drop = QPushButton(self.tr("Drop the last run"), self)
+        self._drop.setAutoDefault(False)
+        self._drop.clicked.connect(self._ask_drop)
+        close = QPushButton(self.tr("Close"), self)
+        close.setAutoDefault(False)
+        close.clicked.connect(self.reject)
+        line = QHBoxLayout()
+        line.addWidget(self._drop)
+        line.addStretch(1)
+        line.addWidget(close)
+        line.addWidget(self._correct)
+        line.addWidget(self._compare)
+        return line
+
+    @property
+    def chosen(self) -> list[int]:
+        """The numbers of the rows that are selected, from above."""
+        rows = sorted({index.row() for index in self._table.selectedIndexes()})
+        return [self._scene.rows[row].number for row in rows]
+
+    def choose(self, *numbers: int) -> None:
+        """Select some rows by number."""
+        self._table.clearSelection()
+        no_change = QItemSelectionModel.SelectionFlag.NoUpdate
+        for row, shown in enumerate(self._scene.rows):
+            if shown.number in numbers:
+                model = self._table.model()
+                whole = QItemSelectionModel.SelectionFlag.Select
+                whole |= QItemSelectionModel.SelectionFlag.Rows
+                selection = self._table.selectionModel()
+                selection.setCurrentIndex(model.index(row, 0), no_change)
+                selection.select(model.index(row, 0), whole)
+
+    def _show(self, scene: RunsScene) -> None:
+        chosen = self.chosen if self._table.rowCount() else []
+        self._scene = scene
+        self._table.setRowCount(len(scene.rows))
+        for row, shown in enumerate(scene.rows):
+            for column, text in enumerate(_texts(shown)):
+                item = QTableWidgetItem(text)
+                item.setToolTip(text if column else "\n".join(filter(None, (text, shown.notes))))
+                if column >= self._table.columnCount() - _NUMBERS:
+                    item.setTextAlignment(_RIGHT)
+                self._table.setItem(row, column, item)
+        self._table.setMinimumHeight(self._height_of(min(len(scene.rows), _MOST_ROWS)))
+        for column in range(self._table.columnCount() - _FIGURES, self._table.columnCount()):
+            self._table.setColumnHidden(column, not scene.scored)
+        self._drop.setVisible(scene.can_drop)
+        for widget, text in ((self._share, scene.share_text), (self._over, scene.over)):
+            widget.setText(text)
+            widget.setVisible(bool(text))
+        self.choose(*(chosen or ([scene.proposed] if scene.proposed != CORRECTED else [])))
+        self._enable()
+
+    def _height_of(self, rows: int) -> int:
+        """So many rows, and the headings above, without a scroll bar."""
+        head, frame = self._table.horizontalHeader(), 2 * self._table.frameWidth()
+        return (
+            head.sizeHint().height()
+            + rows * self._table.verticalHeader().defaultSectionSize()
+            + self._table.horizontalScrollBar().sizeHint().height()  # on a narrow screen
+            + frame
+        )
+
+    def _enable(self) -> None:
+        """What can be compared: one run with the corrected tracks, or two of the rows."""
+        chosen = self.chosen
+        runs = [number for number in chosen if number != CORRECTED]
+        why_not = {row.number: row.why_not_compared for row in self._scene.rows}
+        said = why_not[runs[0]] if len(runs) == 1 and len(chosen) <= 2 else ""
+        self._compare.setEnabled(len(chosen) in (1, 2) and bool(runs) and not said)
+        self._compare.setToolTip(said)
+        if len(runs) == 2:
+            text = self.tr("Compares the two runs; stretches can be taken from either.")
+        elif runs and len(chosen) <= 2:
+            text = said or self.tr("Compares the run with the corrected tracks.")
+        else:
+            text = self.tr("Select a run, or two of them with Ctrl, to compare.")
+        self._about.setText(text)
+        self._enable_correcting(chosen)
+
+    def _enable_correcting(self, chosen: list[int]) -> None:
+        why_not = {row.number: row.why_not_corrected for row in self._scene.rows}
+        said = why_not[chosen[0]] if len(chosen) == 1 else self.tr("Select one run to correct it.")
+        self._correct.setEnabled(not said)
+        self._correct.setToolTip(
+            said
+            or self.tr(
+                "From then on you correct its tracks. If you have edited already, or it has fewer"
+                " frames, you first see what would change, and take that as one edit."
+            )
+        )
+
+    def _ask_correct(self) -> None:
+        number = self.chosen[0]
+        self.accept()
+        self.correct_asked.emit(number)
+
+    def _share_frames(self, shared: bool) -> None:
+        """Score anew, over other frames."""
+        self._runs.shared = shared
+        self._runs.take({})
+        self._show(self._runs.scene())
+        self._score()
+
+    def _ask_compare(self) -> None:
+        chosen = self.chosen
+        runs = [number for number in chosen if number != CORRECTED]
+        if runs:
+            self.accept()
+            self.compare_asked.emit(runs[-1], runs[0] if len(runs) == 2 else CORRECTED)
+
+    def _ask_drop(self) -> None:
+        self.drop_asked.emit(self._scene.rows[-1].number)
+        self._show(self._runs.scene())
+
+    # figures
+
+    def _score(self) -> None:
+        work = self._runs.scoring()
+        job = Job("scoring the runs", work, self)
+        job.done.connect(self._take)
+        job.failed.connect(lambda error: self._end(explain(error)))
+        job.cancelled.connect(self._end)
+        self._job = job
+        self._about.setText(self.tr("Scoring..."))
+        self._share.setEnabled(False)
+        job.start()
+
+    def _take(self, figures: Mapping[int, Score]) -> None:
+        self._runs.take(figures)
+        self._end()
+        self._show(self._runs.scene())
+
+    def _end(self, said: str = "") -> None:
+        if self._job is not None:
+            self._job.deleteLater()
+            self._job = None
+        self._share.setEnabled(True)
+        self._enable()
+        if said:
+            self._about.setText(said)
+
+    def done(self, result: int) -> None:
+        """Score no further."""
+        self._stop()
+        super().done(result)
+
+    def closeEvent(self, event: QCloseEvent) -> None:  # noqa: N802 - Qt's name
+        """Score no further."""
+        self._stop()
+        super().closeEvent(event)
+
+    def _stop(self) -> None:
+        if self._job is not None:
+            job, self._job = self._job, None
+            job.blockSignals(True)
+            job.cancel()
+            job.wait()
+
+
+def _title(figure: Figure) -> str:
+    """Its name, short enough for a column."""
+    short = {
+        "People kept": tr("Kept"),
+        "False alarms": tr("False"),
+        "Floor error (median)": tr("Floor error"),
+    }
+    return short.get(figure.name) or tr(figure.name)
+
+
+def _texts(row: RunRow) -> tuple[str, ...]:
+    return (
+        row.name,
+        row.tracker,
+        row.settings,
+        row.frames,
+        row.made,
+        row.people,
+        *(row.figures or ("",) * _FIGURES),
+    )

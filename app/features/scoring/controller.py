@@ -1,0 +1,200 @@
+"""Scoring: truth over the views, errors on the timeline, the panel of figures."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Qt, Signal
+
+from app.core.document.document import Document
+from app.core.i18n import tr
+from app.core.jobs.latest_job import LatestJob
+from app.core.playback.playback import Playback
+from app.core.plots.axis import TimeAxis
+from app.core.scenes import Side
+from app.core.tracks.frame_state import FrameState, ViewOptions
+from app.features.counting.subject import SHOWN
+from app.features.scoring.presenter import ScoringPresenter
+from app.features.scoring.scene import NO_TRUTH
+from app.features.scoring.subject import ScoreResult, ScoreSubject, score_subject
+from app.shell.workspace import Workspace
+from tracking.errors import TrackwrightError
+from tracking.formats import TRACK_ENDINGS
+from tracking.progress import Progress
+from tracking.scoring import ErrorKind
+
+_TRUTHS = "Tracks ({endings})"
+
+
+class ScoreController(QObject):
+    """Scores in the background what is asked for, and shows it.
+
+    Signals: `changed()`, there is another score; `truth_asked(filters)`, a file with the ground
+    truth is to be chosen, and `choose_file` gets it; `failed(error)`; `said(text)`.
+    """
+
+    changed = Signal()
+    failed = Signal(object)
+    said = Signal(str)
+    truth_asked = Signal(str)
+
+    def __init__(
+        self, document: Document, playback: Playback, workspace: Workspace, parent: QObject
+    ) -> None:
+        super().__init__(parent)
+        self._document, self._playback, self._workspace = document, playback, workspace
+        self.presenter = ScoringPresenter(document)
+        self._on = False
+        self._search = LatestJob("scoring", self._prepare, self)
+        self._search.found.connect(self.presenter.take)
+        self._search.failed.connect(self.presenter.refuse)
+        self._search.changed.connect(self.changed, Qt.ConnectionType.QueuedConnection)
+        self._connect(workspace)
+
+    def _connect(self, workspace: Workspace) -> None:
+        panel, errors = workspace.score, workspace.timeline.errors
+        panel.truth_chosen.connect(self._choose_truth)
+        panel.result_chosen.connect(self._choose_result)
+        panel.floor_chosen.connect(self._choose_way)
+        panel.threshold_chosen.connect(self._choose_threshold)
+        panel.kind_shown.connect(self._choose_kind)
+        panel.next_asked.connect(self.walk)
+        errors.frame_sought.connect(self._playback.go)
+        errors.event_sought.connect(self._go)
+        workspace.timeline.area.stretch.changed.connect(self._show_range)
+
+    def close(self) -> None:
+        """End the thread; leave nothing on the views, which outlive the document."""
+        self._search.stop()
+        self._workspace.score.show_scene(None)
+        self._show_nothing()
+
+    @property
+    def known(self) -> bool:
+        """Whether there are errors to be walked through."""
+        return self.presenter.scored is not None
+
+    # drawing
+
+    def draw(self, state: FrameState, view_options: ViewOptions, cameras: str) -> None:
+        """Show a frame; what is missing for it is scored."""
+        self._on = view_options.score or view_options.truth
+        doing = tr("Scoring...") if self._ask() and self._search.busy else ""
+        self._workspace.score.show_scene(
+            self.presenter.scene(doing) if view_options.score else None
+        )
+        if self._on:
+            self._draw_truth(state, view_options, cameras)
+        else:
+            self._show_nothing()
+
+    def _ask(self) -> bool:
+        """Have scored what is wanted; whether there is anything to be."""
+        subject = self.presenter.current_subject() if self._on else None
+        if subject is not None:
+            self._search.ask(subject)
+        return subject is not None
+
+    def _draw_truth(self, state: FrameState, view_options: ViewOptions, cameras: str) -> None:
+        view, people = self._workspace, self.presenter.people
+        shown = people is not None and view_options.truth
+        left, floor = NO_TRUTH
+        right = left
+        if people is not None and shown:
+            left, floor = people.picture(Side.LEFT, state), people.floor(state)
+            left = replace(left, floor_tells=view.overhead.shows_floor)
+            right = people.picture(Side.RIGHT, state) if cameras == "both" else right
+        view.left.show_truth(left)
+        view.right.show_truth(right)
+        view.overhead.show_truth(floor)
+        view.timeline.errors.show_scene(self.presenter.lanes())
+
+    def _show_nothing(self) -> None:
+        view, (picture, floor) = self._workspace, NO_TRUTH
+        view.left.show_truth(picture)
+        view.right.show_truth(picture)
+        view.overhead.show_truth(floor)
+        view.timeline.errors.show_scene(None)
+
+    def _prepare(self, subject: ScoreSubject) -> Callable[[Progress], ScoreResult]:
+        """Takes hold of the tracks; scoring them is for another thread."""
+        given, before = self.presenter.capture(subject), self.presenter.scored
+        return lambda report: score_subject(subject, before, given, report)
+
+    # walking
+
+    def walk(self, step: int) -> None:
+        """Go to the next error (1) or the one before (-1), of the kinds that are shown."""
+        events, frame = self.presenter.events, self._playback.clock.frame
+        if events is None:
+            self.said.emit(tr("Nothing is scored yet: choose a truth (Shift+S)"))
+            return
+        there = events.next_start(frame, step)
+        if there is None:
+            word = tr("after") if step > 0 else tr("before")
+            self.said.emit(tr("No error {where} this frame", where=word))
+            return
+        beginning = events.beginning_at(there)
+        self.said.emit("; ".join(beginning.words()))
+        self._go(there, beginning.tracks)
+
+    def _go(self, frame: int, tracks: Sequence[int]) -> None:
+        """Show a frame, and select whom of the result it is about."""
+        live = self._document.is_live
+        self._playback.pause()
+        self._playback.go(frame)
+        if self._document.is_live is not live:  # the session's are shown again, others than scored
+            self.said.emit(tr("Your own tracks are in view again: Shift+L shows the new ones"))
+            tracks = ()
+        there = [track for track in tracks if track in self._document.tracks.ids]
+        if there and self._document.flow is None and self.presenter.track_source == SHOWN:
+            self._document.selection.choose_all(there)
+        self.changed.emit()
+
+    # choices
+
+    def ask_truth(self) -> None:
+        """Ask for a file with the truth."""
+        endings = " ".join(f"*{each}" for each in TRACK_ENDINGS)
+        known = tr(_TRUTHS).format(endings=endings)
+        self.truth_asked.emit(known)
+
+    def choose_file(self, path: Path) -> None:
+        """Take a file as truth."""
+        try:
+            self.presenter.choose_file(path)
+        except TrackwrightError as error:
+            self.failed.emit(error)
+        self.changed.emit()
+
+    def _choose_truth(self, number: int) -> None:
+        sources = self.presenter.sources
+        if number < len(sources):
+            self.presenter.choice.source = sources[number]
+        else:
+            self.ask_truth()
+        self.changed.emit()
+
+    def _choose_result(self, number: int) -> None:
+        self.presenter.choice.track_source = number - 1 if number > 0 else SHOWN
+        self.changed.emit()
+
+    def _choose_way(self, on_floor: bool) -> None:
+        self.presenter.choose_floor(on_floor)
+        self.changed.emit()
+
+    def _choose_threshold(self, value: float) -> None:
+        self.presenter.choose_threshold(value)
+        self.changed.emit()
+
+    def _choose_kind(self, kind: ErrorKind, shown: bool) -> None:
+        self.presenter.show_kind(kind, shown)
+        self.changed.emit()
+
+    def _show_range(self, axis: TimeAxis) -> None:
+        """The timeline shows other frames."""
+        first = int(axis.start)
+        self.presenter.visible = (first, max(first + 1, round(axis.start + axis.frames)))
+        self._ask()

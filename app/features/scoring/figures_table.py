@@ -1,0 +1,173 @@
+"""The figures of a score: over all frames, over those shown, and how the last edits moved them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from PySide6.QtCore import QEvent, Qt
+from PySide6.QtGui import QColor, QResizeEvent
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QHeaderView,
+    QTableWidget,
+    QTableWidgetItem,
+    QWidget,
+)
+
+from app.core.look.theme import current_theme
+from app.core.widgets.table_cells import write_cell
+from app.features.scoring.scene import ScoreRow, ScoreScene
+
+_COLUMNS, _MOST_GROUPS = 4, 3
+_WIDEST, _WIDEST_MOVE = "100.0%", "\u25b2 +88.888"
+_PAD_PX, _TIGHT_PAD_PX = 28, 22
+"""Beside a figure; tight where three stand side by side."""
+
+
+class FiguresTable(QTableWidget):
+    """Draws the rows of a :class:`ScoreScene`, in groups side by side where it is too low.
+
+    A group has the columns name, all frames, frames shown and last edits; where there are several,
+    names and titles are short, and of a move there is the arrow; three have no room for the frames
+    shown, and for arrows only where names have theirs. Tooltips say it in full.
+    """
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(0, _COLUMNS, parent)
+        self._scene: ScoreScene | None = None
+        self._rows: tuple[ScoreRow, ...] = ()
+        self.setAccessibleName(self.tr("Score"))
+        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.setShowGrid(False)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.verticalHeader().hide()
+        line = self.fontMetrics().height() + 2
+        self.verticalHeader().setMinimumSectionSize(line)
+        self.verticalHeader().setDefaultSectionSize(line)
+        self.horizontalHeader().setHighlightSections(False)
+        self._title()
+
+    @property
+    def groups(self) -> int:
+        """How many figures stand side by side."""
+        return self.columnCount() // _COLUMNS
+
+    def show_scene(self, scene: ScoreScene) -> None:
+        """Show other figures; only those that are others are written."""
+        self._scene = scene
+        if len(scene.rows) != len(self._rows):
+            self._rows = ()
+            self._arrange(len(scene.rows))
+        self._tell_frames()
+        for number, row in enumerate(scene.rows):
+            if number >= len(self._rows) or self._rows[number] != row:
+                self._write(number, row)
+        self._rows = scene.rows
+        self._give_names_room(scene.rows)
+
+    # arranging
+
+    def _arrange(self, figures: int) -> bool:
+        """As few groups as the height allows; whether there are others than before."""
+        room = self.height() - self.horizontalHeader().sizeHint().height() - 2
+        fitting = max(1, room // self.verticalHeader().defaultSectionSize())
+        groups = min(_MOST_GROUPS, max(1, math.ceil(figures / fitting)))
+        lines = math.ceil(figures / groups)
+        if (groups, lines) == (self.groups, self.rowCount()):
+            return False
+        self.setRowCount(0)
+        self.setColumnCount(groups * _COLUMNS)
+        self.setRowCount(lines)
+        self._title()
+        return True
+
+    def _title(self) -> None:
+        """Titles and widths of the columns."""
+        full = (
+            self.tr("Figure"),
+            self.tr("All frames"),
+            self.tr("Frames shown"),
+            self.tr("Last edits"),
+        )
+        narrow = self.groups > 1
+        names = ("", self.tr("All"), self.tr("Shown"), "") if narrow else full
+        widest = (_WIDEST, _WIDEST, "\u25b2" if narrow else _WIDEST_MOVE)
+        header, width = self.horizontalHeader(), self.fontMetrics().horizontalAdvance
+        for column in range(self.columnCount()):
+            part = column % _COLUMNS
+            item = QTableWidgetItem(names[part])
+            side = Qt.AlignmentFlag.AlignRight if part else Qt.AlignmentFlag.AlignLeft
+            item.setTextAlignment(side | Qt.AlignmentFlag.AlignVCenter)
+            item.setToolTip(full[part])
+            self.setHorizontalHeaderItem(column, item)
+            mode = QHeaderView.ResizeMode
+            header.setSectionResizeMode(column, mode.Interactive if part else mode.Stretch)
+            self.setColumnHidden(column, part == 2 and self.groups == _MOST_GROUPS)
+            if part:
+                px = max(width(names[part]), width(widest[part - 1]))
+                tight = self.groups == _MOST_GROUPS
+                self.setColumnWidth(column, px + (_TIGHT_PAD_PX if tight else _PAD_PX))
+
+    def _tell_frames(self) -> None:
+        scene = self._scene
+        if scene is None:
+            return
+        for column in range(self.columnCount()):
+            item, part = self.horizontalHeaderItem(column), column % _COLUMNS
+            frames = ("", scene.whole, scene.visible, scene.moved)[part]
+            if item is not None and frames:
+                item.setToolTip(self.tr("frames {0}").format(frames) if part < 3 else frames)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802 - Qt's name
+        """All figures stay in sight."""
+        super().resizeEvent(event)
+        if self._rows and self._arrange(len(self._rows)):
+            self._tell_frames()
+            for number, row in enumerate(self._rows):
+                self._write(number, row)
+        self._give_names_room(self._rows)
+
+    def _give_names_room(self, rows: Sequence[ScoreRow]) -> None:
+        """Three figures side by side: rather no arrows, which tooltips tell, than cut names."""
+        if self.groups < _MOST_GROUPS:
+            return
+        letters = self.fontMetrics().horizontalAdvance
+        arrow = letters("\u25b2") + _TIGHT_PAD_PX  # a hidden column has no width
+        widest = max((letters(row.short or row.name) for row in rows), default=0) + _TIGHT_PAD_PX
+        each = self.viewport().width() // self.groups - self.columnWidth(1)
+        for group in range(self.groups):
+            self.setColumnHidden(group * _COLUMNS + 3, each - arrow < widest)
+
+    # writing
+
+    def _write(self, number: int, row: ScoreRow) -> None:
+        group, line = divmod(number, max(1, self.rowCount()))
+        first, narrow = group * _COLUMNS, self.groups > 1
+        name, moved = (row.short or row.name, row.moved[:1]) if narrow else (row.name, row.moved)
+        hint = row.hint
+        if narrow:
+            shown = self.tr("{0} in the frames shown").format(row.visible)
+            hint = "\n".join(filter(None, (row.name, row.hint, shown, row.moved)))
+        for part, text in enumerate((name, row.whole, row.visible, moved)):
+            item = write_cell(self, line, first + part, text, hint)
+            if part == 0:
+                item.setTextAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
+                item.setData(Qt.ItemDataRole.AccessibleTextRole, row.name)
+        item.setForeground(_colour(row.better))
+        said = {1: self.tr("better"), -1: self.tr("worse")}.get(row.better, "")
+        item.setData(Qt.ItemDataRole.AccessibleTextRole, f"{row.moved} {said}".strip())
+
+    def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
+        """Follow the theme."""
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange:
+            for number, row in enumerate(self._rows):
+                self._write(number, row)
+
+
+def _colour(better: int) -> QColor:
+    theme = current_theme()
+    return {1: theme.good, -1: theme.danger}.get(better, theme.text_muted)

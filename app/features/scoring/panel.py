@@ -1,0 +1,226 @@
+"""The panel of the score: the truth, how rows are paired, the figures, the kinds of errors."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QEvent, Signal
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import (
+    QBoxLayout,
+    QComboBox,
+    QHBoxLayout,
+    QLabel,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.core.look.icons import IconButton
+from app.core.widgets.eliding_list import ElidingList
+from app.core.widgets.number_boxes import NumberBox, tell_beside
+from app.core.widgets.parts import Panel, quiet
+from app.features.scoring.figures_table import FiguresTable
+from app.features.scoring.scene import ERROR_COLOURS, ErrorChoice, ScoreScene
+from app.features.timeline.error_signs import sign_icon
+from tracking.scoring import ErrorKind
+
+_LEAST, _WIDEST_M = 0.05, 10.0
+_ONE_LINE_LETTERS = 84
+"""A panel so wide asks for truth, result and pairing in one line."""
+
+
+class ScorePanel(Panel):
+    """Draws a :class:`ScoreScene`; hidden without one.
+
+    Signals:
+        closed(): the button at the right. report_asked(): a report for others.
+        truth_chosen(int), result_chosen(int): of the lists.
+        floor_chosen(bool): by distance on the floor. threshold_chosen(float): overlap or metres.
+        kind_shown(object, bool): a kind of error is to be shown or not.
+        next_asked(int): 1 the next error, -1 the one before.
+    """
+
+    closed = Signal()
+    report_asked = Signal()
+    truth_chosen = Signal(int)
+    result_chosen = Signal(int)
+    floor_chosen = Signal(bool)
+    threshold_chosen = Signal(float)
+    kind_shown = Signal(object, bool)
+    next_asked = Signal(int)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(self.tr("Score"), parent)
+        self._lists: dict[QComboBox, tuple[str, ...]] = {}
+        self._doing = quiet("", self)
+        self.add_to_heading(self._doing)
+        self._add_buttons()
+        self.table = FiguresTable(self)
+        self._message = self._words("muted")
+        self._moved = self._words("muted")
+        self._notes = self._words("muted")
+        self._kinds: dict[ErrorKind, QToolButton] = {}
+        body = QVBoxLayout()
+        body.setSpacing(6)
+        # Side by side where there is room: figures are what the panel is for.
+        self._asked = QBoxLayout(QBoxLayout.Direction.TopToBottom)
+        self._asked.setSpacing(6)
+        self._asked.addLayout(self._choice(), 11)
+        self._asked.addLayout(self._pairing(), 10)
+        body.addLayout(self._asked)
+        for widget in (self._message, self._notes):
+            body.addWidget(widget)
+        body.addWidget(self.table, 1)
+        body.addWidget(self._moved)
+        body.addLayout(self._errors())
+        self.layout_body(body)
+        self.hide()
+
+    def _words(self, role: str) -> QLabel:
+        label = quiet("", self, role)
+        label.setWordWrap(True)
+        return label
+
+    def _add_buttons(self) -> None:
+        for drawing, name, key, step in (
+            ("step-back", self.tr("Previous error"), "Shift+F4", -1),
+            ("step-forward", self.tr("Next error"), "F4", 1),
+        ):
+            button = IconButton(drawing, name, key, self)
+            button.clicked.connect(lambda _=False, step=step: self.next_asked.emit(step))
+            self.add_to_heading(button)
+        self._report = QToolButton(self)
+        self._report.setText(self.tr("Report..."))
+        self._report.setToolTip(self.tr("Write a page with all results into a folder, to pass on"))
+        self._report.setProperty("outlined", True)
+        self._report.clicked.connect(self.report_asked)
+        self.add_to_heading(self._report)
+        close = IconButton("close", self.tr("Hide the score"), "Shift+S", self)
+        close.clicked.connect(self.closed)
+        self.add_to_heading(close)
+
+    def _choice(self) -> QHBoxLayout:
+        """Which truth, and whose tracks."""
+        line = QHBoxLayout()
+        line.setSpacing(6)
+        self._truth = ElidingList(self.tr("The truth"), self)
+        self._truth.activated.connect(self.truth_chosen)
+        self._result = ElidingList(self.tr("Whose tracks are scored"), self)
+        self._result.activated.connect(self.result_chosen)
+        line.addWidget(quiet(self.tr("Truth"), self))
+        line.addWidget(self._truth, 6)
+        line.addWidget(quiet(self.tr("Result"), self))
+        line.addWidget(self._result, 5)
+        return line
+
+    def _pairing(self) -> QHBoxLayout:
+        """How a row of the truth and one of the result are one person."""
+        line = QHBoxLayout()
+        line.setSpacing(6)
+        self._way = ElidingList(self.tr("How truth and result are paired"), self)
+        self._way.addItems([self.tr("Boxes that overlap"), self.tr("Places on the floor")])
+        self._way.activated.connect(lambda at: self.floor_chosen.emit(at == 1))
+        self._threshold = NumberBox(self)
+        tell_beside(self._threshold)
+        self._threshold.setDecimals(2)
+        self._threshold.setSingleStep(0.05)
+        self._threshold.setKeyboardTracking(False)
+        self._threshold.setAccessibleName(
+            self.tr("From where on two boxes or places count as one person")
+        )
+        self._threshold.valueChanged.connect(self.threshold_chosen)
+        line.addWidget(quiet(self.tr("Paired by"), self))
+        line.addWidget(self._way, 1)
+        line.addWidget(self._threshold)
+        return line
+
+    def _errors(self) -> QHBoxLayout:
+        """A button for each kind, with its sign: on, it is shown and walked through."""
+        line = QHBoxLayout()
+        line.setSpacing(4)
+        for kind in ERROR_COLOURS:
+            button = QToolButton(self)
+            button.setCheckable(True)
+            button.setProperty("outlined", True)
+            button.setToolButtonStyle(button.toolButtonStyle().ToolButtonTextBesideIcon)
+            button.setIcon(sign_icon(kind))
+            button.toggled.connect(lambda on, kind=kind: self.kind_shown.emit(kind, on))
+            self._kinds[kind] = button
+            line.addWidget(button)
+        line.addStretch(1)
+        return line
+
+    # showing
+
+    def show_scene(self, scene: ScoreScene | None) -> None:
+        """Show another score, or nothing at all."""
+        self.setVisible(scene is not None)
+        if scene is None:
+            return
+        self._doing.setText(scene.doing)
+        self._fill(self._truth, scene.truths, scene.truth)
+        self._fill(self._result, scene.results, scene.result)
+        self._way.setCurrentIndex(int(scene.on_floor))
+        self._show_threshold(scene)
+        self._say(self._message, scene.message)
+        self._say(self._notes, "\n".join(scene.notes))
+        self._say(self._moved, scene.moved)
+        self.table.setVisible(bool(scene.rows))
+        self._report.setEnabled(bool(scene.rows))
+        self.table.show_scene(scene)
+        for choice in scene.errors:
+            self._show_kind(choice)
+
+    def _fill(self, chooser: QComboBox, texts: tuple[str, ...], current: int) -> None:
+        if self._lists.get(chooser) != texts:
+            self._lists[chooser] = texts
+            chooser.clear()
+            chooser.addItems(list(texts))
+        chooser.setCurrentIndex(current)
+
+    def _show_threshold(self, scene: ScoreScene) -> None:
+        spin = self._threshold
+        blocked = spin.blockSignals(True)
+        spin.setRange(_LEAST, _WIDEST_M if scene.on_floor else 1.0)
+        spin.setSuffix(" m" if scene.on_floor else " IoU")
+        spin.setToolTip(
+            self.tr("Places farther apart than this are of different people")
+            if scene.on_floor
+            else self.tr(
+                "Boxes that overlap less than this (intersection over union) are of "
+                "different people"
+            )
+        )
+        if not spin.hasFocus():
+            spin.setValue(scene.threshold)
+        spin.blockSignals(blocked)
+
+    def _show_kind(self, choice: ErrorChoice) -> None:
+        button = self._kinds[choice.kind]
+        number = str(choice.count) if choice.count >= 0 else ""
+        blocked = button.blockSignals(True)
+        button.setText(f"{choice.name} {number}".strip())
+        button.setChecked(choice.shown)
+        button.blockSignals(blocked)
+        said = self.tr("shown") if choice.shown else self.tr("left out")
+        button.setAccessibleName(f"{choice.name} {number}, {said}")
+        told = self.tr("{0}: on the timeline, and with F4 from one to the next")
+        button.setToolTip(told.format(choice.name))
+
+    @staticmethod
+    def _say(label: QLabel, text: str) -> None:
+        label.setText(text)
+        label.setVisible(bool(text))
+
+    def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802 - Qt's name
+        """What is asked takes as few lines as it can."""
+        super().resizeEvent(event)
+        wide = self.width() >= _ONE_LINE_LETTERS * self.fontMetrics().averageCharWidth()
+        way = QBoxLayout.Direction
+        self._asked.setDirection(way.LeftToRight if wide else way.TopToBottom)
+
+    def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
+        """Follow the theme."""
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange:
+            for kind, button in getattr(self, "_kinds", {}).items():
+                button.setIcon(sign_icon(kind))

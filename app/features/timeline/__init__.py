@@ -1,0 +1,1 @@
+"""The timeline: a lane a track, errors, an overview of the recording."""

@@ -1,1 +1,0 @@
-"""Other versions of the tracks beside the corrected ones: runs, and other sessions."""

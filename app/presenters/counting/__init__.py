@@ -1,1 +1,0 @@
-"""Counting people in the open recording: what is counted, and what the views show of it."""

@@ -1,1 +1,0 @@
-"""Documents opened, kept, exported; backups; the first page."""

@@ -1,1 +1,0 @@
-"""Labelling: which tool is at work, and what people drew and said."""

@@ -1,1 +1,0 @@
-"""What is drawn on the pictures of both cameras and on the floor from above."""

@@ -1,1 +1,0 @@
-"""Which frame is now."""

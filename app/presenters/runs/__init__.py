@@ -1,1 +1,0 @@
-"""The runs of a session, and the tracker at work, in words."""

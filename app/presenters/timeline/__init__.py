@@ -1,1 +1,0 @@
-"""The lanes of the timeline."""

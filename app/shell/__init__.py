@@ -1,0 +1,1 @@
+"""The window: it composes the features, and opens, saves and closes documents."""

@@ -1,0 +1,62 @@
+"""Tracking again from a corrected frame on, and the runs there are by then."""
+
+from __future__ import annotations
+
+from app.core.i18n import tr
+from app.features.runs.presenter import CORRECTED, RunList
+from app.features.runs.runs_dialog import RunsDialog
+from app.features.runs.track_dialog import TrackDialog
+from app.shell.recording_controller import RecordingController
+from tracking.errors import TrackwrightError
+
+
+def ask_again(controller: RecordingController) -> None:
+    """Ask from where on, and with what, the recording is tracked again.
+
+    Proposed are the range that is set, else all from the playhead on, with the tracker and the
+    settings of the run that was corrected; with a tracker of parts and the failure detector that
+    was chosen since, where one was.
+    """
+    session, recording = controller.document.session, controller.document.recording
+    if session is None:
+        return
+    told = tr(
+        "People keep the ids they have before the first frame. Nothing that was corrected or "
+        "reviewed is overwritten, and you see all changes before they are made."
+    )
+    run = session.corrected_run
+    tracker = controller.tracking.propose_tracker
+    asked = controller.document.parts_asked
+    dialog = TrackDialog(recording, tracker, told, controller.window_page, asked)
+    dialog.setWindowTitle(tr("Track again"))
+    if run is not None and run.tracker == tracker:
+        dialog.put_settings(run.tracker, run.settings, run.seed)
+    start, end = controller.document.correcting.marked or (
+        controller.playback.clock.frame,
+        recording.frame_count,
+    )
+    dialog.put_frames(start, end - 1)
+    dialog.accepted.connect(lambda: _begin(controller, dialog))
+    dialog.open()
+
+
+def _begin(controller: RecordingController, dialog: TrackDialog) -> None:
+    try:
+        controller.tracking.track_again(*dialog.answer())
+    except TrackwrightError as error:
+        controller.failed.emit(error)
+
+
+def show_runs(controller: RecordingController) -> None:
+    """List the session's runs, to be compared."""
+    session = controller.document.session
+    if session is None:
+        return
+    runs = RunList(session, controller.document.recording, live=controller.document.at_work)
+    dialog = RunsDialog(runs, controller.window_page)
+    dialog.compare_asked.connect(
+        lambda run, base: controller.comparing.open(run, None if base == CORRECTED else base)
+    )
+    dialog.correct_asked.connect(controller.comparing.correct)
+    dialog.drop_asked.connect(controller.comparing.drop_run)
+    dialog.open()

@@ -1,0 +1,327 @@
+"""The open document's way from disk and back: open, save, export, close."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, QTimer, QUrl, Signal
+
+from app.core.document import document_loader
+from app.core.document.document_loader import OpenedDocument
+from app.core.i18n import tr
+from app.core.memory import give_back
+from app.core.scenes import WelcomeScene
+from app.core.tracks.frame_state import parse_view_options
+from app.core.widgets.literal import literal_title
+from app.core.widgets.questions import choose_file
+from app.core.widgets.user_settings import UserSettings
+from app.core.widgets.work import Work
+from app.features.files import left_behind
+from app.features.files.demonstration import Demonstration
+from app.features.files.first_page import first_page
+from app.features.files.track_import import holds_tracks_alone
+from app.features.runs.run_summary import list_tracking_notes
+from app.features.runs.track_dialog import TrackDialog
+from app.shell.author import Author
+from app.shell.backup_controller import BackupController
+from app.shell.close_prompts import ClosePrompts, Then
+from app.shell.detectors import Detectors
+from app.shell.export_controller import ExportController
+from app.shell.import_controller import ImportController
+from app.shell.open_recovery import OpenRecovery
+from app.shell.recording_controller import RecordingController
+from app.shell.result_storage import ResultStorage
+from app.shell.save_controller import SaveController
+from app.shell.sessions_beside import SessionsBeside
+from app.shell.whereabouts import Whereabouts
+from tracking.recording import OpenOptions
+from tracking.session import Session
+
+if TYPE_CHECKING:
+    from app.shell.main_window import MainWindow
+
+_OPENABLE = "Recordings and sessions (recording.toml *.h5 *.mp4 *.avi *.mkv *.mov *.ts *.m4v)"
+GIVE_BACK_MS = 500
+"""After a recording is closed: by then jobs that were stopped have let their arrays go."""
+
+
+class Files(QObject):
+    """Opens recordings and sessions in the window, saves and closes them.
+
+    Signals: `changed()`, another document, title or save state; `progressed()`, the tracker at
+    work is further; `failed(error)`; `said(text)`.
+    """
+
+    changed = Signal()
+    progressed = Signal()
+    failed = Signal(object)
+    said = Signal(str)
+
+    def __init__(self, window: MainWindow, work: Work, remembered: UserSettings) -> None:
+        super().__init__(window)
+        self._window = window
+        self._work = work
+        self._remembered = remembered
+        self.open_recovery = OpenRecovery(self, window, work)
+        self.open_recovery.failed.connect(self.failed)
+        self._whereabouts = Whereabouts(remembered, self)
+        self._greeting = ""
+        self._leaving = ClosePrompts(self, window)
+        self.controller: RecordingController | None = None
+        self.author = Author(window, remembered, self)
+        self.exporting = ExportController(window, work, self)
+        self.exporting.said.connect(self.said)
+        self.importing = ImportController(window, work, self)
+        self.importing.said.connect(self.said)
+        self.importing.failed.connect(self.failed)
+        self.detectors = Detectors(window, work, remembered, self)
+        self.detectors.changed.connect(self.changed)
+        self.detectors.failed.connect(self.failed)
+        self.detectors.said.connect(self.said)
+        self.backups = BackupController(window, work, self)
+        self.backups.said.connect(self.said)
+        self.backups.changed.connect(self.changed)
+        self.beside = SessionsBeside(window, work, self)
+        self.keeping = ResultStorage(window, work, self)
+        self.keeping.changed.connect(self.changed)
+        self.saving = SaveController(self, window, work, remembered)
+        self.saving.changed.connect(self.changed)
+        self.saving.failed.connect(self.failed)
+        self.saving.said.connect(self.said)
+
+    # opening
+
+    def ask_open(self) -> None:
+        """Ask for a file."""
+        last = self._remembered.last_folder("open")
+        choose_file(self._window, tr("Open"), tr(_OPENABLE), self.open_path, last)
+
+    def ask_open_folder(self) -> None:
+        """Ask for a folder: a recording, or pictures."""
+        last = self._remembered.last_folder("open")
+        choose_file(self._window, tr("Open folder"), "", self.open_path, last, folder=True)
+
+    def open_dropped(self, urls: Sequence[QUrl]) -> None:
+        """Open the first of some files that were dropped; tracks go into the recording shown."""
+        paths = [Path(url.toLocalFile()) for url in urls if url.isLocalFile()]
+        if paths and self.controller is not None and holds_tracks_alone(paths[0]):
+            self.importing.read_dropped(paths[0])
+        elif paths:
+            self.open_path(paths[0])
+
+    def open_path(
+        self,
+        path: Path,
+        recording: Path | None = None,
+        options: OpenOptions | None = None,
+        *,
+        play: bool = False,
+        save_at: Path | None = None,
+    ) -> None:
+        """Open a recording or a session; what is open stays where the other one does not open.
+
+        Args:
+            path: what to open.
+            recording: where a session's recording is by now.
+            options: what a bare recording does not say of itself.
+            play: play at once, and track what has no tracks yet.
+            save_at: the place that is proposed for the session; beside the recording if None.
+        """
+        self._window.workspace.take_typed()
+        asks = self._leaving.asks()
+        self.open_recovery.begin_opening(path)
+        if not asks:
+            self._remembered.note_closed()  # what crashes as it opens is not opened again unasked
+
+        def show(opened: OpenedDocument) -> None:
+            if asks:  # it does open: only now is it worth asking what becomes of the other one
+                opened.close()
+                if self.may_leave(again):
+                    again()
+                return
+            self._show(opened, from_start=play)
+            self.saving.proposed = save_at
+            if play and self.controller is not None:
+                self.controller.toggle()
+
+        again = partial(self.open_path, path, recording, options, play=play, save_at=save_at)
+        work = partial(left_behind.open_with_unsaved, path, recording, options)
+        self._work.run(tr("Opening {name}", name=path.name), work, show)
+
+    def open_demo(self) -> None:
+        """Make the built-in recording where it is not there yet, and play it."""
+        demo = Demonstration.of_user()
+        play = partial(self.open_path, play=True, save_at=demo.session)
+        self._work.run(tr("Making the demo recording"), demo.make, play)
+
+    def _show(self, opened: OpenedDocument, from_start: bool) -> None:
+        self.close()
+        path = opened.path
+        self.controller = controller = RecordingController(
+            opened.document, self._window.workspace, self
+        )
+        self.saving.begin(controller.document.session)
+        self.author.sign()
+        self.detectors.begin(controller)
+        controller.changed.connect(self.changed)
+        controller.drawn.connect(self.beside.draw)
+        controller.progressed.connect(self.progressed)
+        controller.failed.connect(self.failed)
+        controller.said.connect(self.said)
+        controller.tracking.tracked.connect(self.keeping.keep)
+        controller.tracking.noted.connect(self._tell_of_tracking)
+        controller.scoring.truth_asked.connect(self._ask_truth)
+        if not document_loader.is_unsaved_place(path):
+            self._remembered.add_recent(path.resolve(), opened.document.recording.name)
+        self._window.workspace.show_whole()  # how another recording was zoomed says nothing here
+        self._window.show_workspace()
+        self._tell_oddities(opened)
+        controller.view_options = parse_view_options(self._remembered.text("pictured"))
+        controller.set_cameras(self._remembered.text("eyes", "both"))
+        self._whereabouts.begin(controller, path, from_start)
+
+    def greet_after_crash(self) -> None:
+        """Say, with what is opened next, that it was open when the program ended in a crash."""
+        self._greeting = tr("trackwright ended unexpectedly. Here is where you were.")
+
+    def _tell_oddities(self, opened: OpenedDocument) -> None:
+        session = opened.document.session
+        greeting, self._greeting = self._greeting, ""
+        lines = [
+            *([greeting] if greeting else []),
+            *(() if session is None else session.notes),
+            *opened.document.recording.notes,
+            *([] if session is None else list_tracking_notes(session)),
+        ]
+        if opened.unsaved is not None:
+            lines.append(tr("Work on this recording was never saved, and is kept."))
+            go_on = partial(self.open_path, opened.unsaved)
+            self._window.notice.say("\n".join(lines), tr("Go on with it"), go_on)
+        elif lines:
+            self._window.notice.say("\n".join(lines), passing=True)
+        else:
+            self._window.notice.hide()
+
+    def _ask_truth(self, filters: str) -> None:
+        """Ask for a file to score against."""
+        if self.controller is not None:
+            last, take = self._remembered.last_folder("truth"), self.controller.scoring.choose_file
+            choose_file(self._window, tr("The ground truth"), filters, take, last)
+
+    # tracking
+
+    def _tell_of_tracking(self, lines: Sequence[str], passes: bool) -> None:
+        """How it went; what warns of something stays until closed, or another run is corrected."""
+        session = self.session
+        run = session.adopted_run if session is not None else None
+
+        def holds() -> bool:
+            return session is None or (self.session is session and session.adopted_run == run)
+
+        self._window.notice.say("\n".join(lines), passing=passes, holds=holds)
+
+    def ask_track(self) -> None:
+        """Ask for tracker and settings, then put it to work; corrected tracks are not touched."""
+        controller = self.controller
+        if controller is None:
+            return
+        if self.keeping.holds:
+            self.keeping.offer()
+            return
+        warning = ""
+        if self.session is not None and len(self.session.history):
+            warning = tr(
+                "The corrected tracks stay as they are; the new result is kept beside them."
+            )
+        document = controller.document
+        asked = document.parts_asked
+        dialog = TrackDialog(
+            document.recording, controller.tracking.propose_tracker, warning, self._window, asked
+        )
+        dialog.accepted.connect(lambda: self._track(dialog))
+        dialog.open()
+
+    def _track(self, dialog: TrackDialog) -> None:
+        if self.controller is not None:
+            self.controller.tracking.track(*dialog.answer())
+
+    @property
+    def session(self) -> Session | None:
+        """The open session."""
+        return self.controller.document.session if self.controller is not None else None
+
+    @property
+    def tracker_found_some(self) -> bool:
+        """Whether a tracker is at work and has come past its first frame."""
+        return (
+            self.controller is not None
+            and self.controller.live.running
+            and self.controller.live.done > 0
+        )
+
+    # leaving
+
+    def may_leave(self, again: Then) -> bool:
+        """Whether the open document can be let go; if not, ask, and do `again` afterwards."""
+        self._window.workspace.take_typed()
+        return self._leaving.may_leave(again)
+
+    def close_recording(self) -> None:
+        """Close what is open and go back to the first page."""
+        if self.may_leave(self.close_recording):
+            self._window.notice.hide()
+            self.close()
+            self._window.show_welcome()
+
+    def quit(self) -> None:
+        """Close the window."""
+        self._window.close()
+
+    def close(self) -> None:
+        """Let the open document go; its threads have ended when this returns."""
+        if self.controller is not None:
+            controller, self.controller = self.controller, None
+            self.keeping.drop()
+            self.beside.close()
+            self.backups.close()
+            self.detectors.close()
+            if controller.document.recording.is_stereo:  # one camera leaves nothing to choose
+                self._remembered.set_text("eyes", controller.cameras)
+            self._remembered.set_text("pictured", controller.view_options.lasting)
+            self._whereabouts.end()
+            controller.close()
+            controller.deleteLater()
+            QTimer.singleShot(GIVE_BACK_MS, give_back)
+
+    def describe_unsaved(self) -> list[str]:
+        """What is to be known where the program ends without asking: where unsaved work is."""
+        held = self.keeping.holds and not self.keeping.at_work
+        at_work = self.controller is not None and self.controller.live.running
+        return left_behind.describe_unsaved(self.session, held=held, tracking=at_work)
+
+    def close_without_asking(self) -> None:
+        """Let the open document go for a picture or a test: what is not saved stays as it is."""
+        self._leaving.agree()
+        self.close()
+
+    # words
+
+    def title(self) -> str:
+        """The window's title, with Qt's place for the mark of unsaved changes."""
+        if self.controller is None:
+            return "trackwright"
+        recording, session = self.controller.document.recording, self.session
+        name = literal_title(recording.name)
+        if session is not None and session.path is not None:
+            kept = not document_loader.is_unsaved_place(session.path)
+            place = literal_title(session.path.name) if kept else tr("not saved yet")
+            name = f"{name} \u2013 {place}"
+        return f"{name}[*] \u2013 trackwright"
+
+    def welcome_scene(self) -> WelcomeScene:
+        """The first page: what was opened before, and what a crash left behind."""
+        remembered = self._remembered
+        return first_page({path: remembered.recent_name(path) for path in remembered.recent})

@@ -1,0 +1,311 @@
+"""The window: it holds the parts together and passes commands on, nothing more."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import asdict, replace
+
+from PySide6.QtCore import QSize, QTimer
+from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QKeyEvent, QKeySequence
+from PySide6.QtWidgets import (
+    QApplication,
+    QMainWindow,
+    QMenuBar,
+    QPushButton,
+    QStackedWidget,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.core.commands import CommandContext, command_items
+from app.core.drawing.canvas import Canvas
+from app.core.error_messages import explain
+from app.core.i18n import tr
+from app.core.look.icons import application_icon
+from app.core.scenes import CommandItem
+from app.core.widgets.notice import NoticeBar
+from app.core.widgets.progress_strip import ProgressStrip
+from app.core.widgets.user_settings import UserSettings
+from app.core.widgets.work import Work
+from app.features.welcome.welcome import WelcomePage
+from app.shell.command_palette import CommandPalette
+from app.shell.context_menu import ContextMenu
+from app.shell.files import Files
+from app.shell.look_choice import LookChoice
+from app.shell.menus import Menus, TypingGuard
+from app.shell.recording_controller import RecordingController
+from app.shell.refusal_notice import RefusalNotice
+from app.shell.runnable_commands import runnable_commands
+from app.shell.screen_fit import fit_to_screen, keep_on_screen
+from app.shell.workspace import Workspace
+
+_FIRST_SIZE = QSize(1440, 900)
+_NOTE_MS = 6000
+_PROGRESS_MS = 200
+_MARGIN = 8
+_UNLIMITED = 2**24 - 1
+
+
+class MainWindow(QMainWindow):
+    """One window on one recording or session."""
+
+    def __init__(self, remembered: UserSettings) -> None:
+        super().__init__()
+        self.remembered = remembered
+        self.setWindowIcon(application_icon())
+        self.welcome = WelcomePage(self)
+        self.workspace = Workspace(self)
+        self.notice = NoticeBar(self)
+        self.progress = ProgressStrip(self)
+        self.work = Work(self.progress, self)
+        self.files = Files(self, self.work, remembered)
+        self.menus = Menus(self)
+        self.look_choice = LookChoice(remembered, self)
+        self.palette_of_commands = CommandPalette(self)
+        self.context_menu = ContextMenu(self)
+        self._pages = QStackedWidget(self)
+        self._guard = TypingGuard(self)
+        self._commands: dict[str, Callable[[], None]] = runnable_commands(self)
+        self._told = RefusalNotice(self, self._guard)
+        self._refreshing = QTimer(self, singleShot=True, interval=0)
+        self._progressing = QTimer(self, singleShot=True, interval=_PROGRESS_MS)
+        self._lay_out()
+        self._connect()
+        self._restore()
+        self.show_welcome()
+
+    def _lay_out(self) -> None:
+        self._pages.addWidget(self.welcome)
+        self._pages.addWidget(self.workspace)
+        centre = QWidget(self)
+        column = QVBoxLayout(centre)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(self._pages, 1)
+        self.setCentralWidget(centre)
+        # The line keeps its height, so that nothing above moves when work begins or ends.
+        self.statusBar().setSizeGripEnabled(False)
+        self.statusBar().addPermanentWidget(self.progress, 3)
+        least = max(self.statusBar().sizeHint().height(), self.notice.least_height)
+        self.statusBar().setMinimumHeight(least)
+        self.notice.stand_over(centre, self.statusBar(), self.progress)
+        search = QPushButton(tr("Search commands   Ctrl+K"), self)
+        search.setProperty("search", True)
+        search.setAccessibleName(tr("Search commands"))
+        search.clicked.connect(lambda: self.run_command("edit.commands"))
+        bar: QMenuBar = self.menuBar()
+        bar.setCornerWidget(search)
+        self.setAcceptDrops(True)
+        names = ("tracks.swap", "tracks.split", "tracks.merge", "tracks.end_here", "tracks.draw")
+        self.workspace.card.set_actions([self.menus.actions[name] for name in names])
+        said = {"right": tr("Right"), "fix": tr("Fix"), "dismiss": tr("Dismiss")}
+        self.workspace.review.set_actions(
+            [(self.menus.actions[f"review.{name}"], word) for name, word in said.items()]
+        )
+
+    def _connect(self) -> None:
+        self.menus.asked.connect(self.run_command)
+        self.palette_of_commands.run_asked.connect(self.run_command)
+        self.palette_of_commands.left.connect(self.activateWindow)
+        self.welcome.open_asked.connect(self.files.ask_open)
+        self.welcome.demo_asked.connect(self.files.open_demo)
+        self.welcome.path_chosen.connect(self.files.open_path)
+        self.workspace.camera_switch.mode_chosen.connect(
+            lambda mode: self.run_command(f"view.{mode}")
+        )
+        self.workspace.curves.closed.connect(lambda: self.run_command("view.curves"))
+        self.workspace.counting.closed.connect(lambda: self.run_command("view.counting"))
+        self.workspace.counting.save_asked.connect(lambda: self.run_command("file.export_counts"))
+        self.workspace.score.report_asked.connect(lambda: self.run_command("file.export_report"))
+        self.workspace.score.closed.connect(lambda: self.run_command("view.score"))
+        self.workspace.transport.tracker_clicked.connect(lambda: self.run_command("tracks.track"))
+        self.files.changed.connect(self.refresh)
+        self.files.failed.connect(self.tell_error)
+        self.files.said.connect(self.say)
+        self.work.changed.connect(self.refresh)
+        self.work.succeeded.connect(self.notice.settle)
+        self.work.failed.connect(self.files.open_recovery.tell)
+        self.work.said.connect(self.say)
+        self.progress.cancelled.connect(self._cancel)
+        self.progress.stopped.connect(lambda: self.run_command("tracks.stop"))
+        self.files.progressed.connect(self._progress_soon)
+        self.statusBar().messageChanged.connect(self._make_room)
+        self._refreshing.timeout.connect(self._refresh_now)
+        self._progressing.timeout.connect(self._show_progress)
+        self.look_choice.changed.connect(self.menus.draw_icons)
+        application = QApplication.instance()
+        if application is not None:
+            application.installEventFilter(self._guard)
+
+    # what is shown
+
+    @property
+    def controller(self) -> RecordingController | None:
+        """The open recording; None while the welcome page is shown."""
+        return self.files.controller
+
+    def show_welcome(self) -> None:
+        """Show the first page."""
+        self.welcome.show_scene(self.files.welcome_scene())
+        self._pages.setCurrentWidget(self.welcome)
+        self.refresh()
+
+    def show_workspace(self) -> None:
+        """Show the open recording."""
+        self._pages.setCurrentWidget(self.workspace)
+        self.workspace.left.setFocus()
+        self.refresh()
+
+    def command_items(self) -> tuple[CommandItem, ...]:
+        """All commands as they stand now."""
+        return command_items(self._command_context(), self._checked())
+
+    def refresh(self) -> None:
+        """Bring commands, title and progress up to date, once, before the next event."""
+        if not self._refreshing.isActive():
+            self._refreshing.start()
+
+    def bring_up_to_date(self) -> None:
+        """The same at once, for what is about to be shown."""
+        self._refreshing.stop()
+        self._refresh_now()
+
+    def _refresh_now(self) -> None:
+        self.menus.show_items(self.command_items())
+        self.setWindowTitle(self.files.title())
+        self.setWindowModified(self.files.saving.unsaved)
+        self._show_progress()
+        self._told.settle()
+
+    def _progress_soon(self) -> None:
+        if not self._progressing.isActive():
+            self._progressing.start()
+
+    def _show_progress(self) -> None:
+        """Show how far the tracker at work is; other work shows itself."""
+        live = self.controller.live if self.controller is not None else None
+        if self.work.busy:
+            return
+        if live is not None and live.running:
+            text = tr("Tracking with {tracker}: {status}", tracker=live.tracker, status=live.status)
+            left, found = live.seconds_left, self.files.tracker_found_some
+            self.progress.show_scene(text, live.share, left, stoppable=found)
+        else:
+            self.progress.finish()
+
+    def _command_context(self) -> CommandContext:
+        command_context = (
+            CommandContext() if self.controller is None else self.controller.command_context
+        )
+        detectors, unkept = self.files.detectors, self.files.keeping.holds
+        in_use = detectors.choice.name if detectors.choice.path else ""
+        trained = detectors.result is not None
+        command_context = replace(command_context, unkept=unkept, trained=trained, detector=in_use)
+        return command_context.while_busy() if self.work.busy else command_context
+
+    def _checked(self) -> frozenset[str]:
+        on = {f"view.look_{self.look_choice.look.value}"}
+        on.add("detector.open" if self.files.detectors.choice.path else "detector.built_in")
+        if self.controller is not None:
+            view_options = self.controller.view_options
+            on.add(f"view.{self.controller.cameras}")
+            if self.controller.tracking.following.on:
+                on.add("play.follow")
+            if self.controller.labelling.suggests:
+                on.add("detector.suggest")
+            if self.controller.reviewing.plays:
+                on.add("review.plays")
+            if self.controller.reviewing.measures:
+                on.add("review.measure")
+            on |= {f"view.{name}" for name, is_on in asdict(view_options).items() if is_on}
+        return frozenset(on)
+
+    # messages
+
+    def _make_room(self, said: str) -> None:
+        """Let the progress give way to a passing word, which stands left of it."""
+        words = self.fontMetrics().horizontalAdvance(said) + 4 * _MARGIN
+        room = max(self.width() - words, self.width() // 3)
+        self.progress.setMaximumWidth(room if said else _UNLIMITED)
+
+    def say(self, text: str) -> None:
+        """A passing word."""
+        self.statusBar().showMessage(text, _NOTE_MS)
+
+    def tell_error(self, error: Exception) -> None:
+        """Tell what went wrong."""
+        self.notice.say(explain(error), is_error=True)
+
+    # commands
+
+    def run_command(self, name: str) -> None:
+        """Do a command of the catalogue, where it can be done now; else say why not."""
+        item = {item.command: item for item in self.command_items()}[name]
+        if not item.enabled:
+            self._told.refuse(item)
+            return
+        self.notice.give_way()
+        self._commands[name]()
+        self.refresh()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:  # noqa: N802 - Qt's name
+        """A key whose command cannot be done now comes here: say why not."""
+        typed = self._guard.typed  # into a field, which passes Enter on
+        name = "" if typed else self.menus.command_of(QKeySequence(event.keyCombination()))
+        if name and not self.menus.actions[name].isEnabled():
+            self.run_command(name)
+        else:
+            super().keyPressEvent(event)
+
+    def focusNextPrevChild(self, next: bool) -> bool:  # noqa: N802, A002 - Qt's names
+        """Tab selects people: while a tracker has found none yet it leaves the keyboard there.
+
+        It comes to `keyPressEvent` then, which says why nobody is selected.
+        """
+        at_work = self.controller is not None and self.controller.live.running
+        if at_work and isinstance(self.focusWidget(), Canvas):
+            return False
+        return super().focusNextPrevChild(next)
+
+    def _cancel(self) -> None:
+        """End what is under way and keep nothing of it."""
+        if self.work.busy:
+            self.work.cancel()
+        elif self.controller is not None and self.controller.live.running:
+            self.controller.tracking.drop()
+            self.say(tr("Tracking was cancelled; nothing of it is kept"))
+            self.refresh()
+
+    # coming and going
+
+    def _restore(self) -> None:
+        fit_to_screen(self, _FIRST_SIZE)
+        geometry = self.remembered.state("window/geometry")
+        if geometry is not None:
+            self.restoreGeometry(geometry)
+            keep_on_screen(self)
+        self.workspace.restore(self.remembered)
+
+    def closeEvent(self, event: QCloseEvent) -> None:  # noqa: N802 - Qt's name
+        """Ask about what is not saved; then end all work and remember the layout."""
+        if not self.files.may_leave(self.close):
+            event.ignore()
+            return
+        self.remembered.set_state("window/geometry", self.saveGeometry())
+        self.workspace.remember(self.remembered)
+        self.work.close()
+        self.files.close()
+        application = QApplication.instance()
+        if application is not None:
+            application.removeEventFilter(self._guard)
+        self.look_choice.close()
+        super().closeEvent(event)
+
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:  # noqa: N802
+        """Take files."""
+        if event.mimeData().hasUrls():
+            event.acceptProposedAction()
+
+    def dropEvent(self, event: QDropEvent) -> None:  # noqa: N802
+        """Open the first file dropped."""
+        self.files.open_dropped(event.mimeData().urls())

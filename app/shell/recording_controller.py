@@ -1,0 +1,311 @@
+"""One open recording on the workspace: draws what is due and passes gestures on."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QObject, Signal
+
+from app.core.commands import CommandContext
+from app.core.document.document import Document
+from app.core.playback.playback import Playback
+from app.core.scenes import Side, TransportScene
+from app.core.tracks.frame_state import ViewOptions
+from app.features.comparison.controller import ComparisonController
+from app.features.correction.controller import EditController
+from app.features.correction.drag_controller import DragController
+from app.features.counting.controller import CountController
+from app.features.history.controller import HistoryWalk
+from app.features.labelling.controller import LabelController
+from app.features.labelling.scene import Tool
+from app.features.parts.controller import Parts
+from app.features.pictures.controller import OverlayController
+from app.features.review.controller import ReviewController
+from app.features.scoring.controller import ScoreController
+from app.shell.colour_worker import ColourWorker
+from app.shell.gesture_connections import connect_gestures
+from app.shell.tracker_at_work import TrackerAtWork
+from app.shell.workspace import Workspace
+from tracking.errors import TrackwrightError
+
+
+class RecordingController(QObject):
+    """Holds the document, the playback and the tracker at work of one open recording.
+
+    Signals: `drawn()`, another frame is shown; `changed()`, commands may be enabled or disabled
+    by now; `progressed()`, the tracker at work is further; `failed(error)`; `said(text)`.
+    """
+
+    changed = Signal()
+    drawn = Signal()
+    progressed = Signal()
+    failed = Signal(object)
+    said = Signal(str)
+
+    def __init__(self, document: Document, workspace: Workspace, parent: QObject) -> None:
+        super().__init__(parent)
+        self.document = document
+        self.playback = Playback(document.recording, self)
+        self.colouring = ColourWorker(document, self)
+        self.editing = EditController(document, self.playback, self)
+        self.dragging = DragController(document, self.playback, self.editing)
+        self.overlaying = OverlayController(document, self.playback, self)
+        self.walk = HistoryWalk(document, self.playback, workspace.history, self)
+        self.labelling = LabelController(document, self.playback, workspace, self)
+        self.parts = Parts(document, self.playback, workspace, self.labelling, self)
+        self.counting = CountController(document, self.playback, workspace, self)
+        self.scoring = ScoreController(document, self.playback, workspace, self)
+        self.comparing = ComparisonController(
+            document, self.playback, self.editing, workspace, self
+        )
+        self.tracking = TrackerAtWork(document, self.playback, self.comparing, self)
+        self.live = self.tracking.live
+        panel = workspace.review
+        self.reviewing = ReviewController(document, self.playback, self.editing, panel, self)
+        self.view_options = ViewOptions()
+        self.cameras = "left"
+        self._told_unread = ""
+        self._selected = self._to_show = 0
+        self._workspace = workspace
+        self._connect_parts()
+        connect_gestures(self, workspace)
+
+    def _connect_parts(self) -> None:
+        self.playback.shown.connect(self.draw_frame)
+        self.playback.moved.connect(self.draw_playhead)
+        self.playback.failed.connect(self.failed)
+        self.editing.changed.connect(self.labelling.follow_edits)
+        self.editing.changed.connect(self.draw)
+        self.editing.previewed.connect(self.draw_preview)
+        self.editing.failed.connect(self.failed)
+        self.editing.said.connect(self.said)
+        for part in (self.reviewing, self.comparing):
+            part.changed.connect(self.changed)
+            part.failed.connect(self.failed)
+            part.said.connect(self.said)
+        self.reviewing.changed.connect(self.draw_playhead)  # whose marks stand on the timeline
+        self.overlaying.changed.connect(self.draw_frame)
+        for one in (self.labelling, self.walk):
+            one.changed.connect(self.draw)
+            one.failed.connect(self.failed)
+            one.said.connect(self.said)
+        self.overlaying.failed.connect(self.failed)
+        self.parts.changed.connect(self.draw)
+        self.counting.changed.connect(self.draw_frame)
+        self.counting.said.connect(self.said)
+        self.scoring.changed.connect(self._draw_scored)
+        self.scoring.failed.connect(self.failed)
+        self.scoring.said.connect(self.said)
+        self.parts.said.connect(self.said)
+        self.tracking.changed.connect(self.draw)
+        self.colouring.changed.connect(self._draw_coloured)
+        self.colouring.failed.connect(self.failed)
+        self.tracking.following.changed.connect(self.changed)
+        self.tracking.following.said.connect(self.said)
+        self.tracking.found.connect(self._draw_found)
+        self.tracking.people_found.connect(self.changed)
+        self.tracking.failed.connect(self.failed)
+
+    def close(self) -> None:
+        """End all threads and let the recording go."""
+        self.live.close()
+        self.colouring.close()
+        self.reviewing.close()
+        self.comparing.end()
+        self.overlaying.close()
+        self.labelling.close()
+        self.parts.close()
+        self.counting.close()
+        self.scoring.close()
+        self.playback.close()
+        try:
+            if self.document.session is not None:
+                self.document.session.close()
+        except TrackwrightError as error:  # its folder has vanished
+            self.failed.emit(error)
+        self.document.recording.close()
+
+    @property
+    def window_page(self) -> Workspace:
+        """What dialogs stand before."""
+        return self._workspace
+
+    # what can be done
+
+    @property
+    def command_context(self) -> CommandContext:
+        """What commands depend on."""
+        document, session = self.document, self.document.session
+        recording = document.recording
+        return CommandContext(
+            recording=True,
+            session=session is not None,
+            tracks=bool(document.tracks.ids),
+            selected=bool(document.selection),
+            editing=document.flow is not None,
+            labelling=self.labelling.tool is not None,
+            saying=self.labelling.tool is Tool.PARTS,
+            suggesting=self.labelling.suggests,
+            parts=self.parts.presenter.any_tracked,
+            parts_elsewhere=self.parts.presenter.tracked_elsewhere,
+            part_truth=self.parts.presenter.truth_known,
+            placing=document.flow is not None and document.flow.places,
+            live=self.live.running,
+            in_the_way=document.in_the_way,
+            further=document.shows_further_run,
+            can_undo=session is not None and session.history.next_undo is not None,
+            can_redo=session is not None and session.history.next_redo is not None,
+            stereo=recording.is_stereo,
+            truth=recording.truth_path is not None,
+            scored=self.scoring.known,
+            calibrated=recording.view is not None,
+            can_track=bool(self.tracking.best),
+            why_no_tracking=self.tracking.why_not,
+            read_only=session is not None and session.read_only,
+            comparing=self.comparing.shown,
+            **self.reviewing.command_context,
+        )
+
+    def leave(self) -> None:
+        """Esc: leave the labelling, else the edit that waits, else let the person go."""
+        if self.labelling.tool is not None:
+            self.labelling.leave()
+        else:
+            self.editing.leave()
+
+    # playing
+
+    def toggle(self) -> None:
+        """Play or pause; the first play puts the best tracker to work."""
+        if not self.playback.clock.playing:
+            self.tracking.begin_first()
+        self.playback.toggle()
+
+    def shuttle(self, direction: int) -> None:
+        """J (-1), K (0), L (1); playing on puts the best tracker to work like the first play."""
+        if direction > 0:
+            self.tracking.begin_first()
+        self.playback.shuttle(direction)
+
+    # drawing
+
+    def set_cameras(self, mode: str) -> None:
+        """Show "left", "both" or "anaglyph"."""
+        self.cameras = mode if self.document.recording.is_stereo else "left"
+        width, height = self.document.recording.size
+        self._workspace.show_cameras(
+            self.cameras, width / height, self.document.recording.is_stereo
+        )
+        self.draw_frame()
+        self.changed.emit()
+
+    def set_view_options(self, view_options: ViewOptions) -> None:
+        """Lay other things over the pictures."""
+        self.view_options = view_options
+        self.draw_frame()
+        self.draw_playhead()
+        self.changed.emit()
+
+    def draw(self) -> None:
+        """Draw everything."""
+        view, document = self._workspace, self.document
+        self.colouring.look()
+        self.reviewing.refresh()  # first: it may select who a review item is about
+        self.draw_frame()
+        self.draw_playhead()
+        view.card.show_scene(document.card())
+        self._draw_history()
+        view.preview.show_scene(document.planned.scene if document.planned else None)
+        self.comparing.refresh()
+        self.changed.emit()
+
+    def _draw_coloured(self) -> None:
+        """Tracks have other colours by now."""
+        self.reviewing.queue.colour_anew()
+        self.labelling.colour_anew()
+        self.draw()
+
+    def _draw_scored(self) -> None:
+        """Another score, another choice, another range of frames."""
+        self.draw_frame()
+        self.draw_playhead()
+        self._workspace.card.show_scene(self.document.card())  # an error selects whom it is about
+        self._draw_history()
+        self.changed.emit()
+
+    def _draw_history(self) -> None:
+        """The edits, and how they moved the score where somebody watches it."""
+        edits = self.scoring.presenter.annotate_edits(self.document.history())
+        self._workspace.history.show_scene(edits)
+
+    def draw_preview(self) -> None:
+        """Draw only what an edit that waits would do: often, while something is dragged."""
+        planned = self.document.planned
+        self.draw_frame()
+        self._workspace.preview.show_scene(planned.scene if planned is not None else None)
+
+    def draw_frame(self) -> None:
+        """Draw the pictures and the floor: the same frame in all of them."""
+        view, document, frame = self._workspace, self.document, self.playback.frame
+        state = document.frame_state(self.playback.number)
+        pictures, laid = document.pictures, self.overlaying.laid(self.view_options.kinds)
+        if self.cameras == "anaglyph":
+            view.left.show_scene(pictures.anaglyph(frame, state, self.view_options, laid))
+        else:
+            view.left.show_scene(pictures.scene(Side.LEFT, frame, state, self.view_options, laid))
+        if self.cameras == "both":
+            view.right.show_scene(pictures.scene(Side.RIGHT, frame, state, self.view_options))
+        view.overhead.show_legend(self.view_options.floor_legend)
+        view.overhead.show_scene(document.overhead.scene(state))
+        self.counting.draw(state, self.view_options)
+        self.scoring.draw(state, self.view_options, self.cameras)
+        counted = self.counting.texts_at(state, self.view_options)
+        self.labelling.draw(self.cameras == "both", self.view_options.labels, counted)
+        self.parts.draw(state, self.view_options)
+        self._tell_unread()
+        self._show_selected()
+        self.drawn.emit()
+
+    def _show_selected(self) -> None:
+        """Have who was selected a moment ago seen in zoomed views, once their frame is there."""
+        track, before = self.document.selection.track, self._selected
+        if track != before:
+            self._selected = self._to_show = track
+        if self._to_show and self.playback.number == self.playback.clock.frame:
+            for view in (self._workspace.left, self._workspace.right, self._workspace.overhead):
+                view.show_person(self._to_show)
+            self._to_show = 0
+
+    def _tell_unread(self) -> None:
+        """Say once why particles are missing where the session's file cannot be read."""
+        unread = self.document.unread
+        if unread is not None and str(unread) != self._told_unread:
+            self._told_unread = str(unread)
+            self.failed.emit(unread)
+
+    def draw_playhead(self) -> None:
+        """Draw the timeline and the transport line."""
+        clock, document, tracker = self.playback.clock, self.document, self.tracking.state
+        frame, loaded = self.playback.number, self.playback.loaded
+        document.take_score(self.parts.presenter.score() if self.view_options.parts else None)
+        self._workspace.timeline.show_scene(
+            document.timeline(clock.frame, frame, loaded, tracker.no_lanes)
+        )
+        self._workspace.transport.show_scene(
+            TransportScene(
+                playing=clock.playing,
+                speed=abs(clock.rate) if clock.playing else clock.speed,
+                frame=clock.frame,
+                frame_count=clock.frame_count,
+                time_s=document.recording.time_s(clock.frame),
+                tracker=tracker.name,
+                status=tracker.status,
+                live=self.live.running and document.is_live and self.live.done > 0,
+                following=self.tracking.following.on if self.live.running else None,
+            )
+        )
+
+    def _draw_found(self, first: int, last: int) -> None:
+        """Draw what the tracker at work found in some frames, both included."""
+        if self.document.is_live and first <= self.playback.number <= last:
+            self.draw_frame()
+        self.draw_playhead()
+        self.progressed.emit()

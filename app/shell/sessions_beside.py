@@ -1,0 +1,118 @@
+"""Another person's session beside the open one: opened, compared, drawn, walked through."""
+
+from __future__ import annotations
+
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject
+
+from app.core.i18n import tr
+from app.core.projection.other_people import OtherPeople
+from app.core.scenes import Side
+from app.core.widgets.questions import choose_file
+from app.core.widgets.work import Work
+from app.features.comparison.agreement import (
+    AgreementPresenter,
+    OtherSession,
+    compare_again,
+    read_other,
+)
+
+if TYPE_CHECKING:
+    from app.shell.main_window import MainWindow
+    from app.shell.recording_controller import RecordingController
+
+_SESSIONS = "trackwright (*.h5)"
+
+
+class SessionsBeside(QObject):
+    """Shows another session of the same recording beside the one that is open."""
+
+    def __init__(self, window: MainWindow, work: Work, parent: QObject) -> None:
+        super().__init__(parent)
+        self._window = window
+        self._work = work
+        self._shown: AgreementPresenter | None = None
+        panel = window.workspace.compare
+        panel.stretch_sought.connect(self._go)
+        panel.again_asked.connect(self._again)
+        panel.left.connect(self.close)
+
+    def ask(self) -> None:
+        """Ask for the other session."""
+        choose_file(
+            self._window,
+            tr("Another session of this recording"),
+            tr(_SESSIONS),
+            self.compare_with,
+            self._window.remembered.last_folder("open"),
+        )
+
+    def compare_with(self, path: Path) -> None:
+        """Read another session in the background and show where it disagrees."""
+        controller = self._window.controller
+        if controller is None or controller.document.session is None:
+            return
+        session = controller.document.session
+        work = partial(read_other, path, session, session.tracks.snapshot())
+        title = tr("Comparing with {name}", name=path.name)
+        self._work.run(title, lambda report: work(report), partial(self._show, controller))
+
+    def close(self) -> None:
+        """Show nobody else's people any more."""
+        self._shown = None
+        self.draw()
+
+    def draw(self) -> None:
+        """Draw other people at the frame that is shown; those of a compared run go first."""
+        controller, shown = self._window.controller, self._shown
+        session = controller.document.session if controller is not None else None
+        panel = shown.panel(session.tracks.revision) if shown and session is not None else None
+        self._window.workspace.compare.show_scene(panel)
+        compared = controller.comparing.dashed if controller is not None else None
+        self._draw_people(controller, compared or (shown.people if shown and panel else None))
+
+    def _draw_people(
+        self, controller: RecordingController | None, people: OtherPeople | None
+    ) -> None:
+        """Draw a run's or the other session's people, dashed; None: nobody else's."""
+        view = self._window.workspace
+        if controller is None or people is None:
+            for picture in (view.left, view.right):
+                picture.show_others(())
+            view.overhead.show_others(())
+            return
+        frame = controller.playback.number
+        view.left.show_others(people.picture(Side.LEFT, frame))
+        view.right.show_others(
+            people.picture(Side.RIGHT, frame) if controller.cameras == "both" else ()
+        )
+        view.overhead.show_others(people.floor(frame))
+
+    def _show(self, controller: RecordingController, other: OtherSession) -> None:
+        if controller is self._window.controller:
+            self._shown = AgreementPresenter(
+                controller.document.recording, other, controller.document.colour_of
+            )
+            self.draw()
+
+    def _again(self) -> None:
+        controller, shown = self._window.controller, self._shown
+        if controller is None or shown is None or controller.document.session is None:
+            return
+        session = controller.document.session
+        work = partial(compare_again, shown.other, session, session.tracks.snapshot())
+        title = tr("Comparing with {name}", name=shown.other.name)
+        self._work.run(title, lambda report: work(report), partial(self._show, controller))
+
+    def _go(self, frame: int, track: int) -> None:
+        controller = self._window.controller
+        if controller is None:
+            return
+        controller.playback.pause()
+        controller.playback.go(frame)  # first: it may show the session's tracks again
+        if track and controller.document.flow is None:
+            controller.document.selection.choose(track)
+        controller.draw()

@@ -1,0 +1,243 @@
+"""Everything on the window's page for an open recording, laid out."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import (
+    QAbstractScrollArea,
+    QApplication,
+    QFrame,
+    QHBoxLayout,
+    QScrollArea,
+    QSizePolicy,
+    QSplitter,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.core.scenes import Side
+from app.core.widgets.gripped_splitter import GrippedSplitter
+from app.core.widgets.parts import bring_into_view
+from app.core.widgets.user_settings import UserSettings
+from app.features.comparison.compare_panel import ComparePanel
+from app.features.comparison.differences_scene import DifferencesScene
+from app.features.comparison.panel import DifferencesPanel
+from app.features.correction.panel import EditPanel
+from app.features.correction.track_panel import TrackPanel
+from app.features.counting.panel import CountingPanel
+from app.features.history.panel import HistoryPanel
+from app.features.labelling.panel import LabellingPanel
+from app.features.parts.panel import CurvesPanel
+from app.features.pictures.camera_switch import CameraSwitch
+from app.features.pictures.overhead_view import OverheadView
+from app.features.pictures.picture_view import PictureView
+from app.features.playback.transport import TransportBar
+from app.features.review.panel import ReviewPanel
+from app.features.scoring.panel import ScorePanel
+from app.features.timeline.panel import TimelineView
+from app.shell.below_floor import BelowFloor
+from app.shell.image_room import ImageRoom
+from app.shell.pane_ring import PaneRing
+
+_PANEL_LETTERS = 48
+_LOW_LINES = 36
+"""A page of fewer lines of text is low."""
+
+
+class Workspace(QWidget):
+    """The pictures, the floor, the side panels, transport and timeline."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.left = PictureView(Side.LEFT, self)
+        self.right = PictureView(Side.RIGHT, self)
+        self.camera_switch = CameraSwitch(self)
+        self.overhead = OverheadView(self)
+        self.curves = CurvesPanel(self)
+        self.counting = CountingPanel(self)
+        self.score = ScorePanel(self)
+        self.review = ReviewPanel(self)
+        self.card = TrackPanel(self)
+        self.history = HistoryPanel(self)
+        self.preview = EditPanel(self)
+        self.labelling = LabellingPanel(self)
+        self.compare = ComparePanel(self)
+        self.differences = DifferencesPanel(self)
+        self.transport = TransportBar(self)
+        self.timeline = TimelineView(self)
+        self._splitters: dict[str, QSplitter] = {}
+        for plot in (self.curves.plot, self.counting.plot):
+            self.timeline.area.stretch.changed.connect(plot.show_axis)
+        self._lay_out()
+        self._ring = PaneRing(self)
+
+    def _lay_out(self) -> None:
+        cameras = self._split("eyes", Qt.Orientation.Vertical, (self.left, self.right), (1, 1))
+        below = BelowFloor(
+            self.tr("Panels below the floor"), (self.curves, self.counting, self.score), self
+        )
+        below.setObjectName("below floor")
+        parts = (self.overhead, below)
+        floor = self._split("floor and panels", Qt.Orientation.Vertical, parts, (5, 6))
+        views = (cameras, floor, self._side())
+        top = self._split("top", Qt.Orientation.Horizontal, views, (9, 10, 6))
+        self._image_room = ImageRoom(top, cameras)
+        upper = QWidget(self)
+        column = _unspaced(upper)
+        column.addWidget(top, 1)
+        column.addWidget(self._transport_line())
+        drag = self.tr("Drag to make the timeline higher or lower")
+        border = GrippedSplitter(Qt.Orientation.Vertical, drag, self)
+        whole = self._filled("whole", border, (upper, self.timeline), (11, 4))
+        _unspaced(self).addWidget(whole)
+
+    def _side(self) -> QWidget:
+        """The panels, and above them what is being edited, labelled or compared.
+
+        An edit that waits takes room from the panels alone: the pictures stay as large as before.
+        """
+        self._panels = self._scrolled_panels()
+        self.differences.setMinimumWidth(self._panels.minimumWidth())
+        # As wide as the panels, and as high as its words need at that width.
+        policy = QSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        policy.setHeightForWidth(True)
+        self.preview.setSizePolicy(policy)
+        side = QWidget(self)
+        column = _unspaced(side)
+        column.addWidget(self.preview)
+        at_work = (self.labelling, self.compare)
+        shared = BelowFloor(self.tr("Labelling and comparison"), at_work, self)
+        shared.setObjectName("labelling and comparison")
+        column.addWidget(shared)
+        column.addWidget(self._panels, 1)
+        column.addWidget(self.differences, 1)
+        return side
+
+    def _scrolled_panels(self) -> QScrollArea:
+        """On a low screen the panels scroll, so that they never make the window too high for it."""
+        side = self._split(
+            "side", Qt.Orientation.Vertical, (self.review, self.card, self.history), (11, 6, 3)
+        )
+        panels = QScrollArea(self)
+        panels.setWidget(side)
+        panels.setWidgetResizable(True)
+        panels.setFrameShape(QFrame.Shape.NoFrame)
+        panels.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # a click on a row leaves the keyboard there
+        panels.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        letter = self.fontMetrics().averageCharWidth()
+        width = side.minimumSizeHint().width() + 12
+        panels.setMinimumWidth(max(width, _PANEL_LETTERS * letter))
+        panels.setMinimumHeight(1)
+        return panels
+
+    def _transport_line(self) -> QFrame:
+        """Playback and, at its end, which cameras are shown: no picture is covered by a switch."""
+        line = QFrame(self)
+        line.setProperty("bar", True)
+        row = QHBoxLayout(line)
+        row.setContentsMargins(0, 0, 12, 0)
+        row.addWidget(self.transport, 1)
+        row.addWidget(self.camera_switch, 0, Qt.AlignmentFlag.AlignVCenter)
+        return line
+
+    def _split(
+        self,
+        name: str,
+        orientation: Qt.Orientation,
+        parts: tuple[QWidget, ...],
+        shares: tuple[int, ...],
+    ) -> QSplitter:
+        return self._filled(name, QSplitter(orientation, self), parts, shares)
+
+    def _filled(
+        self,
+        name: str,
+        splitter: QSplitter,
+        parts: tuple[QWidget, ...],
+        shares: tuple[int, ...],
+    ) -> QSplitter:
+        splitter.setChildrenCollapsible(False)
+        for at, (part, share) in enumerate(zip(parts, shares, strict=True)):
+            splitter.addWidget(part)
+            splitter.setStretchFactor(at, share)
+        splitter.setSizes([100 * share for share in shares])
+        self._splitters[name] = splitter
+        return splitter
+
+    def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802 - Qt's name
+        """The page is higher or lower."""
+        super().resizeEvent(event)
+        self.preview.set_terse(self.height() < _LOW_LINES * self.fontMetrics().lineSpacing())
+
+    def show_differences(self, scene: DifferencesScene | None) -> None:
+        """Show a comparison in the place of the panels, or the panels again."""
+        self.differences.show_scene(scene)
+        self._panels.setVisible(scene is None)
+
+    def show_cameras(self, mode: str, aspect: float, stereo: bool) -> None:
+        """Lay out for "left", "both" or "anaglyph"; pictures are `aspect` times wider than high."""
+        both = mode == "both" and stereo
+        self.right.setVisible(both)
+        self.left.set_alone(not stereo)
+        self._image_room.begin(aspect, 2 if both else 1)
+        self.camera_switch.show_scene(mode, stereo)
+        self.camera_switch.setVisible(stereo)
+
+    def show_whole(self) -> None:
+        """Show all of the pictures and of the floor, and keep doing so."""
+        for view in (self.left, self.right, self.overhead):
+            view.fit()
+
+    def take_typed(self) -> None:
+        """Take what is being typed into the card as if its field had been left."""
+        typed_into = QApplication.focusWidget()
+        if typed_into is not None and self.card.isAncestorOf(typed_into):
+            typed_into.clearFocus()
+
+    def focus_next_pane(self) -> None:
+        """Give the keyboard to the next part that is shown, and lay a ring around it.
+
+        Pictures, floor, curves, counting, score, labelling, compared, queue, card, history,
+        timeline; a list among them can be walked then.
+        """
+        lists = (self.counting, self.score, self.review, self.card, self.history)
+        views = (self.left, self.right, self.overhead, self.curves, self.counting, self.score)
+        above, side = (self.labelling, self.compare), (self.review, self.card, self.history)
+        every = (*views, *above, *side, self.differences, self.timeline)
+        panes = [pane for pane in every if pane.isVisible()]
+        now = QApplication.focusWidget()
+        inside = [now is not None and (now is pane or pane.isAncestorOf(now)) for pane in panes]
+        following = panes[(inside.index(True) + 1) % len(panes)] if any(inside) else panes[0]
+        bring_into_view(following)
+        fields: list[QAbstractScrollArea] = []
+        if following in (*lists, self.differences):
+            fields = following.findChildren(QAbstractScrollArea)
+        visible = [field for field in fields if field.isVisible()]
+        (visible[0] if visible else following).setFocus()
+        self._ring.show_around(following)
+
+    def remember(self, remembered: UserSettings) -> None:
+        """Keep how the parts are laid out."""
+        remembered.set_text("workspace/eyes moved", str(self._image_room.moved or ""))
+        for name, splitter in self._splitters.items():
+            remembered.set_state(f"workspace/{name}", splitter.saveState())
+        self.timeline.area.controls.remember(remembered)
+
+    def restore(self, remembered: UserSettings) -> None:
+        """Lay the parts out as they were."""
+        for name, splitter in self._splitters.items():
+            state = remembered.state(f"workspace/{name}")
+            if state is not None:
+                splitter.restoreState(state)
+        beside = remembered.text("workspace/eyes moved")
+        self._image_room.moved = {"1": 1, "2": 2}.get(beside, 0)
+        self.timeline.area.controls.restore(remembered)
+
+
+def _unspaced(widget: QWidget) -> QVBoxLayout:
+    """A column that fills a widget, nothing between its parts."""
+    column = QVBoxLayout(widget)
+    column.setContentsMargins(0, 0, 0, 0)
+    column.setSpacing(0)
+    return column

@@ -1,1 +1,0 @@
-"""Qt and pyqtgraph only: draw scenes, report gestures."""

@@ -1,1 +1,0 @@
-"""Two versions of the tracks beside each other: what differs, what of it is taken."""

@@ -1,1 +1,0 @@
-"""Correcting tracks: keys and drags, the edit that waits, the card of a track."""

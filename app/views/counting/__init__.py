@@ -1,1 +1,0 @@
-"""Counting people in the open recording: the panel, its plots and its table, the flow map."""

@@ -1,1 +1,0 @@
-"""What was done: listed, gone back to, undone alone."""

@@ -1,1 +1,0 @@
-"""Labelling: tools and sheets to draw with, what was said and drawn."""

@@ -1,1 +1,0 @@
-"""Colours of dark and light, and the icons drawn in them."""

@@ -1,1 +1,0 @@
-"""Body parts drawn and plotted, and the failure detector that judges them."""

@@ -1,1 +1,0 @@
-"""The pictures of both cameras and the floor from above, with what is drawn on them."""

@@ -1,1 +1,0 @@
-"""Playing: frames fetched as they are due, and the line of buttons below the pictures."""

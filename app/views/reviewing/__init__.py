@@ -1,1 +1,0 @@
-"""The review queue: looked for, listed, walked and decided."""

@@ -1,1 +1,0 @@
-"""Trackers: started with their settings, watched at work, their runs and scores."""

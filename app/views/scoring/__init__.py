@@ -1,1 +1,0 @@
-"""Truth beside a result: the panel of figures, lanes of errors, marks on pictures and floor."""

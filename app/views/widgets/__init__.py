@@ -1,1 +1,0 @@
-"""Pieces that every part of the window is made of or speaks through."""

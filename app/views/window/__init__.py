@@ -1,1 +1,0 @@
-"""The window around everything: menus, keys, commands."""
