@@ -22,11 +22,11 @@ $(STAMP): pyproject.toml requirements.lock
 	@touch $@
 
 demo: $(STAMP) ## the built-in recording: made, tracked, opened
-	@$(BIN)/python -m app.system_libraries
+	@$(BIN)/python -m app.cli.system_libraries
 	$(BIN)/trackwright demo --out demo
 
 test: $(STAMP) ## formatter, linter, types, import layers and tests
-	@$(BIN)/python -m app.system_libraries
+	@$(BIN)/python -m app.cli.system_libraries
 	$(BIN)/ruff format --check .
 	$(BIN)/ruff check .
 	$(BIN)/mypy
@@ -101,7 +101,7 @@ interchange: $(STAMP) ## other tools read what is written, and the other way rou
 	$(BIN)/python -m tests.sweeps.formats
 
 pictures: $(STAMP) ## make the pictures in docs/ through a virtual screen
-	@$(BIN)/python -m app.system_libraries
+	@$(BIN)/python -m app.cli.system_libraries
 	@command -v xvfb-run >/dev/null || { echo "xvfb-run is missing: apt-get install xvfb" >&2; exit 1; }
 	xvfb-run -a -s "-screen 0 1920x1200x24" $(BIN)/python -m tests.pictures
 

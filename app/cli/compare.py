@@ -7,7 +7,7 @@ from pathlib import Path
 
 from app.cli.output import print_json, print_line, print_table
 from app.cli.sessions import open_session
-from app.features.comparison.agreement import refuse_other_recording
+from app.core.document.recording_match import refuse_other_recording
 from tracking.scoring import (
     Agreement,
     BoxMatch,

@@ -12,7 +12,7 @@ import sys
 from collections.abc import Callable, Mapping
 from pathlib import Path
 
-from app.system_libraries import INSTALL
+from app.cli.system_libraries import INSTALL
 
 _OFF_SCREEN = ("offscreen", "minimal", "vnc")
 _X11_PLUGIN = Path("Qt", "plugins", "platforms", "libqxcb.so")

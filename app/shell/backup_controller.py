@@ -5,8 +5,9 @@ from __future__ import annotations
 from functools import partial
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject
 
+from app.core.controller import Controller
 from app.core.error_messages import explain
 from app.core.i18n import tr
 from app.core.jobs.jobs import Job
@@ -19,14 +20,11 @@ if TYPE_CHECKING:
     from app.shell.main_window import MainWindow
 
 
-class BackupController(QObject):
+class BackupController(Controller):
     """Restores backups of the session that is open in a window.
 
-    Signals: `said(text)`; `changed()`, another state of the session is open.
+    `changed`: another state of the session is open.
     """
-
-    said = Signal(str)
-    changed = Signal()
 
     def __init__(self, window: MainWindow, work: Work, parent: QObject) -> None:
         super().__init__(parent)

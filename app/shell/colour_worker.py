@@ -2,22 +2,20 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject
 
 from app.core.colours.track_colours import TrackColours
+from app.core.controller import Controller
 from app.core.document.document import Document
 from app.core.jobs.latest_job import LatestJob, Work
 from app.core.tracks.session_colours import PendingColours
 
 
-class ColourWorker(QObject):
+class ColourWorker(Controller):
     """Makes the colours of the document's tracks where that takes long; old ones stay till then.
 
-    Signals: `changed()`, tracks have other colours by now; `failed(error)`, they keep those.
+    `changed`: tracks have other colours by now. `failed`: they keep those they have.
     """
-
-    changed = Signal()
-    failed = Signal(object)
 
     def __init__(self, document: Document, parent: QObject) -> None:
         super().__init__(parent)

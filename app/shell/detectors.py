@@ -7,8 +7,9 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject
 
+from app.core.controller import Controller
 from app.core.document.detector_choice import DetectorChoice, restore_choice
 from app.core.document.document import Document
 from app.core.document.document_loader import known_recordings
@@ -39,15 +40,11 @@ _DETECTORS = "trackwright (*.h5)"
 _REMEMBERED = "detector"
 
 
-class Detectors(QObject):
+class Detectors(Controller):
     """Trains and chooses the failure detector.
 
-    Signals: `changed()`, another one is used, or one was trained; `failed(error)`; `said(text)`.
+    Signals: `changed()`, another one is used, or one was trained.
     """
-
-    changed = Signal()
-    failed = Signal(object)
-    said = Signal(str)
 
     def __init__(
         self, window: MainWindow, work: Work, remembered: UserSettings, parent: QObject

@@ -7,8 +7,9 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject
 
+from app.core.controller import Controller
 from app.core.document import document_loader
 from app.core.document.document import Document
 from app.core.i18n import tr
@@ -39,13 +40,8 @@ if TYPE_CHECKING:
 _LOGS = "CSV (*.csv);;JSON (*.json)"
 
 
-class ExportController(QObject):
-    """Writes files of the session that is open in a window.
-
-    Signals: `said(text)`.
-    """
-
-    said = Signal(str)
+class ExportController(Controller):
+    """Writes files of the session that is open in a window."""
 
     def __init__(self, window: MainWindow, work: Work, parent: QObject) -> None:
         super().__init__(parent)

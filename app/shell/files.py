@@ -7,8 +7,9 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, QTimer, QUrl, Signal
+from PySide6.QtCore import QTimer, QUrl, Signal
 
+from app.core.controller import Controller
 from app.core.document import document_loader
 from app.core.document.document_loader import OpenedDocument
 from app.core.i18n import tr
@@ -48,17 +49,14 @@ GIVE_BACK_MS = 500
 """After a recording is closed: by then jobs that were stopped have let their arrays go."""
 
 
-class Files(QObject):
+class Files(Controller):
     """Opens recordings and sessions in the window, saves and closes them.
 
     Signals: `changed()`, another document, title or save state; `progressed()`, the tracker at
-    work is further; `failed(error)`; `said(text)`.
+    work is further.
     """
 
-    changed = Signal()
     progressed = Signal()
-    failed = Signal(object)
-    said = Signal(str)
 
     def __init__(self, window: MainWindow, work: Work, remembered: UserSettings) -> None:
         super().__init__(window)
@@ -66,31 +64,22 @@ class Files(QObject):
         self._work = work
         self._remembered = remembered
         self.open_recovery = OpenRecovery(self, window, work)
-        self.open_recovery.failed.connect(self.failed)
         self._whereabouts = Whereabouts(remembered, self)
         self._greeting = ""
         self._leaving = ClosePrompts(self, window)
         self.controller: RecordingController | None = None
         self.author = Author(window, remembered, self)
         self.exporting = ExportController(window, work, self)
-        self.exporting.said.connect(self.said)
         self.importing = ImportController(window, work, self)
-        self.importing.said.connect(self.said)
-        self.importing.failed.connect(self.failed)
         self.detectors = Detectors(window, work, remembered, self)
         self.detectors.changed.connect(self.changed)
-        self.detectors.failed.connect(self.failed)
-        self.detectors.said.connect(self.said)
         self.backups = BackupController(window, work, self)
-        self.backups.said.connect(self.said)
         self.backups.changed.connect(self.changed)
         self.beside = SessionsBeside(window, work, self)
         self.keeping = ResultStorage(window, work, self)
         self.keeping.changed.connect(self.changed)
         self.saving = SaveController(self, window, work, remembered)
         self.saving.changed.connect(self.changed)
-        self.saving.failed.connect(self.failed)
-        self.saving.said.connect(self.said)
 
     # opening
 
@@ -169,8 +158,6 @@ class Files(QObject):
         controller.changed.connect(self.changed)
         controller.drawn.connect(self.beside.draw)
         controller.progressed.connect(self.progressed)
-        controller.failed.connect(self.failed)
-        controller.said.connect(self.said)
         controller.tracking.tracked.connect(self.keeping.keep)
         controller.tracking.noted.connect(self._tell_of_tracking)
         controller.scoring.truth_asked.connect(self._ask_truth)

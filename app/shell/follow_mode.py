@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import time
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject
 
 from app.core.commands.enablement import edit_waits
+from app.core.controller import Controller
 from app.core.document.document import Document
 from app.core.playback.playback import Playback
 from app.features.runs.controller import LiveTracking
@@ -15,17 +16,14 @@ _EVERY_S = 0.1
 """Pictures are read for this, which takes time from the tracker: ten a second look fluent."""
 
 
-class FollowMode(QObject):
+class FollowMode(Controller):
     """Shows the frame the tracker at work has come to, as it goes on.
 
     Whoever moves the playhead or plays looks at something else: the playhead stays with them
     then, and following is begun again by hand.
 
-    Signals: `changed()`, it is on or off by now; `said(text)`, why it is not begun.
+    `changed`: it is on or off by now.
     """
-
-    changed = Signal()
-    said = Signal(str)
 
     def __init__(
         self, document: Document, playback: Playback, live: LiveTracking, parent: QObject

@@ -8,9 +8,10 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject
 
 from app.core.commands.enablement import drawable
+from app.core.controller import Controller
 from app.core.document import document_loader
 from app.core.i18n import count_text, tr
 from app.core.jobs.latest_job import LatestJob
@@ -37,14 +38,8 @@ if TYPE_CHECKING:
     from app.shell.main_window import MainWindow
 
 
-class ImportController(QObject):
-    """Imports tracks into what is open in a window.
-
-    Signals: `said(text)`; `failed(error)`.
-    """
-
-    said = Signal(str)
-    failed = Signal(object)
+class ImportController(Controller):
+    """Imports tracks into what is open in a window."""
 
     def __init__(self, window: MainWindow, work: Work, parent: QObject) -> None:
         super().__init__(parent)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from app.features.labelling.scene import Tool
+from app.core.scenes.labels import Tool
 from app.shell.recording_handler import RecordingHandler
 
 

@@ -6,8 +6,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, Signal
-
+from app.core.controller import Controller
 from app.core.document import document_loader
 from app.core.i18n import tr
 from app.core.widgets.questions import choose_file
@@ -20,13 +19,8 @@ if TYPE_CHECKING:
     from app.shell.main_window import MainWindow
 
 
-class OpenRecovery(QObject):
-    """Tells why work did not end well, with a way on where there is one.
-
-    Signals: `failed(error)`: there is none.
-    """
-
-    failed = Signal(object)
+class OpenRecovery(Controller):
+    """Tells why work did not end well, with a way on where there is one."""
 
     def __init__(self, files: Files, window: MainWindow, work: Work) -> None:
         super().__init__(files)

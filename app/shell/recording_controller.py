@@ -5,9 +5,11 @@ from __future__ import annotations
 from PySide6.QtCore import QObject, Signal
 
 from app.core.commands import CommandContext
+from app.core.controller import Controller
 from app.core.document.document import Document
 from app.core.playback.playback import Playback
 from app.core.scenes import Side, TransportScene
+from app.core.scenes.labels import Tool
 from app.core.tracks.frame_state import ViewOptions
 from app.features.comparison.controller import ComparisonController
 from app.features.correction.controller import EditController
@@ -15,51 +17,58 @@ from app.features.correction.drag_controller import DragController
 from app.features.counting.controller import CountController
 from app.features.history.controller import HistoryWalk
 from app.features.labelling.controller import LabelController
-from app.features.labelling.scene import Tool
-from app.features.parts.controller import Parts
+from app.features.parts.controller import PartsController
 from app.features.pictures.controller import OverlayController
 from app.features.review.controller import ReviewController
 from app.features.scoring.controller import ScoreController
 from app.shell.colour_worker import ColourWorker
 from app.shell.gesture_connections import connect_gestures
+from app.shell.recording_scenes import RecordingScenes
 from app.shell.tracker_at_work import TrackerAtWork
 from app.shell.workspace import Workspace
 from tracking.errors import TrackwrightError
 
 
-class RecordingController(QObject):
+class RecordingController(Controller):
     """Holds the document, the playback and the tracker at work of one open recording.
 
     Signals: `drawn()`, another frame is shown; `changed()`, commands may be enabled or disabled
-    by now; `progressed()`, the tracker at work is further; `failed(error)`; `said(text)`.
+    by now; `progressed()`, the tracker at work is further.
     """
 
-    changed = Signal()
     drawn = Signal()
     progressed = Signal()
-    failed = Signal(object)
-    said = Signal(str)
 
     def __init__(self, document: Document, workspace: Workspace, parent: QObject) -> None:
         super().__init__(parent)
         self.document = document
+        self.scenes = RecordingScenes(document)
         self.playback = Playback(document.recording, self)
         self.colouring = ColourWorker(document, self)
         self.editing = EditController(document, self.playback, self)
         self.dragging = DragController(document, self.playback, self.editing)
         self.overlaying = OverlayController(document, self.playback, self)
         self.walk = HistoryWalk(document, self.playback, workspace.history, self)
-        self.labelling = LabelController(document, self.playback, workspace, self)
-        self.parts = Parts(document, self.playback, workspace, self.labelling, self)
-        self.counting = CountController(document, self.playback, workspace, self)
-        self.scoring = ScoreController(document, self.playback, workspace, self)
-        self.comparing = ComparisonController(
-            document, self.playback, self.editing, workspace, self
+        surfaces = workspace.surfaces
+        self.labelling = LabelController(
+            document, self.playback, workspace.labelling, surfaces, self
         )
+        self.parts = PartsController(
+            document, self.playback, workspace.curves, surfaces.left, self.labelling, self
+        )
+        self.counting = CountController(
+            document,
+            self.playback,
+            workspace.counting,
+            surfaces.floor,
+            lambda: self.scenes.overhead.bounds,
+            self,
+        )
+        self.scoring = ScoreController(document, self.playback, workspace.score, surfaces, self)
+        self.comparing = ComparisonController(document, self.playback, workspace.differences, self)
         self.tracking = TrackerAtWork(document, self.playback, self.comparing, self)
         self.live = self.tracking.live
-        panel = workspace.review
-        self.reviewing = ReviewController(document, self.playback, self.editing, panel, self)
+        self.reviewing = ReviewController(document, self.playback, workspace.review, self)
         self.view_options = ViewOptions()
         self.cameras = "left"
         self._told_unread = ""
@@ -75,34 +84,22 @@ class RecordingController(QObject):
         self.editing.changed.connect(self.labelling.follow_edits)
         self.editing.changed.connect(self.draw)
         self.editing.previewed.connect(self.draw_preview)
-        self.editing.failed.connect(self.failed)
-        self.editing.said.connect(self.said)
         for part in (self.reviewing, self.comparing):
             part.changed.connect(self.changed)
-            part.failed.connect(self.failed)
-            part.said.connect(self.said)
+            part.edited.connect(self.editing.changed)
         self.reviewing.changed.connect(self.draw_playhead)  # whose marks stand on the timeline
+        self.reviewing.fix_asked.connect(self.editing.begin)
         self.overlaying.changed.connect(self.draw_frame)
         for one in (self.labelling, self.walk):
             one.changed.connect(self.draw)
-            one.failed.connect(self.failed)
-            one.said.connect(self.said)
-        self.overlaying.failed.connect(self.failed)
         self.parts.changed.connect(self.draw)
         self.counting.changed.connect(self.draw_frame)
-        self.counting.said.connect(self.said)
         self.scoring.changed.connect(self._draw_scored)
-        self.scoring.failed.connect(self.failed)
-        self.scoring.said.connect(self.said)
-        self.parts.said.connect(self.said)
         self.tracking.changed.connect(self.draw)
         self.colouring.changed.connect(self._draw_coloured)
-        self.colouring.failed.connect(self.failed)
         self.tracking.following.changed.connect(self.changed)
-        self.tracking.following.said.connect(self.said)
         self.tracking.found.connect(self._draw_found)
         self.tracking.people_found.connect(self.changed)
-        self.tracking.failed.connect(self.failed)
 
     def close(self) -> None:
         """End all threads and let the recording go."""
@@ -246,7 +243,7 @@ class RecordingController(QObject):
         """Draw the pictures and the floor: the same frame in all of them."""
         view, document, frame = self._workspace, self.document, self.playback.frame
         state = document.frame_state(self.playback.number)
-        pictures, laid = document.pictures, self.overlaying.laid(self.view_options.kinds)
+        pictures, laid = self.scenes.pictures, self.overlaying.laid(self.view_options.kinds)
         if self.cameras == "anaglyph":
             view.left.show_scene(pictures.anaglyph(frame, state, self.view_options, laid))
         else:
@@ -254,7 +251,7 @@ class RecordingController(QObject):
         if self.cameras == "both":
             view.right.show_scene(pictures.scene(Side.RIGHT, frame, state, self.view_options))
         view.overhead.show_legend(self.view_options.floor_legend)
-        view.overhead.show_scene(document.overhead.scene(state))
+        view.overhead.show_scene(self.scenes.overhead.scene(state))
         self.counting.draw(state, self.view_options)
         self.scoring.draw(state, self.view_options, self.cameras)
         counted = self.counting.texts_at(state, self.view_options)
@@ -285,9 +282,9 @@ class RecordingController(QObject):
         """Draw the timeline and the transport line."""
         clock, document, tracker = self.playback.clock, self.document, self.tracking.state
         frame, loaded = self.playback.number, self.playback.loaded
-        document.take_score(self.parts.presenter.score() if self.view_options.parts else None)
+        self.scenes.take_score(self.parts.presenter.score() if self.view_options.parts else None)
         self._workspace.timeline.show_scene(
-            document.timeline(clock.frame, frame, loaded, tracker.no_lanes)
+            self.scenes.timeline(clock.frame, frame, loaded, tracker.no_lanes)
         )
         self._workspace.transport.show_scene(
             TransportScene(

@@ -6,9 +6,10 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject
 
 from app.core.colours.track_colours import TrackColours
+from app.core.controller import Controller
 from app.core.document import document_loader
 from app.core.error_messages import explain
 from app.core.i18n import tr
@@ -24,13 +25,11 @@ if TYPE_CHECKING:
     from app.shell.main_window import MainWindow
 
 
-class ResultStorage(QObject):
+class ResultStorage(Controller):
     """Puts a finished run into the open session, or into a new one that is on disk at once.
 
     Signals: `changed()`, something is held or let go.
     """
-
-    changed = Signal()
 
     def __init__(self, window: MainWindow, work: Work, parent: QObject) -> None:
         super().__init__(parent)

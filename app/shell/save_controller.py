@@ -6,8 +6,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, Signal
-
+from app.core.controller import Controller
 from app.core.document import document_loader
 from app.core.i18n import tr
 from app.core.widgets.questions import choose_new_file
@@ -26,18 +25,14 @@ if TYPE_CHECKING:
 _SESSIONS = "trackwright (*.h5)"
 
 
-class SaveController(QObject):
+class SaveController(Controller):
     """Saves the open document in the background.
 
-    Signals: `changed()`, it is saved; `failed(error)`; `said(text)`.
+    Signals: `changed()`, it is saved.
 
     Attributes:
         proposed: the place that is proposed for a session without one; None: beside the recording.
     """
-
-    changed = Signal()
-    failed = Signal(object)
-    said = Signal(str)
 
     def __init__(
         self, files: Files, window: MainWindow, work: Work, remembered: UserSettings

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from app.core.editing import EditKind, EditScope
-from app.features.labelling.scene import Tool
+from app.core.scenes.labels import Tool
 from app.shell.recording_controller import RecordingController
 from app.shell.recording_handler import RecordingHandler
 

@@ -6,6 +6,7 @@ from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 
+from app.core.controller import Controller
 from app.core.document.document import Document
 from app.core.playback.playback import Playback
 from app.core.tracks.made_by import AtWork
@@ -26,11 +27,11 @@ from tracking.trackers import Resume, StepResult, tracker_named
 from tracking.tracks import Run
 
 
-class TrackerAtWork(QObject):
+class TrackerAtWork(Controller):
     """Puts trackers to work and what they find into the document.
 
     Signals: `found(first, last)`, it went through these frames, both included; `changed()`, all
-    is to be drawn; `people_found()`, there are tracks where there were none; `failed(error)`;
+    is to be drawn; `people_found()`, there are tracks where there were none;
     `tracked(run)`, it came to its end with a `Run`; `noted(lines, passes)`, what the user should be
     told, and whether that is good news, which may go by itself.
 
@@ -39,9 +40,7 @@ class TrackerAtWork(QObject):
     """
 
     found = Signal(int, int)
-    changed = Signal()
     people_found = Signal()
-    failed = Signal(object)
     tracked = Signal(object)
     noted = Signal(object, bool)
 

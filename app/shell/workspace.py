@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.core.drawing.surfaces import Surfaces
 from app.core.scenes import Side
 from app.core.widgets.gripped_splitter import GrippedSplitter
 from app.core.widgets.parts import bring_into_view
@@ -66,6 +67,7 @@ class Workspace(QWidget):
         self.differences = DifferencesPanel(self)
         self.transport = TransportBar(self)
         self.timeline = TimelineView(self)
+        self.surfaces = Surfaces(self.left, self.right, self.overhead)
         self._splitters: dict[str, QSplitter] = {}
         for plot in (self.curves.plot, self.counting.plot):
             self.timeline.area.stretch.changed.connect(plot.show_axis)

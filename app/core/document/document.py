@@ -6,14 +6,14 @@ from collections.abc import Callable, Iterable, Sequence
 
 from app.core.colours.track_colours import TrackColours
 from app.core.document.detector_choice import DetectorChoice, PartSettings
+from app.core.document.document_listener import DocumentListener, Marks
 from app.core.document.edit_history import EditMarks, HistoryList, track_card
 from app.core.document.frame_state_builder import FrameStateBuilder
 from app.core.editing import EditFlow, PlannedEdit
 from app.core.editing.correction import CorrectionPresenter
 from app.core.editing.edit_planner import refuse_too_large
 from app.core.i18n import tr
-from app.core.scenes import Colour, HistoryItem, TimelineMark, TimelineScene, TrackCard
-from app.core.scenes.part_curve import LaneScore
+from app.core.scenes import Colour, HistoryItem, TimelineMark, TrackCard
 from app.core.tracks.edit_context import EditContext
 from app.core.tracks.frame_state import FrameState
 from app.core.tracks.made_by import AtWork, MadeBy
@@ -22,10 +22,7 @@ from app.core.tracks.selection import Selection
 from app.core.tracks.session_colours import PendingColours
 from app.core.tracks.track_reader import WholeTracks
 from app.core.tracks.track_source import TrackSource
-from app.features.comparison.presenter import Comparison
-from app.features.pictures.overhead_presenter import OverheadPresenter
-from app.features.pictures.presenter import PicturePresenter
-from app.features.timeline.presenter import TimelinePresenter
+from app.core.tracks.two_versions import TwoVersions
 from tracking.editing import Change, StoredChange
 from tracking.errors import EditError, SessionError
 from tracking.pipeline import KeptSteps
@@ -55,18 +52,20 @@ class Document:
         self._author = ""
         self._geometry = RecordingGeometry.of(recording)
         self.correcting = CorrectionPresenter(self.selection, self._geometry, self._edit_context)
-        self.pictures = PicturePresenter(recording)
-        self.overhead = OverheadPresenter(recording)
-        self._timeline = TimelinePresenter(recording.frame_count, recording.fps)
         self._frame_states = FrameStateBuilder(
-            self._track_source, self.selection, self.correcting, self.pictures
+            self._track_source, self.selection, self.correcting, recording
         )
         self.settle: Settle | None = None
         self.edited: tuple[int, ...] = ()
         self.detector, self.detector_chosen = DetectorChoice(), False
-        self.comparison: Comparison | None = None
+        self.comparison: TwoVersions | None = None
+        self._listeners: list[DocumentListener] = []
         self._marks, self._history = EditMarks(), HistoryList()
-        self._retake()
+
+    def tell(self, listener: DocumentListener) -> None:
+        """Tell a listener of the tracks as they are, and of every change from now on."""
+        self._listeners.append(listener)
+        listener.take_tracks(self.tracks, *self._marked())
 
     @property
     def session(self) -> Session | None:
@@ -137,9 +136,8 @@ class Document:
         found = tuple(results)
         self._track_source.extend(found)
         if self.is_live:
-            for result in found:
-                self.overhead.take_more(result.tracks)
-            self._timeline.take(self.tracks, {})
+            for listener in self._listeners:
+                listener.take_live(self.tracks, found)
 
     @property
     def shows_further_run(self) -> bool:
@@ -182,14 +180,16 @@ class Document:
             self.take_session(self.session)
 
     def _retake(self) -> None:
-        """Show on the timeline the tracks that are shown by now."""
-        marks: dict[int, tuple[TimelineMark, ...]] = {}
-        reviewed: tuple[ReviewedRange, ...] = ()
-        if self.session is not None and not self.is_live:
-            marks, reviewed = self._marks.of(self.session.history), self.session.labels.reviewed
-        self._timeline.take(self.tracks, marks)
-        self.overhead.take(self.tracks.capture(("frame", "x", "y"))())
-        self._timeline.take_reviewed(reviewed)
+        """Other tracks are shown by now."""
+        marks, reviewed = self._marked()
+        for listener in self._listeners:
+            listener.take_tracks(self.tracks, marks, reviewed)
+
+    def _marked(self) -> tuple[Marks, tuple[ReviewedRange, ...]]:
+        """Where the tracks that are shown were edited, and what of them was reviewed."""
+        if self.session is None or self.is_live:
+            return {}, ()
+        return self._marks.of(self.session.history), self.session.labels.reviewed
 
     # what the views show
 
@@ -197,29 +197,14 @@ class Document:
         """The frame as the pictures and the floor show it: with what is compared, too."""
         return self._frame_states.build_compared(frame, self.comparison)
 
-    def timeline(
-        self,
-        playhead: int,
-        frame: int,
-        loaded: tuple[tuple[int, int], ...] = (),
-        no_lanes: str = "",
-    ) -> TimelineScene:
-        """The timeline with its playhead; lanes are those of `frame`.
-
-        `loaded` are the half-open ranges of frames at hand; `no_lanes` is said without lanes.
-        """
-        cut = self.flow.cut if self.flow is not None and self.flow.has_cut else None
-        marked = self.correcting.range_shown
-        state = self._frame_states.build_corrected(frame)
-        return self._timeline.scene(playhead, state, loaded, cut, no_lanes, marked)
+    def corrected_state(self, frame: int) -> FrameState:
+        """The frame without what is compared: its people are those of the timeline."""
+        return self._frame_states.build_corrected(frame)
 
     def take_review_items(self, review_items: Sequence[TimelineMark]) -> None:
-        """Mark on the timeline what may be wrong, instead of what was marked before."""
-        self._timeline.take_review_items(review_items)
-
-    def take_score(self, score: LaneScore | None) -> None:
-        """Show on the timeline how a part of the selected person went; None: nothing."""
-        self._timeline.take_score(score)
+        """Mark what may be wrong, instead of what was marked before."""
+        for listener in self._listeners:
+            listener.take_review_items(review_items)
 
     def card(self) -> TrackCard | None:
         """The selected track in words."""
@@ -346,7 +331,8 @@ class Document:
         """Show colours that were due; False where others are by now."""
         taken = self._track_source.take_colours(due, made)
         if taken:
-            self._timeline.colour_anew()
+            for listener in self._listeners:
+                listener.colour_anew()
         return taken
 
     @property
@@ -369,17 +355,15 @@ class Document:
             raise EditError(tr("Not changed: stop tracking first"))
 
     def _take_changed(self, change: Change) -> None:
-        """Make only the lanes of the tracks anew that the change touched."""
+        """Tell of the tracks that the change touched."""
         if self.session is None:
             return
         table = self.session.tracks
-        frames = change.before.rows["frame"], change.after.rows["frame"]
-        marks = self._marks.of(self.session.history)
-        self.overhead.take_more(change.after.rows)
+        marks, reviewed = self._marks.of(self.session.history), self.session.labels.reviewed
         self._track_source.meet(change)
         self.edited = change.tracks
-        self._timeline.take_changed(self.edited, self.tracks, frames, marks)
-        self._timeline.take_reviewed(self.session.labels.reviewed)
+        for listener in self._listeners:
+            listener.take_change(change, self.tracks, marks, reviewed)
         self.selection.keep(track for track in self.selection.all if track in table)
 
     def _shown(self, change: Change, made: Change) -> Change:

@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 
 from app.core.editing import PreviewedTracks, preview_trails, rows_replaced_by
 from app.core.editing.correction import CorrectionPresenter
+from app.core.projection.floor_projection import left_foot_points
 from app.core.projection.trails import floor_points
 from app.core.tracks.frame_state import FrameState
 from app.core.tracks.selection import Selection
 from app.core.tracks.track_reader import TrackReader
 from app.core.tracks.track_source import TrackSource
-from app.features.comparison.presenter import Comparison
-from app.features.pictures.presenter import PicturePresenter
+from app.core.tracks.two_versions import TwoVersions
 from tracking.editing import Change
+from tracking.recording import Recording
 
 
 class FrameStateBuilder:
@@ -24,10 +26,11 @@ class FrameStateBuilder:
         track_source: TrackSource,
         selection: Selection,
         correcting: CorrectionPresenter,
-        pictures: PicturePresenter,
+        recording: Recording,
     ) -> None:
         self._track_source, self._selection = track_source, selection
-        self._correcting, self._pictures = correcting, pictures
+        self._correcting = correcting
+        self._left_foot_points = partial(left_foot_points, recording)
 
     def build_corrected(self, frame: int) -> FrameState:
         """The tracks that are shown; with an edit that waits as they would be after it."""
@@ -35,7 +38,7 @@ class FrameStateBuilder:
         change = planned.change if planned is not None else None
         shown = planned is not None and change is not None
         tracks: TrackReader = self._track_source.tracks
-        in_picture, colours = self._pictures.left_foot_points, self._track_source.colours
+        in_picture, colours = self._left_foot_points, self._track_source.colours
         if change:
             tracks = PreviewedTracks(self._track_source.tracks, change)
             colours = self._track_source.colours_after(change, tracks)
@@ -58,7 +61,7 @@ class FrameStateBuilder:
             drawing=flow is not None and flow.drawing,
         )
 
-    def build_compared(self, frame: int, comparison: Comparison | None) -> FrameState:
+    def build_compared(self, frame: int, comparison: TwoVersions | None) -> FrameState:
         """The same, with the ways of the people in question in both versions.
 
         Where two runs are compared, its people are those of the one that is drawn solid.
@@ -79,7 +82,7 @@ class FrameStateBuilder:
         return replace(
             state,
             preview=comparison.trails(frame, floor_points),
-            picture_preview=comparison.trails(frame, self._pictures.left_foot_points),
+            picture_preview=comparison.trails(frame, self._left_foot_points),
         )
 
     def _emphasised(self, change: Change | None) -> tuple[int, ...]:

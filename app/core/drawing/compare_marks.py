@@ -10,7 +10,7 @@ from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 from app.core.drawing.name_plates import draw_note, place_plates, plate_rect
 from app.core.drawing.viewport import Viewport, polygon
 from app.core.look.theme import Theme, faded
-from app.features.comparison.scene import OtherMark, OtherPlace
+from app.core.scenes.other_people import OtherMark, OtherPlace
 
 _DASHES = [4.0, 3.0]
 _HALO = QColor(0, 0, 0, 120)

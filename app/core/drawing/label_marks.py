@@ -13,7 +13,7 @@ from app.core.drawing.part_signs import draw_said, draw_unsure, sign_radius
 from app.core.drawing.viewport import Points, Viewport, path_through
 from app.core.look.theme import Theme, faded
 from app.core.scenes import Colour
-from app.features.labelling.scene import PART_COLOURS, Outline, PartMark
+from app.core.scenes.labels import PART_COLOURS, Outline, PartMark
 
 _CASING = QColor(0, 0, 0, 130)
 _FILL = 0.16

@@ -12,7 +12,7 @@ from app.core.drawing.free_place import free_place
 from app.core.drawing.part_signs import draw_off, draw_on
 from app.core.drawing.viewport import Viewport
 from app.core.look.theme import Theme, faded, scaled_font
-from app.features.parts.scene import CardLine, PartCard, Verdict
+from app.core.scenes.pictured_parts import CardLine, PartCard, Verdict
 
 _PAD, _BAR_PX, _GAP, _APART_PX = 5.0, 4.0, 5.0, 8.0
 _CASING = QColor(0, 0, 0, 150)

@@ -14,7 +14,7 @@ from app.core.drawing.particles import draw_particles
 from app.core.drawing.viewport import Viewport
 from app.core.look.theme import faded
 from app.core.scenes import Colour
-from app.features.parts.scene import PartBox, PicturedParts
+from app.core.scenes.pictured_parts import PartBox, PicturedParts
 
 _CASING = QColor(0, 0, 0, 150)
 _PARTICLE_PX, _LEAST_PX, _LARGEST_PX, _RIM_PX = 0.6, 1.6, 3.2, 1.0

@@ -8,11 +8,11 @@ from dataclasses import dataclass
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 
+from app.core.drawing.error_signs import draw_signs, error_colour
 from app.core.drawing.name_plates import draw_note, place_plates, plate_rect
 from app.core.drawing.viewport import Viewport, polygon
 from app.core.look.theme import Theme, faded
-from app.features.scoring.scene import FlooredTruth, PicturedTruth, TruthMark
-from app.features.timeline.error_signs import draw_signs, error_colour
+from app.core.scenes.ground_truth import FlooredTruth, PicturedTruth, TruthMark
 from tracking.scoring import ErrorKind
 
 _HALO = QColor(0, 0, 0, 130)

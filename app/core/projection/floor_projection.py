@@ -7,8 +7,10 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
+from app.core.projection.trails import floor_points, foot_points
 from app.core.scenes import Side
 from tracking.recording import Recording
+from tracking.tracks import Columns
 
 Floats = NDArray[np.float64]
 
@@ -27,6 +29,15 @@ def project_floor(recording: Recording, side: Side, floor: Floats) -> Floats:
     if rectification is None or recording.ground is None:
         return _nowhere(points)
     return rectification.right_pixel_from_world(points)
+
+
+def left_foot_points(recording: Recording, rows: Columns) -> Floats:
+    """Where the people of the rows stand, (n, 2) px: by the floor, else by their boxes."""
+    boxes = foot_points(rows)
+    if recording.view is None:
+        return boxes
+    floor = project_floor(recording, Side.LEFT, floor_points(rows))
+    return np.where(np.isfinite(floor), floor, boxes)
 
 
 def project_outline(recording: Recording, side: Side, corners: Floats) -> Floats:

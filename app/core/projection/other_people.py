@@ -10,7 +10,7 @@ from app.core.colours.track_colours import ColourOf
 from app.core.projection.right_image import boxes_in_right_image
 from app.core.projection.trails import floor_points, trails_by_track
 from app.core.scenes import Side
-from app.features.comparison.scene import OtherMark, OtherPlace
+from app.core.scenes.other_people import OtherMark, OtherPlace
 from tracking.recording import Recording
 from tracking.tracks import TrackTable
 

@@ -12,7 +12,6 @@ from app.core.colours.track_colours import TrackColours
 from app.core.scenes import LegendEntry, PreviewTrail
 from app.core.tracks.made_by import MadeBy
 from app.core.tracks.track_reader import TrackReader
-from app.features.pictures.overlays import Kinds
 from tracking.tracks import Columns
 
 
@@ -132,3 +131,15 @@ class FrameState:
     def is_chosen(self, track: int) -> bool:
         """Whether the track is drawn with emphasis."""
         return track in self.chosen
+
+
+@dataclass(frozen=True, slots=True)
+class Kinds:
+    """Which of them are laid over the picture; the ramp image comes alone."""
+
+    foreground: bool = False
+    disparity: bool = False
+    ramp: bool = False
+
+    def __bool__(self) -> bool:
+        return self.foreground or self.disparity or self.ramp

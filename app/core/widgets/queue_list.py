@@ -20,9 +20,9 @@ from PySide6.QtGui import QFont, QFontMetrics, QFontMetricsF, QPainter
 from PySide6.QtWidgets import QStyledItemDelegate, QStyleOptionViewItem
 
 from app.core.look.theme import current_theme, scaled_font
+from app.core.scenes.queue_rows import ReviewPerson, ReviewRow
 from app.core.widgets.abstract import AbstractQt
 from app.core.widgets.command_list import draw_row_ground
-from app.features.review.scene import ReviewPerson, ReviewRow
 
 ITEM = Qt.ItemDataRole.UserRole
 _PAD, _SIDE, _GAP = 4, 8, 6

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from app.core.colours.track_colours import ColourOf
+from app.core.document.recording_match import refuse_other_recording
 from app.core.i18n import span_text, tr
 from app.core.projection.other_people import OtherPeople
 from app.features.comparison.scene import AgreementScene, DisagreementRow
@@ -15,7 +16,7 @@ from tracking.errors import SessionError
 from tracking.progress import Progress
 from tracking.recording import Recording
 from tracking.scoring import Agreement, Disagreement, ScoringTable, agreement
-from tracking.session import RecordingReference, Session
+from tracking.session import Session
 from tracking.tracks import TrackTable
 
 _STEPS = 4
@@ -36,34 +37,6 @@ class OtherSession:
     tracks: TrackTable
     agreement: Agreement
     revision: int
-
-
-def refuse_other_recording(one: RecordingReference, other: RecordingReference, named: str) -> None:
-    """Two sessions can be compared where they were made from the same sources.
-
-    Args:
-        one, other: what the sessions say of their recordings.
-        named: the other session, as the user knows it.
-
-    Raises:
-        SessionError: the recordings differ.
-    """
-    here = [(part.size_bytes, part.sha256) for part in one.sources], one.frame_count
-    there = [(part.size_bytes, part.sha256) for part in other.sources], other.frame_count
-    if here != there:
-        raise SessionError(
-            f"{named} is of another recording ({_difference(one, other)}); "
-            "choose a session of the same one"
-        )
-
-
-def _difference(one: RecordingReference, other: RecordingReference) -> str:
-    """What tells two recordings apart, which may be called alike."""
-    if other.name != one.name:
-        return f"{other.name}, not {one.name}"
-    if other.frame_count != one.frame_count:
-        return f"{other.frame_count} frames, not {one.frame_count}"
-    return f"{other.name}, too, but its files are others"
 
 
 def read_other(path: Path, own: Session, snapshot: TrackTable, report: Progress) -> OtherSession:

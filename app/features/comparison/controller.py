@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable
 
 from PySide6.QtCore import QObject, Signal
 
+from app.core.controller import Controller
 from app.core.document.document import Document
 from app.core.i18n import tr
 from app.core.jobs.jobs import Job
@@ -13,9 +14,8 @@ from app.core.playback.playback import Playback
 from app.core.projection.other_people import OtherPeople
 from app.features.comparison.difference_search import ComparisonResult
 from app.features.comparison.differences_scene import DifferenceOrder
+from app.features.comparison.panel import DifferencesPanel
 from app.features.comparison.presenter import Comparison
-from app.features.correction.controller import EditController
-from app.shell.workspace import Workspace
 from tracking.editing import Change, Difference
 from tracking.errors import TrackwrightError
 from tracking.session import Session
@@ -23,27 +23,26 @@ from tracking.session import Session
 _BEFORE_S = 0.5
 
 
-class ComparisonController(QObject):
+class ComparisonController(Controller):
     """The comparison that is shown, and what is taken from it.
 
-    Signals: `changed()`, another one or none is shown; `failed(error)`; `said(text)`.
+    `changed`: another one or none is shown. Signals: `edited()`, the tracks or what is selected are
+    others than before; `scene_changed(scene)`, for the panel, None for no comparison.
     """
 
-    changed = Signal()
-    failed = Signal(object)
-    said = Signal(str)
+    edited = Signal()
+    scene_changed = Signal(object)
 
     def __init__(
         self,
         document: Document,
         playback: Playback,
-        editing: EditController,
-        workspace: Workspace,
+        panel: DifferencesPanel,
         parent: QObject,
     ) -> None:
         super().__init__(parent)
-        self._document, self._playback, self._editing = document, playback, editing
-        self._workspace = workspace
+        self._document, self._playback = document, playback
+        self._panel = panel
         self._comparison: Comparison | None = None
         self._dashed: OtherPeople | None = None
         self._searched: tuple[object, ...] = ()
@@ -54,7 +53,7 @@ class ComparisonController(QObject):
         self._connect()
 
     def _connect(self) -> None:
-        panel = self._workspace.differences
+        panel = self._panel
         panel.chosen.connect(self._choose)
         # The panel outlives this object: a function of its own would be kept by it for ever.
         panel.ticked.connect(self._tick)
@@ -100,7 +99,7 @@ class ComparisonController(QObject):
             return
         self._document.take_session(session)
         self.said.emit(tr("Run {n} is the one being corrected now", n=number))
-        self._editing.changed.emit()
+        self.edited.emit()
         self.changed.emit()
 
     def open(self, run: int, base: int | None = None, *, everything: bool = False) -> None:
@@ -127,8 +126,8 @@ class ComparisonController(QObject):
         self._stop()
         if self._comparison is not None:
             self._comparison = self._dashed = self._document.comparison = None
-            self._workspace.show_differences(None)
-            self._editing.changed.emit()
+            self.scene_changed.emit(None)
+            self.edited.emit()
             self.changed.emit()
 
     def end(self) -> None:
@@ -210,7 +209,7 @@ class ComparisonController(QObject):
         if first:
             self._look_at(comparison.walk(1))
         else:
-            self._editing.changed.emit()
+            self.edited.emit()
 
     def _end_taken(self, comparison: Comparison) -> None:
         """Nothing of the run is left to take: the panels come back by themselves."""
@@ -262,7 +261,7 @@ class ComparisonController(QObject):
             self._document.selection.choose(
                 one.track if one.track in self._document.tracks.ids else 0
             )
-        self._editing.changed.emit()
+        self.edited.emit()
 
     def _tick(self, number: int, on: bool) -> None:
         self._with(lambda one: one.tick([number], on))
@@ -294,7 +293,7 @@ class ComparisonController(QObject):
                 self._do(comparison.plans_from(number))
         except TrackwrightError as error:
             self.failed.emit(error)
-        self._editing.changed.emit()
+        self.edited.emit()
 
     def _do(self, plans: Iterable[Callable[[], Change]]) -> None:
         for plan in plans:
@@ -307,7 +306,7 @@ class ComparisonController(QObject):
     def _show(self) -> None:
         if self._comparison is not None:
             doing = tr("Comparing...") if self._job is not None else ""
-            self._workspace.show_differences(self._comparison.scene(doing, self._share))
+            self.scene_changed.emit(self._comparison.scene(doing, self._share))
 
 
 def _why_compared(session: Session, number: int) -> str:

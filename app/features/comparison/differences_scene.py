@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import Enum
 
-from app.features.review.scene import ReviewPerson
+from app.core.scenes.queue_rows import ReviewPerson
 
 
 class DifferenceOrder(Enum):

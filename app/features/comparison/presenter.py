@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from app.core.colours.track_colours import ColourOf
 from app.core.i18n import span_text, tr
 from app.core.scenes import PreviewTrail
+from app.core.scenes.queue_rows import ReviewPerson
 from app.core.tracks.session_tracks import SessionTracks
 from app.features.comparison.difference_search import ComparisonResult, search_in
 from app.features.comparison.differences_scene import (
@@ -20,7 +21,6 @@ from app.features.comparison.differences_scene import (
     DifferencesScene,
     Side,
 )
-from app.features.review.scene import ReviewPerson
 from tracking.editing import (
     Change,
     Difference,

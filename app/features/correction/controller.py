@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QObject, Signal
 
+from app.core.controller import Controller
 from app.core.document import document_loader
 from app.core.document.document import Document
 from app.core.document.undo_frame import is_seen_at
@@ -21,18 +22,14 @@ from tracking.editing import (
 from tracking.errors import TrackwrightError
 
 
-class EditController(QObject):
+class EditController(Controller):
     """Turns gestures into edits of a document.
 
-    Signals: `changed()`, the tracks, the labels or the waiting edit are others than before;
-    `previewed()`, only what the waiting edit would do is;
-    `failed(error)`, an edit does not apply; `said(text)`, what was done.
+    `changed`: the tracks, the labels or the pending edit are others than before. Signals:
+    `previewed()`, only what the pending edit would do is.
     """
 
-    changed = Signal()
     previewed = Signal()
-    failed = Signal(object)
-    said = Signal(str)
 
     def __init__(self, document: Document, playback: Playback, parent: QObject) -> None:
         super().__init__(parent)

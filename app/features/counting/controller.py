@@ -6,50 +6,50 @@ from collections.abc import Callable
 from dataclasses import replace
 from functools import cache, partial
 
-from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtCore import QObject, Qt
 
+from app.core.controller import Controller
 from app.core.document.document import Document
+from app.core.document.track_sources import SHOWN, capture_rows
+from app.core.drawing.surfaces import FloorSurface
 from app.core.i18n import count_text, tr
 from app.core.jobs.latest_job import LatestJob
 from app.core.playback.playback import Playback
+from app.core.projection.extent import Bounds
+from app.core.scenes.labels import CountText
 from app.core.tracks.frame_state import FrameState, ViewOptions
+from app.features.counting.panel import CountingPanel
 from app.features.counting.presenter import CountingPresenter
-from app.features.counting.subject import (
-    SHOWN,
-    CountResult,
-    CountSubject,
-    Length,
-    capture_rows,
-    count_subject,
-)
-from app.features.labelling.presenter import CountText
-from app.shell.workspace import Workspace
+from app.features.counting.subject import CountResult, CountSubject, Length, count_subject
 from tracking.counting import Counts
 from tracking.progress import Progress
 
 Work = Callable[[Progress], CountResult]
 
 
-class CountController(QObject):
+class CountController(Controller):
     """Counts in the background what is asked for, and shows it.
 
-    Signals: `changed()`, there are other counts; `said(text)`.
+    Signals: `changed()`, there are other counts.
     """
 
-    changed = Signal()
-    said = Signal(str)
-
     def __init__(
-        self, document: Document, playback: Playback, workspace: Workspace, parent: QObject
+        self,
+        document: Document,
+        playback: Playback,
+        panel: CountingPanel,
+        floor: FloorSurface,
+        bounds: Callable[[], Bounds],
+        parent: QObject,
     ) -> None:
         super().__init__(parent)
-        self._document, self._workspace = document, workspace
+        self._document, self._panel, self._floor = document, panel, floor
+        self._bounds = bounds
         self.presenter = CountingPresenter(document)
         self._search = LatestJob("counting", self._prepare, self)
         self._search.found.connect(self._take)
         self._search.failed.connect(self._refuse)
         self._search.changed.connect(self.changed, Qt.ConnectionType.QueuedConnection)
-        panel = workspace.counting
         panel.frame_sought.connect(playback.go)
         panel.picked.connect(self._pick)
         panel.track_source_chosen.connect(self._choose_track_source)
@@ -61,8 +61,8 @@ class CountController(QObject):
     def close(self) -> None:
         """End the thread; leave nothing on the views, which outlive the document."""
         self._search.stop()
-        self._workspace.counting.show_scene(None)
-        self._workspace.overhead.show_flow(None)
+        self._panel.show_scene(None)
+        self._floor.show_flow(None)
 
     @property
     def counts(self) -> Counts | None:
@@ -80,10 +80,10 @@ class CountController(QObject):
         subject = self.presenter.current_subject(mapped=view_options.flow_map)
         if view_options.counts or view_options.counting or view_options.flow_map:
             self._ask(subject)
-        self._workspace.overhead.show_flow(self.presenter.flow() if view_options.flow_map else None)
+        self._floor.show_flow(self.presenter.flow() if view_options.flow_map else None)
         doing = tr("Counting...") if self._search.busy else ""
         panel = self.presenter.scene(state, doing) if view_options.counting else None
-        self._workspace.counting.show_scene(panel)
+        self._panel.show_scene(panel)
 
     def texts_at(self, state: FrameState, view_options: ViewOptions) -> CountText:
         """Gives what to write at lines and regions in a frame."""
@@ -100,7 +100,7 @@ class CountController(QObject):
         document = self._document
         load, recording = capture_rows(document, subject.track_source), document.recording
         length = Length(recording.fps, recording.frame_count, self.presenter.frames)
-        bounds = document.overhead.bounds
+        bounds = self._bounds()
         return lambda report: count_subject(subject, load, length, bounds, report)
 
     def _take(self, found: CountResult) -> None:

@@ -9,7 +9,8 @@ import numpy as np
 from app.core.colours.colour_scales import VIRIDIS
 from app.core.i18n import tr
 from app.core.scenes import LegendEntry
-from app.features.counting.scene import Floats, FlowScene
+from app.core.scenes.flow_map import FlowScene
+from app.features.counting.scene import Floats
 from tracking.counting import FlowMap
 
 Share = TypeVar("Share", float, Floats)

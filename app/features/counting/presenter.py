@@ -8,16 +8,17 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from app.core.document.document import Document
-from app.core.document.track_sources import list_track_sources
+from app.core.document.track_sources import SHOWN, list_track_sources, version_of
 from app.core.error_messages import explain
 from app.core.i18n import tr
+from app.core.scenes.flow_map import FlowScene
+from app.core.scenes.labels import LINE_COLOUR, REGION_COLOUR, Tool
 from app.core.tracks.frame_state import FrameState
 from app.features.counting.flow_scene import flow_scene
 from app.features.counting.plots import plots_of
-from app.features.counting.scene import CountingScene, CountPlot, FlowScene, TallyRow
-from app.features.counting.subject import SHOWN, CountResult, CountSubject, version_of
+from app.features.counting.scene import CountingScene, CountPlot, TallyRow
+from app.features.counting.subject import CountResult, CountSubject
 from app.features.counting.tallies import Tallies, people_inside
-from app.features.labelling.scene import LINE_COLOUR, REGION_COLOUR, Tool
 from tracking.counting import PAPER_STEP_S, CountSettings, Occupancy, density_of
 from tracking.tracks import Columns, CountingLine, Labels, Region, between
 

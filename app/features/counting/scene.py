@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from app.core.scenes import Colour, LegendEntry
+from app.core.scenes import Colour
 from tracking.counting import Counts
 
 FORWARD_COLOUR: Colour = (213, 94, 0)
@@ -97,22 +97,3 @@ class CountingScene:
     fps: float = 1.0
     doing: str = ""
     message: str = ""
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class FlowScene:
-    """The flow map over the floor.
-
-    Attributes:
-        left, bottom, cell_m: where its cells lie, m; row 0 is the lowest.
-        image: (rows, columns, 4) uint8 RGBA, row 0 the highest. The very same while it stays.
-        arrows: (n, 4) from x, y to x, y in m, the longer the faster.
-        legend: what its colours mean.
-    """
-
-    left: float
-    bottom: float
-    cell_m: float
-    image: NDArray[np.uint8]
-    arrows: Floats = field(default_factory=lambda: np.zeros((0, 4)))
-    legend: tuple[LegendEntry, ...] = ()

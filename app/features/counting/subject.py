@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 
-from app.core.document.document import Document
-from app.core.tracks.live_tracks import ContinuedTracks, LiveTracks
+from app.core.document.track_sources import Load, Version
 from tracking.counting import (
     CountingLine,
     Counts,
@@ -20,13 +19,8 @@ from tracking.counting import (
 )
 from tracking.errors import CountingError
 from tracking.progress import Progress
-from tracking.tracks import Columns, TrackTable
+from tracking.tracks import Columns
 
-SHOWN = -1
-"""Whose: the tracks that are shown, corrected or of a tracker at work; else a run's number."""
-_COLUMNS = ("frame", "track", "left", "top", "width", "height", "x", "y")
-
-Version = tuple[object, ...]
 Bounds = tuple[float, float, float, float]
 
 
@@ -85,30 +79,6 @@ class CountResult:
 
 
 Drawn = CountingLine | Region
-Load = Callable[[], Columns]
-"""Gives the rows of a moment; may be called on any thread."""
-
-
-def version_of(document: Document, track_source: int) -> Version:
-    """What changes when the tracks do; while a tracker is at work once for each second of it."""
-    if track_source != SHOWN:
-        return ("run", track_source)
-    tracks = document.tracks
-    if isinstance(tracks, LiveTracks | ContinuedTracks):
-        seconds = int((tracks.frames[1] - tracks.frames[0]) / document.recording.fps)
-        return ("live", id(tracks), seconds)
-    session = document.session
-    table = session.tracks if session is not None else TrackTable()
-    return ("corrected", id(table), table.revision)
-
-
-def capture_rows(document: Document, track_source: int) -> Load:
-    """Takes hold of the rows as they are now: quick; reading them may take longer."""
-    session = document.session
-    if track_source != SHOWN and session is not None:
-        run = session.runs[track_source]
-        return lambda: run.tracks
-    return document.tracks.capture(_COLUMNS)
 
 
 @dataclass(frozen=True, slots=True)

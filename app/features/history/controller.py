@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import time
 
-from PySide6.QtCore import QObject, QTimer, Signal
+from PySide6.QtCore import QObject, QTimer
 
+from app.core.controller import Controller
 from app.core.document.document import Document
 from app.core.document.undo_frame import is_seen_at
 from app.core.i18n import tr
@@ -16,16 +17,11 @@ from tracking.errors import TrackwrightError
 _SLICE_S = 0.012
 
 
-class HistoryWalk(QObject):
+class HistoryWalk(Controller):
     """Goes through the history of a document.
 
-    Signals: `changed()`, the tracks or who is selected are others than before; `failed(error)`;
-    `said(text)`.
+    Signals: `changed()`, the tracks or who is selected are others than before.
     """
-
-    changed = Signal()
-    failed = Signal(object)
-    said = Signal(str)
 
     def __init__(
         self, document: Document, playback: Playback, panel: HistoryPanel, parent: QObject

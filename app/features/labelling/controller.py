@@ -5,57 +5,52 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
-from PySide6.QtCore import QObject, QPointF, QRectF, Signal
+from PySide6.QtCore import QObject, QPointF, QRectF
 from PySide6.QtWidgets import QWidget
 
+from app.core.controller import Controller
 from app.core.document.document import Document
+from app.core.drawing.surfaces import Surfaces
 from app.core.i18n import tr
 from app.core.playback.playback import Playback
 from app.core.scenes import Side
+from app.core.scenes.labels import CountText, FloorLabels, PictureLabels, SuggestedPart, Tool
 from app.features.labelling.drawn_shapes import Shapes
 from app.features.labelling.panel import LabellingPanel
 from app.features.labelling.part_keys import PartKeys
 from app.features.labelling.part_labels import PartsLayer
-from app.features.labelling.presenter import CountText, LabellingPresenter
-from app.features.labelling.scene import (
-    FloorLabels,
-    LabellingScene,
-    PictureLabels,
-    SuggestedPart,
-    Tool,
-)
+from app.features.labelling.presenter import LabellingPresenter
+from app.features.labelling.scene import LabellingScene
 from app.features.labelling.shapes import ShapesLayer
-from app.shell.workspace import Workspace
 from tracking.editing import Change, plan_mark_reviewed, plan_unmark_reviewed
 from tracking.errors import TrackwrightError
 
 
-class LabelController(QObject):
+class LabelController(Controller):
     """Turns what is drawn and said into edits of a document, and shows it.
 
-    Signals: `changed()`, labels or the tool are others than before; `failed(error)`; `said(text)`.
+    Signals: `changed()`, labels or the tool are others than before.
     """
 
-    changed = Signal()
-    failed = Signal(object)
-    said = Signal(str)
-
     def __init__(
-        self, document: Document, playback: Playback, workspace: Workspace, parent: QObject
+        self,
+        document: Document,
+        playback: Playback,
+        panel: LabellingPanel,
+        surfaces: Surfaces,
+        parent: QObject,
     ) -> None:
         super().__init__(parent)
         self._document = document
         self._playback = playback
-        self._workspace = workspace
+        self._panel, self._surfaces = panel, surfaces
         self._presenter = LabellingPresenter(document)
         self.shown = PictureLabels()
         self._refused: tuple[str, tuple[object, ...]] = ("", ())
-        self._panel: LabellingPanel = workspace.labelling
-        self._parts = PartsLayer(workspace.left)
-        self._shapes = Shapes(workspace, playback, self._presenter, self._do, self)
+        self._parts = PartsLayer(surfaces.left)
+        self._shapes = Shapes(surfaces, playback, self._presenter, self._do, self)
         self._keys = PartKeys(document, playback, self._presenter.parts, self._do, self)
         self._keys.changed.connect(self.changed)
-        self._keys.said.connect(self.said)
         self._keys.close_asked.connect(self._show_close)
         self._connect_layers()
         self._connect_panel()
@@ -66,7 +61,6 @@ class LabelController(QObject):
         self._parts.picked.connect(self._pick_person)
         self._parts.leave_asked.connect(self.leave)
         self._shapes.changed.connect(self.changed)
-        self._shapes.said.connect(self.said)
         self._shapes.leave_asked.connect(self.leave)
 
     def _connect_panel(self) -> None:
@@ -94,7 +88,7 @@ class LabelController(QObject):
             layer.deleteLater()
         self._panel.show_scene(None)
         self._show(PictureLabels(), PictureLabels())
-        self._workspace.overhead.show_labels(FloorLabels())
+        self._surfaces.floor.show_labels(FloorLabels())
 
     @property
     def _layers(self) -> tuple[QWidget, ...]:
@@ -131,7 +125,7 @@ class LabelController(QObject):
         self._keys.end_suggestions()
         for layer in self._layers:
             layer.hide()
-        self._workspace.left.setFocus()
+        self._surfaces.left.setFocus()
         self.changed.emit()
 
     def _layers_of(self, tool: Tool) -> tuple[PartsLayer | ShapesLayer, ...]:
@@ -210,13 +204,13 @@ class LabelController(QObject):
     def _show_close(self, box: tuple[float, float, float, float] | None) -> None:
         """Small parts are judged from near."""
         if box is None:
-            self._workspace.left.fit()
+            self._surfaces.left.fit()
         else:
-            self._workspace.left.show_close(QRectF(*box))
+            self._surfaces.left.show_close(QRectF(*box))
 
     def _pick_person(self, at: QPointF) -> None:
         """A click beside all rectangles: maybe on another person."""
-        view = self._workspace.left
+        view = self._surfaces.left
         view.track_picked.emit(view.track_at(at))
 
     # reviewed ranges
@@ -275,7 +269,7 @@ class LabelController(QObject):
         left = presenter.picture(Side.LEFT, frame, count_text) if shown else nothing
         right = presenter.picture(Side.RIGHT, frame, count_text) if shown and both else nothing
         self._show(left, right)
-        self._workspace.overhead.show_labels(presenter.floor(count_text))
+        self._surfaces.floor.show_labels(presenter.floor(count_text))
         if self.tool is Tool.PARTS:
             self._parts.show_parts(left.parts, presenter.parts.choice.part)
         self._shapes.draw()
@@ -291,5 +285,5 @@ class LabelController(QObject):
 
     def _show(self, left: PictureLabels, right: PictureLabels) -> None:
         self.shown = left
-        self._workspace.left.show_labels(left)
-        self._workspace.right.show_labels(right)
+        self._surfaces.left.show_labels(left)
+        self._surfaces.right.show_labels(right)

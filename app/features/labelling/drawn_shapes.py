@@ -7,10 +7,12 @@ from functools import partial
 
 from PySide6.QtCore import QObject, Signal
 
+from app.core.controller import Controller
+from app.core.drawing.surfaces import Surfaces
 from app.core.i18n import tr
 from app.core.playback.playback import Playback
+from app.core.scenes.labels import LINE_COLOUR, OCCLUDER_COLOUR, REGION_COLOUR, Tool
 from app.features.labelling.presenter import LabellingPresenter
-from app.features.labelling.scene import LINE_COLOUR, OCCLUDER_COLOUR, REGION_COLOUR, Tool
 from app.features.labelling.shape_planner import (
     corners_of,
     places_of_shapes,
@@ -21,7 +23,6 @@ from app.features.labelling.shape_planner import (
     shapes_of_tool,
 )
 from app.features.labelling.shapes import ShapesLayer
-from app.shell.workspace import Workspace
 from tracking.editing import Change
 
 Do = Callable[[Callable[[], Change]], bool]
@@ -34,22 +35,20 @@ _COLOURS = {
 }
 
 
-class Shapes(QObject):
+class Shapes(Controller):
     """Draws, reshapes, names and takes away what the tool at hand draws.
 
-    Signals: `changed()`, another one is picked; `said(text)`; `leave_asked()`.
+    `changed`: another one is picked. Signals: `leave_asked()`.
 
     Attributes:
         on_picture, on_floor: the layers it is drawn on.
     """
 
-    changed = Signal()
-    said = Signal(str)
     leave_asked = Signal()
 
     def __init__(
         self,
-        workspace: Workspace,
+        surfaces: Surfaces,
         playback: Playback,
         presenter: LabellingPresenter,
         do: Do,
@@ -57,8 +56,8 @@ class Shapes(QObject):
     ) -> None:
         super().__init__(parent)
         self._playback, self._presenter, self._do = playback, presenter, do
-        self.on_picture = ShapesLayer(workspace.left)
-        self.on_floor = ShapesLayer(workspace.overhead)
+        self.on_picture = ShapesLayer(surfaces.left)
+        self.on_floor = ShapesLayer(surfaces.floor)
         self.on_picture.drawn.connect(self._add_in_picture)
         self.on_floor.drawn.connect(self._add)
         for layer in (self.on_picture, self.on_floor):
@@ -66,7 +65,7 @@ class Shapes(QObject):
             layer.picked.connect(self.pick)
             layer.removal_asked.connect(self._remove_picked)
             layer.leave_asked.connect(self.leave_asked)
-        for view in (workspace.left, workspace.right):
+        for view in (surfaces.left, surfaces.right):
             view.picture_clicked.connect(self._tell_where)
 
     @property

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from app.core.projection.floor_projection import project_outline
 from app.core.scenes import Side
-from app.features.labelling.scene import LINE_COLOUR, OCCLUDER_COLOUR, REGION_COLOUR, Outline, Tool
+from app.core.scenes.labels import LINE_COLOUR, OCCLUDER_COLOUR, REGION_COLOUR, Outline, Tool
 from tracking.recording import Recording
 from tracking.tracks import CountingLine, Labels, Region
 

@@ -14,10 +14,11 @@ from PySide6.QtWidgets import (
 )
 
 from app.core.look.theme import scaled_font
+from app.core.scenes.labels import Tool
 from app.core.widgets.fitted_scroll import ScrolledPanel
 from app.core.widgets.parts import NOTICE_MARGINS, quiet
 from app.features.labelling.lists import DrawnList, RangesList
-from app.features.labelling.scene import LabellingScene, Tool
+from app.features.labelling.scene import LabellingScene
 from app.features.labelling.verdicts import PartsGrid
 
 

@@ -6,14 +6,15 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QObject, Signal
 
+from app.core.controller import Controller
 from app.core.document.document import Document
 from app.core.editing import EditScope
 from app.core.i18n import tr
 from app.core.playback.playback import Playback
+from app.core.scenes.labels import SuggestedPart
+from app.core.scenes.part_names import part_name
 from app.features.labelling.part_labelling import PartLabelling
-from app.features.labelling.scene import SuggestedPart
 from app.features.labelling.suggestion_search import SuggestionSearch
-from app.features.parts.part_views import part_name
 from tracking.editing import Change
 from tracking.tracks import PART_NAMES, Box, PartLabels
 
@@ -21,15 +22,13 @@ Do = Callable[[Callable[[], Change]], bool]
 """Does what is planned; whether it was done."""
 
 
-class PartKeys(QObject):
+class PartKeys(Controller):
     """What is said of the parts of the selected person.
 
-    Signals: `changed()`, another part, person or scope; `said(text)`; `close_asked(box)`, what is
+    `changed`: another part, person or scope. Signals: `close_asked(box)`, what is
     suggested is to be seen large: left, top, width, height as recorded, or None for all again.
     """
 
-    changed = Signal()
-    said = Signal(str)
     close_asked = Signal(object)
 
     def __init__(

@@ -9,14 +9,14 @@ from app.core.document.document import Document
 from app.core.editing import EditScope
 from app.core.i18n import tr
 from app.core.scenes import ChoiceRow
+from app.core.scenes.labels import SAID, SuggestedPart
+from app.core.scenes.part_names import part_name
 from app.features.labelling.parts import parts_of, parts_over
-from app.features.labelling.scene import PartLine, SuggestedPart
-from app.features.parts.part_views import part_name
+from app.features.labelling.scene import PartLine
 from tracking.editing import Change, plan_label_part, plan_unlabel_part
 from tracking.errors import EditError
 from tracking.tracks import PART_NAMES, Box, Labels, PartLabel, PartLabels, Run
 
-SAID: dict[bool | None, str] = {True: "on", False: "off", None: "unsure"}
 SCOPES = (EditScope.FRAME, EditScope.RANGE)
 _Counts = Counter[tuple[int, bool | None]]
 

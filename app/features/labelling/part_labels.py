@@ -10,8 +10,8 @@ from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPen
 from app.core.drawing.canvas import Canvas
 from app.core.drawing.label_marks import part_colour
 from app.core.look.theme import Theme
+from app.core.scenes.labels import PartMark
 from app.features.labelling.layer import Key, Layer
-from app.features.labelling.scene import PartMark
 
 _REACH_PX = 7.0
 _HANDLE_PX = 7.0

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -11,23 +10,20 @@ from app.core.document.document import Document
 from app.core.i18n import tr
 from app.core.projection.right_image import boxes_in_right_image
 from app.core.scenes import Side
-from app.features.labelling.outlines import Drawn, DrawnLabels
-from app.features.labelling.part_labelling import PartLabelling
-from app.features.labelling.scene import (
+from app.core.scenes.labels import (
     PART_COLOURS,
+    CountText,
     FloorLabels,
-    LabellingScene,
     Outline,
     PartMark,
     PictureLabels,
-    RangeLine,
     Tool,
 )
+from app.features.labelling.outlines import Drawn, DrawnLabels
+from app.features.labelling.part_labelling import PartLabelling
+from app.features.labelling.scene import LabellingScene, RangeLine
 from app.features.labelling.shape_planner import shapes_of_tool
 from tracking.tracks import Box, Labels, PartLabel
-
-CountText = Callable[[Tool, int], str]
-"""What is counted at a line or in a region, by its number; "" where nothing is."""
 
 
 @dataclass(slots=True)

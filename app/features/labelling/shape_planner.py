@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from app.features.labelling.scene import Tool
+from app.core.scenes.labels import Tool
 from tracking.editing import Change, plan_lines, plan_occluders, plan_regions
 from tracking.tracks import CountingLine, Labels, Occluder, Region
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from app.features.labelling.scene import SuggestedPart
+from app.core.scenes.labels import SuggestedPart
 from tracking.tracks import PartKey, PartLabels
 
 _LISTED = 200

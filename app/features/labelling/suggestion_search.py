@@ -11,9 +11,10 @@ from app.core.document.document import Document
 from app.core.error_messages import explain
 from app.core.i18n import tr
 from app.core.jobs.jobs import Job, Progress
-from app.features.labelling.scene import LabellingScene, SuggestedPart, Tool
+from app.core.scenes.labels import SuggestedPart, Tool
+from app.features.labelling.scene import LabellingScene
+from app.features.labelling.suggested_parts import suggestions_for
 from app.features.labelling.suggestion_list import SuggestionQueue
-from app.features.parts.suggestions import suggestions_for
 
 
 class SuggestionSearch(QObject):

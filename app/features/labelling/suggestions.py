@@ -12,10 +12,11 @@ from PySide6.QtCore import (
 )
 from PySide6.QtWidgets import QListView, QVBoxLayout, QWidget
 
+from app.core.scenes.labels import SuggestedPart
+from app.core.scenes.queue_rows import ReviewPerson
 from app.core.widgets.parts import heading, quiet
 from app.core.widgets.queue_list import ITEM, PeopleDelegate, row_height
-from app.features.labelling.scene import LabellingScene, SuggestedPart
-from app.features.review.scene import ReviewPerson
+from app.features.labelling.scene import LabellingScene
 
 _ROWS = 5
 _Index = QModelIndex | QPersistentModelIndex

@@ -15,11 +15,12 @@ from PySide6.QtWidgets import (
 )
 
 from app.core.look.theme import scaled_font
+from app.core.scenes.labels import PART_COLOURS
 from app.core.widgets.choices import ChoiceButtons
 from app.core.widgets.number_boxes import WholeBox, tell_beside
 from app.core.widgets.parts import Swatch, quiet
 from app.features.labelling.balance import BalanceBar
-from app.features.labelling.scene import PART_COLOURS, LabellingScene
+from app.features.labelling.scene import LabellingScene
 from app.features.labelling.suggestions import SuggestionsList
 from tracking.tracks import PART_NAMES
 

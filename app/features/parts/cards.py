@@ -7,10 +7,9 @@ from collections.abc import Iterable, Sequence
 from app.core.colours.track_colours import ColourOf
 from app.core.i18n import tr
 from app.core.scenes import Colour
-from app.features.labelling.part_labelling import SAID
-from app.features.labelling.scene import PartMark, SuggestedPart
-from app.features.parts.part_views import part_name
-from app.features.parts.scene import CardLine, PartBox, PartCard, Verdict
+from app.core.scenes.labels import SAID, PartMark, SuggestedPart
+from app.core.scenes.part_names import part_name
+from app.core.scenes.pictured_parts import CardLine, PartBox, PartCard, Verdict
 
 
 def cards_of(

@@ -2,58 +2,78 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QObject, QRectF, Signal
+from typing import Protocol
 
+from PySide6.QtCore import QObject, QRectF
+
+from app.core.controller import Controller
 from app.core.document.document import Document
+from app.core.drawing.surfaces import PictureSurface
 from app.core.i18n import tr
 from app.core.playback.playback import Playback
+from app.core.scenes.labels import PictureLabels, SuggestedPart
+from app.core.scenes.part_names import part_name
+from app.core.scenes.pictured_parts import PicturedParts
 from app.core.tracks.frame_state import FrameState, ViewOptions
-from app.features.labelling.controller import LabelController
-from app.features.parts.part_views import part_name
+from app.features.parts.panel import CurvesPanel
 from app.features.parts.presenter import PartsPresenter
-from app.features.parts.scene import Failure, PicturedParts
-from app.shell.workspace import Workspace
+from app.features.parts.scene import Failure
 
 _SMALL = 0.25
 """Of the height of the view: parts of somebody smaller are hard to tell apart."""
 
 
-class Parts(QObject):
+class PartLabels(Protocol):
+    """What is labelled of body parts."""
+
+    shown: PictureLabels
+
+    @property
+    def part(self) -> int:
+        """The part that is looked at."""
+
+    @property
+    def suggested(self) -> SuggestedPart | None:
+        """What is looked at because the detector is unsure of it."""
+
+    def choose_part(self, part: int) -> None:
+        """Look at a part."""
+
+
+class PartsController(Controller):
     """Shows the parts that a tracker saw.
 
-    Signals: `changed()`, another person or part is looked at; `said(text)`.
+    Signals: `changed()`, another person or part is looked at.
     """
-
-    changed = Signal()
-    said = Signal(str)
 
     def __init__(
         self,
         document: Document,
         playback: Playback,
-        workspace: Workspace,
-        labelling: LabelController,
+        panel: CurvesPanel,
+        picture: PictureSurface,
+        labelling: PartLabels,
         parent: QObject,
     ) -> None:
         super().__init__(parent)
         self._document, self._playback = document, playback
-        self._workspace, self._labelling = workspace, labelling
+        self._panel, self._picture, self._labelling = panel, picture, labelling
         self.presenter = PartsPresenter(document, lambda: labelling.part)
-        workspace.curves.frame_sought.connect(playback.go)
-        workspace.left.part_picked.connect(labelling.choose_part)
+        panel.frame_sought.connect(playback.go)
+        picture.part_picked.connect(labelling.choose_part)
 
     def close(self) -> None:
         """Leave nothing on the views, which outlive the document."""
-        self._workspace.left.show_parts(PicturedParts())
-        self._workspace.curves.show_scene(None)
+        self._picture.show_parts(PicturedParts())
+        self._panel.show_scene(None)
 
     def draw(self, state: FrameState, view_options: ViewOptions) -> None:
         """Show a frame."""
         labelling, presenter = self._labelling, self.presenter
         parts = presenter.picture(state, view_options, labelling.shown, labelling.suggested)
-        self._workspace.left.show_parts(parts)
+        self._picture.show_parts(parts)
         curves = presenter.curves(state) if view_options.curves else None
-        self._workspace.curves.show_scene(curves)
+        self._panel.show_scene(curves)
 
     def jump(self, step: int) -> bool:
         """Go to the next (1) or previous (-1) failure of the selected person, then of others.
@@ -80,7 +100,7 @@ class Parts(QObject):
 
     def _come_near(self, failure: Failure) -> None:
         """Small people are seen large; of the others all stays as it is, where they are in view."""
-        box, view = self.presenter.person_box(failure.frame, failure.track), self._workspace.left
+        box, view = self.presenter.person_box(failure.frame, failure.track), self._picture
         if box is None:
             return
         place = view.viewport.rect(QRectF(*box))

@@ -14,8 +14,8 @@ from app.core.look.theme import Theme, faded
 from app.core.plots.curves import Floats, curve_path, stretches, whole_span
 from app.core.plots.frame_plot import FramePlot
 from app.core.plots.strips import covered, draw_strip, opacity
+from app.core.scenes.labels import PART_COLOURS
 from app.core.scenes.part_curve import THRESHOLD, PartCurve
-from app.features.labelling.scene import PART_COLOURS
 from app.features.parts.scene import CurvesScene
 
 _GAP_PX = 8.0

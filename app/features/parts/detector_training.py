@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from app.core.i18n import tr
-from app.features.parts.part_views import part_name
+from app.core.scenes.part_names import part_name
 from tracking.failure import (
     FALSE_ALARMS,
     Samples,

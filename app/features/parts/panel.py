@@ -7,8 +7,8 @@ from PySide6.QtWidgets import QGridLayout, QLabel, QVBoxLayout, QWidget
 
 from app.core.look.icons import IconButton
 from app.core.look.theme import scaled_font
+from app.core.scenes.labels import PART_COLOURS
 from app.core.widgets.parts import Panel, Swatch
-from app.features.labelling.scene import PART_COLOURS
 from app.features.parts.curves_plot import CurvesPlot
 from app.features.parts.scene import CurvesScene
 

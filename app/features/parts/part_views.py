@@ -9,9 +9,11 @@ import numpy as np
 
 from app.core.i18n import tr
 from app.core.scenes.part_curve import THRESHOLD, PartCurve
+from app.core.scenes.part_names import part_name
+from app.core.scenes.pictured_parts import PartBox, PicturedParts
 from app.core.tracks.frame_state import FrameState
-from app.features.parts.scene import CurvesScene, PartBox, PicturedParts
-from app.features.pictures.overhead_presenter import relative_weights
+from app.core.tracks.particle_weights import relative_weights
+from app.features.parts.scene import CurvesScene
 from tracking.tracks import PART_NAMES, Box, Columns
 
 
@@ -65,12 +67,6 @@ def verdict_text(part: int, failed: bool, occluded: bool, score: float) -> str:
 def by_rule(failed: bool, score: float) -> bool:
     """Whether a part was called failed by a rule of the tracker, not by the detector's score."""
     return failed and not score > THRESHOLD
-
-
-def part_name(part: int) -> str:
-    """The name of a part in the user's language."""
-    names = (tr("head"), tr("torso"), tr("hip-leg"))
-    return names[part % len(PART_NAMES)]
 
 
 def curves_of(rows: Columns) -> tuple[PartCurve, ...]:

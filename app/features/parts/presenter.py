@@ -7,13 +7,14 @@ from collections.abc import Callable
 import numpy as np
 
 from app.core.document.document import Document
+from app.core.scenes.labels import PictureLabels, SuggestedPart
 from app.core.scenes.part_curve import LaneScore, PartCurve
+from app.core.scenes.pictured_parts import PartBox, PicturedParts
 from app.core.tracks.frame_state import FrameState, ViewOptions
-from app.features.labelling.scene import PictureLabels, SuggestedPart
 from app.features.parts.cards import cards_of
 from app.features.parts.failures import PartFailures
 from app.features.parts.part_views import curves_of, curves_scene, part_boxes, with_particles
-from app.features.parts.scene import CurvesScene, Failure, PartBox, PicturedParts
+from app.features.parts.scene import CurvesScene, Failure
 from app.features.parts.truth_labels import truth_path
 from tracking.session import ids_by_now
 from tracking.tracks import Box, Columns, Run

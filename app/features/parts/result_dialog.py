@@ -19,8 +19,8 @@ from PySide6.QtWidgets import (
 
 from app.core.error_messages import explain
 from app.core.look.theme import scaled_font
+from app.core.scenes.labels import PART_COLOURS
 from app.core.widgets.parts import Swatch, heading, quiet
-from app.features.labelling.scene import PART_COLOURS
 from app.features.parts.mistakes import Cutter, MistakesList
 from app.features.parts.roc import RocPlot
 from app.features.parts.training_result import PartFigures, ResultScene, TrainingResult

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QWidget
 
 from app.core.drawing.viewport import Points, polygon
 from app.core.look.theme import Theme, current_theme, scaled_font
-from app.features.labelling.scene import PART_COLOURS
+from app.core.scenes.labels import PART_COLOURS
 from app.features.parts.training_result import ResultScene, RocCurve
 
 _WAYS = {Qt.Key.Key_Left: -1, Qt.Key.Key_Down: -1, Qt.Key.Key_Right: 1, Qt.Key.Key_Up: 1}

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.core.i18n import time_text, tr
-from app.features.parts.part_views import part_name
+from app.core.scenes.part_names import part_name
 from app.features.parts.training_set import Source, TrainingSet
 from tracking.failure import Curve, Detector, Trained
 from tracking.failure.training import Mistake

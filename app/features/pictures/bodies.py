@@ -13,7 +13,7 @@ from app.core.i18n import tr
 from app.core.scenes import Colour, LegendEntry
 from app.core.tracks.frame_state import FrameState, ViewOptions
 from app.core.tracks.made_by import MadeBy, settings_of
-from app.features.pictures.overhead_presenter import relative_weights
+from app.core.tracks.particle_weights import relative_weights
 from tracking.geometry import View
 from tracking.trackers.flow import FlowSettings, kernel_rectangles
 from tracking.trackers.spheroid import SpheroidSettings, outlines, region_of_evaluation

@@ -5,15 +5,16 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtCore import QObject, Qt
 
+from app.core.controller import Controller
 from app.core.document.document import Document
 from app.core.i18n import tr
 from app.core.playback.playback import Playback
-from app.core.tracks.frame_state import NO_OVERLAY, PictureOverlay
+from app.core.tracks.frame_state import NO_OVERLAY, Kinds, PictureOverlay
 from app.core.tracks.made_by import MadeBy
 from app.features.pictures.overlay_maker import OverlayMaker
-from app.features.pictures.overlays import Kinds, OverlayPainter
+from app.features.pictures.overlays import OverlayPainter
 from app.features.pictures.ramp_overlay import RampPainter
 from tracking.errors import CalibrationError
 
@@ -32,14 +33,11 @@ class _AtWork:
     maker: OverlayMaker
 
 
-class OverlayController(QObject):
+class OverlayController(Controller):
     """Says what lies over the frame that is shown; nothing is computed before it is asked for.
 
-    Signals: `changed()`, the overlay of the frame shown has come; `failed(error)`, there is none.
+    `changed`: the overlay of the frame shown has come.
     """
-
-    changed = Signal()
-    failed = Signal(object)
 
     def __init__(self, document: Document, playback: Playback, parent: QObject) -> None:
         super().__init__(parent)

@@ -14,8 +14,8 @@ from app.core.drawing.truth_marks import CROSS_PX, MISS_PX
 from app.core.drawing.viewport import Points, Viewport
 from app.core.look.theme import Theme, faded, scaled_font
 from app.core.scenes import FloorPerson, OverheadScene
+from app.core.scenes.ground_truth import FlooredTruth, TruthPlace
 from app.features.pictures.floor_names import NEAR, Owner, Stands, WantedName, discs, place_names
-from app.features.scoring.scene import FlooredTruth, TruthPlace
 
 _EDGE_PX = 4.0
 

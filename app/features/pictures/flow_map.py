@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QWidget
 from app.core.drawing.legend import draw_legend
 from app.core.drawing.viewport import Points, Viewport
 from app.core.look.theme import Theme, faded, scaled_font
-from app.features.counting.scene import FlowScene
+from app.core.scenes.flow_map import FlowScene
 from app.features.pictures.floor import inner_corner
 
 _TIP_PX, _TIP_SHARE, _TIP_DEG = 5.0, 0.4, 152.0

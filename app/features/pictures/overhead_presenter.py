@@ -12,6 +12,7 @@ from app.core.projection.extent import MARGIN_M, Bounds, extent, reach_m, unite
 from app.core.projection.trails import TRAIL_S, floor_points, trails_by_track
 from app.core.scenes import FloorPerson, OverheadScene
 from app.core.tracks.frame_state import FrameState
+from app.core.tracks.particle_weights import relative_weights
 from tracking.recording import Recording
 from tracking.tracks import Columns
 
@@ -106,20 +107,6 @@ def _floor_people(
                 predicted=lost,
                 trail=trails.get(track, _NO_TRAIL),
             )
-
-
-def relative_weights(particles: Columns) -> NDArray[np.float32]:
-    """(n,) weights relative to the heaviest particle of the same person."""
-    tracks, weights = particles["track"], particles["weight"].astype(np.float32)
-    if not len(tracks):
-        return weights
-    starts = np.flatnonzero(np.append(True, tracks[1:] != tracks[:-1]))
-    heaviest = np.maximum.reduceat(weights, starts)
-    counts = np.diff(np.append(starts, len(tracks)))
-    relative: NDArray[np.float32] = weights / np.maximum(
-        np.repeat(heaviest, counts), np.float32(1e-30)
-    )
-    return relative
 
 
 def _bounds(polygon: Floats) -> Bounds:

@@ -7,20 +7,17 @@ from PySide6.QtCore import QLineF, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QPainter, QPixmap
 from PySide6.QtWidgets import QWidget
 
-from app.core.drawing.canvas import Canvas
 from app.core.drawing.compare_marks import draw_other_places
 from app.core.drawing.label_marks import draw_outlines
 from app.core.drawing.legend import draw_legend
 from app.core.drawing.name_plates import draw_message
 from app.core.drawing.particles import darkened, draw_particles
 from app.core.drawing.people_marks import draw_fading_trail, draw_preview
+from app.core.drawing.surfaces import FloorSurface
 from app.core.drawing.truth_marks import draw_truth_places
 from app.core.look.theme import Theme, scaled_font
 from app.core.projection.extent import unite
 from app.core.scenes import FloorPerson, OverheadScene
-from app.features.comparison.scene import OtherPlace
-from app.features.counting.scene import FlowScene
-from app.features.labelling.scene import FloorLabels
 from app.features.pictures.floor import (
     draw_camera,
     draw_field_of_view,
@@ -33,7 +30,6 @@ from app.features.pictures.floor_naming import FloorNameInput, FloorNamePainter
 from app.features.pictures.floor_people import draw_floor_ghost, draw_floor_person
 from app.features.pictures.flow_map import FlowMapPainter
 from app.features.pictures.measurement_marks import draw_measured
-from app.features.scoring.scene import NO_TRUTH, FlooredTruth
 
 _PICK_REACH_PX = 22.0
 _PERSON_RADIUS_M = 0.22
@@ -42,31 +38,21 @@ _LEGEND_PX = 12.0  # between two of them
 _GRIP_PX = 3.0  # around a person's ring
 
 
-class OverheadView(Canvas):
+class OverheadView(FloorSurface):
     """Draws an :class:`OverheadScene`; forward is up.
 
     Signals:
-        track_picked(int): the nearest person to a click, 0 where nobody is near.
-        track_added(int): the same with Shift.
-        floor_clicked(float, float): where a click was, in metres.
         person_grabbed(int), person_dragged(float, float), person_dropped(): somebody is taken hold
             of, is now at x, y in metres, is let go.
     """
 
-    track_picked = Signal(int)
-    track_added = Signal(int)
     person_grabbed = Signal(int)
     person_dragged = Signal(float, float)
     person_dropped = Signal()
-    floor_clicked = Signal(float, float)
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(upward=True, parent=parent)
+        super().__init__(parent)
         self._scene: OverheadScene | None = None
-        self._labels = FloorLabels()
-        self._others: tuple[OtherPlace, ...] = ()
-        self._truth = NO_TRUTH[1]
-        self._flow: FlowScene | None = None
         self._flow_drawing = FlowMapPainter(self)
         self._held: FloorPerson | None = None
         self._held_off = QPointF()
@@ -96,38 +82,11 @@ class OverheadView(Canvas):
             around.moveCenter(QPointF(*place))
             self.bring_into_view(around)
 
-    def show_labels(self, labels: FloorLabels) -> None:
-        """Draw counting lines and regions."""
-        if labels is not self._labels:
-            self._labels = labels
-            self.update()
-
-    def show_flow(self, flow: FlowScene | None) -> None:
-        """Draw where people are and which way they go, below everything else; None: nothing."""
-        if flow is not self._flow:
-            self._flow = flow
-            self.update()
-
-    def show_others(self, others: tuple[OtherPlace, ...]) -> None:
-        """Draw another session's people, thin and dashed."""
-        if others or self._others:
-            self._others = others
-            self.update()
-
     @property
     def shows_floor(self) -> bool:
         """Whether there is a floor to see, and room to see it."""
         known = self._scene is not None and not self._scene.message
         return known and not self.size().isEmpty()
-
-    def show_truth(self, truth: FlooredTruth) -> None:
-        """Draw the people of a truth, and where the result errs."""
-        if truth is not self._truth:
-            before = self.content()
-            self._truth = truth
-            if self._fitted and self.content() != before:
-                self.fit()
-            self.update()
 
     def show_legend(self, explained: bool) -> None:
         """Explain what stands for what, in a corner, or do not."""

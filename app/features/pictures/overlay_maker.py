@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QObject, Signal
 
-from app.features.pictures.overlays import Kinds
+from app.core.tracks.frame_state import Kinds
 from tracking.recording import StereoFrame
 
 Rgba = NDArray[np.uint8]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import cv2
@@ -12,6 +11,7 @@ from numpy.typing import NDArray
 from app.core.colours.colour_scales import VIRIDIS
 from app.core.i18n import tr
 from app.core.scenes import Colour, LegendEntry
+from app.core.tracks.frame_state import Kinds
 from app.core.tracks.made_by import MadeBy
 from tracking.errors import CalibrationError, SettingsError
 from tracking.geometry import Rectification
@@ -28,18 +28,6 @@ SHADOW: Colour = (240, 160, 40)
 _FOREGROUND_OPACITY, _DISPARITY_OPACITY = 120, 185
 _HEAD_M = 1.8
 _REACH_PER_HEIGHT, _REACH_M = 4.5, (8.0, 20.0)
-
-
-@dataclass(frozen=True, slots=True)
-class Kinds:
-    """Which of them are laid over the picture; the ramp image comes alone."""
-
-    foreground: bool = False
-    disparity: bool = False
-    ramp: bool = False
-
-    def __bool__(self) -> bool:
-        return self.foreground or self.disparity or self.ramp
 
 
 class OverlayPainter:

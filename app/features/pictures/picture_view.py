@@ -11,23 +11,19 @@ from PySide6.QtCore import QEvent, QLineF, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QFontMetricsF, QImage, QPainter, QPen
 from PySide6.QtWidgets import QWidget
 
-from app.core.drawing.canvas import Canvas
 from app.core.drawing.compare_marks import draw_other_boxes
 from app.core.drawing.label_marks import draw_outlines, draw_parts
 from app.core.drawing.name_plates import draw_message
 from app.core.drawing.part_cards import draw_cards
 from app.core.drawing.part_marks import draw_part_boxes, draw_part_particles, part_box_at, said_at
 from app.core.drawing.people_marks import draw_cross, draw_ghosts, draw_people, draw_preview
+from app.core.drawing.surfaces import PictureSurface
 from app.core.drawing.truth_marks import draw_truth_boxes
 from app.core.look.theme import Theme, scaled_font
 from app.core.scenes import LegendEntry, PersonMark, PictureScene, Side
-from app.features.comparison.scene import OtherMark
-from app.features.labelling.scene import PictureLabels
-from app.features.parts.scene import PicturedParts
 from app.features.pictures.box_handles import INSIDE, Grip, cursor_of, draw_handles, handle_at
 from app.features.pictures.box_names import BoxNameInput, BoxNamePainter
 from app.features.pictures.captions import Captions, draw_captions, lay_out
-from app.features.scoring.scene import PicturedTruth
 from tracking.recording.frame import Image
 
 _PICK_REACH_PX = 10.0
@@ -36,34 +32,21 @@ _LOW_LINES = 18
 """In a picture lower than so many lines of text legends and cards hide people."""
 
 
-class PictureView(Canvas):
+class PictureView(PictureSurface):
     """Draws a :class:`PictureScene`.
 
     Signals:
-        track_picked(int): a person was clicked, the nearest where boxes lie over each other;
-            0 for a click beside all people.
-        track_added(int): the same with Shift.
-        part_picked(int): a body part of the selected person was clicked.
-        picture_clicked(float, float): where a click was, in pixels as recorded.
         box_grabbed(int), box_dragged(object), box_dropped(): a person's box, or for 0 the one
             with handles or being drawn, is held, is now (left, top, width, height), is let go.
     """
 
-    track_picked = Signal(int)
-    track_added = Signal(int)
     box_grabbed = Signal(int)
     box_dragged = Signal(object)
     box_dropped = Signal()
-    picture_clicked = Signal(float, float)
-    part_picked = Signal(int)
 
     def __init__(self, side: Side, parent: QWidget | None = None) -> None:
-        super().__init__(upward=False, parent=parent)
+        super().__init__(parent)
         self._scene = PictureScene(side, 0, None)
-        self._labels = PictureLabels()
-        self._parts = PicturedParts()
-        self._others: tuple[OtherMark, ...] = ()
-        self._truth = PicturedTruth()
         self._image = QImage()
         self._overlay = QImage()
         self._camera_name = ""
@@ -95,28 +78,6 @@ class PictureView(Canvas):
         box = next((one.box for one in self._scene.people if one.track == track), None)
         if box is not None:
             self.bring_into_view(QRectF(*box))
-
-    def show_labels(self, labels: PictureLabels) -> None:
-        """Draw what people drew and said at this instant."""
-        self._labels = labels
-        self.update()
-
-    def show_parts(self, parts: PicturedParts) -> None:
-        """Draw where a tracker saw the body parts."""
-        self._parts = parts
-        self.update()
-
-    def show_others(self, others: tuple[OtherMark, ...]) -> None:
-        """Draw another session's people, thin and dashed."""
-        if others or self._others:
-            self._others = others
-            self.update()
-
-    def show_truth(self, truth: PicturedTruth) -> None:
-        """Draw the people of a truth, and where the result errs."""
-        if truth != self._truth:
-            self._truth = truth
-            self.update()
 
     def set_alone(self, alone: bool) -> None:
         """Be called a camera, or where there is one camera only, the picture."""

@@ -9,8 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.core.i18n import tr
+from app.core.projection.floor_projection import left_foot_points, project_floor
 from app.core.projection.right_image import boxes_in_right_image
-from app.core.projection.trails import TRAIL_S, floor_points, foot_points, trails_by_track
+from app.core.projection.trails import TRAIL_S, floor_points, trails_by_track
 from app.core.scenes import LegendEntry, PersonMark, PictureScene, PreviewTrail, Side
 from app.core.tracks.frame_state import NO_OVERLAY, FrameState, PictureOverlay, ViewOptions
 from app.features.pictures.anaglyph import Anaglyph
@@ -88,10 +89,11 @@ class PicturePresenter:
         """The trails of an edit that waits; for the right camera from their places on the floor."""
         if side is Side.LEFT:
             return state.picture_preview
-        seen = ((trail, self._project(side, trail.points)) for trail in state.preview)
-        return tuple(
-            replace(trail, points=points[np.isfinite(points).all(axis=1)]) for trail, points in seen
-        )
+        found = []
+        for trail in state.preview:
+            points = project_floor(self._recording, side, trail.points)
+            found.append(replace(trail, points=points[np.isfinite(points).all(axis=1)]))
+        return tuple(found)
 
     def _people(
         self, side: Side, state: FrameState, view_options: ViewOptions
@@ -136,28 +138,8 @@ class PicturePresenter:
     def _trails(self, side: Side, state: FrameState) -> dict[int, Floats]:
         rows = state.tracks.recent(state.frame, self._trail_frames)
         if side is Side.LEFT:
-            return trails_by_track(rows, self.left_foot_points(rows))
-        return trails_by_track(rows, self._project(side, floor_points(rows)))
-
-    def left_foot_points(self, rows: Columns) -> Floats:
-        """Where the people of the rows stand, (n, 2) px: by the floor, else by their boxes."""
-        boxes = foot_points(rows)
-        if self._recording.view is None:
-            return boxes
-        floor = self._project(Side.LEFT, floor_points(rows))
-        return np.where(np.isfinite(floor), floor, boxes)
-
-    def _project(self, side: Side, floor: Floats) -> Floats:
-        """Pixels of floor points; NaN where they are not seen."""
-        points = np.column_stack((floor, np.zeros(len(floor))))
-        if not len(points):
-            return np.zeros((0, 2))
-        view, rectification = self._recording.view, self._recording.rectification
-        if side is Side.LEFT:
-            return view.pixel_from_world(points) if view is not None else _nowhere(points)
-        if rectification is None or self._recording.ground is None:
-            return _nowhere(points)
-        return rectification.right_pixel_from_world(points)
+            return trails_by_track(rows, left_foot_points(self._recording, rows))
+        return trails_by_track(rows, project_floor(self._recording, side, floor_points(rows)))
 
     def _right_boxes(self, boxes: Floats, rows: Columns) -> Floats:
         rectification = self._recording.rectification
@@ -185,7 +167,7 @@ class PicturePresenter:
         particles = state.tracks.particles(state.frame)
         overlay = np.zeros((*image.shape[:2], 4), np.uint8) if below is None else below.copy()
         floor = np.column_stack((particles["x"], particles["y"])).astype(np.float64)
-        pixels = self._project(side, floor)
+        pixels = project_floor(self._recording, side, floor)
         height, width = image.shape[:2]
         with np.errstate(invalid="ignore"):
             inside = (pixels >= 0).all(axis=1) & (pixels < (width - 1, height - 1)).all(axis=1)
@@ -199,7 +181,7 @@ class PicturePresenter:
     def _floor_grid(self, side: Side) -> Floats:
         if side not in self._grid:
             lines = _grid_lines(_GRID_REACH_M)
-            pixels = self._project(side, lines.reshape(-1, 2)).reshape(-1, 2, 2)
+            pixels = project_floor(self._recording, side, lines.reshape(-1, 2)).reshape(-1, 2, 2)
             width, height = self._recording.size
             with np.errstate(invalid="ignore"):
                 near = (np.abs(pixels) < 4 * max(width, height)).all(axis=(1, 2))
@@ -215,10 +197,6 @@ def _late_camera(frame: StereoFrame | None) -> str:
         return tr("Nothing was recorded at this instant: another frame is shown")
     number = frame.number + frame.right_lag
     return tr("Frame {number} of this camera: the same instant", number=number)
-
-
-def _nowhere(points: Floats) -> Floats:
-    return np.full((len(points), 2), np.nan)
 
 
 def _grid_lines(reach_m: int) -> Floats:

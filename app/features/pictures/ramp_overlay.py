@@ -8,8 +8,8 @@ from numpy.typing import NDArray
 from app.core.colours.colour_scales import INFERNO
 from app.core.i18n import tr
 from app.core.scenes import LegendEntry
+from app.core.tracks.frame_state import Kinds
 from app.core.tracks.made_by import MadeBy, settings_of
-from app.features.pictures.overlays import Kinds
 from tracking.errors import CalibrationError
 from tracking.pipeline import background_samples
 from tracking.recording import Recording, StereoFrame

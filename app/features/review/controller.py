@@ -7,12 +7,12 @@ from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 
+from app.core.controller import Controller
 from app.core.document.document import Document
 from app.core.editing import EditKind
 from app.core.editing.review_target import find_first_frame
 from app.core.i18n import span_text, tr
 from app.core.playback.playback import Playback
-from app.features.correction.controller import EditController
 from app.features.review.edited_items import EditedItems
 from app.features.review.no_items import empty_words, is_hand_made, waiting_words
 from app.features.review.panel import ReviewPanel
@@ -33,21 +33,20 @@ from tracking.session import Session
 from tracking.tracks import Labels, Run, TrackTable
 
 
-class ReviewController(QObject):
+class ReviewController(Controller):
     """The review queue of a document on its panel.
 
-    Signals: `changed()`, what commands can do is another; `failed(error)`; `said(text)`.
+    `changed`: what commands can do is another. Signals: `edited()`, the labels or what is selected
+    are others than before; `fix_asked(kind)`, an edit of who is selected is to be begun.
     """
 
-    changed = Signal()
-    failed = Signal(object)
-    said = Signal(str)
+    edited = Signal()
+    fix_asked = Signal(object)
 
     def __init__(
         self,
         document: Document,
         playback: Playback,
-        editing: EditController,
         panel: ReviewPanel,
         parent: QObject,
     ) -> None:
@@ -56,7 +55,7 @@ class ReviewController(QObject):
         self.queue = ReviewQueue(recording.fps, document.colour_of)
         self.watching = WatchedRanges(recording.frame_count, recording.fps)
         self.plays = False
-        self._document, self._playback, self._editing = document, playback, editing
+        self._document, self._playback = document, playback
         self._panel = panel
         document.correcting.item_looked_at = lambda: self.queue.current
         self._search = ReviewSearch(self._subject, recording, self)
@@ -224,7 +223,7 @@ class ReviewController(QObject):
         self._playback.go(self._start_of(review_item))
         if self.plays:
             self.play()
-        self._editing.changed.emit()
+        self.edited.emit()
 
     def _start_of(self, review_item: ReviewItem) -> int:
         """Where watching it starts: just before it, with its people in sight."""
@@ -282,7 +281,7 @@ class ReviewController(QObject):
         self._playback.pause()
         self._select(current.tracks)
         self._playback.go(current.frame)
-        self._editing.begin(EditKind(current.fix))
+        self.fix_asked.emit(EditKind(current.fix))
         self._fixing = current
         self._document.settle = lambda change, labels: with_fixed_verdict(change, current, labels)
 
@@ -320,7 +319,7 @@ class ReviewController(QObject):
             self.failed.emit(error)
             return False
         self.said.emit(tr("Done: {what}", what=change.text))
-        self._editing.changed.emit()
+        self.edited.emit()
         return True
 
     # what is shown

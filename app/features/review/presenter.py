@@ -8,7 +8,8 @@ from typing import Final
 from app.core.colours.track_colours import ColourOf
 from app.core.i18n import time_text, tr
 from app.core.scenes import MarkKind, TimelineMark
-from app.features.review.scene import Order, ReviewKind, ReviewPerson, ReviewRow
+from app.core.scenes.queue_rows import ReviewPerson, ReviewRow
+from app.features.review.scene import Order, ReviewKind
 from tracking.editing import Change, plan_verdict, with_verdict
 from tracking.review import ReviewItem, ReviewItemKey, filter_undecided, rank
 from tracking.tracks import Labels, TrackTable, Verdict

@@ -11,7 +11,7 @@ import numpy as np
 from app.core.commands.enablement import read_only
 from app.core.document.edit_history import local_time
 from app.core.i18n import count_text, tr
-from app.features.scoring.figures import figure_named
+from app.core.scenes.score_figures import figure_named
 from tracking.formats import read_mot
 from tracking.progress import Progress
 from tracking.recording import Recording

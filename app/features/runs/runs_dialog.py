@@ -22,9 +22,9 @@ from PySide6.QtWidgets import (
 from app.core.error_messages import explain
 from app.core.i18n import tr
 from app.core.jobs.jobs import Job
+from app.core.scenes.score_figures import Figure
 from app.core.widgets.parts import quiet
 from app.features.runs.presenter import CORRECTED, RUN_FIGURES, RunList, RunRow, RunsScene
-from app.features.scoring.figures import Figure
 from tracking.scoring import Score
 
 _FIGURES = len(RUN_FIGURES)

@@ -8,18 +8,20 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Qt, Signal
 
+from app.core.controller import Controller
 from app.core.document.document import Document
+from app.core.document.track_sources import SHOWN
+from app.core.drawing.surfaces import Surfaces
 from app.core.i18n import tr
 from app.core.jobs.latest_job import LatestJob
 from app.core.playback.playback import Playback
 from app.core.plots.axis import TimeAxis
 from app.core.scenes import Side
+from app.core.scenes.ground_truth import NO_TRUTH
 from app.core.tracks.frame_state import FrameState, ViewOptions
-from app.features.counting.subject import SHOWN
+from app.features.scoring.panel import ScorePanel
 from app.features.scoring.presenter import ScoringPresenter
-from app.features.scoring.scene import NO_TRUTH
 from app.features.scoring.subject import ScoreResult, ScoreSubject, score_subject
-from app.shell.workspace import Workspace
 from tracking.errors import TrackwrightError
 from tracking.formats import TRACK_ENDINGS
 from tracking.progress import Progress
@@ -28,47 +30,48 @@ from tracking.scoring import ErrorKind
 _TRUTHS = "Tracks ({endings})"
 
 
-class ScoreController(QObject):
+class ScoreController(Controller):
     """Scores in the background what is asked for, and shows it.
 
-    Signals: `changed()`, there is another score; `truth_asked(filters)`, a file with the ground
-    truth is to be chosen, and `choose_file` gets it; `failed(error)`; `said(text)`.
+    `changed`: there is another score. Signals: `truth_asked(filters)`, a file with the ground truth
+    is to be chosen, and `choose_file` gets it; `error_lanes(lanes)`, the errors by frame for the
+    timeline, None for none.
     """
 
-    changed = Signal()
-    failed = Signal(object)
-    said = Signal(str)
     truth_asked = Signal(str)
+    error_lanes = Signal(object)
 
     def __init__(
-        self, document: Document, playback: Playback, workspace: Workspace, parent: QObject
+        self,
+        document: Document,
+        playback: Playback,
+        panel: ScorePanel,
+        surfaces: Surfaces,
+        parent: QObject,
     ) -> None:
         super().__init__(parent)
-        self._document, self._playback, self._workspace = document, playback, workspace
+        self._document, self._playback = document, playback
+        self._panel, self._surfaces = panel, surfaces
         self.presenter = ScoringPresenter(document)
         self._on = False
         self._search = LatestJob("scoring", self._prepare, self)
         self._search.found.connect(self.presenter.take)
         self._search.failed.connect(self.presenter.refuse)
         self._search.changed.connect(self.changed, Qt.ConnectionType.QueuedConnection)
-        self._connect(workspace)
+        self._connect(panel)
 
-    def _connect(self, workspace: Workspace) -> None:
-        panel, errors = workspace.score, workspace.timeline.errors
+    def _connect(self, panel: ScorePanel) -> None:
         panel.truth_chosen.connect(self._choose_truth)
         panel.result_chosen.connect(self._choose_result)
         panel.floor_chosen.connect(self._choose_way)
         panel.threshold_chosen.connect(self._choose_threshold)
         panel.kind_shown.connect(self._choose_kind)
         panel.next_asked.connect(self.walk)
-        errors.frame_sought.connect(self._playback.go)
-        errors.event_sought.connect(self._go)
-        workspace.timeline.area.stretch.changed.connect(self._show_range)
 
     def close(self) -> None:
         """End the thread; leave nothing on the views, which outlive the document."""
         self._search.stop()
-        self._workspace.score.show_scene(None)
+        self._panel.show_scene(None)
         self._show_nothing()
 
     @property
@@ -82,9 +85,7 @@ class ScoreController(QObject):
         """Show a frame; what is missing for it is scored."""
         self._on = view_options.score or view_options.truth
         doing = tr("Scoring...") if self._ask() and self._search.busy else ""
-        self._workspace.score.show_scene(
-            self.presenter.scene(doing) if view_options.score else None
-        )
+        self._panel.show_scene(self.presenter.scene(doing) if view_options.score else None)
         if self._on:
             self._draw_truth(state, view_options, cameras)
         else:
@@ -98,25 +99,25 @@ class ScoreController(QObject):
         return subject is not None
 
     def _draw_truth(self, state: FrameState, view_options: ViewOptions, cameras: str) -> None:
-        view, people = self._workspace, self.presenter.people
+        view, people = self._surfaces, self.presenter.people
         shown = people is not None and view_options.truth
         left, floor = NO_TRUTH
         right = left
         if people is not None and shown:
             left, floor = people.picture(Side.LEFT, state), people.floor(state)
-            left = replace(left, floor_tells=view.overhead.shows_floor)
+            left = replace(left, floor_tells=view.floor.shows_floor)
             right = people.picture(Side.RIGHT, state) if cameras == "both" else right
         view.left.show_truth(left)
         view.right.show_truth(right)
-        view.overhead.show_truth(floor)
-        view.timeline.errors.show_scene(self.presenter.lanes())
+        view.floor.show_truth(floor)
+        self.error_lanes.emit(self.presenter.lanes())
 
     def _show_nothing(self) -> None:
-        view, (picture, floor) = self._workspace, NO_TRUTH
+        view, (picture, floor) = self._surfaces, NO_TRUTH
         view.left.show_truth(picture)
         view.right.show_truth(picture)
-        view.overhead.show_truth(floor)
-        view.timeline.errors.show_scene(None)
+        view.floor.show_truth(floor)
+        self.error_lanes.emit(None)
 
     def _prepare(self, subject: ScoreSubject) -> Callable[[Progress], ScoreResult]:
         """Takes hold of the tracks; scoring them is for another thread."""
@@ -138,9 +139,9 @@ class ScoreController(QObject):
             return
         beginning = events.beginning_at(there)
         self.said.emit("; ".join(beginning.words()))
-        self._go(there, beginning.tracks)
+        self.go_to(there, beginning.tracks)
 
-    def _go(self, frame: int, tracks: Sequence[int]) -> None:
+    def go_to(self, frame: int, tracks: Sequence[int]) -> None:
         """Show a frame, and select whom of the result it is about."""
         live = self._document.is_live
         self._playback.pause()
@@ -193,7 +194,7 @@ class ScoreController(QObject):
         self.presenter.show_kind(kind, shown)
         self.changed.emit()
 
-    def _show_range(self, axis: TimeAxis) -> None:
+    def show_range(self, axis: TimeAxis) -> None:
         """The timeline shows other frames."""
         first = int(axis.start)
         self.presenter.visible = (first, max(first + 1, round(axis.start + axis.frames)))

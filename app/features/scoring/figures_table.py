@@ -16,8 +16,9 @@ from PySide6.QtWidgets import (
 )
 
 from app.core.look.theme import current_theme
+from app.core.scenes.score_figures import ScoreRow
 from app.core.widgets.table_cells import write_cell
-from app.features.scoring.scene import ScoreRow, ScoreScene
+from app.features.scoring.scene import ScoreScene
 
 _COLUMNS, _MOST_GROUPS = 4, 3
 _WIDEST, _WIDEST_MOVE = "100.0%", "\u25b2 +88.888"

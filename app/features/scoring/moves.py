@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from app.core.i18n import count_text, tr
-from app.features.scoring.figures import hota_moved
+from app.core.scenes.score_figures import hota_moved
 from app.features.scoring.subject import ScoreResult
 from tracking.editing import History
 from tracking.scoring import Score

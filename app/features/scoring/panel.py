@@ -14,13 +14,14 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.core.drawing.error_signs import sign_icon
 from app.core.look.icons import IconButton
+from app.core.scenes.ground_truth import ERROR_COLOURS
 from app.core.widgets.eliding_list import ElidingList
 from app.core.widgets.number_boxes import NumberBox, tell_beside
 from app.core.widgets.parts import Panel, quiet
 from app.features.scoring.figures_table import FiguresTable
-from app.features.scoring.scene import ERROR_COLOURS, ErrorChoice, ScoreScene
-from app.features.timeline.error_signs import sign_icon
+from app.features.scoring.scene import ErrorChoice, ScoreScene
 from tracking.scoring import ErrorKind
 
 _LEAST, _WIDEST_M = 0.05, 10.0

@@ -9,22 +9,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.core.document.document import Document
-from app.core.document.track_sources import list_track_sources
+from app.core.document.track_sources import SHOWN, capture_rows, list_track_sources, version_of
 from app.core.error_messages import explain
 from app.core.i18n import tr
 from app.core.scenes import HistoryItem
-from app.features.counting.subject import SHOWN, capture_rows, version_of
-from app.features.scoring.events import ErrorEvents
-from app.features.scoring.figures import rows_of
+from app.core.scenes.error_events import ErrorEvents
+from app.core.scenes.ground_truth import ERROR_COLOURS, ErrorLane, ErrorLanes
+from app.core.scenes.score_figures import ScoreRow, rows_of
 from app.features.scoring.moves import Moves, edits_in_force
-from app.features.scoring.scene import (
-    ERROR_COLOURS,
-    ErrorChoice,
-    ErrorLane,
-    ErrorLanes,
-    ScoreRow,
-    ScoreScene,
-)
+from app.features.scoring.scene import ErrorChoice, ScoreScene
 from app.features.scoring.subject import (
     MatchingRule,
     Range,

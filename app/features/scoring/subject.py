@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
-from app.features.counting.subject import Load, Version
-from app.features.scoring.events import ErrorEvents, events_of
+from app.core.document.track_sources import Load, Version
+from app.core.scenes.error_events import ErrorEvents, events_of
 from app.features.scoring.truths import Truth, TruthSource
 from tracking.progress import Progress
 from tracking.scoring import (

@@ -12,8 +12,7 @@ from app.core.projection.extent import extent, reach_m
 from app.core.projection.other_people import OtherPeople
 from app.core.projection.right_image import boxes_in_right_image
 from app.core.scenes import LegendEntry, Side
-from app.core.tracks.frame_state import FrameState
-from app.features.scoring.scene import (
+from app.core.scenes.ground_truth import (
     ERROR_COLOURS,
     TRUTH_COLOUR,
     FlooredTruth,
@@ -21,6 +20,7 @@ from app.features.scoring.scene import (
     TruthMark,
     TruthPlace,
 )
+from app.core.tracks.frame_state import FrameState
 from tracking.recording import Recording
 from tracking.scoring import ErrorKind, ErrorTable
 from tracking.tracks import Columns, TrackTable

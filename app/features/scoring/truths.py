@@ -10,9 +10,9 @@ from pathlib import Path
 
 import numpy as np
 
+from app.core.document.recording_match import refuse_other_recording
 from app.core.document.track_sources import name_of_run
 from app.core.i18n import count_text, tr
-from app.features.comparison.agreement import refuse_other_recording
 from tracking.errors import FormatError, SessionError
 from tracking.formats import FORMATS, Filmed, Measurable, format_of, is_hdf5, measurable
 from tracking.formats.read_result import in_order, positive_ids, with_all_columns

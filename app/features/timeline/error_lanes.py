@@ -8,13 +8,13 @@ from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QFont, QFontMetricsF, QHelpEvent, QMouseEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
+from app.core.drawing.error_signs import draw_signs, error_colour
 from app.core.i18n import time_text
 from app.core.look.theme import Theme, current_theme, scaled_font
 from app.core.plots.axis import TimeAxis
 from app.core.plots.strips import draw_strip
+from app.core.scenes.ground_truth import ErrorLane, ErrorLanes
 from app.core.widgets.still_picture import StillPicture
-from app.features.scoring.scene import ErrorLane, ErrorLanes
-from app.features.timeline.error_signs import draw_signs, error_colour
 from tracking.scoring import ErrorKind
 
 _SMALL, _PAD_PX = 0.86, 3

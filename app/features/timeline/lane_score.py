@@ -9,9 +9,9 @@ from app.core.look.theme import Theme, contrast, faded, scaled_font
 from app.core.plots.axis import TimeAxis
 from app.core.plots.curves import curve_path, score_span, stretches
 from app.core.plots.strips import covered, draw_strip, opacity
+from app.core.scenes.labels import PART_COLOURS
 from app.core.scenes.part_curve import THRESHOLD, LaneScore
-from app.features.labelling.scene import PART_COLOURS
-from app.features.parts.part_views import part_name
+from app.core.scenes.part_names import part_name
 
 _READABLE = 4.0
 _SMALL, _LEAST_NAME, _GAP_PX = 0.84, 0.7, 4.0

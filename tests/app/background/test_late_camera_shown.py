@@ -14,9 +14,8 @@ from PySide6.QtCore import QObject
 from app.core.document.document import Document
 from app.core.playback.frames import FrameReader
 from app.core.scenes import Side
-from app.core.tracks.frame_state import ViewOptions
+from app.core.tracks.frame_state import Kinds, ViewOptions
 from app.features.pictures.overlay_maker import OverlayMaker
-from app.features.pictures.overlays import Kinds
 from tests.benchmarks.stereo.troubles import Trouble, troubled
 from tracking.recording import Instants, Recording, StereoFrame, open_recording
 from tracking.session import Session

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 
 import pytest
 
-from app.system_libraries import INSTALL, Machine, ensure
+from app.cli.system_libraries import INSTALL, Machine, ensure
 
 MISSING = "Qt cannot start: libEGL.so.1: cannot open shared object file"
 
@@ -73,6 +73,6 @@ def test_an_installation_that_did_not_help_is_told(capsys: pytest.CaptureFixture
 
 def test_this_machine_can_show_the_window() -> None:
     done = subprocess.run(
-        [sys.executable, "-m", "app.system_libraries"], capture_output=True, text=True
+        [sys.executable, "-m", "app.cli.system_libraries"], capture_output=True, text=True
     )
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")

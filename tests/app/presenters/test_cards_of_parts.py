@@ -1,9 +1,9 @@
 """What the tracker and people say of parts, a card a person."""
 
 from app.core.colours.track_colours import TrackColours
-from app.features.labelling.scene import PartMark, SuggestedPart
+from app.core.scenes.labels import PartMark, SuggestedPart
+from app.core.scenes.pictured_parts import PartBox, Verdict
 from app.features.parts.cards import cards_of
-from app.features.parts.scene import PartBox, Verdict
 
 COLOUR_OF = TrackColours().of
 BOX = (10.0, 20.0, 8.0, 8.0)

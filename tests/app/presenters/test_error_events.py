@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.features.scoring.events import events_of
+from app.core.scenes.error_events import events_of
 from tracking.scoring import ErrorKind, ErrorTable, ScoringTable, errors
 
 

@@ -3,9 +3,9 @@ import pytest
 
 from app.core.document.document import Document
 from app.core.scenes import Side
-from app.core.tracks.frame_state import PictureOverlay, ViewOptions
+from app.core.tracks.frame_state import Kinds, PictureOverlay, ViewOptions
 from app.features.pictures.anaglyph import anaglyph_image
-from app.features.pictures.overlays import FOREGROUND, SHADOW, Kinds, OverlayPainter, paint_overlays
+from app.features.pictures.overlays import FOREGROUND, SHADOW, OverlayPainter, paint_overlays
 from tracking.errors import CalibrationError
 from tracking.geometry import Rectification
 from tracking.people import Overlays

@@ -3,7 +3,7 @@ import pytest
 
 from app.core.colours.colour_sight import of_one_hue
 from app.core.colours.palette import TRACK_COLOURS
-from app.features.scoring.scene import ERROR_COLOURS
+from app.core.scenes.ground_truth import ERROR_COLOURS
 from tracking.scoring import ErrorKind
 
 # Machado, Oliveira and Fernandes 2009, severity 1.0: what red- and green-blind people see.

@@ -10,8 +10,9 @@ from app.core.editing import EditKind
 from app.core.projection.extent import MARGIN_M
 from app.core.scenes import Side
 from app.core.tracks.frame_state import FrameState, ViewOptions
+from app.core.tracks.particle_weights import relative_weights
 from app.core.tracks.session_tracks import SessionTracks
-from app.features.pictures.overhead_presenter import OverheadPresenter, relative_weights
+from app.features.pictures.overhead_presenter import OverheadPresenter
 from tracking.recording import open_recording
 from tracking.session import Session
 from tracking.tracks import Source, TrackLabel, TrackTable

@@ -4,7 +4,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from app.features.scoring.figures import Figure
+from app.core.scenes.score_figures import Figure
 
 SHARE = Figure("share", "", lambda score: score.value)
 COUNT = Figure("count", "", lambda score: score.value, "{:.0f}", -1)

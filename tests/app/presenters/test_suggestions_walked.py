@@ -1,6 +1,6 @@
 from dataclasses import replace
 
-from app.features.labelling.scene import SuggestedPart
+from app.core.scenes.labels import SuggestedPart
 from app.features.labelling.suggestion_list import SuggestionQueue
 from tracking.tracks import PartLabels
 

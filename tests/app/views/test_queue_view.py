@@ -8,10 +8,11 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
 
+from app.core.scenes.queue_rows import ReviewPerson, ReviewRow
 from app.core.widgets import queue_list
 from app.core.widgets.queue_list import row_height
 from app.features.review.panel import ReviewPanel
-from app.features.review.scene import ReviewPerson, ReviewRow, ReviewScene
+from app.features.review.scene import ReviewScene
 
 WORDS = "2 and 8 were seen as one for 0.8 s until 00:18; "
 ITEMS = tuple(

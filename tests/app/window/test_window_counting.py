@@ -11,7 +11,7 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 
-from app.features.counting.subject import SHOWN
+from app.core.document.track_sources import SHOWN
 from tracking.counting import occupancy, passages
 from tracking.editing import plan_delete_tracks, plan_lines, plan_regions
 from tracking.trackers import StepResult

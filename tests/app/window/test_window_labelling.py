@@ -5,7 +5,7 @@ from correcting_window import CROWDED, open_for_correcting
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
 
-from app.features.labelling.scene import Tool
+from app.core.scenes.labels import Tool
 
 Key = Qt.Key
 _CTRL, _ALT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.AltModifier

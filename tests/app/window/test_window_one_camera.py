@@ -9,8 +9,8 @@ import pytest
 from correcting_window import open_for_correcting
 from PySide6.QtCore import Qt
 
+from app.core.tracks.frame_state import Kinds
 from app.core.tracks.made_by import AtWork
-from app.features.pictures.overlays import Kinds
 from app.features.pictures.ramp_overlay import RampPainter
 from tracking.errors import CalibrationError
 from tracking.recording import open_recording

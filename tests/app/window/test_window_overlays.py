@@ -2,8 +2,8 @@ import pytest
 from correcting_window import CROWDED, open_for_correcting
 from PySide6.QtCore import QObject
 
+from app.core.tracks.frame_state import Kinds
 from app.features.pictures.overlay_maker import OverlayMaker
-from app.features.pictures.overlays import Kinds
 from tracking.errors import RecordingError
 
 

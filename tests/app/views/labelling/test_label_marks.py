@@ -6,7 +6,7 @@ from PySide6.QtGui import QImage, QPainter
 
 from app.core.drawing.label_marks import draw_parts
 from app.core.drawing.viewport import Viewport
-from app.features.labelling.scene import PartMark
+from app.core.scenes.labels import PartMark
 
 SIDE = 200
 BOX = (40.0, 40.0, 120.0, 120.0)

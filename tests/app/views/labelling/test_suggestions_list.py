@@ -1,6 +1,7 @@
 """The list of parts that are worth labelling."""
 
-from app.features.labelling.scene import LabellingScene, SuggestedPart, Tool
+from app.core.scenes.labels import SuggestedPart, Tool
+from app.features.labelling.scene import LabellingScene
 from app.features.labelling.suggestions import SuggestionsList
 
 NARROW_LETTERS = 34

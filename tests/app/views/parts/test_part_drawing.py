@@ -18,7 +18,7 @@ from app.core.plots.axis import TimeAxis
 from app.core.plots.curves import whole_span
 from app.core.scenes import Side
 from app.core.scenes.part_curve import LaneScore, PartCurve
-from app.features.parts.scene import CardLine, PartBox, PartCard, PicturedParts, Verdict
+from app.core.scenes.pictured_parts import CardLine, PartBox, PartCard, PicturedParts, Verdict
 from app.features.pictures import box_names
 from app.features.pictures import picture_view as picture_view
 from app.features.pictures.picture_view import PictureView

@@ -10,9 +10,9 @@ import pytest
 from drawn_scenes import floor_person, overhead
 from PySide6.QtCore import QPointF
 
+from app.core.scenes.ground_truth import FlooredTruth, TruthPlace
 from app.features.pictures import floor_naming
 from app.features.pictures.overhead_view import OverheadView
-from app.features.scoring.scene import FlooredTruth, TruthPlace
 from tracking.scoring import ErrorKind
 
 HEAP = [(0.0, 5.0), (0.4, 5.1), (-0.3, 5.4), (0.1, 4.6)]

@@ -9,10 +9,10 @@ from PySide6.QtGui import QColor, QFontMetricsF, QImage, QPainter
 from app.core.drawing.particles import draw_particles, soft_dot
 from app.core.look.theme import scaled_font
 from app.core.scenes import LegendEntry, PreviewTrail
-from app.features.counting.scene import FlowScene
+from app.core.scenes.flow_map import FlowScene
+from app.core.scenes.ground_truth import FlooredTruth
 from app.features.pictures.floor import nice_step
 from app.features.pictures.overhead_view import OverheadView
-from app.features.scoring.scene import FlooredTruth
 
 LEFT = Qt.MouseButton.LeftButton
 

@@ -9,8 +9,8 @@ from PySide6.QtCore import QPoint, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor
 
 from app.core.scenes import LegendEntry, PictureScene, PreviewTrail, Side
+from app.core.scenes.ground_truth import PicturedTruth
 from app.features.pictures.picture_view import PictureView
-from app.features.scoring.scene import PicturedTruth
 
 LEFT = Qt.MouseButton.LeftButton
 

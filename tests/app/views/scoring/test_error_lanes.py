@@ -6,11 +6,11 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QFont, QFontMetricsF
 from PySide6.QtTest import QTest
 
+from app.core.drawing.error_signs import error_colour
 from app.core.plots.axis import TimeAxis
-from app.features.scoring.events import ErrorEvents
-from app.features.scoring.scene import ErrorLane, ErrorLanes
+from app.core.scenes.error_events import ErrorEvents
+from app.core.scenes.ground_truth import ErrorLane, ErrorLanes
 from app.features.timeline.error_lanes import ErrorLanesView, _fitting
-from app.features.timeline.error_signs import error_colour
 from tests.pace import spent
 from tracking.scoring import ErrorKind
 

@@ -6,9 +6,9 @@ from itertools import product
 import pytest
 from PySide6.QtCore import Qt
 
-from app.features.scoring.figures import FIGURES
+from app.core.scenes.score_figures import FIGURES, ScoreRow
 from app.features.scoring.panel import ScorePanel
-from app.features.scoring.scene import ErrorChoice, ScoreRow, ScoreScene
+from app.features.scoring.scene import ErrorChoice, ScoreScene
 from tracking.scoring import ErrorKind
 
 SCENE = ScoreScene(

@@ -1,6 +1,6 @@
 """Are the system libraries there that Qt needs? Run by `make` before the window or its tests.
 
-    python -m app.system_libraries
+    python -m app.cli.system_libraries
 
 Silent when all is well. On Debian and Ubuntu what is missing is installed when root asks, otherwise
 the one command to run is named; elsewhere the missing library is.

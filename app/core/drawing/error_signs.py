@@ -9,7 +9,7 @@ from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QIcon, QPainter, QPen, QPixmap, QPixmapCache
 
 from app.core.look.theme import Theme, current_theme
-from app.features.scoring.scene import ERROR_COLOURS
+from app.core.scenes.ground_truth import ERROR_COLOURS
 from tracking.scoring import ErrorKind
 
 _ICON_PX = 12

@@ -8,7 +8,6 @@ from dataclasses import dataclass
 from typing import Final
 
 from app.core.i18n import tr
-from app.features.scoring.scene import ScoreRow
 from tracking.scoring import Score
 
 
@@ -136,3 +135,24 @@ def hota_moved(before: Score, after: Score) -> str:
     """How HOTA moved in a few letters, e.g. "HOTA ▲ +0.012"; "" where it did not."""
     moved, _ = FIGURES[0].moved(before, after)
     return f"HOTA {moved}" if moved else ""
+
+
+@dataclass(frozen=True, slots=True)
+class ScoreRow:
+    """A figure.
+
+    Attributes:
+        name: e.g. "HOTA". hint: what it is.
+        whole, visible: its value over all frames and over those shown. moved: by how much the
+            last edits moved it, with its sign; "": not at all.
+        better: 1 where that is better, -1 where worse, 0 where neither.
+        short: the name where there is little room; "": the same.
+    """
+
+    name: str
+    hint: str
+    whole: str
+    visible: str
+    moved: str = ""
+    better: int = 0
+    short: str = ""

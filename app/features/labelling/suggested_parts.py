@@ -5,8 +5,8 @@ from __future__ import annotations
 from app.core.colours.palette import NOBODY
 from app.core.document.detector_choice import DetectorChoice
 from app.core.i18n import time_text, tr
-from app.features.labelling.scene import SuggestedPart
-from app.features.parts.part_views import part_name
+from app.core.scenes.labels import SuggestedPart
+from app.core.scenes.part_names import part_name
 from tracking.errors import EditError
 from tracking.failure import Suggestion, suggest
 from tracking.session.provenance import parts_by_now
