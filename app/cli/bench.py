@@ -6,7 +6,6 @@ import subprocess
 import sys
 from pathlib import Path
 
-import app
 from tracking.errors import TrackwrightError
 
 
@@ -16,7 +15,7 @@ def run_bench(only: str | None, *, as_json: bool) -> None:
     Raises:
         TrackwrightError: this is an installed program without its tests.
     """
-    checkout = Path(app.__file__).parents[1]
+    checkout = Path(__file__).parents[2]
     if not (checkout / "tests" / "benchmarks" / "__main__.py").is_file():
         raise TrackwrightError("no benchmarks here: they are run from a checkout of the source")
     words = [*(["--only", only] if only else []), *(["--json"] if as_json else [])]

@@ -13,6 +13,7 @@ from PySide6.QtCore import QCoreApplication, QEvent, QSettings
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 from run_with_parts import with_parts
+from view_fixtures import dark, drawn, heard, inked, near, theme, wheel  # noqa: F401 - fixtures
 
 from app.core.document import document_loader
 from app.core.playback import late_camera

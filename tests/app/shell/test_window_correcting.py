@@ -263,7 +263,7 @@ def test_picking_in_the_picture_the_floor_and_the_timeline_selects_everywhere(wi
     for view, track in zip((views.left, views.overhead, views.timeline), here * 3, strict=False):
         view.track_picked.emit(track)
         assert controller.document.card().track == track
-        lanes = controller.document.timeline(CROWDED, CROWDED).lanes
+        lanes = controller.scenes.timeline(CROWDED, CROWDED).lanes
         assert [lane.track for lane in lanes if lane.selected] == [track]
 
 

@@ -265,7 +265,7 @@ def test_colours_of_a_long_session_come_from_another_thread_into_all_views(long,
     now, frame = document.colour_of(track), controller.playback.number
     assert threading.main_thread() not in controller.made_in
     assert now != before
-    lanes = {lane.track: lane.colour for lane in document.timeline(frame, frame).lanes}
+    lanes = {lane.track: lane.colour for lane in controller.scenes.timeline(frame, frame).lanes}
     assert lanes == {one: document.colour_of(one) for one in lanes}
     assert document.card().colour == now
     people = [one for item in controller.reviewing.queue.items for one in item.people]

@@ -16,6 +16,7 @@ from app.core.playback.frames import FrameReader
 from app.core.scenes import Side
 from app.core.tracks.frame_state import Kinds, ViewOptions
 from app.features.pictures.overlay_maker import OverlayMaker
+from app.features.pictures.presenter import PicturePresenter
 from tests.benchmarks.stereo.troubles import Trouble, troubled
 from tracking.recording import Instants, Recording, StereoFrame, open_recording
 from tracking.session import Session
@@ -79,13 +80,16 @@ def test_the_threads_of_a_reader_end_with_it_though_nobody_closed_it(recording):
 
 
 def test_the_right_picture_says_which_frame_it_is(recording, tiny_session):
-    document = Document(recording, Session.open(tiny_session))
+    document, pictures = (
+        Document(recording, Session.open(tiny_session)),
+        PicturePresenter(recording),
+    )
     instants, said = Instants(recording, LAG), []
     for number in (20, recording.frame_count - 1):
         state = document.frame_state(number)
         frame = instants.read(number)
         cameras = (Side.LEFT, Side.RIGHT)
-        scenes = [document.pictures.scene(e, frame, state, ViewOptions()) for e in cameras]
+        scenes = [pictures.scene(e, frame, state, ViewOptions()) for e in cameras]
         said.append([scene.message for scene in scenes])
     document.session.close()
     assert said[0] == ["", "Frame 26 of this camera: the same instant"]

@@ -237,7 +237,7 @@ def test_the_boxes_of_a_dragged_person_lie_on_one_epipolar_line(hands, someone):
     controller, start = hands.controller, hands.row(someone, CROWDED)
     controller.dragging.grab_person(someone)
     controller.dragging.drag_person(start["x"] + 0.4, start["y"] + 0.3)
-    state, pictures = controller.document.frame_state(CROWDED), controller.document.pictures
+    state, pictures = controller.document.frame_state(CROWDED), controller.scenes.pictures
     frame, rectification = controller.playback.frame, controller.document.recording.rectification
     cameras = [
         pictures.scene(side, frame, state, controller.view_options)

@@ -55,7 +55,7 @@ def test_the_floor_shows_particles_of_the_same_frame_as_the_pictures(opened, qtb
     controller.playback.go(60)
     qtbot.waitUntil(lambda: controller.playback.number == 60)
     state = controller.document.frame_state(controller.playback.number)
-    floor = controller.document.overhead.scene(state)
+    floor = controller.scenes.overhead.scene(state)
     assert floor.frame == controller.playback.frame.number == 60
     assert set(np.unique(controller.document.tracks.particles(60)["track"])) == {
         person.track for person in floor.people

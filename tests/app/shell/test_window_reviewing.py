@@ -98,7 +98,7 @@ def _verdicts(controller):
 def test_opening_a_session_fills_the_queue_and_marks_the_timeline(controller, window):
     panel = window.workspace.review
     assert panel._left.text() == f"{len(controller.reviewing.queue.open)} left"
-    scene = controller.document.timeline(0, controller.playback.number)
+    scene = controller.scenes.timeline(0, controller.playback.number)
     marked = {(mark.frame, mark.track) for lane in scene.lanes for mark in lane.marks}
     assert marked == {
         (one.frame, track) for one in controller.reviewing.queue.open for track in one.tracks

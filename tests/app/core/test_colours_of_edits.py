@@ -11,6 +11,7 @@ from app.core.document import document_loader
 from app.core.document.document import Document
 from app.core.editing import EditKind
 from app.core.tracks import session_colours
+from app.shell.recording_scenes import RecordingScenes
 from tracking.editing import plan_reassign, plan_split
 from tracking.recording import open_recording
 from tracking.session import Session
@@ -108,9 +109,10 @@ def test_an_edit_that_was_left_has_given_no_colour(document):
 
 
 def test_an_edit_that_waits_leaves_the_colours_of_the_lanes_as_they_are(document):
-    lanes = document.timeline(30, 30).lanes
+    scenes = RecordingScenes(document)
+    lanes = scenes.timeline(30, 30).lanes
     _look_at_a_split(document, 30)
-    shown = document.timeline(30, 30).lanes
+    shown = scenes.timeline(30, 30).lanes
     assert [one.track for one in shown] == [one.track for one in lanes]
     assert all(a is b for a, b in zip(lanes, shown, strict=True) if a.track != 1)
 

@@ -205,7 +205,7 @@ def test_a_tracklet_of_one_position_is_a_dot() -> None:
 def test_the_kernel_drawn_is_what_mean_shift_holds_round_who_is_selected(
     view: View, reach: float
 ) -> None:
-    chosen = {"clusters__width_m": 0.5, "clusters__height_m": 1.2, "clusters__reach": reach}
+    chosen = {"clusters__width_m": 0.5, "clusters__height_m": 1.2, "clusters__bandwidth": reach}
     flow = run_of("flow", **chosen)
     picture = painted(view, OneFrame(PEOPLE), 1, flow, tracklets=True)
     v, u = np.argwhere(picture[..., :3].sum(axis=-1) > 200).T  # not its dark edge
@@ -221,7 +221,7 @@ def test_the_kernel_drawn_is_what_mean_shift_holds_round_who_is_selected(
 
 
 def test_there_is_no_kernel_in_runs_that_gather_no_tracklets(view: View) -> None:
-    assert FlowSettings().hold
+    assert FlowSettings().persistent_points
     assert painted(view, OneFrame(PEOPLE), 1, run_of("flow"), tracklets=True).any()
     assert not painted(view, OneFrame(PEOPLE), 1, run_of("spheroid"), tracklets=True).any()
 

@@ -6,6 +6,7 @@ from app.core.scenes import Side
 from app.core.tracks.frame_state import Kinds, PictureOverlay, ViewOptions
 from app.features.pictures.anaglyph import anaglyph_image
 from app.features.pictures.overlays import FOREGROUND, SHADOW, OverlayPainter, paint_overlays
+from app.features.pictures.presenter import PicturePresenter
 from tracking.errors import CalibrationError
 from tracking.geometry import Rectification
 from tracking.people import Overlays
@@ -105,7 +106,7 @@ def test_one_camera_has_no_overlays(tiny_recording):
 def test_what_is_laid_over_stays_the_same_array_and_particles_are_drawn_on_a_copy(document):
     image = np.zeros((240, 320, 4), np.uint8)
     frame, state = document.recording.read(CROWDED), document.frame_state(CROWDED)
-    pictures = document.pictures
+    pictures = PicturePresenter(document.recording)
     plain = pictures.scene(Side.LEFT, frame, state, ViewOptions(), PictureOverlay(image))
     assert plain.overlay is image
     dotted = pictures.scene(
@@ -131,7 +132,7 @@ def test_the_right_camera_is_moved_and_what_one_camera_alone_has_is_black(shift)
 
 
 def test_the_floor_in_the_middle_lies_in_the_plane_of_an_anaglyph(document):
-    scene = document.pictures.anaglyph(
+    scene = PicturePresenter(document.recording).anaglyph(
         document.recording.read(0), document.frame_state(0), ViewOptions(trails=False)
     )
     assert scene.side is Side.BOTH
@@ -143,8 +144,10 @@ def test_the_floor_in_the_middle_lies_in_the_plane_of_an_anaglyph(document):
 def test_people_move_along_with_the_rectified_picture_of_an_anaglyph(turned, tiny_session):
     document = Document(turned, Session.open(tiny_session))
     frame, state = turned.read(CROWDED), document.frame_state(CROWDED)
-    recorded = document.pictures.scene(Side.LEFT, frame, state, ViewOptions()).people
-    moved = document.pictures.anaglyph(frame, state, ViewOptions()).people
+    recorded = (
+        PicturePresenter(document.recording).scene(Side.LEFT, frame, state, ViewOptions()).people
+    )
+    moved = PicturePresenter(document.recording).anaglyph(frame, state, ViewOptions()).people
     for before, after in zip(recorded, moved, strict=True):
         middle = np.array(
             [[b + s / 2 for b, s in zip(before.box[:2], before.box[2:], strict=True)]]

@@ -13,6 +13,7 @@ from app.core.tracks.frame_state import FrameState, ViewOptions
 from app.core.tracks.particle_weights import relative_weights
 from app.core.tracks.session_tracks import SessionTracks
 from app.features.pictures.overhead_presenter import OverheadPresenter
+from app.features.pictures.presenter import PicturePresenter
 from tracking.recording import open_recording
 from tracking.session import Session
 from tracking.tracks import Source, TrackLabel, TrackTable
@@ -28,9 +29,10 @@ def document(tiny_recording, tiny_session):
         document.session.close()
 
 
-def _scene(document, side=Side.LEFT, view_options=ViewOptions()):  # noqa: B008 - frozen
+def _scene(document, side=Side.LEFT, view_options=ViewOptions(), pictures=None):  # noqa: B008 - frozen
+    pictures = pictures or PicturePresenter(document.recording)
     frame = document.recording.read(CROWDED)
-    return document.pictures.scene(side, frame, document.frame_state(CROWDED), view_options)
+    return pictures.scene(side, frame, document.frame_state(CROWDED), view_options)
 
 
 def test_everybody_of_the_frame_is_marked_in_their_colour_and_the_selected_one_last(document):
@@ -90,20 +92,23 @@ def test_particles_are_laid_over_the_picture_near_their_people(document):
 
 
 def test_the_floor_grid_is_made_once_and_lies_in_view(document):
-    first = _scene(document, view_options=ViewOptions(grid=True)).grid
+    pictures = PicturePresenter(document.recording)
+    first = _scene(document, view_options=ViewOptions(grid=True), pictures=pictures).grid
     assert len(first) > 20
-    assert _scene(document, view_options=ViewOptions(grid=True)).grid is first
+    assert _scene(document, view_options=ViewOptions(grid=True), pictures=pictures).grid is first
     assert len(_scene(document).grid) == 0
 
 
 def test_a_frame_that_is_being_read_is_said(document):
-    scene = document.pictures.scene(Side.LEFT, None, document.frame_state(0), ViewOptions())
+    scene = PicturePresenter(document.recording).scene(
+        Side.LEFT, None, document.frame_state(0), ViewOptions()
+    )
     assert scene.image is None
     assert scene.message == "Reading..."
 
 
 def test_the_floor_shows_people_particles_and_what_was_measured(document):
-    scene = document.overhead.scene(document.frame_state(CROWDED))
+    scene = OverheadPresenter(document.recording).scene(document.frame_state(CROWDED))
     ids = document.tracks.of_frame(CROWDED)["track"].tolist()
     assert sorted(person.track for person in scene.people) == ids
     assert len(scene.particles) == len(scene.particle_colours) == len(scene.particle_weights)
@@ -125,9 +130,13 @@ def test_people_without_metres_are_left_out_of_the_floor_but_not_of_the_picture(
     rows = dict(two_people.columns())
     rows["x"] = np.where(rows["track"] == 7, np.nan, rows["x"])
     state = FrameState(50, SessionTracks(TrackTable(rows), None))
-    assert [person.track for person in document.overhead.scene(state).people] == [4]
+    assert [
+        person.track for person in OverheadPresenter(document.recording).scene(state).people
+    ] == [4]
     frame = document.recording.read(50)
-    marks = document.pictures.scene(Side.LEFT, frame, state, ViewOptions()).people
+    marks = (
+        PicturePresenter(document.recording).scene(Side.LEFT, frame, state, ViewOptions()).people
+    )
     assert [mark.track for mark in marks] == [4, 7]
 
 

@@ -5,6 +5,7 @@ import pytest
 
 from app.core.document.document import Document
 from app.core.projection.extent import extent, unite
+from app.shell.recording_scenes import RecordingScenes
 from tracking.recording import open_recording
 from tracking.session import Session
 
@@ -38,7 +39,7 @@ def document(tiny_recording, tiny_session):
 
 
 def test_the_map_grows_with_tracks_that_are_taken_and_begins_anew_with_others(document):
-    floor = document.overhead
+    floor = RecordingScenes(document).overhead
     before = floor.bounds
     top = before[3]
     floor.take_more(rows((0.0, top + 3.0)))
@@ -49,7 +50,7 @@ def test_the_map_grows_with_tracks_that_are_taken_and_begins_anew_with_others(do
 
 
 def test_all_tracks_of_a_session_are_on_the_map(document):
-    left, bottom, right, top = document.overhead.bounds
+    left, bottom, right, top = RecordingScenes(document).overhead.bounds
     columns = document.session.tracks.columns()
     known = np.isfinite(columns["x"])
     x, y = columns["x"][known], columns["y"][known]

@@ -121,9 +121,7 @@ def test_keyframes_are_made_and_the_frames_between_them_interpolated(hands, trac
     first, middle, last = (hands.row(track, frame) for frame in (60, 65, 70))
     assert [row["source"] for row in (first, middle, last)] == [1, 2, 1]
     assert middle["left"] == pytest.approx((first["left"] + last["left"]) / 2)
-    lane = next(
-        one for one in hands.controller.document.timeline(65, 65).lanes if one.track == track
-    )
+    lane = next(one for one in hands.controller.scenes.timeline(65, 65).lanes if one.track == track)
     assert lane.keyframes.tolist() == [60, 70]
     hands.go(70)
     hands.press(Key.Key_W, CTRL | SHIFT)
