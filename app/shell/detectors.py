@@ -51,7 +51,7 @@ class Detectors(Controller):
     ) -> None:
         super().__init__(parent)
         self._window, self._work, self._remembered = window, work, remembered
-        self.choice = restore_choice(remembered.text(_REMEMBERED))
+        self.choice: DetectorChoice = restore_choice(remembered.text(_REMEMBERED))
         self.result: TrainingResult | None = None
         self._saved: tuple[str, DetectorChoice] = ("", DetectorChoice())  # fingerprint, where
         self._learnt: tuple[Path, ...] = ()

@@ -68,17 +68,17 @@ class Files(Controller):
         self._greeting = ""
         self._leaving = ClosePrompts(self, window)
         self.controller: RecordingController | None = None
-        self.author = Author(window, remembered, self)
-        self.exporting = ExportController(window, work, self)
-        self.importing = ImportController(window, work, self)
-        self.detectors = Detectors(window, work, remembered, self)
+        self.author: Author = Author(window, remembered, self)
+        self.exporting: ExportController = ExportController(window, work, self)
+        self.importing: ImportController = ImportController(window, work, self)
+        self.detectors: Detectors = Detectors(window, work, remembered, self)
         self.detectors.changed.connect(self.changed)
-        self.backups = BackupController(window, work, self)
+        self.backups: BackupController = BackupController(window, work, self)
         self.backups.changed.connect(self.changed)
-        self.beside = SessionsBeside(window, work, self)
-        self.keeping = ResultStorage(window, work, self)
+        self.beside: SessionsBeside = SessionsBeside(window, work, self)
+        self.keeping: ResultStorage = ResultStorage(window, work, self)
         self.keeping.changed.connect(self.changed)
-        self.saving = SaveController(self, window, work, remembered)
+        self.saving: SaveController = SaveController(self, window, work, remembered)
         self.saving.changed.connect(self.changed)
 
     # opening

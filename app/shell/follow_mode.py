@@ -6,7 +6,7 @@ import time
 
 from PySide6.QtCore import QObject
 
-from app.core.commands.enablement import edit_waits
+from app.core.commands.conditions import edit_waits
 from app.core.controller import Controller
 from app.core.document.document import Document
 from app.core.playback.playback import Playback

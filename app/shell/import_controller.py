@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 
-from app.core.commands.enablement import drawable
+from app.core.commands.conditions import drawable
 from app.core.controller import Controller
 from app.core.document import document_loader
 from app.core.i18n import count_text, tr
@@ -57,15 +57,10 @@ class ImportController(Controller):
         controller = self._window.controller
         if controller is None:
             return
-        if why_not := self._why_not(controller):
+        if why_not := drawable(self._window.app):
             self.said.emit(why_not)
         else:
             self.read(path)
-
-    def _why_not(self, controller: RecordingController) -> str:
-        """Why nothing can be imported now; "": it can."""
-        now = controller.command_context
-        return drawable(now.while_busy() if self._work.busy else now)
 
     def read(self, path: Path, known: TrackFormat | None = None, unit: str = "") -> None:
         """Read a file in the background and show what it holds.
@@ -100,7 +95,7 @@ class ImportController(Controller):
         people are in view.
         """
         came = (fitted.into is None) != (controller.document.session is None)
-        if why_not := tr("another session came meanwhile") if came else self._why_not(controller):
+        if why_not := tr("another session came meanwhile") if came else drawable(self._window.app):
             text = tr("Nothing was imported: {why}; import the file again", why=why_not)
             self.failed.emit(SessionError(text))
             return

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import asdict, replace
-
 from PySide6.QtCore import QSize, QTimer
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QKeyEvent, QKeySequence
 from PySide6.QtWidgets import (
@@ -17,26 +14,26 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.core.commands import CommandContext, command_items
+from app.core.commands import CommandRegistry
 from app.core.drawing.canvas import Canvas
 from app.core.error_messages import explain
 from app.core.i18n import tr
 from app.core.look.icons import application_icon
-from app.core.scenes import CommandItem
 from app.core.widgets.notice import NoticeBar
 from app.core.widgets.progress_strip import ProgressStrip
 from app.core.widgets.user_settings import UserSettings
 from app.core.widgets.work import Work
 from app.features.welcome.welcome import WelcomePage
 from app.shell.command_palette import CommandPalette
+from app.shell.commands import COMMANDS
 from app.shell.context_menu import ContextMenu
 from app.shell.files import Files
 from app.shell.look_choice import LookChoice
 from app.shell.menus import Menus, TypingGuard
 from app.shell.recording_controller import RecordingController
 from app.shell.refusal_notice import RefusalNotice
-from app.shell.runnable_commands import runnable_commands
 from app.shell.screen_fit import fit_to_screen, keep_on_screen
+from app.shell.window_app import WindowApp
 from app.shell.workspace import Workspace
 
 _FIRST_SIZE = QSize(1440, 900)
@@ -54,18 +51,19 @@ class MainWindow(QMainWindow):
         self.remembered = remembered
         self.setWindowIcon(application_icon())
         self.welcome = WelcomePage(self)
-        self.workspace = Workspace(self)
+        self.workspace: Workspace = Workspace(self)
         self.notice = NoticeBar(self)
         self.progress = ProgressStrip(self)
         self.work = Work(self.progress, self)
         self.files = Files(self, self.work, remembered)
-        self.menus = Menus(self)
+        self.app = WindowApp(self)
+        self.registry = CommandRegistry(COMMANDS, self.app)
+        self.menus = Menus(self, self.registry.commands)
         self.look_choice = LookChoice(remembered, self)
         self.palette_of_commands = CommandPalette(self)
         self.context_menu = ContextMenu(self)
         self._pages = QStackedWidget(self)
         self._guard = TypingGuard(self)
-        self._commands: dict[str, Callable[[], None]] = runnable_commands(self)
         self._told = RefusalNotice(self, self._guard)
         self._refreshing = QTimer(self, singleShot=True, interval=0)
         self._progressing = QTimer(self, singleShot=True, interval=_PROGRESS_MS)
@@ -156,10 +154,6 @@ class MainWindow(QMainWindow):
         self.workspace.left.setFocus()
         self.refresh()
 
-    def command_items(self) -> tuple[CommandItem, ...]:
-        """All commands as they stand now."""
-        return command_items(self._command_context(), self._checked())
-
     def refresh(self) -> None:
         """Bring commands, title and progress up to date, once, before the next event."""
         if not self._refreshing.isActive():
@@ -171,7 +165,7 @@ class MainWindow(QMainWindow):
         self._refresh_now()
 
     def _refresh_now(self) -> None:
-        self.menus.show_items(self.command_items())
+        self.menus.show_items(self.registry.items())
         self.setWindowTitle(self.files.title())
         self.setWindowModified(self.files.saving.unsaved)
         self._show_progress()
@@ -193,33 +187,6 @@ class MainWindow(QMainWindow):
         else:
             self.progress.finish()
 
-    def _command_context(self) -> CommandContext:
-        command_context = (
-            CommandContext() if self.controller is None else self.controller.command_context
-        )
-        detectors, unkept = self.files.detectors, self.files.keeping.holds
-        in_use = detectors.choice.name if detectors.choice.path else ""
-        trained = detectors.result is not None
-        command_context = replace(command_context, unkept=unkept, trained=trained, detector=in_use)
-        return command_context.while_busy() if self.work.busy else command_context
-
-    def _checked(self) -> frozenset[str]:
-        on = {f"view.look_{self.look_choice.look.value}"}
-        on.add("detector.open" if self.files.detectors.choice.path else "detector.built_in")
-        if self.controller is not None:
-            view_options = self.controller.view_options
-            on.add(f"view.{self.controller.cameras}")
-            if self.controller.tracking.following.on:
-                on.add("play.follow")
-            if self.controller.labelling.suggests:
-                on.add("detector.suggest")
-            if self.controller.reviewing.plays:
-                on.add("review.plays")
-            if self.controller.reviewing.measures:
-                on.add("review.measure")
-            on |= {f"view.{name}" for name, is_on in asdict(view_options).items() if is_on}
-        return frozenset(on)
-
     # messages
 
     def _make_room(self, said: str) -> None:
@@ -240,12 +207,12 @@ class MainWindow(QMainWindow):
 
     def run_command(self, name: str) -> None:
         """Do a command of the catalogue, where it can be done now; else say why not."""
-        item = {item.command: item for item in self.command_items()}[name]
+        item = self.registry.item(name)
         if not item.enabled:
             self._told.refuse(item)
             return
         self.notice.give_way()
-        self._commands[name]()
+        self.registry.run(name)
         self.refresh()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:  # noqa: N802 - Qt's name

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QHelpEvent, QKeyEvent, QKeySequence
@@ -18,7 +19,7 @@ from PySide6.QtWidgets import (
     QToolTip,
 )
 
-from app.core.commands import COMMANDS, MENUS, Command
+from app.core.commands import MENUS, Command, menu_of
 from app.core.i18n import tr
 from app.core.look.icons import icon
 from app.core.scenes import CommandItem
@@ -48,16 +49,17 @@ class Menus(QObject):
 
     asked = Signal(str)
 
-    def __init__(self, window: QMainWindow) -> None:
+    def __init__(self, window: QMainWindow, commands: Sequence[Command[Any]]) -> None:
         super().__init__(window)
+        self._commands = commands
         self.actions: dict[str, QAction] = {}
         self._filling = False
         self.menus = {(name, ""): window.menuBar().addMenu("&" + tr(name)) for name in MENUS}
-        for command in COMMANDS:
+        for command in commands:
             menu = self._menu_of(command)
             action = self._action(command, window)
             menu.addAction(action)
-            self.actions[command.name] = action
+            self.actions[command.id] = action
         for menu in self.menus.values():
             menu.installEventFilter(self)
         self.draw_icons()
@@ -82,9 +84,9 @@ class Menus(QObject):
 
     def draw_icons(self) -> None:
         """Draw the icons in the colours of the look in force."""
-        for command in COMMANDS:
+        for command in self._commands:
             if command.icon:
-                self.actions[command.name].setIcon(icon(command.icon))
+                self.actions[command.id].setIcon(icon(command.icon))
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:  # noqa: N802 - Qt's name
         """Say beside an entry that cannot be chosen why; what can be needs no words."""
@@ -95,23 +97,24 @@ class Menus(QObject):
             return True
         return super().eventFilter(watched, event)
 
-    def _menu_of(self, command: Command) -> QMenu:
+    def _menu_of(self, command: Command[Any]) -> QMenu:
         """The menu or submenu the command stands in, with the line above it where it has one."""
-        outer, place = self.menus[command.menu, ""], (command.menu, command.submenu)
+        place = menu_of(command)
+        outer = self.menus[place[0], ""]
         begins = place not in self.menus
         if command.separated:
             (outer if begins else self.menus[place]).addSeparator()
         if begins:
-            self.menus[place] = outer.addMenu(tr(command.submenu))
+            self.menus[place] = outer.addMenu(tr(place[1]))
         return self.menus[place]
 
-    def _action(self, command: Command, window: QMainWindow) -> QAction:
+    def _action(self, command: Command[Any], window: QMainWindow) -> QAction:
         action = QAction(tr(command.title), window)
         action.setShortcuts([QKeySequence(key) for key in command.keys])
         action.setIconText(tr(command.title).rstrip("."))
         action.setShortcutContext(Qt.ShortcutContext.WindowShortcut)
-        action.setCheckable(command.checkable)
-        action.triggered.connect(lambda _=False, name=command.name: self._ask(name))
+        action.setCheckable(command.checked is not None)
+        action.triggered.connect(lambda _=False, name=command.id: self._ask(name))
         return action
 
     def _ask(self, name: str) -> None:

@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from PySide6.QtCore import QObject, Signal
 
-from app.core.commands import CommandContext
 from app.core.controller import Controller
 from app.core.document.document import Document
 from app.core.playback.playback import Playback
 from app.core.scenes import Side, TransportScene
-from app.core.scenes.labels import Tool
 from app.core.tracks.frame_state import ViewOptions
 from app.features.comparison.controller import ComparisonController
 from app.features.correction.controller import EditController
@@ -124,42 +122,6 @@ class RecordingController(Controller):
     def window_page(self) -> Workspace:
         """What dialogs stand before."""
         return self._workspace
-
-    # what can be done
-
-    @property
-    def command_context(self) -> CommandContext:
-        """What commands depend on."""
-        document, session = self.document, self.document.session
-        recording = document.recording
-        return CommandContext(
-            recording=True,
-            session=session is not None,
-            tracks=bool(document.tracks.ids),
-            selected=bool(document.selection),
-            editing=document.flow is not None,
-            labelling=self.labelling.tool is not None,
-            saying=self.labelling.tool is Tool.PARTS,
-            suggesting=self.labelling.suggests,
-            parts=self.parts.presenter.any_tracked,
-            parts_elsewhere=self.parts.presenter.tracked_elsewhere,
-            part_truth=self.parts.presenter.truth_known,
-            placing=document.flow is not None and document.flow.places,
-            live=self.live.running,
-            in_the_way=document.in_the_way,
-            further=document.shows_further_run,
-            can_undo=session is not None and session.history.next_undo is not None,
-            can_redo=session is not None and session.history.next_redo is not None,
-            stereo=recording.is_stereo,
-            truth=recording.truth_path is not None,
-            scored=self.scoring.known,
-            calibrated=recording.view is not None,
-            can_track=bool(self.tracking.best),
-            why_no_tracking=self.tracking.why_not,
-            read_only=session is not None and session.read_only,
-            comparing=self.comparing.shown,
-            **self.reviewing.command_context,
-        )
 
     def leave(self) -> None:
         """Esc: leave the labelling, else the edit that waits, else let the person go."""

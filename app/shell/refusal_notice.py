@@ -56,8 +56,8 @@ class RefusalNotice:
         if not said:
             return
         line = self._window.statusBar()
-        still = {item.command: item.why_not for item in self._window.command_items()}
-        if line.currentMessage() == said and still[command] == why:
+        still = self._window.registry.item(command).why_not
+        if line.currentMessage() == said and still == why:
             return
         self._passing = "", "", ""
         if line.currentMessage() == said:

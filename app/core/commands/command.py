@@ -1,107 +1,45 @@
-"""A command, and what says whether it can be done."""
+"""A command: one declared value that menus, palette, keys and the cheat sheet are made from."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
+from typing import Generic, TypeVar
+
+AppT = TypeVar("AppT", contravariant=True)
 
 
-@dataclass(frozen=True, slots=True)
-class CommandContext:
-    """What commands depend on.
-
-    Attributes:
-        recording, session: open. tracks: there is something to select. selected: somebody is.
-        editing: a preview waits for Enter. placing: it is one of a box.
-        live: a tracker is at work. in_the_way: what is to be done before tracks can be corrected,
-            as its people are shown; "" for nothing. further: they are shown until the playhead is
-            moved. busy: other long work is going on.
-        labelling: something is being labelled. saying: it is body parts. suggesting: those of
-            which the detector is least sure are walked.
-        review_items: the review queue lists some. review_item: one of them is looked at;
-            fixable: an edit would put it right. watched: a stretch was just watched. unflagged:
-            no tracker made the tracks, and nobody has asked for review items.
-        comparing: two versions of the tracks are compared. unkept: what a tracker found is in
-            memory alone.
-        parts: body parts were tracked. parts_elsewhere: in another run alone. part_truth:
-            where they really are is known.
-        trained: a detector was trained here. detector: the name of the one in use; "" for the
-            built-in one.
-        scored: tracks were compared with a truth.
-        stereo, truth: the recording has a right camera, a truth file.
-        can_track: a tracker exists for the recording; else `why_no_tracking` says why.
-        read_only: the session cannot be saved under its name, e.g. as another window has it open.
-    """
-
-    recording: bool = False
-    session: bool = False
-    tracks: bool = False
-    selected: bool = False
-    editing: bool = False
-    labelling: bool = False
-    saying: bool = False
-    suggesting: bool = False
-    review_items: bool = False
-    review_item: bool = False
-    unflagged: bool = False
-    fixable: bool = False
-    watched: bool = False
-    comparing: bool = False
-    unkept: bool = False
-    placing: bool = False
-    live: bool = False
-    in_the_way: str = ""
-    further: bool = False
-    busy: bool = False
-    can_undo: bool = False
-    can_redo: bool = False
-    parts: bool = False
-    parts_elsewhere: bool = False
-    part_truth: bool = False
-    trained: bool = False
-    scored: bool = False
-    detector: str = ""
-    stereo: bool = False
-    truth: bool = False
-    calibrated: bool = False
-    can_track: bool = False
-    why_no_tracking: str = ""
-    read_only: bool = False
-
-    def while_busy(self) -> CommandContext:
-        """The same while other long work is going on."""
-        return replace(self, busy=True)
+def _always(_: object) -> str:
+    return ""
 
 
-Check = Callable[[CommandContext], str]
-"""Why a command cannot be done now; "" where it can."""
-
-
-@dataclass(frozen=True, slots=True)
-class Command:
-    """One command.
+@dataclass(frozen=True)  # no slots: Python 3.11 cannot name the type of such a generic
+class Command(Generic[AppT]):
+    """One command of an application, which gives it what it needs.
 
     Attributes:
-        name: e.g. "edit.swap". menu: one of `MENUS`. submenu: a menu inside it; "" for none.
-        title: English, translated when shown. keys: default keys, in Qt's portable text.
-        check: why it cannot be done now.
-        checkable: it is on or off.
+        id: e.g. "tracks.swap". title: English, translated when shown.
+        menu: one of `MENUS`, with a submenu after a slash, e.g. "Correct/Delete".
+        keys: default keys, in Qt's portable text.
+        enabled: why it cannot be done now, in words; "" where it can.
+        run: does it; what it gives is not looked at.
+        checked: whether it is on; None: it is no switch.
         separated: a line stands above it, or above the submenu that begins with it.
         icon: of the drawings that ship with the program; "" for none.
-        now: what stands in brackets behind the title, e.g. a file in use; "" for nothing.
-        alone: the title where the recording has one camera; "" for the same.
+        note: what stands in brackets behind the title, e.g. a file in use; "" for nothing.
         also: further words that the search finds it by.
+        title_one_camera: the title where the recording has one camera; "" for the same.
     """
 
-    name: str
-    menu: str
+    id: str
     title: str
+    menu: str
     keys: tuple[str, ...] = ()
-    check: Check = lambda _: ""
-    checkable: bool = False
+    enabled: Callable[[AppT], str] = _always
+    run: Callable[[AppT], object] = _always
+    checked: Callable[[AppT], bool] | None = None
     separated: bool = False
     icon: str = ""
-    submenu: str = ""
-    now: Callable[[CommandContext], str] = lambda _: ""
-    alone: str = ""
+    note: Callable[[AppT], str] = _always
     also: str = ""
+    title_one_camera: str = ""

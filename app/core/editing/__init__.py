@@ -1,8 +1,9 @@
 """Edits on their way: what they are, what they would do, how that is shown before Enter."""
 
-from app.core.editing.flow import EditFlow, Fill, Range
+from app.core.editing.edit_options import EditScope, Fill, Way
+from app.core.editing.edit_spec import EditSpec
+from app.core.editing.flow import EditFlow, Range
 from app.core.editing.initial_box import propose_initial_box, propose_initial_place
-from app.core.editing.kinds import OF_SEVERAL, OF_TWO, PLACING, SCOPES, EditKind, EditScope, Way
 from app.core.editing.preview import (
     PlannedEdit,
     preview_change,
@@ -15,14 +16,10 @@ from app.core.tracks.edit_context import EditContext
 from app.core.tracks.recording_geometry import Place, RecordingGeometry
 
 __all__ = [
-    "OF_SEVERAL",
-    "OF_TWO",
-    "PLACING",
-    "SCOPES",
     "EditContext",
     "EditFlow",
-    "EditKind",
     "EditScope",
+    "EditSpec",
     "Fill",
     "Place",
     "PlannedEdit",

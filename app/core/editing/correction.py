@@ -8,12 +8,12 @@ from dataclasses import replace
 import numpy as np
 
 from app.core.editing import (
-    OF_SEVERAL,
     EditFlow,
-    EditKind,
     EditScope,
+    EditSpec,
     PlannedEdit,
     Range,
+    edits,
     preview_change,
     preview_plan,
     propose_initial_box,
@@ -83,19 +83,19 @@ class CorrectionPresenter:
     # beginning
 
     def begin(
-        self, kind: EditKind, frame: int, scope: EditScope | None = None, other: int = 0
+        self, spec: EditSpec, frame: int, scope: EditScope | None = None, other: int = 0
     ) -> None:
         """Begin an edit of who is selected at a frame, perhaps with the second person already."""
         on = self._edit_context()
-        if on is None or not (self._selection or kind is EditKind.DRAW):
+        if on is None or not (self._selection or spec is edits.DRAW):
             return
         if self.flow is None:
             self.begun_at = frame
         everybody = self._selection.all or (0,)
-        if kind is EditKind.MERGE:
+        if spec is edits.MERGE:
             everybody = everybody[::-1]  # all into the one that was picked first
         flow = EditFlow.begin(
-            kind,
+            spec,
             everybody[0],
             frame,
             self._geometry.fps,
@@ -103,16 +103,16 @@ class CorrectionPresenter:
             marked=self.marked,
             has_floor=self._geometry.view is not None,
         )
-        if kind in OF_SEVERAL:
+        if spec.of_several:
             flow = replace(flow, also=everybody[1:])
         flow = replace(flow, others=self._others(flow, on, frame)[:_MOST_OTHERS])
-        second = other or (everybody[1] if kind is EditKind.SWAP and len(everybody) == 2 else 0)
+        second = other or (everybody[1] if spec is edits.SWAP and len(everybody) == 2 else 0)
         self.change(self._with_other(flow, second) if second else _with_proposal(flow, on))
         self._go_to_gap(0)
 
     def _others(self, flow: EditFlow, on: EditContext, frame: int) -> tuple[int, ...]:
         """Who may be the second person, the likeliest first."""
-        if flow.kind is EditKind.MERGE:
+        if flow.spec is edits.MERGE:
             return followers_first(on.table, flow.track, self._geometry.fps)
         return nearest_first(on.table, flow.track, frame)
 
@@ -120,7 +120,7 @@ class CorrectionPresenter:
         """Put the frame looked at into one of the gaps that would be filled."""
         flow, planned = self.flow, self.planned
         change, on = planned.change if planned is not None else None, self._edit_context()
-        if flow is None or flow.kind is not EditKind.FILL_ALL or change is None or on is None:
+        if flow is None or flow.spec is not edits.FILL_ALL or change is None or on is None:
             return
         self.flow = replace(flow, cut=next_filled(change, flow.cut, step))
         self.planned = preview_change(self.flow, on, change)
@@ -134,7 +134,7 @@ class CorrectionPresenter:
             self._let_go = self._selection.all
             self._selection.choose(0)
         there = self._selection.track in on.table.of_frame(frame)["track"]
-        self.begin(EditKind.MOVE if there else EditKind.DRAW, frame)
+        self.begin(edits.MOVE if there else edits.DRAW, frame)
         if self.flow is not None:
             self.flow = replace(self.flow, drawing=True)
 
@@ -162,7 +162,7 @@ class CorrectionPresenter:
         if track == flow.track:
             said = tr("{track} is the selected person: type another id", track=track)
             self.change(flow, said)
-        elif track not in on.table and flow.kind is not EditKind.REASSIGN:
+        elif track not in on.table and flow.spec is not edits.REASSIGN:
             self.change(flow, tr("There is no track {track}", track=track))
         else:
             self.change(self._with_other(flow, track))
@@ -184,7 +184,7 @@ class CorrectionPresenter:
             self._selection.choose(self._selection.cycle(here, step))
         elif flow.takes_other:
             # Who is here beside the person is somebody else: no merge makes one of the two.
-            more = () if flow.kind is EditKind.MERGE and flow.others else here
+            more = () if flow.spec is edits.MERGE and flow.others else here
             choices = [*flow.others, *(one for one in more if one not in flow.others)]
             choices = [one for one in choices if one != flow.track]
             if choices:
@@ -194,7 +194,7 @@ class CorrectionPresenter:
     def _with_other(self, flow: EditFlow, other: int) -> EditFlow:
         """The edit with its second person; for a swap with the frames where they changed over."""
         on = self._edit_context()
-        if flow.kind is not EditKind.SWAP or on is None or other == flow.track:
+        if flow.spec is not edits.SWAP or on is None or other == flow.track:
             return flow.with_other(other)
         # A frame that was proposed for somebody else says nothing of where the user looks.
         near = flow.cut if not flow.proposed or self.begun_at is None else self.begun_at
@@ -228,15 +228,15 @@ class CorrectionPresenter:
 
     def put_box(self, box: Box, frame: int) -> None:
         """The selected person's box is drawn or dragged; the edit begins where it has not yet."""
-        if self.flow is None or not self.flow.places or self.flow.kind is EditKind.FLOOR:
-            self.begin(EditKind.MOVE, frame)
+        if self.flow is None or not self.flow.places or self.flow.spec is edits.FLOOR:
+            self.begin(edits.MOVE, frame)
         if self.flow is not None:
             self.change(replace(self.flow, box=self._geometry.kept_inside(box)))
 
     def put_place(self, place: Place, frame: int) -> None:
         """The selected person is dragged over the floor."""
-        if self.flow is None or self.flow.kind is not EditKind.FLOOR:
-            self.begin(EditKind.FLOOR, frame)
+        if self.flow is None or self.flow.spec is not edits.FLOOR:
+            self.begin(edits.FLOOR, frame)
         if self.flow is not None:
             self.change(replace(self.flow, place=place))
 
@@ -245,7 +245,7 @@ class CorrectionPresenter:
         flow, steps = self.flow, _FAR if far else 1.0
         if flow is None or not flow.places:
             return
-        if flow.kind is EditKind.FLOOR and flow.place is not None:
+        if flow.spec is edits.FLOOR and flow.place is not None:
             step = steps * _PLACE_STEP_M
             place = flow.place[0] + right * step, flow.place[1] - down * step
             self.change(replace(flow, place=place))
@@ -295,7 +295,7 @@ def _no_item() -> ReviewItem | None:
 
 def _with_proposal(flow: EditFlow, on: EditContext) -> EditFlow:
     """The edit with the box, the place or the gap it begins with."""
-    if flow.kind is EditKind.FILL:
+    if flow.spec is edits.FILL:
         gap = gap_near(on.table, flow.track, flow.cut)
         return flow if gap is None else replace(flow, cut=gap)
     if not flow.places:
@@ -303,5 +303,5 @@ def _with_proposal(flow: EditFlow, on: EditContext) -> EditFlow:
     box, place = propose_initial_box(flow, on), propose_initial_place(flow, on)
     made = on.table.of_track(flow.track)["source"]
     by_hand = bool(flow.track) and len(made) > 0 and bool(np.any(made != 0))
-    joined = flow.kind is EditKind.DRAW and by_hand
+    joined = flow.spec is edits.DRAW and by_hand
     return replace(flow, box=box, place=place, scope=EditScope.JOINED if joined else flow.scope)

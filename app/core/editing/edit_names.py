@@ -2,33 +2,9 @@
 
 from __future__ import annotations
 
-from app.core.editing.flow import EditFlow, Fill, Option
-from app.core.editing.kinds import EditKind, EditScope, LongestGap, Way
+from app.core.editing.edit_options import EditScope, Fill, LongestGap, Option, Way
+from app.core.editing.flow import EditFlow
 from app.core.i18n import tr
-
-
-def title_of(kind: EditKind) -> str:
-    """The title before anything is planned; {a} stands for who it is about."""
-    titles = {
-        EditKind.SWAP: tr("Swap {a} with..."),
-        EditKind.SPLIT: tr("Split {a}"),
-        EditKind.MERGE: tr("Merge into {a}..."),
-        EditKind.REASSIGN: tr("Give {a} to..."),
-        EditKind.DELETE: tr("Delete {a}"),
-        EditKind.DRAW: tr("Draw a box of {a}"),
-        EditKind.MOVE: tr("Move the box of {a}"),
-        EditKind.FLOOR: tr("Move {a} on the floor"),
-        EditKind.INTERPOLATE: tr("Interpolate {a}"),
-        EditKind.FILL: tr("Fill a gap of {a}"),
-        EditKind.FILL_ALL: tr("Fill the gaps of {a}"),
-        EditKind.KEYFRAME: tr("Make a keyframe of {a}"),
-        EditKind.NO_KEYFRAME: tr("Take a keyframe of {a} out"),
-        EditKind.THIN: tr("Make keyframes of {a}"),
-        EditKind.OCCLUDE: tr("Mark {a} as occluded"),
-        EditKind.SHOW: tr("Mark {a} as visible"),
-        EditKind.REVIEW: tr("Mark {a} as reviewed"),
-    }
-    return titles[kind]
 
 
 def question(option: Option) -> str:

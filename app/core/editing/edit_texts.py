@@ -7,9 +7,11 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from app.core.editing.edit_names import option_name, question, title_of
+from app.core.editing import edits
+from app.core.editing.edit_names import option_name, question
+from app.core.editing.edit_options import EditScope
+from app.core.editing.edit_spec import EditSpec
 from app.core.editing.flow import EditFlow
-from app.core.editing.kinds import EditKind, EditScope
 from app.core.editing.nearness import metres_apart
 from app.core.i18n import count_text, time_text, tr
 from app.core.scenes import ChoiceRow, EditPreview, Proposal
@@ -40,7 +42,7 @@ def preview_scene(
         cuts=_cuts(flow, on) if change is not None else (),
         has_cut=flow.has_cut,
         begins=flow.scope in (EditScope.ON, EditScope.RANGE),
-        gives=flow.kind is EditKind.REASSIGN,
+        gives=flow.spec is edits.REASSIGN,
         ready=change is not None,
         hint=_hint(flow, change is not None),
     )
@@ -52,7 +54,7 @@ def _title(flow: EditFlow) -> str:
     named = ", ".join(str(track) for track in flow.everybody[:_MOST_NAMED])
     rest = len(flow.everybody) - _MOST_NAMED
     who = tr("{a} and {n} more", a=named, n=rest) if rest > 0 else named
-    return title_of(flow.kind).format(a=who)
+    return tr(flow.spec.title, a=who)
 
 
 # what can be chosen
@@ -72,7 +74,7 @@ def _others(flow: EditFlow, on: EditContext) -> tuple[Proposal, ...]:
     if not flow.takes_other:
         return ()
     ids = [(track, str(track)) for track in flow.others]
-    if flow.kind is EditKind.REASSIGN:
+    if flow.spec is edits.REASSIGN:
         new = next_track(on.table)
         ids.insert(0, (new, tr("new {track}", track=new)))
     return tuple(
@@ -110,7 +112,7 @@ def _details(flow: EditFlow, change: Change, on: EditContext) -> tuple[str, ...]
         lines.append(tr("Frame {n} ({when}), {why}", n=flow.cut, when=when, why=why))
     elif flow.has_cut or flow.places:
         lines.append(tr("Frame {n} ({when})", n=flow.cut, when=when))
-    if flow.kind is EditKind.SPLIT:
+    if flow.spec is edits.SPLIT:
         lines.append(tr("{a} keeps its id before the cut", a=flow.track))
     lines += _counts(change, on.table)
     return tuple(lines)
@@ -174,7 +176,7 @@ def _hint(flow: EditFlow, ready: bool) -> str:
         keys.append(tr("Arrows move, with Shift ten times as far"))
         if flow.drawing:
             keys.insert(0, tr("Drag over the left picture to draw it"))
-        if flow.kind is not EditKind.FLOOR:
+        if flow.spec is not edits.FLOOR:
             keys.append(tr("Ctrl+arrows resize"))
     if flow.has_cut:
         keys.append(tr("Left / Right move the frame"))
@@ -182,16 +184,16 @@ def _hint(flow: EditFlow, ready: bool) -> str:
         keys.append(tr("Ctrl+Left / Right move the end"))
     if len(flow.cuts) > 1:
         keys.append(tr("Up / Down: other frames found"))
-    if flow.kind is EditKind.FILL_ALL:
+    if flow.spec is edits.FILL_ALL:
         keys.append(tr("Up / Down go through the gaps"))
     titles = (tr("R changes whom to keep"), tr("C fills the gap"))
     for row, of_merge in enumerate(titles):
         if len(flow.choices[row]) > 1:
-            other = _far_hint(flow.kind) if row == 0 else tr("C changes how")
-            keys.append(of_merge if flow.kind is EditKind.MERGE else other)
+            other = _far_hint(flow.spec) if row == 0 else tr("C changes how")
+            keys.append(of_merge if flow.spec is edits.MERGE else other)
     return ", ".join(keys)
 
 
-def _far_hint(kind: EditKind) -> str:
+def _far_hint(spec: EditSpec) -> str:
     of_gaps = tr("R changes how long they may be")
-    return of_gaps if kind is EditKind.FILL_ALL else tr("R changes how far")
+    return of_gaps if spec is edits.FILL_ALL else tr("R changes how far")

@@ -3,18 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from enum import Enum
 
-from app.core.editing.kinds import (
-    OF_TWO,
-    PLACING,
-    SCOPES,
-    WAYS,
-    EditKind,
-    EditScope,
-    LongestGap,
-    Way,
-)
+from app.core.editing.edit_options import EditScope, Fill, LongestGap, Option, Way
+from app.core.editing.edit_spec import EditSpec
 from app.core.tracks.recording_geometry import Place
 from tracking.editing import SwapFrame
 from tracking.tracks import Box
@@ -23,23 +14,12 @@ Range = tuple[int, int]
 """A half-open range of frames."""
 
 
-class Fill(Enum):
-    """What a merge does between the two."""
-
-    LEAVE = "leave gaps open"
-    FILL = "fill between them"
-
-
-Option = EditScope | Way | Fill | LongestGap
-"""One of the things that can be chosen between."""
-
-
 @dataclass(frozen=True, slots=True)
 class EditFlow:
     """An edit that is being put together; every step makes a new one.
 
     Attributes:
-        kind: what. track: the selected person; 0: one who is still to be drawn.
+        spec: what. track: the selected person; 0: one who is still to be drawn.
         cut: the first frame that changes. end: half-open, used by `Reach.RANGE` alone.
         also: others who are selected too. other: the second person, or the other id; 0: not yet.
         scope: how far. way, fill: how. longest: of the gaps that are filled.
@@ -52,7 +32,7 @@ class EditFlow:
         drawing: a box may be drawn with the mouse in place of the proposed one.
     """
 
-    kind: EditKind
+    spec: EditSpec
     track: int
     cut: int
     end: int
@@ -74,7 +54,7 @@ class EditFlow:
     @classmethod
     def begin(
         cls,
-        kind: EditKind,
+        spec: EditSpec,
         track: int,
         frame: int,
         fps: float,
@@ -84,17 +64,17 @@ class EditFlow:
         has_floor: bool = False,
     ) -> EditFlow:
         """Start an edit of a track at a frame; a range nobody has set is a second long at first."""
-        ways = _ways(kind, has_floor)
+        ways = spec.ways_with(has_floor=has_floor)
         return cls(
-            kind,
+            spec,
             track,
             frame,
             frame + max(1, round(fps)),
-            scope=SCOPES[kind][0],
+            scope=spec.scopes[0],
             way=ways[0] if ways else Way.FLOOR,
             marked=marked,
             has_floor=has_floor,
-        ).with_scope(scope or SCOPES[kind][0])
+        ).with_scope(scope or spec.scopes[0])
 
     @property
     def everybody(self) -> tuple[int, ...]:
@@ -104,7 +84,7 @@ class EditFlow:
     @property
     def takes_other(self) -> bool:
         """Whether the edit is one of two people and asks who the second is."""
-        return self.kind in OF_TWO and not (self.kind is EditKind.MERGE and self.also)
+        return self.spec.of_two and not (self.spec.of_several and self.also)
 
     @property
     def needs_other(self) -> bool:
@@ -114,7 +94,7 @@ class EditFlow:
     @property
     def places(self) -> bool:
         """Whether a box or a place is put, which the arrow keys move."""
-        return self.kind in PLACING
+        return self.spec.places
 
     @property
     def has_cut(self) -> bool:
@@ -132,9 +112,7 @@ class EditFlow:
 
         Marking what was looked at is judged by nothing at its cut: it leaves the playhead.
         """
-        if self.kind is EditKind.REVIEW:
-            return False
-        return self.has_cut or self.kind is EditKind.FILL_ALL
+        return self.has_cut if self.spec.leads is None else self.spec.leads
 
     @property
     def start(self) -> int:
@@ -179,13 +157,11 @@ class EditFlow:
     def with_range(self, start: int, end: int) -> EditFlow:
         """The edit over a range; where it can go that far, it does from now on."""
         ranged = replace(self, marked=(start, end))
-        return (
-            ranged.with_scope(EditScope.RANGE) if EditScope.RANGE in SCOPES[self.kind] else ranged
-        )
+        return ranged.with_scope(EditScope.RANGE) if EditScope.RANGE in self.spec.scopes else ranged
 
     def with_scope(self, scope: EditScope) -> EditFlow:
         """The edit going as far; a range is the one the user has set, where there is one."""
-        if scope not in SCOPES[self.kind]:
+        if scope not in self.spec.scopes:
             return self
         if scope is EditScope.RANGE and self.marked is not None:
             start, end = self.marked
@@ -197,14 +173,9 @@ class EditFlow:
     @property
     def choices(self) -> tuple[tuple[Option, ...], tuple[Option, ...]]:
         """What the first and the second key choose between; one or none: nothing to choose."""
-        ways = _ways(self.kind, self.has_floor)
-        if self.kind is EditKind.MERGE:
-            return ways, tuple(Fill)
-        if self.kind is EditKind.FILL_ALL:
-            return tuple(LongestGap), ways
-        if self.kind is EditKind.DRAW and not self.track:
+        if self.places and not self.track:
             return (EditScope.FRAME,), ()
-        return SCOPES[self.kind], ways
+        return self.spec.choices(has_floor=self.has_floor)
 
     def chosen(self, row: int) -> int:
         """Which of the choices of a row is in force."""
@@ -223,7 +194,3 @@ class EditFlow:
         if isinstance(option, LongestGap):
             return replace(self, longest=option)
         return replace(self, way=option) if isinstance(option, Way) else replace(self, fill=option)
-
-
-def _ways(kind: EditKind, has_floor: bool) -> tuple[Way, ...]:
-    return tuple(way for way in WAYS.get(kind, ()) if has_floor or way is not Way.FLOOR)

@@ -10,7 +10,7 @@ from app.core.controller import Controller
 from app.core.document import document_loader
 from app.core.document.document import Document
 from app.core.document.undo_frame import is_seen_at
-from app.core.editing import EditFlow, EditKind, EditScope
+from app.core.editing import EditFlow, EditScope, EditSpec
 from app.core.i18n import tr
 from app.core.playback.playback import Playback
 from tracking.editing import (
@@ -38,9 +38,9 @@ class EditController(Controller):
 
     # an edit on its way
 
-    def begin(self, kind: EditKind, scope: EditScope | None = None, other: int = 0) -> None:
+    def begin(self, spec: EditSpec, scope: EditScope | None = None, other: int = 0) -> None:
         """Begin an edit of who is selected at the playhead, perhaps with the second person."""
-        self._begun(lambda frame: self._document.correcting.begin(kind, frame, scope, other))
+        self._begun(lambda frame: self._document.correcting.begin(spec, frame, scope, other))
 
     def begin_drawing(self, new: bool = False) -> None:
         """W: draw a box of who is selected, or (Ins) the first one of somebody new."""
@@ -94,6 +94,12 @@ class EditController(Controller):
         if flow is not None and flow is not before and flow.leads:
             self._playback.go(flow.cut)
         self.changed.emit()
+
+    def go_to_end_of_track(self, *, end: bool) -> None:
+        """Go to the first frame of the selected track, or to its last one."""
+        card = self._document.card()
+        if card is not None:
+            self._playback.go(card.last_frame if end else card.first_frame)
 
     def move_cut(self, frames: int) -> None:
         """Left / Right: move the cut, and the playhead with it."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import QObject
 
 from app.core.document.document import Document
-from app.core.editing import EditKind
+from app.core.editing import edits
 from app.core.playback.playback import Playback
 from app.features.correction.controller import EditController
 from tracking.tracks import Box
@@ -33,8 +33,8 @@ class DragController(QObject):
             self._document.correcting.leave()
             self._document.selection.choose(track)
         flow = self._document.flow
-        if flow is None or not flow.places or flow.kind is EditKind.FLOOR:
-            self._editing.begin(EditKind.MOVE)
+        if flow is None or not flow.places or flow.spec is edits.FLOOR:
+            self._editing.begin(edits.MOVE)
 
     def drag_box(self, box: Box) -> None:
         """It is there by now."""
@@ -48,7 +48,7 @@ class DragController(QObject):
         self._playback.go(self._frame)
         self._document.correcting.leave()
         self._document.selection.choose(track)
-        self._editing.begin(EditKind.FLOOR)
+        self._editing.begin(edits.FLOOR)
 
     def drag_person(self, x_m: float, y_m: float) -> None:
         """They stand there by now."""

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Set
-from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 
 from app.core.controller import Controller
 from app.core.document.document import Document
-from app.core.editing import EditKind
+from app.core.editing.edits import edit_named
 from app.core.editing.review_target import find_first_frame
 from app.core.i18n import span_text, tr
 from app.core.playback.playback import Playback
@@ -111,7 +110,7 @@ class ReviewController(Controller):
                 if anew:
                     self.queue.take((), session.labels)  # the same ids are other people
                     self._hand_made, self._asked = is_hand_made(session), False
-                if not self._waits:
+                if not self.waits:
                     self._search.look(at_once=anew)
             before, self._labels = self._labels, session.labels
             if session.labels is not before:
@@ -129,13 +128,13 @@ class ReviewController(Controller):
         self._show()
 
     @property
-    def _waits(self) -> bool:
+    def waits(self) -> bool:
         """No tracker made the tracks: nothing is flagged in them until somebody asks."""
         return self._hand_made and not self._asked and not self._is_hidden
 
     def look_through(self) -> None:
         """Look for what may be wrong also in tracks that no tracker made."""
-        if self._document.session is not None and self._waits:
+        if self._document.session is not None and self.waits:
             self._asked = True
             self._search.look(at_once=True)
             self._show()
@@ -281,14 +280,14 @@ class ReviewController(Controller):
         self._playback.pause()
         self._select(current.tracks)
         self._playback.go(current.frame)
-        self.fix_asked.emit(EditKind(current.fix))
+        self.fix_asked.emit(edit_named(current.fix))
         self._fixing = current
         self._document.settle = lambda change, labels: with_fixed_verdict(change, current, labels)
 
     def _follow_fix(self) -> None:
         """An edit that is left, or another one, settles nothing."""
         fixing, flow = self._fixing, self._document.flow
-        if fixing is None or (flow is not None and flow.kind is EditKind(fixing.fix)):
+        if fixing is None or (flow is not None and flow.spec is edit_named(fixing.fix)):
             return
         self._fixing, self._document.settle = None, None
 
@@ -330,16 +329,19 @@ class ReviewController(Controller):
         return self._document.is_live
 
     @property
-    def command_context(self) -> dict[str, Any]:
-        """What the commands of reviewing depend on."""
-        current = None if self._is_hidden else self.queue.current
-        return {
-            "review_items": bool(self.queue.items) and not self._is_hidden,
-            "review_item": current is not None,
-            "fixable": current is not None and is_fixable(current),
-            "watched": self.watching.stretch[1] > 0,
-            "unflagged": self._waits,
-        }
+    def lists_items(self) -> bool:
+        """Whether there are review items to be walked."""
+        return bool(self.queue.items) and not self._is_hidden
+
+    @property
+    def current(self) -> ReviewItem | None:
+        """The review item that is looked at."""
+        return None if self._is_hidden else self.queue.current
+
+    @property
+    def fixable(self) -> bool:
+        """Whether an edit would put it right."""
+        return self.current is not None and is_fixable(self.current)
 
     def _show(self) -> None:
         left = () if self._is_hidden else self.queue.open
@@ -366,7 +368,7 @@ class ReviewController(Controller):
             title=title,
             text=text,
             meter=self._meter_text(),
-            waits=self._waits,
+            waits=self.waits,
         )
 
     def _also(self, review_item: ReviewItem) -> str:
@@ -385,7 +387,7 @@ class ReviewController(Controller):
     def _empty_words(self) -> tuple[str, str]:
         """What is said where nothing is listed."""
         session = self._document.session
-        if session is not None and self._waits:
+        if session is not None and self.waits:
             return waiting_words(session)
         if self._search.doing:
             return "", ""

@@ -8,7 +8,7 @@ from typing import Final
 
 import numpy as np
 
-from app.core.commands.enablement import read_only
+from app.core.commands.conditions import read_only
 from app.core.document.edit_history import local_time
 from app.core.i18n import count_text, tr
 from app.core.scenes.score_figures import figure_named

@@ -9,7 +9,7 @@ from app.core.colours.palette import TRACK_COLOURS, usual_place
 from app.core.colours.track_colours import TrackColours
 from app.core.document import document_loader
 from app.core.document.document import Document
-from app.core.editing import EditKind
+from app.core.editing import edits
 from app.core.tracks import session_colours
 from app.shell.recording_scenes import RecordingScenes
 from tracking.editing import plan_reassign, plan_split
@@ -92,7 +92,7 @@ def test_a_new_colour_stays_when_its_edit_is_undone_and_done_again(document):
 
 def _look_at_a_split(document, at):
     document.selection.choose(1)
-    document.correcting.begin(EditKind.SPLIT, at)
+    document.correcting.begin(edits.SPLIT, at)
     return document.frame_state(at).colours
 
 

@@ -1,11 +1,11 @@
 from __future__ import annotations
 
 import pytest
+from fake_window import items_of, window_app
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
 from PySide6.QtGui import QDropEvent
 from PySide6.QtWidgets import QLabel, QPushButton, QWidget
 
-from app.core.commands import CommandContext, command_items
 from app.core.scenes import CommandItem, RecentItem, WelcomeScene
 from app.features.welcome.welcome import WelcomePage
 from app.features.welcome.welcome_parts import RecentRow
@@ -194,11 +194,11 @@ def test_no_shortcut_is_cut_off_at_the_side(qtbot, dark):
 
 @pytest.mark.parametrize("typed", ["theme", "dark", "light"])
 def test_words_for_the_look_find_it_first(typed):
-    found = best_commands(typed, command_items(CommandContext(recording=True), frozenset()))
+    found = best_commands(typed, tuple(items_of(window_app()).values()))
     assert found[0].command.startswith("view.look_")
 
 
 @pytest.mark.parametrize("typed", ["zoom", "fit", "whole"])
 def test_words_for_it_find_the_command_that_shows_the_whole_picture(typed):
-    found = best_commands(typed, command_items(CommandContext(recording=True), frozenset()))
+    found = best_commands(typed, tuple(items_of(window_app()).values()))
     assert "view.whole" in [item.command for item in found]

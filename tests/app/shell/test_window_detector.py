@@ -337,7 +337,7 @@ def test_a_detector_from_a_file_is_used_and_remembered(hands, window, qtbot, tmp
     save_detector(path, built_in_detector())
     window.files.detectors.use_file(path)
     qtbot.waitUntil(lambda: hands.controller.document.detector.path == str(path))
-    checked = {item.command: item.checked for item in window.command_items()}
+    checked = {item.command: item.checked for item in window.registry.items()}
     assert checked["detector.built_in"] is False
     assert restore_choice(window.remembered.text("detector")) == DetectorChoice(str(path))
     path.unlink()

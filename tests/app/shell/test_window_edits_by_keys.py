@@ -4,8 +4,8 @@ import pytest
 from correcting_window import CROWDED, CTRL, SHIFT, Hands, open_for_correcting
 from PySide6.QtCore import Qt
 
-from app.core.editing import EditKind, EditScope
-from app.core.editing.kinds import LongestGap
+from app.core.editing import EditScope, edits
+from app.core.editing.edit_options import LongestGap
 from app.features.correction.attributes import AttributesTable
 from tracking.tracks import Source
 
@@ -247,7 +247,7 @@ def test_after_enter_the_keyboard_is_where_it_was_and_the_next_edit_one_key_away
         assert hands.window.focusWidget() is where
     assert len(hands.controller.document.session.history) == 2
     hands.press(Key.Key_S)
-    assert hands.controller.document.flow.kind is EditKind.SPLIT
+    assert hands.controller.document.flow.spec is edits.SPLIT
 
 
 def test_notes_are_reached_by_keys(hands, track):

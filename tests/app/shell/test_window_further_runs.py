@@ -8,7 +8,7 @@ from patient import PATIENCE_S
 from PySide6.QtCore import Qt
 
 from app.core.colours.track_colours import TrackColours
-from app.core.editing import EditKind
+from app.core.editing import edits
 from app.core.tracks import session_colours
 from app.shell.recording_controller import RecordingController
 from tracking.errors import EditError, RecordingError
@@ -64,14 +64,14 @@ def swapping(followed) -> RecordingController:
     assert not document.is_live
     first, second = document.tracks.of_frame(40)["track"].tolist()[:2]
     document.correcting.pick(first)
-    controller.editing.begin(EditKind.SWAP)
+    controller.editing.begin(edits.SWAP)
     document.correcting.pick(second)
     return controller
 
 
 def _waiting(controller):
     flow = controller.document.flow
-    return None if flow is None else (flow.kind, flow.track, flow.other)
+    return None if flow is None else (flow.spec, flow.track, flow.other)
 
 
 def test_an_edit_waits_on_when_the_further_tracker_fails(swapping):
@@ -105,7 +105,7 @@ def test_following_a_further_run_is_refused_while_an_edit_waits(swapping, window
 def test_why_not_is_said_also_where_the_other_ones_id_is_asked_for(followed, window, press):
     followed.playback.go(40)
     followed.document.correcting.pick(followed.document.tracks.of_frame(40)["track"].tolist()[0])
-    followed.editing.begin(EditKind.SWAP)
+    followed.editing.begin(edits.SWAP)
     field = window.workspace.preview._other
     assert window.focusWidget() is field
     window.bring_up_to_date()  # which disables the command: its key comes to the field
@@ -132,7 +132,7 @@ def test_an_edit_of_the_history_is_gone_to_from_a_further_run(followed):
     followed.playback.go(40)
     track = document.tracks.of_frame(40)["track"].tolist()[0]
     document.correcting.pick(track)
-    followed.editing.begin(EditKind.SPLIT)
+    followed.editing.begin(edits.SPLIT)
     followed.editing.confirm()
     followed.tracking.following.begin()
     assert document.is_live
@@ -162,7 +162,7 @@ def test_after_a_first_tracker_failed_somebody_can_be_drawn(untracked, window):
     untracked.live.failed.emit(RecordingError("out of memory"))
     assert not untracked.document.at_work
     window.run_command("tracks.draw")
-    assert untracked.document.flow.kind is EditKind.DRAW
+    assert untracked.document.flow.spec is edits.DRAW
 
 
 def test_after_a_tracker_was_stopped_before_its_first_frame_the_session_is_shown(controller):
@@ -191,7 +191,7 @@ def test_a_run_that_ends_leaves_the_table_under_an_edit_that_waits(looked_away, 
     first, second = document.tracks.of_frame(40)["track"].tolist()[:2]
     controller.playback.go(40)
     document.correcting.pick(first)
-    controller.editing.begin(EditKind.SWAP)
+    controller.editing.begin(edits.SWAP)
     document.correcting.pick(second)
     controller.live.finished.emit(tiny_run)
     assert document.session.adopted_run == 0
@@ -222,7 +222,7 @@ def test_a_colour_stays_as_runs_end_and_are_dropped(controller, tiny_run):
     controller.editing.rename(track, "first")  # so that a further run is kept beside
     document.correcting.pick(track)
     controller.playback.go(40)
-    controller.editing.begin(EditKind.SPLIT)
+    controller.editing.begin(edits.SPLIT)
     controller.editing.confirm()
     before = [document.colour_of(one) for one in session.tracks.track_ids]
     colours = document._track_source.colours
@@ -329,11 +329,11 @@ def test_the_review_goes_on_where_it_was_once_the_new_run_was_looked_at(followed
     controller, queue = followed, followed.reviewing.queue
     controller.playback.go(40)
     qtbot.waitUntil(lambda: bool(queue.items))
-    assert controller.reviewing.command_context["review_items"]
+    assert controller.reviewing.lists_items
     controller.reviewing.narrow(queue.kinds()[0].kind)
     kind, items, meter = queue.kind, queue.items, controller.reviewing._meter
     controller.tracking.following.begin()
-    assert not controller.reviewing.command_context["review_items"]
+    assert not controller.reviewing.lists_items
     assert controller.reviewing._scene().items == ()
     controller.playback.go(40)
     assert (queue.kind, queue.items) == (kind, items)

@@ -12,8 +12,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.core.commands import COMMANDS
+from app.core.commands import menu_of
 from app.core.drawing.canvas import Canvas
+from app.shell.commands import COMMANDS
 
 _CONTROLS = (
     QAbstractButton,
@@ -71,10 +72,11 @@ def test_every_control_of_a_dialog_has_a_name(opened, command):
 def test_every_command_stands_in_its_menu_with_its_key(window):
     menus = {menu.title().replace("&", ""): menu for menu in _menus(window)}
     for command in COMMANDS:
-        action, menu = window.menus.actions[command.name], menus[command.menu]
-        if command.submenu:
+        name, submenu = menu_of(command)
+        action, menu = window.menus.actions[command.id], menus[name]
+        if submenu:
             inner = [one.menu() for one in menu.actions() if one.menu() is not None]
-            menu = next(one for one in inner if one.title() == command.submenu)
+            menu = next(one for one in inner if one.title() == submenu)
         assert action in menu.actions()
         assert [keys.toString() for keys in action.shortcuts()] == list(command.keys)
 

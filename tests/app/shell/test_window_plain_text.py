@@ -157,7 +157,7 @@ def test_no_edit_that_waits_renders_the_markup_of_names(
 
 
 def test_no_dialog_renders_the_markup_of_names(opened: MainWindow, qtbot: QtBot) -> None:
-    known = {item.command for item in opened.command_items()}
+    known = {item.command for item in opened.registry.items()}
     done = [command for command in _DIALOGS if command in known]
     assert len(done) >= 5
     for command in done:

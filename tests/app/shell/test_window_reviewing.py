@@ -9,7 +9,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLineEdit
 
 from app.core.document import document_loader
-from app.core.editing import EditKind, EditScope
+from app.core.editing import EditScope, edits
 from app.core.playback.clock import LONGEST_STALL_S
 from app.features.review.panel import ReviewPanel
 from app.features.review.scene import Order
@@ -171,7 +171,7 @@ def test_e_and_enter_put_a_swap_right_and_remember_it_in_one_edit(
     current = to_the_swap()
     press(Key.Key_E)
     flow = controller.document.flow
-    assert flow.kind is EditKind.SWAP
+    assert flow.spec is edits.SWAP
     assert {flow.track, flow.other} == set(current.tracks)
     assert abs(flow.cut - SWAPPED_AT) <= 2
     press(Key.Key_Return)
@@ -240,7 +240,7 @@ def test_marking_a_whole_track_leaves_the_playhead_and_marks_only_its_frames(
     controller.playback.go(stop - 1)
     controller.document.selection.choose(late)
     for choose in (True, False):
-        controller.editing.begin(EditKind.REVIEW, EditScope.WHOLE)
+        controller.editing.begin(edits.REVIEW, EditScope.WHOLE)
         if choose:
             assert controller.playback.clock.frame == stop - 1
         controller.editing.confirm()
@@ -256,7 +256,7 @@ def test_undoing_an_edit_goes_back_to_the_item_it_was_made_at(
     controller, press, to_the_swap, qtbot
 ):
     current = to_the_swap()
-    controller.editing.begin(EditKind.SWAP)  # by hand, not with E
+    controller.editing.begin(edits.SWAP)  # by hand, not with E
     controller.playback.go(current.frame)
     controller.editing.put_cut(current.frame)
     controller.editing.confirm()
@@ -304,7 +304,7 @@ def test_after_an_edit_review_items_are_looked_for_again(controller, window, qtb
     session = controller.document.session
     controller.document.selection.choose(session.tracks.of_frame(50)["track"].tolist()[0])
     controller.playback.go(50)
-    controller.editing.begin(EditKind.SPLIT)
+    controller.editing.begin(edits.SPLIT)
     controller.editing.confirm()
     assert controller.reviewing._search.busy
     qtbot.waitUntil(lambda: bool(found))

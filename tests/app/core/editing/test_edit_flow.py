@@ -4,9 +4,9 @@ import two_people
 from app.core.colours.track_colours import TrackColours
 from app.core.editing import (
     EditFlow,
-    EditKind,
     EditScope,
     PreviewedTracks,
+    edits,
     preview_plan,
     preview_trails,
 )
@@ -34,7 +34,7 @@ def _on(table) -> EditContext:
 
 
 def _swap(table, frame=30) -> EditFlow:
-    flow = EditFlow.begin(EditKind.SWAP, 4, frame, FPS)
+    flow = EditFlow.begin(edits.SWAP, 4, frame, FPS)
     return flow.with_other(7, (SwapFrame(50, 0.9, "they meet"), SwapFrame(61, 0.1, "7 is lost")))
 
 
@@ -43,7 +43,7 @@ def _planned(flow, table, problem=""):
 
 
 def test_a_swap_waits_for_the_other_person(table):
-    flow = EditFlow.begin(EditKind.SWAP, 4, 30, FPS)
+    flow = EditFlow.begin(edits.SWAP, 4, 30, FPS)
     assert flow.needs_other
     with pytest.raises(EditError, match="click on them"):
         plan_of(flow, _on(table))
@@ -51,13 +51,13 @@ def test_a_swap_waits_for_the_other_person(table):
 
 
 def test_a_person_cannot_be_the_other_one_of_their_own_swap(table):
-    assert EditFlow.begin(EditKind.SWAP, 4, 30, FPS).with_other(4).needs_other
+    assert EditFlow.begin(edits.SWAP, 4, 30, FPS).with_other(4).needs_other
 
 
 def test_a_swap_is_proposed_where_two_changed_over(table):
     apply_change(table, Labels(), plan_swap(table, 4, 7, 50))
     cuts = find_swap_candidates(_on(table), 4, 7, 30)
-    flow = EditFlow.begin(EditKind.SWAP, 4, 30, FPS).with_other(7, cuts)
+    flow = EditFlow.begin(edits.SWAP, 4, 30, FPS).with_other(7, cuts)
     assert abs(flow.cut - 50) <= 3
     assert flow.proposed
 
@@ -100,22 +100,22 @@ def test_the_scope_goes_round_and_says_where_the_edit_ends(table):
 
 
 def test_a_range_the_user_has_set_is_the_one_that_is_meant():
-    flow = EditFlow.begin(EditKind.DELETE, 4, 30, FPS, marked=(12, 18))
+    flow = EditFlow.begin(edits.DELETE, 4, 30, FPS, marked=(12, 18))
     assert (flow.cut, flow.stop) == (30, None)
     ranged = flow.with_scope(EditScope.RANGE)
     assert (ranged.cut, ranged.stop) == (12, 18)
 
 
 def test_a_split_has_one_scope_and_ignores_others():
-    flow = EditFlow.begin(EditKind.SPLIT, 4, 30, FPS)
+    flow = EditFlow.begin(edits.SPLIT, 4, 30, FPS)
     assert flow.with_choice(0, 2) == flow
 
 
 @pytest.mark.parametrize(
     ("kind", "words"),
     [
-        (EditKind.SPLIT, "Split 4 at frame 30; the rest is 8"),
-        (EditKind.DELETE, "Delete 4 from frame 30 on"),
+        (edits.SPLIT, "Split 4 at frame 30; the rest is 8"),
+        (edits.DELETE, "Delete 4 from frame 30 on"),
     ],
 )
 def test_an_edit_of_one_person_is_ready_at_once(table, kind, words):
@@ -140,7 +140,7 @@ def test_a_preview_says_scope_frame_and_what_changes(table):
 
 
 def test_a_preview_that_does_not_apply_says_why_and_is_not_ready(table):
-    flow = EditFlow.begin(EditKind.SPLIT, 4, 0, FPS)
+    flow = EditFlow.begin(edits.SPLIT, 4, 0, FPS)
     planned = _planned(flow, table)
     assert not planned.scene.ready
     assert planned.change is None
@@ -164,7 +164,7 @@ def test_the_trails_after_a_swap_change_over_at_the_cut(table):
 
 
 def test_a_merge_counts_all_rows_of_the_second_person(table):
-    flow = EditFlow.begin(EditKind.MERGE, 4, 30, FPS).with_other(7)
+    flow = EditFlow.begin(edits.MERGE, 4, 30, FPS).with_other(7)
     change = plan_of(flow, _on(table))
     new, gone, changed = rows_changed(change, table)
     assert sum(gone.values()) + sum(changed.values()) == 90
@@ -173,7 +173,7 @@ def test_a_merge_counts_all_rows_of_the_second_person(table):
 
 
 def test_a_merge_asks_whom_to_keep_where_both_stand(table):
-    flow = EditFlow.begin(EditKind.MERGE, 4, 30, FPS).with_other(7)
+    flow = EditFlow.begin(edits.MERGE, 4, 30, FPS).with_other(7)
     scene = _planned(flow, table).scene
     row = scene.choices[0]
     assert row.title == "Where both stand"
@@ -188,7 +188,7 @@ def test_a_merge_asks_whom_to_keep_where_both_stand(table):
 def test_a_merge_can_fill_what_lies_between_the_two(table):
     apply_change(table, Labels(), plan_delete(table, 7, 10, 60))
     apply_change(table, Labels(), plan_delete(table, 4, 40, None))
-    flow = EditFlow.begin(EditKind.MERGE, 4, 30, FPS).with_other(7)
+    flow = EditFlow.begin(edits.MERGE, 4, 30, FPS).with_other(7)
     left, filled = (plan_of(flow.with_choice(1, n), _on(table)) for n in (0, 1))
     assert len(left.after.rows["frame"]) == 0
     assert filled.after.rows["frame"].tolist() == list(range(40, 60))
@@ -206,7 +206,7 @@ def test_the_rows_of_a_frame_are_previewed_as_applying_the_change_leaves_them(ta
 
 @pytest.mark.parametrize("start", [0, 40, 99])
 def test_deleted_rows_are_not_previewed_and_others_stay(table, start):
-    change = plan_of(EditFlow.begin(EditKind.DELETE, 4, start, FPS), _on(table))
+    change = plan_of(EditFlow.begin(edits.DELETE, 4, start, FPS), _on(table))
     seen = PreviewedTracks(SessionTracks(table, None), change)
     for frame in (start - 1, start, 99):
         here = table.of_frame(frame)["track"].tolist() if frame >= 0 else []
@@ -215,7 +215,7 @@ def test_deleted_rows_are_not_previewed_and_others_stay(table, start):
 
 
 def test_a_problem_with_the_other_person_is_said_first(table):
-    flow = EditFlow.begin(EditKind.SWAP, 4, 30, FPS)
+    flow = EditFlow.begin(edits.SWAP, 4, 30, FPS)
     scene = _planned(flow, table, "There is no track 99").scene
     assert scene.details[0] == "There is no track 99"
     assert scene.other == 0

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import two_people
 
-from app.core.editing import EditFlow, EditKind, preview_plan, swap_candidates
+from app.core.editing import EditFlow, edits, preview_plan, swap_candidates
 from app.core.editing.correction import CorrectionPresenter
 from app.core.editing.review_target import find_first_frame
 from app.core.tracks.edit_context import EditContext
@@ -32,7 +32,7 @@ def _said_of(apart_m: float, others: int) -> str:
     rows["y"] = np.where(late, 5.0 + apart_m, rows["y"]).astype(rows["y"].dtype)
     on = EditContext(TrackTable(rows), Labels(), RecordingGeometry(None, 100, 10.0, (640, 480)))
     found = (SwapFrame(50, 1.0 - 0.2 * others, "reasons"), *[SwapFrame(80, 0.2, "less")] * others)
-    flow = EditFlow.begin(EditKind.SWAP, 4, 50, 10.0).with_other(7, found)
+    flow = EditFlow.begin(edits.SWAP, 4, 50, 10.0).with_other(7, found)
     return preview_plan(flow, on).scene.details[0]
 
 
@@ -52,7 +52,7 @@ def test_two_who_are_far_apart_are_not_told_as_having_changed_over():
 def test_where_nothing_speaks_for_a_frame_that_is_said():
     found = (SwapFrame(50, 0.9, "reasons", False), SwapFrame(80, 0.1, "less"))
     on = EditContext(two_people.table(), Labels(), RecordingGeometry(None, 100, 10.0, (640, 480)))
-    flow = EditFlow.begin(EditKind.SWAP, 4, 50, 10.0).with_other(7, found)
+    flow = EditFlow.begin(edits.SWAP, 4, 50, 10.0).with_other(7, found)
     said = preview_plan(flow, on).scene.details[0]
     assert said == "Frame 50 (00:05.00), no sign of a swap here: reasons"
 
@@ -69,7 +69,7 @@ def correcting():
 def _cut_proposed(correcting, tracks, frame, begun_at):
     one = ReviewItem("margin", tracks, frame, frame - 5, frame + 5, 0.5, 9.0, "why", "swap")
     correcting.item_looked_at = lambda: one
-    correcting.begin(EditKind.SWAP, begun_at)
+    correcting.begin(edits.SWAP, begun_at)
     return correcting.flow.cut
 
 
@@ -82,7 +82,7 @@ def test_a_review_item_of_one_of_the_two_is_about_the_swap_too(correcting):
 
 
 def test_a_review_item_left_far_behind_or_of_somebody_else_changes_nothing(correcting):
-    correcting.begin(EditKind.SWAP, 30)
+    correcting.begin(edits.SWAP, 30)
     alone = correcting.flow.cut
     assert _cut_proposed(correcting, (4, 7), 80, begun_at=30) == alone != 80
     assert _cut_proposed(correcting, (4, 9), 30, begun_at=30) == alone

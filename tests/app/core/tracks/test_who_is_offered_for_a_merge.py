@@ -3,7 +3,7 @@
 import numpy as np
 import two_people
 
-from app.core.editing import EditKind
+from app.core.editing import edits
 from app.core.editing.correction import CorrectionPresenter
 from app.core.tracks.edit_context import EditContext
 from app.core.tracks.recording_geometry import RecordingGeometry
@@ -31,7 +31,7 @@ def _merging(on_floor=True):
     selection = Selection()
     selection.choose(4)
     correcting = CorrectionPresenter(selection, on.geometry, lambda: on)
-    correcting.begin(EditKind.MERGE, 50)
+    correcting.begin(edits.MERGE, 50)
     return correcting
 
 

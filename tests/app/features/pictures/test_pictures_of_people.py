@@ -6,7 +6,7 @@ import two_people
 
 from app.core.document.document import Document
 from app.core.document.edit_history import track_card
-from app.core.editing import EditKind
+from app.core.editing import edits
 from app.core.projection.extent import MARGIN_M
 from app.core.scenes import Side
 from app.core.tracks.frame_state import FrameState, ViewOptions
@@ -62,7 +62,7 @@ def test_the_right_camera_has_the_same_people_shifted_by_their_disparity(documen
 def test_a_previewed_swap_is_seen_in_both_cameras_and_from_above(document):
     first, second = document.tracks.of_frame(CROWDED)["track"].tolist()[:2]
     document.correcting.pick(first)
-    document.correcting.begin(EditKind.SWAP, CROWDED)
+    document.correcting.begin(edits.SWAP, CROWDED)
     document.correcting.pick(second)
     left, right = (_scene(document, side).preview for side in (Side.LEFT, Side.RIGHT))
     assert len(left) == len(right) == len(document.frame_state(CROWDED).preview) == 4

@@ -1,0 +1,82 @@
+"""The commands of the Labels menu."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Final, Protocol
+
+from app.core.commands.command import Command
+from app.core.commands.conditions import WindowState, editable, selected, session
+from app.core.commands.view_state import view_command
+from app.core.scenes.labels import Tool
+from app.features.labelling.controller import LabelController
+
+
+class LabellingApp(WindowState, Protocol):
+    """What they need of the window."""
+
+    @property
+    def labelling(self) -> LabelController:
+        """Of the open recording."""
+
+
+def _tool(
+    tool: Tool, title: str, key: str, enabled: Callable[[WindowState], str] = editable
+) -> Command[LabellingApp]:
+    return Command(
+        tool.value,
+        title,
+        "Labels",
+        (key,),
+        enabled,
+        lambda app: app.labelling.toggle(tool),
+        checked=lambda app: app.document is not None and app.labelling.tool is tool,
+    )
+
+
+def _say(name: str, title: str, key: str, on_part: bool | None) -> Command[LabellingApp]:
+    return Command(
+        f"labels.{name}",
+        title,
+        "Labels",
+        (key,),
+        selected,
+        lambda app: app.labelling.say(on_part),
+        separated=on_part is True,
+    )
+
+
+def _choose(name: str, title: str, key: str, part: int) -> Command[LabellingApp]:
+    return Command(
+        f"labels.{name}",
+        title,
+        "Labels",
+        (key,),
+        selected,
+        lambda app: app.labelling.choose_part(part),
+        separated=part == 0,
+    )
+
+
+VIEWS: Final = (view_command("labels", "Labels on the picture", "View", ("U",)),)
+COMMANDS: Final = (
+    _tool(Tool.PARTS, "Body parts", "Alt+1"),
+    _tool(Tool.OCCLUDERS, "Occluders in the picture", "Alt+2"),
+    _tool(Tool.LINES, "Counting lines", "Alt+3"),
+    _tool(Tool.REGIONS, "Regions", "Alt+4"),
+    _tool(Tool.REVIEWED, "Reviewed ranges", "Alt+5", session),
+    _say("on", "The part is on: say so, go on", "4", True),
+    _say("off", "The part is off: say so, go on", "5", False),
+    _say("unsure", "Unsure of the part: say so, go on", "6", None),
+    _choose("head", "Choose the head", "7", 0),
+    _choose("torso", "Choose the torso", "8", 1),
+    _choose("hip_leg", "Choose hip and legs", "9", 2),
+    Command[LabellingApp](
+        "labels.forget",
+        "Take the part's label away",
+        "Labels",
+        ("Alt+Backspace",),
+        selected,
+        lambda app: app.labelling.forget(),
+    ),
+)

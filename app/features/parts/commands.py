@@ -1,0 +1,89 @@
+"""The commands that show body parts and walk their failures."""
+
+from __future__ import annotations
+
+from typing import Final, Protocol
+
+from app.core.commands.command import Command
+from app.core.commands.conditions import editable, session
+from app.core.commands.view_state import ViewState, toggle, view_command
+from app.core.i18n import tr
+from app.features.parts.controller import PartsController
+
+
+class PartsApp(ViewState, Protocol):
+    """What they need of the window."""
+
+    @property
+    def parts(self) -> PartsController:
+        """Of the open recording."""
+
+
+def tracked(app: PartsApp) -> str:
+    """Body parts must have been tracked."""
+    if session(app) or app.parts.presenter.any_tracked:
+        return session(app)
+    if app.parts.presenter.tracked_elsewhere:
+        return tr("the run being corrected has no parts: correct one that has (Ctrl+R)")
+    return tr("no parts were tracked: track with three-part (Ctrl+T) first")
+
+
+def labelled(app: PartsApp) -> str:
+    """Body parts must be there in a session that can be changed."""
+    return editable(app) or tracked(app)
+
+
+def with_part_truth(app: PartsApp) -> str:
+    """The recording must know exactly where the parts are."""
+    if labelled(app) or app.parts.presenter.truth_known:
+        return labelled(app)
+    return tr("the recording has no truth_parts.csv: only rendered recordings have one")
+
+
+def _toggle(app: PartsApp, name: str) -> None:
+    """Where there is nothing to see, say what to do about it."""
+    if toggle(app, name):
+        app.parts.tell_what_is_missing(for_one=name == "part_particles")
+
+
+def _jump(app: PartsApp, step: int) -> None:
+    """From failure to failure; parts that were switched off come back, to be seen."""
+    if app.parts.jump(step) and not app.view_options.parts:
+        toggle(app, "parts")
+
+
+VIEWS: Final = (
+    view_command(
+        "parts",
+        "Body parts on the picture",
+        "View/Body parts",
+        ("Q",),
+        run=lambda app: _toggle(app, "parts"),
+    ),
+    view_command(
+        "part_particles",
+        "Particles of the part on the picture",
+        "View/Body parts",
+        ("Shift+O",),
+        run=lambda app: _toggle(app, "part_particles"),
+    ),
+    view_command("curves", "Parts over time", "View/Body parts", ("Shift+Q",)),
+)
+FAILURES: Final[tuple[Command[PartsApp], ...]] = (
+    Command(
+        "detector.next",
+        "Next part failure",
+        "Detector",
+        ("F3",),
+        tracked,
+        lambda app: _jump(app, 1),
+    ),
+    Command(
+        "detector.previous",
+        "Previous part failure",
+        "Detector",
+        ("Shift+F3",),
+        tracked,
+        lambda app: _jump(app, -1),
+    ),
+)

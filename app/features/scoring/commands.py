@@ -1,0 +1,110 @@
+"""The commands of scoring: the panel, ground truth in the views, walking errors."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Final, Protocol
+
+from app.core.commands.command import Command
+from app.core.commands.conditions import WindowState, in_the_way, recording
+from app.core.commands.view_state import ViewState, toggle, view_command
+from app.core.i18n import tr
+from app.features.scoring.controller import ScoreController
+
+
+class ScoringApp(ViewState, Protocol):
+    """What they need of the window."""
+
+    @property
+    def scoring(self) -> ScoreController:
+        """Of the open recording."""
+
+
+def scored(app: ScoringApp) -> str:
+    """Tracks must have been compared with a ground truth."""
+    if recording(app) or app.scoring.known:
+        return recording(app)
+    return tr("score against a truth first (Shift+S)")
+
+
+def reportable(app: ScoringApp) -> str:
+    """Tracks must have been compared with a ground truth, or one stand beside the recording.
+
+    Not those that a tracker at work finds: they are others a moment later.
+    """
+    document = app.document
+    if app.busy:
+        return tr("wait until the work in progress is done")
+    if document is not None and document.shows_further_run:
+        return tr("move the playhead to your own tracks, or stop tracking first (Ctrl+Shift+T)")
+    if app.live and (in_the_way(app) or document is None or document.session is None):
+        return tr("stop tracking first (Ctrl+Shift+T)")
+    if document is not None and document.recording.truth_path is not None and document.tracks.ids:
+        return ""
+    return scored(app)
+
+
+def with_truth(now: WindowState) -> str:
+    """A ground truth must stand beside the recording."""
+    if now.document is not None and now.document.recording.truth_path is not None:
+        return ""
+    return tr("the recording has no truth.txt")
+
+
+def _toggle_score(app: ScoringApp) -> None:
+    """The panel comes and goes with the ground truth it is about."""
+    on = not app.view_options.score
+    app.view_options = replace(app.view_options, score=on, truth=on)
+
+
+def _toggle_truth(app: ScoringApp) -> None:
+    """Ground truth and errors, and where there are none why."""
+    why = app.scoring.presenter.why_nothing if toggle(app, "truth") else ""
+    if why:
+        app.say(why)
+
+
+def _choose_truth(app: ScoringApp) -> None:
+    """Ask for a file; the score is shown at once, so that the choice is seen."""
+    app.view_options = replace(app.view_options, score=True, truth=True)
+    app.scoring.ask_truth()
+
+
+VIEWS: Final = (
+    view_command(
+        "score", "Score against a truth", "View/Truth and score", ("Shift+S",), run=_toggle_score
+    ),
+    view_command(
+        "truth",
+        "Truth and its errors in the views",
+        "View/Truth and score",
+        ("Shift+G",),
+        run=_toggle_truth,
+    ),
+)
+ERRORS: Final[tuple[Command[ScoringApp], ...]] = (
+    Command(
+        "review.choose_truth",
+        "Score against a truth file...",
+        "Review",
+        enabled=recording,
+        run=_choose_truth,
+        separated=True,
+    ),
+    Command(
+        "review.next_error",
+        "Next error against the truth",
+        "Review",
+        ("F4",),
+        scored,
+        lambda app: app.scoring.walk(1),
+    ),
+    Command(
+        "review.previous_error",
+        "Previous error against the truth",
+        "Review",
+        ("Shift+F4",),
+        scored,
+        lambda app: app.scoring.walk(-1),
+    ),
+)

@@ -1,0 +1,48 @@
+"""All commands of the window, in the order of their menus."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from app.core.commands.command import Command
+from app.features.correction import commands as correction
+from app.features.counting import commands as counting
+from app.features.labelling import commands as labelling
+from app.features.parts import commands as parts
+from app.features.pictures import commands as pictures
+from app.features.review import commands as review
+from app.features.scoring import commands as scoring
+from app.features.timeline import commands as timeline
+from app.shell import playback_commands, tracking_commands, window_commands
+from app.shell.window_app import WindowApp
+
+COMMANDS: Final[tuple[Command[WindowApp], ...]] = (
+    *window_commands.FILES,
+    *correction.HISTORY,
+    *window_commands.EDIT,
+    *pictures.CAMERAS,
+    *pictures.OVERLAYS,
+    *labelling.VIEWS,
+    *parts.VIEWS,
+    *counting.COMMANDS,
+    *scoring.VIEWS,
+    *pictures.ONE_CAMERA,
+    *timeline.COMMANDS,
+    *window_commands.LAYOUT,
+    *playback_commands.COMMANDS,
+    *tracking_commands.TRACK,
+    *correction.NEXT,
+    *window_commands.LEAVE,
+    *correction.SELECTED,
+    *correction.CORRECT,
+    *correction.CONFIRM,
+    *window_commands.SCOPE,
+    *correction.CHANGE,
+    *labelling.COMMANDS,
+    *window_commands.WALK,
+    *review.COMMANDS,
+    *tracking_commands.AGAIN,
+    *scoring.ERRORS,
+    *tracking_commands.DETECTOR,
+    *window_commands.HELP,
+)

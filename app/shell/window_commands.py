@@ -1,0 +1,297 @@
+"""The commands of files and of the window itself, and those that several features share."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Final
+
+from app.core.commands.command import Command
+from app.core.commands.conditions import (
+    drawable,
+    editable,
+    floor,
+    pending,
+    recording,
+    replaceable,
+    savable,
+    session,
+)
+from app.core.commands.view_state import view_command
+from app.core.i18n import tr
+from app.core.look.theme import Look
+from app.core.scenes.labels import Tool
+from app.features.scoring.commands import reportable
+from app.shell.shortcuts import ShortcutsDialog
+from app.shell.window_app import WindowApp
+
+_LOOK = "theme colours"
+
+
+def _file(
+    name: str,
+    title: str,
+    keys: tuple[str, ...],
+    enabled: Callable[[WindowApp], str],
+    run: Callable[[WindowApp], object],
+    *,
+    separated: bool = False,
+    icon: str = "",
+) -> Command[WindowApp]:
+    return Command(
+        f"file.{name}", title, "File", keys, enabled, run, separated=separated, icon=icon
+    )
+
+
+def _at_any_time(_: WindowApp) -> str:
+    return ""
+
+
+FILES: Final = (
+    _file(
+        "open", "Open...", ("Ctrl+O",), _at_any_time, lambda app: app.files.ask_open(), icon="open"
+    ),
+    _file(
+        "open_folder",
+        "Open folder...",
+        ("Ctrl+Shift+O",),
+        _at_any_time,
+        lambda app: app.files.ask_open_folder(),
+    ),
+    _file("demo", "Try the demo", (), _at_any_time, lambda app: app.files.open_demo(), icon="demo"),
+    _file(
+        "save",
+        "Save",
+        ("Ctrl+S",),
+        savable,
+        lambda app: app.files.saving.save(),
+        separated=True,
+        icon="save",
+    ),
+    _file(
+        "save_as", "Save as...", ("Ctrl+Shift+S",), savable, lambda app: app.files.saving.save_as()
+    ),
+    _file("restore", "Restore a backup...", (), replaceable, lambda app: app.files.backups.ask()),
+    _file(
+        "import",
+        "Import tracks...",
+        ("Ctrl+Shift+I",),
+        drawable,
+        lambda app: app.files.importing.ask(),
+        separated=True,
+    ),
+    _file(
+        "export",
+        "Export tracks...",
+        ("Ctrl+E",),
+        session,
+        lambda app: app.files.exporting.ask_tracks(),
+        icon="export",
+    ),
+    _file(
+        "export_report",
+        "Export a score report...",
+        (),
+        reportable,
+        lambda app: app.files.exporting.ask_report(),
+    ),
+    _file(
+        "export_counts",
+        "Export counts...",
+        (),
+        session,
+        lambda app: app.files.exporting.ask_counts(),
+    ),
+    _file(
+        "export_log",
+        "Export the log of edits...",
+        (),
+        session,
+        lambda app: app.files.exporting.ask_log(),
+    ),
+    _file(
+        "compare",
+        "Compare with another session...",
+        (),
+        session,
+        lambda app: app.files.beside.ask(),
+    ),
+    _file(
+        "author",
+        "Your name in the history...",
+        (),
+        _at_any_time,
+        lambda app: app.files.author.ask(),
+        separated=True,
+    ),
+    _file(
+        "close",
+        "Close recording",
+        ("Ctrl+W",),
+        recording,
+        lambda app: app.files.close_recording(),
+        separated=True,
+    ),
+    _file("quit", "Quit", ("Ctrl+Q",), _at_any_time, lambda app: app.files.quit()),
+)
+
+
+def _open_palette(app: WindowApp) -> None:
+    app.window.palette_of_commands.show_scene(app.window.registry.items())
+    app.window.palette_of_commands.open_over(app.window)
+
+
+def _show_keys(app: WindowApp) -> None:
+    """Not every desktop gives the keys back to the window below once a dialog is closed."""
+    dialog = ShortcutsDialog(app.window.registry.items(), app.window)
+    dialog.finished.connect(app.window.activateWindow)
+    dialog.open()
+
+
+def _tell_about(app: WindowApp) -> None:
+    app.window.notice.say(
+        tr("trackwright: people tracked in recorded stereo footage, corrected and scored.")
+    )
+
+
+def _look(look: Look, title: str, *, separated: bool = False) -> Command[WindowApp]:
+    return Command(
+        f"view.look_{look.value}",
+        title,
+        "View/Look",
+        run=lambda app: app.window.look_choice.choose(look),
+        checked=lambda app: app.window.look_choice.look is look,
+        separated=separated,
+        also=_LOOK,
+    )
+
+
+EDIT: Final[tuple[Command[WindowApp], ...]] = (
+    Command(
+        "edit.undo_alone",
+        "Undo the chosen edit alone",
+        "Edit",
+        ("Ctrl+Alt+Z",),
+        editable,
+        lambda app: app.open.walk.undo_alone(),
+    ),
+    Command(
+        "edit.commands",
+        "Search commands...",
+        "Edit",
+        ("Ctrl+K",),
+        run=_open_palette,
+        separated=True,
+        icon="search",
+    ),
+)
+LAYOUT: Final = (
+    Command[WindowApp](
+        "view.whole",
+        "Show the whole picture and floor",
+        "View",
+        ("Shift+A",),
+        recording,
+        lambda app: app.window.workspace.show_whole(),
+        also="zoom fit all",
+        separated=True,
+    ),
+    Command[WindowApp](
+        "view.next_pane",
+        "To the next part of the window",
+        "View",
+        ("F6",),
+        recording,
+        lambda app: app.window.workspace.focus_next_pane(),
+    ),
+    _look(Look.SYSTEM, "Look: as the system", separated=True),
+    _look(Look.LIGHT, "Look: light"),
+    _look(Look.DARK, "Look: dark"),
+    view_command("floor_legend", "Legend on the floor", "View/Look", (), floor, separated=True),
+)
+HELP: Final[tuple[Command[WindowApp], ...]] = (
+    Command("help.keys", "All shortcuts", "Help", ("F1",), run=_show_keys),
+    Command("help.about", "About trackwright", "Help", run=_tell_about),
+)
+
+# what several features share
+
+
+def _to_leave(app: WindowApp) -> str:
+    """There must be a selection, an edit or a label to leave."""
+    document = app.document
+    if document is not None and (
+        document.selection or document.flow is not None or app.labelling.tool is not None
+    ):
+        return ""
+    return tr("nobody is selected")
+
+
+def _scoped(app: WindowApp) -> str:
+    """Something must be done that has a scope: an edit that waits, labels of parts."""
+    labels = app.document is not None and app.labelling.tool is Tool.PARTS
+    return "" if labels else pending(app)
+
+
+def _next_scope(app: WindowApp) -> None:
+    """R: how far the edit that waits goes, else an answer about a body part."""
+    if app.open.document.flow is None and app.labelling.tool is Tool.PARTS:
+        app.labelling.next_scope()
+    else:
+        app.editing.next_choice(0)
+
+
+def _listed(app: WindowApp) -> str:
+    """Something must be left in the queue, or be compared."""
+    if app.document is not None and (
+        app.reviewing.lists_items or app.comparing.shown or app.labelling.suggests
+    ):
+        return ""
+    return session(app) or tr("nothing is left to look at")
+
+
+def _walk(app: WindowApp, step: int) -> None:
+    """N and P: through what differs while two versions are compared, else through the queue.
+
+    While parts are labelled where the detector is least sure: through these.
+    """
+    if app.comparing.shown:
+        app.comparing.walk(step)
+    elif app.labelling.suggests:
+        app.labelling.walk(step)
+    else:
+        app.reviewing.walk(step)
+
+
+LEAVE: Final[tuple[Command[WindowApp], ...]] = (
+    Command(
+        "tracks.none",
+        "Select nobody, leave the edit",
+        "Tracks",
+        ("Esc",),
+        _to_leave,
+        lambda app: app.open.leave(),
+    ),
+)
+SCOPE: Final[tuple[Command[WindowApp], ...]] = (
+    Command(
+        "tracks.scope",
+        "How far the edit goes",
+        "Correct/Change the edit shown",
+        ("R",),
+        _scoped,
+        _next_scope,
+    ),
+)
+WALK: Final[tuple[Command[WindowApp], ...]] = (
+    Command(
+        "review.next", "Next review item", "Review", ("N",), _listed, lambda app: _walk(app, 1)
+    ),
+    Command(
+        "review.previous",
+        "Previous review item",
+        "Review",
+        ("P",),
+        _listed,
+        lambda app: _walk(app, -1),
+    ),
+)
