@@ -15,13 +15,13 @@ def test_a_terminal_that_is_closed_keeps_nobody_from_ending(monkeypatch):
     closed.close()
     monkeypatch.setattr(sys, "stderr", closed)
     window = Mock()
-    window.files.told_at_end.return_value = ["kept"]
+    window.files.describe_unsaved.return_value = ["kept"]
     assert _ended(monkeypatch, window)
 
 
 def test_a_fault_in_closing_keeps_nobody_from_ending(monkeypatch):
     window = Mock()
-    window.files.told_at_end.side_effect = RuntimeError
+    window.files.describe_unsaved.side_effect = RuntimeError
     with pytest.raises(RuntimeError):
         _ended(monkeypatch, window)
     assert shutdown_signals.QCoreApplication.quit.called
