@@ -9,10 +9,11 @@ import typer
 
 from app.cli import options
 from app.cli.commands.program import program
+from app.cli.help_pages import HelpCommand
 from app.cli.option_groups import InPicture, OnFloor, expand_groups
 
 
-@program.command()
+@program.command(cls=HelpCommand)
 @expand_groups
 def count(
     session: Annotated[Path, typer.Argument(help="A session.")],

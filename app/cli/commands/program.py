@@ -7,6 +7,7 @@ from typing import Annotated
 import typer
 
 import tracking
+from app.cli.help_pages import WIDTH, HelpGroup
 from app.cli.output import print_line
 
 program = typer.Typer(
@@ -14,7 +15,9 @@ program = typer.Typer(
     help="A workbench for people tracked in recorded stereo footage.",
     no_args_is_help=True,
     pretty_exceptions_enable=False,
-    context_settings={"help_option_names": ["-h", "--help"]},
+    rich_markup_mode=None,
+    cls=HelpGroup,
+    context_settings={"help_option_names": ["-h", "--help"], "max_content_width": WIDTH},
 )
 
 

@@ -9,6 +9,7 @@ import typer
 
 from app.cli import options
 from app.cli.commands.program import program
+from app.cli.help_pages import HelpCommand
 from app.cli.option_groups import Bare, expand_groups
 
 SCENE_NAMES = (
@@ -39,7 +40,7 @@ def _scenes(incomplete: str) -> list[str]:
     return [name for name in SCENE_NAMES if name.startswith(incomplete)]
 
 
-@program.command()
+@program.command(cls=HelpCommand)
 def demo(
     out: Annotated[
         Path | None, typer.Option("--out", help="Where to make it.", show_default="data folder")
@@ -53,7 +54,7 @@ def demo(
     run_demo(out, gui=not no_gui, as_json=json)
 
 
-@program.command(name="open")
+@program.command(name="open", cls=HelpCommand)
 @expand_groups
 def open_window(
     path: Annotated[Path | None, typer.Argument(help="A recording or a session.")] = None,
@@ -69,7 +70,7 @@ def open_window(
     run_open(path, bare, recording)
 
 
-@program.command()
+@program.command(cls=HelpCommand)
 @expand_groups
 def info(
     path: Annotated[Path | None, typer.Argument(help="A recording or a session.")] = None,
@@ -83,7 +84,7 @@ def info(
     run_info(path, bare, as_json=json)
 
 
-@program.command()
+@program.command(cls=HelpCommand)
 def synth(
     out: Annotated[Path, typer.Argument(help="The recording's folder, made by this command.")],
     scene: Annotated[

@@ -9,9 +9,10 @@ import typer
 
 from app.cli import options, score_options
 from app.cli.commands.program import program
+from app.cli.help_pages import HelpCommand
 
 
-@program.command()
+@program.command(cls=HelpCommand)
 def score(
     results: score_options.Results,
     truth: score_options.Truth,
@@ -54,7 +55,7 @@ def score(
     run_score(asked, as_json=json)
 
 
-@program.command()
+@program.command(cls=HelpCommand)
 def compare(
     a: Annotated[Path, typer.Argument(help="A session.")],
     b: Annotated[Path, typer.Argument(help="Another person's session of the same recording.")],
@@ -71,7 +72,7 @@ def compare(
     run_compare(a, b, match, radius, as_json=json)
 
 
-@program.command()
+@program.command(cls=HelpCommand)
 def review(
     session: Annotated[Path, typer.Argument(help="A session.")],
     order: Annotated[
@@ -92,7 +93,7 @@ def review(
     run_review(session, order, most, as_json=json)
 
 
-@program.command()
+@program.command(cls=HelpCommand)
 def bench(
     only: Annotated[str | None, typer.Option(help="One group of them.")] = None,
     json: options.Json = False,

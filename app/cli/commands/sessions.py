@@ -9,10 +9,11 @@ import typer
 
 from app.cli import completions, import_options, options
 from app.cli.commands.program import program
+from app.cli.help_pages import HelpCommand
 from app.cli.option_groups import Bare, expand_groups
 
 
-@program.command()
+@program.command(cls=HelpCommand)
 def export(
     session: Annotated[Path, typer.Argument(help="A session.")],
     out: Annotated[
@@ -56,7 +57,7 @@ def export(
     run_export(request, as_json=json)
 
 
-@program.command("import")
+@program.command("import", cls=HelpCommand)
 @expand_groups
 def import_tracks(
     tracks: import_options.Tracks,
@@ -96,7 +97,7 @@ def import_tracks(
     run_import(order, as_json=json)
 
 
-@program.command()
+@program.command(cls=HelpCommand)
 def import_labels(
     labels: Annotated[
         Path, typer.Argument(help="CSV: frame, track, part, on, and where known a rectangle.")
@@ -113,7 +114,7 @@ def import_labels(
     run_import_labels(labels, session, author, as_json=json)
 
 
-@program.command()
+@program.command(cls=HelpCommand)
 def log(
     session: Annotated[Path, typer.Argument(help="A session.")],
     csv: Annotated[
@@ -127,7 +128,7 @@ def log(
     run_log(session, csv, as_json=json)
 
 
-@program.command()
+@program.command(cls=HelpCommand)
 def restore(
     session: Annotated[Path, typer.Argument(help="A session.")],
     backup: Annotated[

@@ -9,10 +9,11 @@ import typer
 
 from app.cli import completions, options
 from app.cli.commands.program import program
+from app.cli.help_pages import HelpCommand
 from app.cli.option_groups import Bare, Onward, Order, expand_groups
 
 
-@program.command()
+@program.command(cls=HelpCommand)
 def trackers(
     name: Annotated[
         str | None,
@@ -30,7 +31,7 @@ def trackers(
     run_trackers(name, as_json=json)
 
 
-@program.command()
+@program.command(cls=HelpCommand)
 @expand_groups
 def track(
     recording: Annotated[
@@ -61,7 +62,7 @@ def track(
     run_track(recording, bare, out, order, force=force, as_json=json)
 
 
-@program.command()
+@program.command(cls=HelpCommand)
 def train(
     sources: Annotated[
         list[Path],

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Callable
 from pathlib import Path
 
@@ -166,7 +167,7 @@ def test_a_scene_for_one_camera_is_rendered_with_one_at_its_own_rate(
 
 def test_help_of_synth_names_all_scenes(trackwright: Trackwright) -> None:
     assert set(SCENE_NAMES) == set(SCENES)
-    page = trackwright("synth", "--help")[1]
+    page = re.sub(r"-\s+", "-", trackwright("synth", "--help")[1])  # names that a line ends in
     assert all(name in page for name in SCENES)
 
 
