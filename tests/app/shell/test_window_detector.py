@@ -153,7 +153,7 @@ def test_the_loop_closes_labels_train_a_detector_that_tracking_uses(
     choice = labelled.controller.document.detector
     assert load_detector(Path(choice.path)).fingerprint == trained.detector.fingerprint
     assert choice.name in result._told.text()
-    assert labelled.controller.tracking.proposed == "three-part"
+    assert labelled.controller.tracking.propose_tracker == "three-part"
     assert choice.name.startswith("detector trained 20")
     window.run_command("review.again")
     again = window.findChildren(TrackDialog)[-1]

@@ -53,7 +53,7 @@ def test_who_goes_on_and_back_at_once_sees_the_frame_they_went_back_to(
 ):
     playback.go(10)
     qtbot.waitUntil(lambda: playback.frame is not None)
-    monkeypatch.setattr(playback._reader, "cached", lambda _: None)
+    monkeypatch.setattr(playback._reader, "get_cached", lambda _: None)
     playback.step(30)
     playback.step(-30)
     answered = []

@@ -99,8 +99,8 @@ _INTERRUPTED_WHILE_MADE = """
 import os, signal, sys
 from PySide6.QtCore import QEvent, QObject
 from PySide6.QtWidgets import QMainWindow
-from app.views import application
-from app.core.widgets.user_settings import Remembered
+from app.shell import application
+from app.core.widgets.user_settings import UserSettings
 
 class Interrupt(QObject):
     done = False
@@ -111,17 +111,17 @@ class Interrupt(QObject):
         return False
 
 interrupt = Interrupt()
-application.start_application(Remembered()).installEventFilter(interrupt)
+application.start_application(UserSettings()).installEventFilter(interrupt)
 signal.signal(signal.SIGINT, signal.default_int_handler)
 sys.exit(application.run(None))
 """
 _QUIT_BY_THE_SYSTEM = """
 import sys
 from PySide6.QtCore import QCoreApplication, QTimer
-from app.views import application
-from app.core.widgets.user_settings import Remembered
+from app.shell import application
+from app.core.widgets.user_settings import UserSettings
 
-application.start_application(Remembered())
+application.start_application(UserSettings())
 timer = QTimer(interval=200)
 timer.timeout.connect(QCoreApplication.quit)
 timer.start()
