@@ -5,7 +5,7 @@ BIN := $(VENV)/bin
 STAMP := $(VENV)/.ready
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
-.PHONY: help demo test format bench results results-parts results-stereo results-spheroid results-flow detector kills power-cuts failed-calls two-programs mutants hostile soak long memory interrupts model peers scorers interchange pictures lock clean
+.PHONY: help demo test format bench results results-parts results-stereo results-spheroid results-flow detector kills power-cuts failed-calls two-programs mutants hostile soak long memory interrupts model peers scorers interchange pictures messages lock clean
 .DEFAULT_GOAL := help
 
 help: ## what can be made
@@ -104,6 +104,9 @@ pictures: $(STAMP) ## make the pictures in docs/ through a virtual screen
 	@$(BIN)/python -m app.cli.system_libraries
 	@command -v xvfb-run >/dev/null || { echo "xvfb-run is missing: apt-get install xvfb" >&2; exit 1; }
 	xvfb-run -a -s "-screen 0 1920x1200x24" $(BIN)/python -m tests.pictures
+
+messages: $(STAMP) ## texts to translate: resources/translations/trackwright.pot
+	$(BIN)/python -m tests.catalogue
 
 lock: $(STAMP) ## pin the newest allowed versions of all dependencies, with hashes
 	$(BIN)/pip install --quiet uv

@@ -55,6 +55,11 @@ class SettingField:
         return name.replace("_", " ").capitalize()
 
 
+def stage_title(stage: str) -> str:
+    """The dotted name of a stage in words, e.g. "Foreground / shadows"."""
+    return stage.replace(".", " / ").replace("_", " ").capitalize()
+
+
 def settings_fields(settings_type: type) -> list[SettingField]:
     """Every setting of a settings dataclass, those of nested stages with dotted names."""
     return list(_fields(settings_type(), ""))

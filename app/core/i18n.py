@@ -1,30 +1,10 @@
-"""Words shown to people, translatable although presenters know no Qt.
-
-The program installs Qt's translator at start; without one, the English text is shown.
-"""
+"""Words shown to people, in their language."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from tracking.translation import N_, count_text, tr, use_language
 
-_translate: Callable[[str], str] | None = None
-
-
-def use_translator(translate: Callable[[str], str] | None) -> None:
-    """Let `translate` turn the English text into the user's language; None: English."""
-    global _translate
-    _translate = translate
-
-
-def tr(text: str, **values: object) -> str:
-    """The text in the user's language, with its {named} places filled."""
-    words = _translate(text) if _translate is not None else text
-    return words.format(**values) if values else words
-
-
-def count_text(count: int, one: str, many: str, **values: object) -> str:
-    """How many of something in words: `one` or `many` of them, with {n} for the number."""
-    return tr(one if count == 1 else many, n=count, **values)
+__all__ = ["N_", "count_text", "span_text", "strip_full_stop", "time_text", "tr", "use_language"]
 
 
 def strip_full_stop(text: str) -> str:

@@ -19,8 +19,8 @@ from PySide6.QtCore import (
 )
 from PySide6.QtWidgets import QApplication
 
-from app.core import i18n
 from app.core.document import document_loader
+from app.core.i18n import use_language
 from app.core.look.icons import application_icon
 from app.core.look.theme import Look, apply_look
 from app.core.memory import map_large_blocks
@@ -81,7 +81,7 @@ def start_application(remembered: UserSettings) -> QApplication:
     application.setOrganizationName("trackwright")
     application.setDesktopFileName("trackwright")
     application.setWindowIcon(application_icon())
-    i18n.use_translator(lambda text: QCoreApplication.translate("presenters", text))
+    use_language()
     apply_look(application, look_of(remembered))
     return application
 

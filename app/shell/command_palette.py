@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.core.i18n import tr
 from app.core.look.theme import scaled_font
 from app.core.scenes import CommandItem
 from app.core.widgets.command_list import ITEM, CommandDelegate, row_height
@@ -108,18 +109,18 @@ class CommandPalette(QFrame):
         self._items: tuple[CommandItem, ...] = ()
         self.setProperty("popup", True)
         self.setWindowFlag(Qt.WindowType.Popup)
-        self.setAccessibleName(self.tr("Commands"))
+        self.setAccessibleName(tr("Commands"))
         rows = QVBoxLayout(self)
         rows.setContentsMargins(8, 8, 8, 8)
         rows.setSpacing(8)
         self._edit = QLineEdit(self)
-        self._edit.setPlaceholderText(self.tr("Search commands"))
-        self._edit.setAccessibleName(self.tr("Search commands"))
+        self._edit.setPlaceholderText(tr("Search commands"))
+        self._edit.setAccessibleName(tr("Search commands"))
         self._edit.setFont(scaled_font(self.font(), 1.2))
         self._edit.textChanged.connect(self._search)
         self._edit.installEventFilter(self)
         self._list = QListWidget(self)
-        self._list.setAccessibleName(self.tr("Commands found"))
+        self._list.setAccessibleName(tr("Commands found"))
         self._list.setItemDelegate(CommandDelegate(self._list))
         self._list.setProperty("rows", True)
         self._list.setUniformItemSizes(True)
@@ -127,7 +128,7 @@ class CommandPalette(QFrame):
         self._list.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self._list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._list.itemClicked.connect(self._run)
-        self._none = quiet(self.tr("No command matches."), self)
+        self._none = quiet(tr("No command matches."), self)
         rows.addWidget(self._edit)
         rows.addWidget(self._list, 1)
         rows.addWidget(self._none)

@@ -13,7 +13,7 @@ from app.core.controller import Controller
 from app.core.document.detector_choice import DetectorChoice, restore_choice
 from app.core.document.document import Document
 from app.core.document.document_loader import known_recordings
-from app.core.i18n import tr
+from app.core.i18n import N_, tr
 from app.core.widgets.questions import choose_file, choose_new_file
 from app.core.widgets.user_settings import UserSettings
 from app.core.widgets.work import Work
@@ -36,7 +36,7 @@ from tracking.session import Session
 if TYPE_CHECKING:
     from app.shell.main_window import MainWindow
 
-_DETECTORS = "trackwright (*.h5)"
+_DETECTORS = N_("trackwright (*.h5)")
 _REMEMBERED = "detector"
 
 

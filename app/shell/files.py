@@ -12,7 +12,7 @@ from PySide6.QtCore import QTimer, QUrl, Signal
 from app.core.controller import Controller
 from app.core.document import document_loader
 from app.core.document.document_loader import OpenedDocument
-from app.core.i18n import tr
+from app.core.i18n import N_, tr
 from app.core.memory import give_back
 from app.core.scenes import WelcomeScene
 from app.core.tracks.frame_state import parse_view_options
@@ -44,7 +44,7 @@ from tracking.session import Session
 if TYPE_CHECKING:
     from app.shell.main_window import MainWindow
 
-_OPENABLE = "Recordings and sessions (recording.toml *.h5 *.mp4 *.avi *.mkv *.mov *.ts *.m4v)"
+_OPENABLE = N_("Recordings and sessions (recording.toml *.h5 *.mp4 *.avi *.mkv *.mov *.ts *.m4v)")
 GIVE_BACK_MS = 500
 """After a recording is closed: by then jobs that were stopped have let their arrays go."""
 

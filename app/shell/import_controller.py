@@ -134,7 +134,7 @@ class LookedOver(QObject):
     ) -> None:
         super().__init__(importing)
         self._importing, self._controller, self._read = importing, controller, read
-        formats = [(each.name, each.title) for each in READABLE]
+        formats = [(each.name, tr(each.title)) for each in READABLE]
         self._dialog = ImportDialog(read.path.name, formats, controller.window_page)
         self._fitted: FittedTracks | None = None
         self._search = LatestJob("import", self._prepare, self)

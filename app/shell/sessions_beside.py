@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 
-from app.core.i18n import tr
+from app.core.i18n import N_, tr
 from app.core.projection.other_people import OtherPeople
 from app.core.scenes import Side
 from app.core.widgets.questions import choose_file
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from app.shell.main_window import MainWindow
     from app.shell.recording_controller import RecordingController
 
-_SESSIONS = "trackwright (*.h5)"
+_SESSIONS = N_("trackwright (*.h5)")
 
 
 class SessionsBeside(QObject):

@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.core.i18n import tr
 from app.core.look.theme import scaled_font
 from app.core.scenes import CommandItem
 from app.core.widgets.command_list import native_keys
@@ -31,10 +32,10 @@ class ShortcutsDialog(QDialog):
     def __init__(self, items: tuple[CommandItem, ...], parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._items = tuple(item for item in items if item.keys)
-        self.setWindowTitle(self.tr("Keyboard shortcuts"))
+        self.setWindowTitle(tr("Keyboard shortcuts"))
         self._find = QLineEdit(self)
-        self._find.setPlaceholderText(self.tr("Find a command or a key"))
-        self._find.setAccessibleName(self.tr("Find a command or a key"))
+        self._find.setPlaceholderText(tr("Find a command or a key"))
+        self._find.setAccessibleName(tr("Find a command or a key"))
         self._find.setClearButtonEnabled(True)
         self._find.textChanged.connect(self.narrow)
         self._scroll = QScrollArea(self)
@@ -106,7 +107,7 @@ class ShortcutsDialog(QDialog):
             column.addStretch(1)
             across.addLayout(column, 1)
         if not groups:
-            columns[0].insertWidget(0, quiet(self.tr("Nothing matches."), page))
+            columns[0].insertWidget(0, quiet(tr("Nothing matches."), page))
         return page
 
     def _group(self, menu: str, items: list[CommandItem], page: QWidget) -> QGridLayout:

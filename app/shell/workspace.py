@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.core.drawing.surfaces import Surfaces
+from app.core.i18n import tr
 from app.core.scenes import Side
 from app.core.widgets.gripped_splitter import GrippedSplitter
 from app.core.widgets.parts import bring_into_view
@@ -77,7 +78,7 @@ class Workspace(QWidget):
     def _lay_out(self) -> None:
         cameras = self._split("eyes", Qt.Orientation.Vertical, (self.left, self.right), (1, 1))
         below = BelowFloor(
-            self.tr("Panels below the floor"), (self.curves, self.counting, self.score), self
+            tr("Panels below the floor"), (self.curves, self.counting, self.score), self
         )
         below.setObjectName("below floor")
         parts = (self.overhead, below)
@@ -89,7 +90,7 @@ class Workspace(QWidget):
         column = _unspaced(upper)
         column.addWidget(top, 1)
         column.addWidget(self._transport_line())
-        drag = self.tr("Drag to make the timeline higher or lower")
+        drag = tr("Drag to make the timeline higher or lower")
         border = GrippedSplitter(Qt.Orientation.Vertical, drag, self)
         whole = self._filled("whole", border, (upper, self.timeline), (11, 4))
         _unspaced(self).addWidget(whole)
@@ -109,7 +110,7 @@ class Workspace(QWidget):
         column = _unspaced(side)
         column.addWidget(self.preview)
         at_work = (self.labelling, self.compare)
-        shared = BelowFloor(self.tr("Labelling and comparison"), at_work, self)
+        shared = BelowFloor(tr("Labelling and comparison"), at_work, self)
         shared.setObjectName("labelling and comparison")
         column.addWidget(shared)
         column.addWidget(self._panels, 1)

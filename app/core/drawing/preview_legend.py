@@ -7,6 +7,7 @@ from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
 from app.core.drawing.people_marks import preview_pen
+from app.core.i18n import tr
 from app.core.look.theme import current_theme
 
 _LINE_PX, _GAP_PX, _APART_PX = 34, 6, 18
@@ -17,13 +18,13 @@ class PreviewLegend(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._words = (self.tr("before"), self.tr("after"))
-        self.setAccessibleName(self.tr("Dashed trails: before the edit; solid ones: after it"))
+        self._words = (tr("before"), tr("after"))
+        self.setAccessibleName(tr("Dashed trails: before the edit; solid ones: after it"))
 
     def set_words(self, dashed: str, solid: str) -> None:
         """Say something else of the dashed and of the solid trails."""
         self._words = (dashed, solid)
-        self.setAccessibleName(self.tr("Dashed: {0}; solid: {1}").format(dashed, solid))
+        self.setAccessibleName(tr("Dashed: {0}; solid: {1}").format(dashed, solid))
         self.updateGeometry()
         self.update()
 

@@ -112,9 +112,9 @@ def _said(kind: int, start: int, end: int, truth: int, result: int, earlier: int
     if kind == ErrorKind.FRAGMENTATION:
         return tr("person {truth} is found again as track {result}", truth=truth, result=result)
     if kind == ErrorKind.MISS:
-        said = "person {truth} is missed"
-        long = "person {truth} is missed in frames {start} to {last}"
-        return tr(long if many else said, truth=truth, start=start, last=last)
-    said = "track {result} is nobody"
-    long = "track {result} is nobody in frames {start} to {last}"
-    return tr(long if many else said, result=result, start=start, last=last)
+        said = tr("person {truth} is missed")
+        long = tr("person {truth} is missed in frames {start} to {last}")
+        return (long if many else said).format(truth=truth, start=start, last=last)
+    said = tr("track {result} is nobody")
+    long = tr("track {result} is nobody in frames {start} to {last}")
+    return (long if many else said).format(result=result, start=start, last=last)

@@ -8,6 +8,7 @@ from enum import Enum
 
 import numpy as np
 
+from app.core.i18n import N_
 from app.core.scenes import Colour, Points
 from tracking.tracks import PartKey
 
@@ -122,4 +123,4 @@ class SuggestedPart:
 CountText = Callable[[Tool, int], str]
 """What is counted at a line or in a region, by its number; "" where nothing is."""
 
-SAID: dict[bool | None, str] = {True: "on", False: "off", None: "unsure"}
+SAID: dict[bool | None, str] = {True: N_("on"), False: N_("off"), None: N_("unsure")}

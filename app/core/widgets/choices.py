@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.core.i18n import tr
 from app.core.look.theme import current_theme, scaled_font
 from app.core.scenes import ChoiceRow, Proposal
 from app.core.widgets.literal import literal
@@ -57,7 +58,7 @@ class ChoiceButtons(QWidget):
         self.setVisible(row is not None)
         if row is None:
             return
-        self._title.setText(self.tr("{0}  ({1})").format(row.title, row.key))
+        self._title.setText(tr("{0}  ({1})").format(row.title, row.key))
         self._frame.setAccessibleName(row.title)
         if row.options != self._options:
             self._options = row.options

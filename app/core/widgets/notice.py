@@ -8,6 +8,7 @@ from collections.abc import Callable
 from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QStatusBar, QWidget
 
+from app.core.i18n import tr
 from app.core.widgets.few_lines import cut_to_lines
 
 _PASSES_MS = 60_000
@@ -49,7 +50,7 @@ class NoticeBar(QFrame):
         self._passing = QTimer(self, singleShot=True, interval=_PASSES_MS)
         self._passing.timeout.connect(self.hide)
         self.setProperty("notice", "true")
-        self.setAccessibleName(self.tr("Message"))
+        self.setAccessibleName(tr("Message"))
         row = QHBoxLayout(self)
         row.setContentsMargins(_EDGE_PX, 1, _EDGE_PX, 1)
         row.setSpacing(_APART_PX)
@@ -62,7 +63,7 @@ class NoticeBar(QFrame):
         self._more = QPushButton(self)
         self._more.setCheckable(True)
         self._more.toggled.connect(self._place)
-        self._close = QPushButton(self.tr("Dismiss"), self)
+        self._close = QPushButton(tr("Dismiss"), self)
         self._close.clicked.connect(self.hide)
         row.addWidget(self._text, 1)
         for button in (self._more, self._action, self._close):
@@ -110,7 +111,7 @@ class NoticeBar(QFrame):
         buttons = [one for one in (self._action, self._close) if not one.isHidden()]
         cut = self._cut(width, buttons)
         self._more.setVisible(cut != self._said)
-        self._more.setText(self.tr("Less") if self._more.isChecked() else self.tr("More"))
+        self._more.setText(tr("Less") if self._more.isChecked() else tr("More"))
         if cut != self._said:
             cut = self._cut(width, [self._more, *buttons])
         self._text.setText(self._said if self._more.isChecked() else cut)
@@ -160,7 +161,7 @@ class NoticeBar(QFrame):
         else:
             self._passing.stop()
         self._tint("error" if is_error else "true")
-        self.setAccessibleName(self.tr("Error") if is_error else self.tr("Message"))
+        self.setAccessibleName(tr("Error") if is_error else tr("Message"))
         self._said = text
         self._more.setChecked(False)
         self._text.setText(text)

@@ -71,11 +71,12 @@ def tell(box: WholeBox | NumberBox) -> None:
 def why_refused(box: WholeBox | NumberBox, text: str) -> str:
     """Why a field cannot have a number, in a sentence."""
     known = {"typed": text, "low": box.minimum(), "high": box.maximum(), "unit": box.suffix()}
+    rest = tr("The nearest is taken.")
     if isinstance(box, WholeBox):
-        words = "{typed} is out of range: whole numbers from {low} to {high}{unit}. {rest}"
+        words = tr("{typed} is out of range: whole numbers from {low} to {high}{unit}. {rest}")
     else:
-        words = "{typed} is out of range: from {low:g} to {high:g}{unit}. {rest}"
-    return tr(words, **known, rest=tr("The nearest is taken."))
+        words = tr("{typed} is out of range: from {low:g} to {high:g}{unit}. {rest}")
+    return words.format(**known, rest=rest)
 
 
 def tell_beside(box: WholeBox | NumberBox) -> None:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from PySide6.QtCore import Qt, Signal, SignalInstance
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QProgressBar, QPushButton, QWidget
 
+from app.core.i18n import tr
+
 _STEPS = 1000
 
 
@@ -28,14 +30,14 @@ class ProgressStrip(QFrame):
         self._text = QLabel(self)
         self._bar = QProgressBar(self)
         self._bar.setTextVisible(False)
-        self._bar.setAccessibleName(self.tr("Progress"))
+        self._bar.setAccessibleName(tr("Progress"))
         self._left = QLabel(self)
         self._left.setProperty("role", "muted")
-        self._stop = QPushButton(self.tr("Stop, keep the result"), self)
-        self._stop.setAccessibleName(self.tr("Stop the running work and keep what there is"))
+        self._stop = QPushButton(tr("Stop, keep the result"), self)
+        self._stop.setAccessibleName(tr("Stop the running work and keep what there is"))
         self._stop.clicked.connect(lambda: self._end(self.stopped))
-        self._cancel = QPushButton(self.tr("Cancel"), self)
-        self._cancel.setAccessibleName(self.tr("Cancel the running work, keep nothing of it"))
+        self._cancel = QPushButton(tr("Cancel"), self)
+        self._cancel.setAccessibleName(tr("Cancel the running work, keep nothing of it"))
         self._cancel.clicked.connect(lambda: self._end(self.cancelled))
         for button in (self._stop, self._cancel):
             button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
@@ -78,11 +80,11 @@ class ProgressStrip(QFrame):
 
     def _end(self, how: SignalInstance) -> None:
         self._let_end(False)
-        self._left.setText(self.tr("stopping"))
+        self._left.setText(tr("stopping"))
         how.emit()
 
     def _said(self, seconds: float) -> str:
         minutes, rest = divmod(max(0, round(seconds)), 60)
         if minutes:
-            return self.tr("{0} min {1:02d} s left").format(minutes, rest)
-        return self.tr("{0} s left").format(rest)
+            return tr("{0} min {1:02d} s left").format(minutes, rest)
+        return tr("{0} s left").format(rest)

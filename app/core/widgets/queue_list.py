@@ -19,6 +19,7 @@ from PySide6.QtCore import (
 from PySide6.QtGui import QFont, QFontMetrics, QFontMetricsF, QPainter
 from PySide6.QtWidgets import QStyledItemDelegate, QStyleOptionViewItem
 
+from app.core.i18n import tr
 from app.core.look.theme import current_theme, scaled_font
 from app.core.scenes.queue_rows import ReviewPerson, ReviewRow
 from app.core.widgets.abstract import AbstractQt
@@ -60,15 +61,15 @@ class ReviewModel(QAbstractListModel):
         if role == ITEM:
             return item
         if role == Qt.ItemDataRole.ToolTipRole:
-            return "\n".join((item.why, *item.others, _likely(self, item)))
+            return "\n".join((item.why, *item.others, _likely(item)))
         if role in (Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.AccessibleTextRole):
             who = ", ".join(person.label for person in item.people)
             return f"{item.title} {who} {item.when}: {item.why}"
         return None
 
 
-def _likely(words: QObject, item: ReviewRow) -> str:
-    return words.tr("frame {0}, {1:.0f} % likely").format(item.frame, 100 * item.likelihood)
+def _likely(item: ReviewRow) -> str:
+    return tr("frame {0}, {1:.0f} % likely").format(item.frame, 100 * item.likelihood)
 
 
 def row_height(font: QFont, lower_lines: int = 1) -> int:

@@ -4,21 +4,21 @@ from __future__ import annotations
 
 from typing import Final
 
-from app.core.i18n import tr
+from app.core.i18n import N_, tr
 
 _GROUPS: Final = (
-    ("Particles and motion", ("particle", "initial_spread", "max_spread", "process_noise")),
-    ("Particles and motion", ("measurement_noise", "velocity")),
-    ("Association", ("appearance", "association", "colour", "cost", "direction", "distance")),
-    ("Association", ("gate", "miss_probability", "model", "occlusion_weight", "reidentify")),
-    ("Association", ("similarity",)),
-    ("Track management", ("birth", "coast", "confirm", "delete", "extrapolate", "merge")),
-    ("Track management", ("min_visibility", "negative_information", "persistent", "report")),
-    ("Bodies", ("adjust", "body", "fit", "initial_height", "max_height", "min_height")),
-    ("Bodies", ("min_separation", "pose", "radius", "region")),
+    (N_("Particles and motion"), ("particle", "initial_spread", "max_spread", "process_noise")),
+    (N_("Particles and motion"), ("measurement_noise", "velocity")),
+    (N_("Association"), ("appearance", "association", "colour", "cost", "direction", "distance")),
+    (N_("Association"), ("gate", "miss_probability", "model", "occlusion_weight", "reidentify")),
+    (N_("Association"), ("similarity",)),
+    (N_("Track management"), ("birth", "coast", "confirm", "delete", "extrapolate", "merge")),
+    (N_("Track management"), ("min_visibility", "negative_information", "persistent", "report")),
+    (N_("Bodies"), ("adjust", "body", "fit", "initial_height", "max_height", "min_height")),
+    (N_("Bodies"), ("min_separation", "pose", "radius", "region")),
 )
 """Beginnings of names; of several that fit, the longest counts."""
-_OTHERS = "Result"
+_OTHERS = N_("Result")
 
 
 def group_of(name: str) -> str:

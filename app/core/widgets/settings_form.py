@@ -22,6 +22,7 @@ from app.core.widgets.number_boxes import NumberBox, WholeBox, tell, why_refused
 from app.core.widgets.parts import heading, quiet
 from app.core.widgets.setting_groups import group_of
 from app.core.widgets.settings_search import FoldButton, SettingRow, show_found
+from tracking.settings import stage_title
 from tracking.trackers import SettingField, settings_fields, settings_from
 
 _WHOLE_LIMIT = 2**31 - 1
@@ -130,17 +131,17 @@ class SettingsForm(QWidget):
         for field in self._fields:
             is_changed, label = field.name in changed, self._labels[field.name]
             label.setFont(scaled_font(self.font(), 1.0, bold=is_changed))
-            title = field.title
+            title = tr(field.title)
             label.setText(f"\u2022 {title}" if is_changed else title)
             shown = _said(field.default, _unit(field))
-            said = self.tr("Changed; the default is {0}").format(shown)
+            said = tr("Changed; the default is {0}").format(shown)
             label.setToolTip(said if is_changed else _words(field))
 
     def _add_group(self, name: str, rows: QVBoxLayout) -> QGridLayout:
         """The tracker's own settings stand open; those of the stages before it are folded."""
         body = QWidget(self)
         if name:
-            title = name.replace(".", " / ").replace("_", " ").capitalize()
+            title = tr(stage_title(name))
             self._folds[name] = FoldButton(title, body, self)
             rows.addWidget(self._folds[name])
         grid = QGridLayout(body)
@@ -158,7 +159,7 @@ class SettingsForm(QWidget):
         fold: FoldButton | None = None,
     ) -> None:
         control = self._control(field)
-        title = field.title
+        title = tr(field.title)
         words = _words(field)
         letter = self.fontMetrics().averageCharWidth()
         control.setMinimumWidth(14 * letter)
@@ -243,9 +244,11 @@ class SettingsForm(QWidget):
 def _words(field: SettingField) -> str:
     """What a setting is for, with its range."""
     if field.range is None:
-        return field.help
+        return tr(field.help)
     low, high = field.range
-    return field.help + tr(" ({low:g} to {high:g}{unit})", low=low, high=high, unit=_unit(field))
+    return tr(field.help) + tr(
+        " ({low:g} to {high:g}{unit})", low=low, high=high, unit=_unit(field)
+    )
 
 
 def _said(value: object, unit: str) -> str:

@@ -9,6 +9,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QLineEdit, QToolButton, QWidget
 
+from app.core.i18n import tr
 from app.core.look.theme import scaled_font
 
 
@@ -19,7 +20,7 @@ class FoldButton(QToolButton):
         super().__init__(parent)
         self._body = body
         self.setText(title)
-        self.setAccessibleName(self.tr("{0}: show or hide").format(title))
+        self.setAccessibleName(tr("{0}: show or hide").format(title))
         self.setFont(scaled_font(parent.font(), 1.0, bold=True))
         self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         self.setCheckable(True)
@@ -77,8 +78,8 @@ class SettingSearch(QLineEdit):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setPlaceholderText(self.tr("Search settings"))
-        self.setAccessibleName(self.tr("Search settings"))
+        self.setPlaceholderText(tr("Search settings"))
+        self.setAccessibleName(tr("Search settings"))
         self.setClearButtonEnabled(True)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:  # noqa: N802 - Qt's name

@@ -5,6 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QHBoxLayout, QProgressBar, QPushButton, QVBoxLayout, QWidget
 
+from app.core.i18n import tr
 from app.core.widgets.parts import quiet
 
 _STEPS = 1000
@@ -25,8 +26,8 @@ class WorkLine(QWidget):
         self._text = quiet("", self)
         self._bar = QProgressBar(self)
         self._bar.setTextVisible(False)
-        self._bar.setAccessibleName(self.tr("Progress"))
-        self._cancel = QPushButton(self.tr("Cancel"), self)
+        self._bar.setAccessibleName(tr("Progress"))
+        self._cancel = QPushButton(tr("Cancel"), self)
         self._cancel.setAccessibleName(cancel_name)
         self._cancel.clicked.connect(self._stop)
         line = QHBoxLayout()

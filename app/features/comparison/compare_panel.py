@@ -14,7 +14,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.core.i18n import count_text
+from app.core.i18n import count_text, tr
 from app.core.look.theme import scaled_font
 from app.core.widgets.parts import NOTICE_MARGINS, quiet
 from app.features.comparison.scene import AgreementScene, DisagreementRow
@@ -69,7 +69,7 @@ class ComparePanel(QFrame):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setProperty("notice", True)
-        self.setAccessibleName(self.tr("Comparison"))
+        self.setAccessibleName(tr("Comparison"))
         policy = QSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         policy.setHeightForWidth(True)
         self.setSizePolicy(policy)
@@ -82,7 +82,7 @@ class ComparePanel(QFrame):
         self._figures = QLabel(self)
         self._figures.setWordWrap(True)
         self._figures.setToolTip(
-            self.tr(
+            tr(
                 "IDF1: share of rows that agree on the identity. Cohen's kappa: agreement beyond "
                 "chance; 1 is full agreement, 0 is chance."
             )
@@ -100,7 +100,7 @@ class ComparePanel(QFrame):
     def _build_list(self) -> QListView:
         view = QListView(self)
         view.setModel(self._model)
-        view.setAccessibleName(self.tr("Where the sessions disagree"))
+        view.setAccessibleName(tr("Where the sessions disagree"))
         view.setUniformItemSizes(True)
         view.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         view.selectionModel().currentChanged.connect(self._seek)
@@ -109,9 +109,9 @@ class ComparePanel(QFrame):
 
     def _build_ends(self) -> QHBoxLayout:
         line = QHBoxLayout()
-        self._again = QPushButton(self.tr("Compare again"), self)
+        self._again = QPushButton(tr("Compare again"), self)
         self._again.clicked.connect(self.again_asked)
-        done = QPushButton(self.tr("Close"), self)
+        done = QPushButton(tr("Close"), self)
         done.clicked.connect(self.left)
         line.addStretch(1)
         line.addWidget(self._again)
@@ -126,12 +126,12 @@ class ComparePanel(QFrame):
             return
         self._title.setText(scene.title)
         self._figures.setText(scene.figures)
-        stretches = self.tr("You agree everywhere.")
+        stretches = tr("You agree everywhere.")
         if scene.rows:
             said = "You disagree in {n} stretch.", "You disagree in {n} stretches."
             stretches = count_text(len(scene.rows), *said)
-        changed = self.tr("Your session has changed since.") if scene.outdated else ""
-        dashed = self.tr("Their people are dashed.")
+        changed = tr("Your session has changed since.") if scene.outdated else ""
+        dashed = tr("Their people are dashed.")
         self._hint.setText(" ".join(part for part in (stretches, dashed, changed) if part))
         self._list.setVisible(bool(scene.rows))
         self._fit_list(len(scene.rows))

@@ -47,11 +47,11 @@ class DifferencesPanel(Panel):
     cancelled = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(self.tr("Differences"), parent)
+        super().__init__(tr("Differences"), parent)
         self._filling = False
         self._model = DifferenceModel(self)
         self._model.ticked.connect(self.ticked)
-        close = IconButton("close", self.tr("Close the comparison; nothing is changed"), "", self)
+        close = IconButton("close", tr("Close the comparison; nothing is changed"), "", self)
         close.clicked.connect(self.closed)
         self._count = quiet("", self)
         self.add_to_heading(self._count)
@@ -66,7 +66,7 @@ class DifferencesPanel(Panel):
         self._text = QLabel(self)
         self._text.setWordWrap(True)
         body.addWidget(self._text)
-        self._working = WorkLine(self.tr("Cancel comparing"), self)
+        self._working = WorkLine(tr("Cancel comparing"), self)
         self._working.cancelled.connect(self.cancelled)
         body.addWidget(self._working)
         body.addLayout(self._build_ticks())
@@ -77,7 +77,7 @@ class DifferencesPanel(Panel):
 
     def _build_list(self) -> None:
         self._list = DifferenceView(self._model, self)
-        self._list.setAccessibleName(self.tr("Differences"))
+        self._list.setAccessibleName(tr("Differences"))
         self._list.selectionModel().currentChanged.connect(lambda now, _: self._choose(now.row()))
         self._list.clicked.connect(lambda index: self._choose(index.row()))
 
@@ -86,13 +86,13 @@ class DifferencesPanel(Panel):
             self.chosen.emit(self._model.item(row).number)
 
     def _build_choices(self) -> QHBoxLayout:
-        self._people = self._combo(self.tr("Whose differences are listed"))
+        self._people = self._combo(tr("Whose differences are listed"))
         self._people.activated.connect(
             lambda at: self.person_chosen.emit(self._people.itemData(at))
         )
-        self._orders = self._combo(self.tr("Order of the differences"))
-        self._orders.addItem(self.tr("by time"), DifferenceOrder.TIME.value)
-        self._orders.addItem(self.tr("by person"), DifferenceOrder.PERSON.value)
+        self._orders = self._combo(tr("Order of the differences"))
+        self._orders.addItem(tr("by time"), DifferenceOrder.TIME.value)
+        self._orders.addItem(tr("by person"), DifferenceOrder.PERSON.value)
         self._orders.activated.connect(lambda at: self.order_chosen.emit(self._orders.itemData(at)))
         line = QHBoxLayout()
         line.addWidget(self._people, 1)
@@ -114,8 +114,8 @@ class DifferencesPanel(Panel):
         self._tick_line: list[QWidget] = [self._ticks]
         line.addWidget(self._ticks, 1)
         for text, name, on in (
-            (self.tr("Tick all"), self.tr("Tick all that are listed"), True),
-            (self.tr("None"), self.tr("Tick none that is listed"), False),
+            (tr("Tick all"), tr("Tick all that are listed"), True),
+            (tr("None"), tr("Tick none that is listed"), False),
         ):
             button = QPushButton(text, self)
             button.setProperty("link", True)
@@ -130,16 +130,16 @@ class DifferencesPanel(Panel):
     def _build_ends(self) -> QVBoxLayout:
         self._take_dashed = QPushButton(self)
         self._take_dashed.setProperty("primary", True)
-        self._take_dashed.setAccessibleName(self.tr("Take what is ticked from the dashed version"))
+        self._take_dashed.setAccessibleName(tr("Take what is ticked from the dashed version"))
         self._take_dashed.clicked.connect(lambda: self.taken.emit(1))
         self._take_solid = QPushButton(self)
-        self._take_solid.setAccessibleName(self.tr("Take what is ticked from the solid version"))
+        self._take_solid.setAccessibleName(tr("Take what is ticked from the solid version"))
         self._take_solid.clicked.connect(lambda: self.taken.emit(0))
-        self._drop = QPushButton(self.tr("Drop this run"), self)
-        self._drop.setToolTip(self.tr("Forget the run; without this it is kept among the runs"))
+        self._drop = QPushButton(tr("Drop this run"), self)
+        self._drop.setToolTip(tr("Forget the run; without this it is kept among the runs"))
         self._drop.clicked.connect(self.dropped)
-        self._close = QPushButton(self.tr("Close"), self)
-        self._close.setToolTip(self.tr("Take nothing more; the run is kept among the runs"))
+        self._close = QPushButton(tr("Close"), self)
+        self._close.setToolTip(tr("Take nothing more; the run is kept among the runs"))
         self._close.clicked.connect(self.closed)
         rows = QVBoxLayout()
         rows.setSpacing(6)
@@ -177,7 +177,7 @@ class DifferencesPanel(Panel):
         self._show_ends(scene)
 
     def _show_ends(self, scene: DifferencesScene) -> None:
-        take = self.tr("Take {0} from {1}")
+        take = tr("Take {0} from {1}")
         self._take_dashed.setText(literal(take.format(scene.ticked, scene.dashed.short)))
         self._take_solid.setText(literal(take.format(scene.ticked, scene.solid.short)))
         self._take_dashed.setVisible(scene.takeable > 0)
@@ -195,7 +195,7 @@ class DifferencesPanel(Panel):
         self._list.scrollTo(index)
 
     def _show_people(self, scene: DifferencesScene) -> None:
-        titles = [(self.tr("Everybody"), 0)]
+        titles = [(tr("Everybody"), 0)]
         titles += [(person.label, person.track) for person in scene.people]
         combo = self._people
         if titles != [(combo.itemText(at), combo.itemData(at)) for at in range(combo.count())]:

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.core.colours.track_colours import ColourOf
-from app.core.i18n import span_text, tr
+from app.core.i18n import N_, span_text, tr
 from app.core.scenes import PreviewTrail
 from app.core.scenes.queue_rows import ReviewPerson
 from app.core.tracks.session_tracks import SessionTracks
@@ -36,10 +36,10 @@ from tracking.tracks import Columns, Run, TrackTable
 
 PointsOf = Callable[[Columns], NDArray[np.float64]]
 _KINDS: Final = {
-    "moved": "Elsewhere",
-    "identity": "Another id",
-    "added": "Added",
-    "removed": "Gone",
+    "moved": N_("Elsewhere"),
+    "identity": N_("Another id"),
+    "added": N_("Added"),
+    "removed": N_("Gone"),
 }
 _AROUND_S = 3.0
 """Trails are shown this long before and after the frame that is shown."""

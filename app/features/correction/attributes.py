@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.core.i18n import tr
 from app.core.look.icons import IconButton
 from app.core.widgets.parts import bring_into_view
 
@@ -38,7 +39,7 @@ class AttributesTable(QTableWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(0, 2, parent)
         self._shown: Pairs = ()
-        self.setHorizontalHeaderLabels([self.tr("Name"), self.tr("Value")])
+        self.setHorizontalHeaderLabels([tr("Name"), tr("Value")])
         self.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
         self.horizontalHeader().setHighlightSections(False)
         self.horizontalHeader().setDefaultAlignment(Qt.AlignmentFlag.AlignLeft)
@@ -46,13 +47,13 @@ class AttributesTable(QTableWidget):
         self.setShowGrid(False)
         self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
-        self.setAccessibleName(self.tr("Attributes of the track"))
+        self.setAccessibleName(tr("Attributes of the track"))
         self.verticalHeader().setDefaultSectionSize(self.fontMetrics().height() + 10)
         rows = _LEAST_ROWS * self.verticalHeader().defaultSectionSize()
         self.setMinimumHeight(self.horizontalHeader().sizeHint().height() + rows + 4)
-        self.add_button = IconButton("add", self.tr("Add an attribute"), parent=self)
+        self.add_button = IconButton("add", tr("Add an attribute"), parent=self)
         self.add_button.clicked.connect(self.add_row)
-        self.remove_button = IconButton("remove", self.tr("Remove the attribute"), parent=self)
+        self.remove_button = IconButton("remove", tr("Remove the attribute"), parent=self)
         self.remove_button.clicked.connect(self._remove_row)
         self.itemSelectionChanged.connect(self._enable)
         self.itemChanged.connect(self._take_change)

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.core.drawing.preview_legend import PreviewLegend
+from app.core.i18n import tr
 from app.core.look.icons import IconButton
 from app.core.look.theme import scaled_font
 from app.core.scenes import EditPreview
@@ -51,7 +52,7 @@ class EditPanel(QFrame):
         self._ready_with = 0
         self._had_keyboard: QWidget | None = None
         self.setProperty("notice", True)
-        self.setAccessibleName(self.tr("Edit preview"))
+        self.setAccessibleName(tr("Edit preview"))
         rows = QVBoxLayout(self)
         rows.setContentsMargins(*NOTICE_MARGINS)
         rows.setSpacing(_SPACING)
@@ -85,12 +86,12 @@ class EditPanel(QFrame):
         return widget, line
 
     def _build_other(self, rows: QVBoxLayout) -> None:
-        self._other_title = quiet(self.tr("With"), self)
+        self._other_title = quiet(tr("With"), self)
         self._other_line, line = self._line(rows, self._other_title)
         self._other = IdEdit(self)
-        self._other.setPlaceholderText(self.tr("id"))
-        self._other.setAccessibleName(self.tr("Id of the other person"))
-        self._other.setToolTip(self.tr("Type their id; Enter applies what is then shown"))
+        self._other.setPlaceholderText(tr("id"))
+        self._other.setAccessibleName(tr("Id of the other person"))
+        self._other.setToolTip(tr("Type their id; Enter applies what is then shown"))
         self._other.setMaximumWidth(9 * self.fontMetrics().averageCharWidth())
         self._other.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
         self._other.typed.connect(self._take_typed)
@@ -102,7 +103,7 @@ class EditPanel(QFrame):
         line.addStretch(0)
 
     def _build_cuts(self, rows: QVBoxLayout) -> None:
-        self._cuts = ProposalChips(self.tr("Changed over at"), self)
+        self._cuts = ProposalChips(tr("Changed over at"), self)
         self._cuts.chosen.connect(self.cut_proposed)
         rows.addWidget(self._cuts)
 
@@ -118,11 +119,11 @@ class EditPanel(QFrame):
         line = QHBoxLayout(self._frames)
         line.setContentsMargins(0, 0, 0, 0)
         line.setSpacing(12)
-        cut, self._frame = self._nudge(self.tr("From"), self.tr("Left"), self.tr("Right"))
+        cut, self._frame = self._nudge(tr("From"), tr("Left"), tr("Right"))
         self._cut_title = cut.title
         cut.moved.connect(self.cut_moved)
-        keys = self.tr("Ctrl+Left"), self.tr("Ctrl+Right")
-        self._until, self._end = self._nudge(self.tr("to"), *keys)
+        keys = tr("Ctrl+Left"), tr("Ctrl+Right")
+        self._until, self._end = self._nudge(tr("to"), *keys)
         self._until.moved.connect(self.end_moved)
         for widget in (cut, self._until):
             line.addWidget(widget)
@@ -136,11 +137,11 @@ class EditPanel(QFrame):
     def _build_ends(self, rows: QVBoxLayout) -> None:
         line = QHBoxLayout()
         line.setSpacing(8)
-        self._cancel = QPushButton(self.tr("Cancel  Esc"), self)
-        self._cancel.setAccessibleName(self.tr("Leave the edit undone"))
+        self._cancel = QPushButton(tr("Cancel  Esc"), self)
+        self._cancel.setAccessibleName(tr("Leave the edit undone"))
         self._cancel.clicked.connect(self.cancelled)
-        self._confirm = QPushButton(self.tr("Apply  Enter"), self)
-        self._confirm.setAccessibleName(self.tr("Do the edit"))
+        self._confirm = QPushButton(tr("Apply  Enter"), self)
+        self._confirm.setAccessibleName(tr("Do the edit"))
         self._confirm.setProperty("primary", True)
         self._confirm.clicked.connect(self.confirmed)
         line.addStretch(1)
@@ -176,8 +177,8 @@ class EditPanel(QFrame):
         self._hint.setVisible(bool(preview.hint) and not self._terse)
         self.setToolTip(preview.hint)
         self._frame.setText(str(preview.frame))
-        self._cut_title.setText(self.tr("From") if preview.begins else self.tr("At"))
-        self._other_title.setText(self.tr("To") if preview.gives else self.tr("With"))
+        self._cut_title.setText(tr("From") if preview.begins else tr("At"))
+        self._other_title.setText(tr("To") if preview.gives else tr("With"))
         self._until.setVisible(preview.end is not None)
         self._end.setText(str(preview.end - 1) if preview.end is not None else "")
         self._frames.setVisible(preview.has_cut and preview.other != 0)
@@ -234,11 +235,9 @@ class _Nudge(QWidget):
         self.title = quiet(title, self)
         self.label = QLabel(self)
         self.label.setFont(scaled_font(parent.font(), 1.0, bold=True))
-        earlier = IconButton(
-            "step-back", self.tr("{0} a frame earlier").format(title), back_key, self
-        )
+        earlier = IconButton("step-back", tr("{0} a frame earlier").format(title), back_key, self)
         earlier.clicked.connect(lambda: self.moved.emit(-1))
-        later = IconButton("step-forward", self.tr("{0} a frame later").format(title), on_key, self)
+        later = IconButton("step-forward", tr("{0} a frame later").format(title), on_key, self)
         later.clicked.connect(lambda: self.moved.emit(1))
         line = QHBoxLayout(self)
         line.setContentsMargins(0, 0, 0, 0)

@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.core.i18n import count_text
+from app.core.i18n import count_text, tr
 from app.core.look.theme import scaled_font
 from app.core.scenes import TrackCard
 from app.core.widgets.parts import Panel, Swatch, bring_into_view, heading, quiet
@@ -79,11 +79,11 @@ class TrackPanel(Panel):
     frame_sought = Signal(int)
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(self.tr("Track"), parent)
+        super().__init__(tr("Track"), parent)
         self._card: TrackCard | None = None
         self._tools: list[QToolButton] = []
-        self._empty = quiet(self.tr("Click a person to see their track."), self)
-        self._empty.setToolTip(self.tr("In a picture, on the floor or in the timeline"))
+        self._empty = quiet(tr("Click a person to see their track."), self)
+        self._empty.setToolTip(tr("In a picture, on the floor or in the timeline"))
         self._body = QWidget(self)
         rows = QVBoxLayout(self._body)
         rows.setContentsMargins(0, 0, 0, 0)
@@ -122,8 +122,8 @@ class TrackPanel(Panel):
         self._id = QLabel(self)
         self._id.setFont(scaled_font(self.font(), 1.3, bold=True))
         self._name = NameEdit(self)
-        self._name.setPlaceholderText(self.tr("Name this person"))
-        self._name.setAccessibleName(self.tr("Name of the track"))
+        self._name.setPlaceholderText(tr("Name this person"))
+        self._name.setAccessibleName(tr("Name of the track"))
         self._name.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
         self._name.editingFinished.connect(self._send_name)
         self._name.escaped.connect(
@@ -147,11 +147,11 @@ class TrackPanel(Panel):
         self._range.addWidget(self._last)
         self._range.addStretch(1)
         self._seen, self._confidence = QLabel(self), QLabel(self)
-        grid.addWidget(quiet(self.tr("Frames"), self), 0, 0)
+        grid.addWidget(quiet(tr("Frames"), self), 0, 0)
         grid.addLayout(self._range, 0, 1)
         for line, name, value in (
-            (1, self.tr("Seen"), self._seen),
-            (2, self.tr("Confidence"), self._confidence),
+            (1, tr("Seen"), self._seen),
+            (2, tr("Confidence"), self._confidence),
         ):
             grid.addWidget(quiet(name, self), line, 0)
             grid.addWidget(value, line, 1)
@@ -161,17 +161,17 @@ class TrackPanel(Panel):
         self._attributes = AttributesTable(self)
         self._attributes.edited.connect(self._send_attributes)
         row = QHBoxLayout()
-        row.addWidget(heading(self.tr("Attributes"), self), 1)
+        row.addWidget(heading(tr("Attributes"), self), 1)
         for button in (self._attributes.add_button, self._attributes.remove_button):
             row.addWidget(button)
         rows.addLayout(row)
         rows.addWidget(self._attributes, 1)
 
     def _build_notes(self, rows: QVBoxLayout) -> None:
-        rows.addWidget(heading(self.tr("Notes"), self))
+        rows.addWidget(heading(tr("Notes"), self))
         self._notes = NotesEdit(self)
-        self._notes.setPlaceholderText(self.tr("Anything worth knowing"))
-        self._notes.setAccessibleName(self.tr("Notes on the track"))
+        self._notes.setPlaceholderText(tr("Anything worth knowing"))
+        self._notes.setAccessibleName(tr("Notes on the track"))
         self._notes.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
         self._notes.setTabChangesFocus(True)
         self._notes.setMaximumHeight(4 * self.fontMetrics().lineSpacing() + 12)
@@ -183,7 +183,7 @@ class TrackPanel(Panel):
         button.setProperty("link", True)
         button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         button.setCursor(Qt.CursorShape.PointingHandCursor)
-        button.setToolTip(self.tr("Go there"))
+        button.setToolTip(tr("Go there"))
         button.clicked.connect(lambda: self.frame_sought.emit(int(button.text())))
         return button
 
@@ -217,14 +217,14 @@ class TrackPanel(Panel):
         self._first.setText(str(card.first_frame))
         self._last.setText(str(card.last_frame))
         seen = count_text(card.frames_seen, "{n} frame", "{n} frames")
-        others = [self.tr("{0} predicted").format(card.frames_predicted)]
+        others = [tr("{0} predicted").format(card.frames_predicted)]
         if card.frames_interpolated:
-            others.append(self.tr("{0} interpolated").format(card.frames_interpolated))
+            others.append(tr("{0} interpolated").format(card.frames_interpolated))
         if card.frames_occluded:
-            others.append(self.tr("{0} occluded").format(card.frames_occluded))
+            others.append(tr("{0} occluded").format(card.frames_occluded))
         self._seen.setText(", ".join((seen, *others)))
         known = card.mean_confidence == card.mean_confidence
-        self._confidence.setText(f"{card.mean_confidence:.2f}" if known else self.tr("not known"))
+        self._confidence.setText(f"{card.mean_confidence:.2f}" if known else tr("not known"))
         if other or not self._name.hasFocus():
             self._name.setText(card.name)
             self._name.setCursorPosition(0)  # of a long name the beginning is seen
@@ -237,10 +237,10 @@ class TrackPanel(Panel):
         everybody = sorted((card.track, *card.others))
         named = ", ".join(str(track) for track in everybody[:_MOST_NAMED])
         named += ", ..." if len(everybody) > _MOST_NAMED else ""
-        together = self.tr("merge, delete, hide, fill gaps or mark them as reviewed together")
+        together = tr("merge, delete, hide, fill gaps or mark them as reviewed together")
         if len(everybody) == 2:
-            together = self.tr("swap or {0}").format(together)
-        said = self.tr("{0} selected: {1}. You can {2}. Below: {3}, picked last.")
+            together = tr("swap or {0}").format(together)
+        said = tr("{0} selected: {1}. You can {2}. Below: {3}, picked last.")
         return said.format(len(everybody), named, together, card.track)
 
     def edit_name(self) -> None:

@@ -8,6 +8,7 @@ from PySide6.QtGui import QFontMetricsF, QPainter, QPen
 from PySide6.QtWidgets import QWidget
 
 from app.core.drawing.name_plates import draw_message
+from app.core.i18n import tr
 from app.core.look.theme import Theme
 from app.core.plots.curves import curve_path, whole_span
 from app.core.plots.frame_plot import FramePlot
@@ -23,7 +24,7 @@ class CountsPlot(FramePlot):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._scene = CountingScene()
-        self.setAccessibleName(self.tr("Counts over time"))
+        self.setAccessibleName(tr("Counts over time"))
 
     def show_scene(self, scene: CountingScene) -> None:
         """Draw another frame; the curves only where they are others."""

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.core.i18n import tr
 from app.core.look.icons import IconButton
 from app.core.widgets.number_boxes import NumberBox, tell_beside
 from app.core.widgets.parts import Panel, quiet
@@ -48,11 +49,11 @@ class CountingPanel(Panel):
     save_asked = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(self.tr("Counting"), parent)
+        super().__init__(tr("Counting"), parent)
         self._doing = quiet("", self)
         self.add_to_heading(self._doing)
         self._add_buttons()
-        close = IconButton("close", self.tr("Hide the counting"), "Shift+C", self)
+        close = IconButton("close", tr("Hide the counting"), "Shift+C", self)
         close.clicked.connect(self.closed)
         self.add_to_heading(close)
         self.tallies = TallyList(self)
@@ -75,42 +76,38 @@ class CountingPanel(Panel):
         line = QHBoxLayout()
         line.setSpacing(6)
         self._track_sources = QComboBox(self)
-        self._track_sources.setAccessibleName(self.tr("Whose tracks are counted"))
+        self._track_sources.setAccessibleName(tr("Whose tracks are counted"))
         self._track_sources.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self._track_sources.setMinimumWidth(10 * self.fontMetrics().averageCharWidth())
         line.addWidget(self._track_sources, 1)
-        self._step = self._number(
-            self.tr("Step"), self.tr("How long a step is"), _MOST["step_s"], " s"
-        )
+        self._step = self._number(tr("Step"), tr("How long a step is"), _MOST["step_s"], " s")
         self._jitter = self._number(
-            self.tr("Jitter"),
-            self.tr("Ignore re-crossings within this distance of a line on the floor"),
+            tr("Jitter"),
+            tr("Ignore re-crossings within this distance of a line on the floor"),
             _MOST["jitter_m"],
             " m",
         )
         self._jitter_px = self._number(
-            self.tr("Jitter in the picture"),
-            self.tr("Ignore re-crossings within this distance of a line in the picture"),
+            tr("Jitter in the picture"),
+            tr("Ignore re-crossings within this distance of a line in the picture"),
             _MOST["jitter_px"],
             " px",
         )
         self._jitter_px.setDecimals(1)
         self._jitter_px.setSingleStep(1.0)
-        line.addWidget(quiet(self.tr("Step"), self))
+        line.addWidget(quiet(tr("Step"), self))
         line.addWidget(self._step)
-        line.addWidget(quiet(self.tr("Jitter"), self))
+        line.addWidget(quiet(tr("Jitter"), self))
         line.addWidget(self._jitter)
         line.addWidget(self._jitter_px)
         return line
 
     def _add_buttons(self) -> None:
         """Plots or table; copy, save."""
-        self._as_table = self._button(
-            self.tr("Table"), self.tr("Show every step as a table, or the plots")
-        )
+        self._as_table = self._button(tr("Table"), tr("Show every step as a table, or the plots"))
         self._as_table.setCheckable(True)
-        self._copy = self._button(self.tr("Copy"), self.tr("Copy the chosen steps, or all"))
-        self._save = self._button(self.tr("Save..."), self.tr("Save all steps as CSV"))
+        self._copy = self._button(tr("Copy"), tr("Copy the chosen steps, or all"))
+        self._save = self._button(tr("Save..."), tr("Save all steps as CSV"))
         for button in (self._as_table, self._copy, self._save):
             self.add_to_heading(button)
 

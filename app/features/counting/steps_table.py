@@ -125,7 +125,7 @@ class StepsTable(QTableView):
         super().__init__(parent)
         self.steps = StepsModel(self)
         self.setModel(self.steps)
-        self.setAccessibleName(self.tr("Counts of each step"))
+        self.setAccessibleName(tr("Counts of each step"))
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.setShowGrid(False)

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.core.i18n import tr
 from app.core.look.theme import current_theme
 from app.core.widgets.table_cells import write_cell
 from app.features.counting.scene import CountingScene, TallyRow
@@ -35,15 +36,15 @@ class TallyList(QTableWidget):
         super().__init__(0, 6, parent)
         self._rows: tuple[TallyRow, ...] = ()
         names = (
-            self.tr("Name"),
-            self.tr("Forward"),
-            self.tr("Backward"),
-            self.tr("Inside"),
-            self.tr("People/m²"),
-            self.tr("m/s"),
+            tr("Name"),
+            tr("Forward"),
+            tr("Backward"),
+            tr("Inside"),
+            tr("People/m²"),
+            tr("m/s"),
         )
         self.setHorizontalHeaderLabels(names)
-        self.setAccessibleName(self.tr("Counts at the frame shown"))
+        self.setAccessibleName(tr("Counts at the frame shown"))
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
@@ -58,7 +59,7 @@ class TallyList(QTableWidget):
         for column, texts in enumerate(zip(names[1:], _WIDEST, strict=True), 1):
             self.setColumnWidth(column, max(map(width, texts)) + _PAD_PX)
         header.setDefaultAlignment(Qt.AlignmentFlag.AlignRight)
-        passed = self.tr("Passages up to the frame shown, of those in all frames")
+        passed = tr("Passages up to the frame shown, of those in all frames")
         for column in (1, 2):
             title = QTableWidgetItem(names[column])
             title.setToolTip(passed)

@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.core.i18n import tr
 from app.core.widgets.parts import heading, quiet
 from app.features.files.backups import BackupLine
 
@@ -38,13 +39,13 @@ class BackupDialog(QDialog):
         self._lines = lines
         self.setObjectName("backups")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.setWindowTitle(self.tr("Restore a backup"))
+        self.setWindowTitle(tr("Restore a backup"))
         self.setMinimumWidth(_LEAST_WIDTH)
         rows = QVBoxLayout(self)
         rows.setContentsMargins(20, 20, 20, 16)
         rows.setSpacing(12)
         text = quiet(
-            self.tr(
+            tr(
                 "Each save keeps the state before it. Restoring keeps the current state as well, "
                 "as the newest in this list: nothing is lost."
             ),
@@ -54,10 +55,10 @@ class BackupDialog(QDialog):
         rows.addWidget(text)
         self._table = self._build_table()
         rows.addWidget(self._table)
-        rows.addWidget(heading(self.tr("What would be different"), self))
+        rows.addWidget(heading(tr("What would be different"), self))
         self._differences = QPlainTextEdit(self)
         self._differences.setReadOnly(True)
-        self._differences.setAccessibleName(self.tr("What would be different"))
+        self._differences.setAccessibleName(tr("What would be different"))
         self._differences.setMinimumHeight(9 * self.fontMetrics().lineSpacing())
         rows.addWidget(self._differences, 1)
         rows.addWidget(self._build_buttons())
@@ -66,9 +67,9 @@ class BackupDialog(QDialog):
 
     def _build_table(self) -> QTableWidget:
         table = QTableWidget(len(self._lines), 4, self)
-        names = (self.tr("Saved"), self.tr("Edits"), self.tr("Tracks"), self.tr("Size"))
+        names = (tr("Saved"), tr("Edits"), tr("Tracks"), tr("Size"))
         table.setHorizontalHeaderLabels(names)
-        table.setAccessibleName(self.tr("Backups, the newest first"))
+        table.setAccessibleName(tr("Backups, the newest first"))
         table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
@@ -90,7 +91,7 @@ class BackupDialog(QDialog):
 
     def _build_buttons(self) -> QDialogButtonBox:
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel, self)
-        self._restore = QPushButton(self.tr("Restore"), self)
+        self._restore = QPushButton(tr("Restore"), self)
         self._restore.setProperty("primary", True)
         self._restore.setEnabled(False)
         buttons.addButton(self._restore, QDialogButtonBox.ButtonRole.ActionRole)
@@ -119,10 +120,10 @@ class BackupDialog(QDialog):
         self._restore.setEnabled(False)
         number = self.chosen
         if not number:
-            self._differences.setPlainText(self.tr("No backup is kept yet."))
+            self._differences.setPlainText(tr("No backup is kept yet."))
             return
         problem = self._lines[self._table.currentRow()].problem
-        self._differences.setPlainText(problem or self.tr("Looking ..."))
+        self._differences.setPlainText(problem or tr("Looking ..."))
         if not problem:
             self.looked_at.emit(number)
 

@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.core.i18n import tr
 from app.core.widgets.parts import quiet
 from app.features.files.export_formats import ExportFormat
 
@@ -41,7 +42,7 @@ class ExportDialog(QDialog):
     ) -> None:
         """track_sources: names, the corrected tracks first. chosen: the first format."""
         super().__init__(parent)
-        self.setWindowTitle(self.tr("Export tracks"))
+        self.setWindowTitle(tr("Export tracks"))
         self.setMinimumWidth(_LETTERS * self.fontMetrics().averageCharWidth())
         self._formats = tuple(formats)
         rows = QVBoxLayout(self)
@@ -54,9 +55,9 @@ class ExportDialog(QDialog):
         rows.addWidget(self._about)
         self._track_sources = QComboBox(self)
         self._track_sources.addItems(list(track_sources))
-        self._track_sources.setAccessibleName(self.tr("Whose tracks"))
+        self._track_sources.setAccessibleName(tr("Whose tracks"))
         form = QFormLayout()
-        form.addRow(self.tr("&Tracks"), self._track_sources)
+        form.addRow(tr("&Tracks"), self._track_sources)
         rows.addLayout(form)
         rows.addWidget(self._ends())
         self._tell()
@@ -64,12 +65,12 @@ class ExportDialog(QDialog):
 
     def _build_list(self, chosen: str) -> QListWidget:
         view = QListWidget(self)
-        view.setAccessibleName(self.tr("Formats"))
+        view.setAccessibleName(tr("Formats"))
         for each in self._formats:
             item = QListWidgetItem(each.title, view)
             item.setData(
                 Qt.ItemDataRole.AccessibleTextRole,
-                f"{each.title}, {each.ending or self.tr('folder')}",
+                f"{each.title}, {each.ending or tr('folder')}",
             )
         names = [each.name for each in self._formats]
         view.setCurrentRow(names.index(chosen) if chosen in names else 0)
@@ -83,7 +84,7 @@ class ExportDialog(QDialog):
 
     def _ends(self) -> QDialogButtonBox:
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel, self)
-        export = QPushButton(self.tr("&Export..."), self)
+        export = QPushButton(tr("&Export..."), self)
         export.setProperty("primary", True)
         export.setDefault(True)
         buttons.addButton(export, QDialogButtonBox.ButtonRole.AcceptRole)

@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.core.i18n import count_text
+from app.core.i18n import count_text, tr
 from app.core.widgets.number_boxes import NumberBox, tell_beside
 from app.core.widgets.parts import heading, quiet
 from app.features.files.track_import import USUAL_TOLERANCE_PX, ImportChoice, ImportScene
@@ -44,7 +44,7 @@ class ImportDialog(QDialog):
     def __init__(self, name: str, formats: Sequence[tuple[str, str]], parent: QWidget) -> None:
         """`formats`: names and titles of those that can be read. name: of the file."""
         super().__init__(parent)
-        self.setWindowTitle(self.tr("Import tracks"))
+        self.setWindowTitle(tr("Import tracks"))
         self.setMinimumWidth(_LETTERS * self.fontMetrics().averageCharWidth())
         self._names = tuple(key for key, _ in formats)
         rows = QVBoxLayout(self)
@@ -67,16 +67,16 @@ class ImportDialog(QDialog):
         line.setSpacing(8)
         self._format = QComboBox(self)
         self._format.addItems(titles)
-        self._format.setAccessibleName(self.tr("Read as"))
+        self._format.setAccessibleName(tr("Read as"))
         self._format.activated.connect(lambda at: self.format_chosen.emit(self._names[at]))
         line.addWidget(heading(name, self), 1)
-        line.addWidget(quiet(self.tr("read as"), self))
+        line.addWidget(quiet(tr("read as"), self))
         line.addWidget(self._format)
         return line
 
     def _add_choices(self, rows: QVBoxLayout) -> None:
         self._thins = QCheckBox(
-            self.tr("&Thin tracks with a keyframe in every frame; edges move by at most"), self
+            tr("&Thin tracks with a keyframe in every frame; edges move by at most"), self
         )
         self._tolerance = NumberBox(self)
         tell_beside(self._tolerance)
@@ -86,13 +86,13 @@ class ImportDialog(QDialog):
         self._tolerance.setValue(USUAL_TOLERANCE_PX)
         self._tolerance.setSuffix(" px")
         self._tolerance.setKeyboardTracking(False)
-        self._tolerance.setAccessibleName(self.tr("Tolerance of thinning"))
+        self._tolerance.setAccessibleName(tr("Tolerance of thinning"))
         self._tolerance.setEnabled(False)
-        self._as_new = QCheckBox(self.tr("Give all of them &new ids"), self)
+        self._as_new = QCheckBox(tr("Give all of them &new ids"), self)
         self._as_new.setToolTip(
-            self.tr("Otherwise they replace tracks of the session that have the same ids")
+            tr("Otherwise they replace tracks of the session that have the same ids")
         )
-        self._only_people = QCheckBox(self.tr("Only &people, no other classes"), self)
+        self._only_people = QCheckBox(tr("Only &people, no other classes"), self)
         line = QHBoxLayout()
         line.addWidget(self._thins)
         line.addWidget(self._tolerance)
@@ -108,8 +108,8 @@ class ImportDialog(QDialog):
     def _add_bad_rows(self, rows: QVBoxLayout) -> None:
         self._bad_title = heading("", self)
         self._bad = QTableWidget(0, 2, self)
-        self._bad.setHorizontalHeaderLabels([self.tr("Where"), self.tr("Why")])
-        self._bad.setAccessibleName(self.tr("Rows that cannot be used"))
+        self._bad.setHorizontalHeaderLabels([tr("Where"), tr("Why")])
+        self._bad.setAccessibleName(tr("Rows that cannot be used"))
         self._bad.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self._bad.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self._bad.setTabKeyNavigation(False)
@@ -122,7 +122,7 @@ class ImportDialog(QDialog):
         header.setSectionResizeMode(0, QHeaderView.ResizeMode.ResizeToContents)
         header.setSectionResizeMode(1, QHeaderView.ResizeMode.Stretch)
         self._bad.setMinimumHeight(_BAD_LINES * self.fontMetrics().lineSpacing())
-        self._takes_good = QCheckBox(self.tr("Leave them out and take the &other rows"), self)
+        self._takes_good = QCheckBox(tr("Leave them out and take the &other rows"), self)
         self._takes_good.toggled.connect(self.choice_made)
         for widget in (self._bad_title, self._bad, self._takes_good):
             rows.addWidget(widget)
@@ -132,7 +132,7 @@ class ImportDialog(QDialog):
         self._why_not = quiet("", self)
         self._why_not.setWordWrap(True)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel, self)
-        self._import = QPushButton(self.tr("&Import"), self)
+        self._import = QPushButton(tr("&Import"), self)
         self._import.setProperty("primary", True)
         self._import.setDefault(True)
         buttons.addButton(self._import, QDialogButtonBox.ButtonRole.AcceptRole)
@@ -172,14 +172,14 @@ class ImportDialog(QDialog):
     def show_progress(self, done: int, total: int) -> None:
         """Say how far the tracks are thinned, while that lasts."""
         if self._thins.isChecked() and not self._import.isEnabled() and done < total:
-            self._why_not.setText(self.tr("Thinning: {0} %").format(100 * done // total))
+            self._why_not.setText(tr("Thinning: {0} %").format(100 * done // total))
 
     def _show_bad(self, scene: ImportScene) -> None:
         for widget in (self._bad_title, self._bad, self._takes_good):
             widget.setVisible(bool(scene.bad_count))
         title = count_text(scene.bad_count, "{n} row cannot be used", "{n} rows cannot be used")
         more = scene.bad_count - len(scene.bad)
-        told = self.tr("the first {0} are listed").format(len(scene.bad)) if more else ""
+        told = tr("the first {0} are listed").format(len(scene.bad)) if more else ""
         self._bad_title.setText("; ".join(part for part in (title, told) if part))
         if self._bad.rowCount() == len(scene.bad):
             return

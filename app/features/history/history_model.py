@@ -13,6 +13,7 @@ from PySide6.QtCore import (
 from PySide6.QtGui import QFont, QFontMetrics, QPainter
 from PySide6.QtWidgets import QStyledItemDelegate, QStyleOptionViewItem
 
+from app.core.i18n import tr
 from app.core.look.theme import current_theme, scaled_font
 from app.core.scenes import HistoryItem
 from app.core.widgets.command_list import draw_row_ground
@@ -45,7 +46,7 @@ class HistoryModel(QAbstractListModel):
         if role in (Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.AccessibleTextRole):
             return item.text
         if role == Qt.ItemDataRole.ToolTipRole:
-            return self.tr("{0}\n{1}, {2}, edit {3}").format(
+            return tr("{0}\n{1}, {2}, edit {3}").format(
                 item.text, item.when, item.author, item.edit
             )
         return None
@@ -126,6 +127,6 @@ class EditDelegate(QStyledItemDelegate):
         painter.restore()
 
     def _detail(self, item: HistoryItem) -> str:
-        taken = self.tr("undone by edit {0}").format(item.taken_by) if item.taken_by else ""
+        taken = tr("undone by edit {0}").format(item.taken_by) if item.taken_by else ""
         parts = (f"#{item.edit}", item.when, item.author, item.moved, taken)
         return "  \u00b7  ".join(part for part in parts if part)

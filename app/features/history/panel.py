@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.core.i18n import count_text
+from app.core.i18n import count_text, tr
 from app.core.look.icons import IconButton
 from app.core.scenes import HistoryItem
 from app.core.widgets.literal import literal
@@ -47,18 +47,18 @@ class HistoryPanel(Panel):
     menu_opening = Signal(int)
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(self.tr("History"), parent)
+        super().__init__(tr("History"), parent)
         self._items: tuple[HistoryItem, ...] = ()
         self._why_not_alone = ""
-        self._undo = IconButton("undo", self.tr("Undo"), "Ctrl+Z", self)
+        self._undo = IconButton("undo", tr("Undo"), "Ctrl+Z", self)
         self._undo.clicked.connect(self.undo_asked)
-        self._redo = IconButton("redo", self.tr("Redo"), "Ctrl+Shift+Z", self)
+        self._redo = IconButton("redo", tr("Redo"), "Ctrl+Shift+Z", self)
         self._redo.clicked.connect(self.redo_asked)
         self.add_to_heading(self._undo)
         self.add_to_heading(self._redo)
         self._model = HistoryModel(self)
         self._list = self._build_list()
-        self._empty = quiet(self.tr("No edits yet: what you correct is listed here."), self)
+        self._empty = quiet(tr("No edits yet: what you correct is listed here."), self)
         self._empty.setWordWrap(True)
         self._listed = QWidget(self)
         rows = QVBoxLayout(self._listed)
@@ -66,7 +66,7 @@ class HistoryPanel(Panel):
         rows.setSpacing(4)
         rows.addLayout(self._build_filter())
         rows.addWidget(self._list, 1)
-        self._none = quiet(self.tr("No edit matches."), self)
+        self._none = quiet(tr("No edit matches."), self)
         rows.addWidget(self._none)
         both = QVBoxLayout()  # no stack: what is hidden would keep its room
         both.addWidget(self._empty, 0, Qt.AlignmentFlag.AlignTop)
@@ -77,7 +77,7 @@ class HistoryPanel(Panel):
     def _build_list(self) -> QListView:
         view = QListView(self)
         view.setModel(self._model)
-        view.setAccessibleName(self.tr("Edits, newest first"))
+        view.setAccessibleName(tr("Edits, newest first"))
         view.setProperty("rows", True)
         view.setUniformItemSizes(True)
         view.setLayoutMode(QListView.LayoutMode.Batched)  # all of a long log at once: 50 ms an edit
@@ -97,16 +97,16 @@ class HistoryPanel(Panel):
         line = QHBoxLayout()
         line.setSpacing(4)
         self._text = QLineEdit(self)
-        self._text.setPlaceholderText(self.tr("Find"))
-        self._text.setAccessibleName(self.tr("Find edits by words or a track's id"))
+        self._text.setPlaceholderText(tr("Find"))
+        self._text.setAccessibleName(tr("Find edits by words or a track's id"))
         self._text.setToolTip(self._text.accessibleName())
         self._text.setClearButtonEnabled(True)
         for button in self._text.findChildren(QToolButton):
-            button.setAccessibleName(self.tr("Clear"))
+            button.setAccessibleName(tr("Clear"))
         self._text.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
         self._text.textChanged.connect(self._narrow)
         self._by = QComboBox(self)
-        self._by.setAccessibleName(self.tr("Whose edits, or of which kind"))
+        self._by.setAccessibleName(tr("Whose edits, or of which kind"))
         self._by.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
         self._by.setSizeAdjustPolicy(
             QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
@@ -144,9 +144,9 @@ class HistoryPanel(Panel):
         authors = sorted({item.author for item in self._items if item.author})
         kinds = sorted({item.kind for item in self._items if item.kind})
         offered = [
-            (self.tr("All edits"), ("", "")),
-            *((self.tr("By {0}").format(one), (one, "")) for one in authors),
-            *((self.tr("Kind: {0}").format(one), ("", one)) for one in kinds),
+            (tr("All edits"), ("", "")),
+            *((tr("By {0}").format(one), (one, "")) for one in authors),
+            *((tr("Kind: {0}").format(one), ("", one)) for one in kinds),
         ]
         if [text for text, _ in offered] == [self._by.itemText(n) for n in range(self._by.count())]:
             return
@@ -177,10 +177,10 @@ class HistoryPanel(Panel):
         menu = QMenu(self._list)
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         menu.setToolTipsVisible(True)
-        text = self.tr("Redo to here") if item.undone else self.tr("Undo to here")
+        text = tr("Redo to here") if item.undone else tr("Undo to here")
         menu.addAction(text).triggered.connect(lambda: self.goto_asked.emit(item.edit))
         self._add_alone(menu, item)
-        go = self.tr("Go to frame {0}").format(item.frame)
+        go = tr("Go to frame {0}").format(item.frame)
         menu.addAction(go).triggered.connect(lambda: self.edit_sought.emit(item.edit))
         menu.popup(self._list.viewport().mapToGlobal(at))
 
@@ -188,7 +188,7 @@ class HistoryPanel(Panel):
         """Undo this one alone; where that cannot be, the reason stands below it."""
         self._why_not_alone = ""
         self.menu_opening.emit(item.edit)
-        alone: QAction = menu.addAction(self.tr("Undo this one alone") + f"\t{_UNDO_ALONE_KEYS}")
+        alone: QAction = menu.addAction(tr("Undo this one alone") + f"\t{_UNDO_ALONE_KEYS}")
         alone.triggered.connect(lambda: self.alone_asked.emit(item.edit))
         if self._why_not_alone:
             alone.setEnabled(False)

@@ -6,6 +6,7 @@ from PySide6.QtCore import QLineF, QRectF, QSize, Qt
 from PySide6.QtGui import QBrush, QPainter, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
+from app.core.i18n import tr
 from app.core.look.theme import current_theme, faded
 
 _LETTERS = 7
@@ -23,10 +24,10 @@ class BalanceBar(QWidget):
         """Show other counts of a part."""
         self._on, self._off = on, off
         if on + off:
-            said = self.tr("{0}: {1:.0f} % of {2} labels say on its part, {3:.0f} % off")
+            said = tr("{0}: {1:.0f} % of {2} labels say on its part, {3:.0f} % off")
             text = said.format(name, 100 * on / (on + off), on + off, 100 * off / (on + off))
         else:
-            text = self.tr("{0}: no labels yet").format(name)
+            text = tr("{0}: no labels yet").format(name)
         self.setAccessibleName(text)
         self.setToolTip(text)
         self.update()

@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.core.i18n import tr
 from app.core.widgets.literal import literal
 from app.core.widgets.number_boxes import WholeBox, tell_beside
 from app.core.widgets.parts import quiet
@@ -41,10 +42,10 @@ class DrawnList(QWidget):
         super().__init__(parent)
         rows = QVBoxLayout(self)
         rows.setContentsMargins(0, 0, 0, 0)
-        self._empty = quiet(self.tr("None is drawn yet."), self)
+        self._empty = quiet(tr("None is drawn yet."), self)
         rows.addWidget(self._empty)
         self._list = _short_list(self)
-        self._list.setAccessibleName(self.tr("What is drawn"))
+        self._list.setAccessibleName(tr("What is drawn"))
         self._list.setEditTriggers(
             QAbstractItemView.EditTrigger.DoubleClicked
             | QAbstractItemView.EditTrigger.EditKeyPressed
@@ -53,10 +54,10 @@ class DrawnList(QWidget):
         self._list.itemChanged.connect(self._rename)
         rows.addWidget(self._list)
         line = QHBoxLayout()
-        self._rename_button = QPushButton(self.tr("Name"), self)
+        self._rename_button = QPushButton(tr("Name"), self)
         self._rename_button.clicked.connect(self._edit)
-        self._remove = QPushButton(self.tr("Take away"), self)
-        self._remove.setToolTip(self.tr("Delete what is chosen (Del)"))
+        self._remove = QPushButton(tr("Take away"), self)
+        self._remove.setToolTip(tr("Delete what is chosen (Del)"))
         self._remove.clicked.connect(lambda: self.removed.emit(self._list.currentRow()))
         line.addWidget(self._rename_button)
         line.addWidget(self._remove)
@@ -118,14 +119,14 @@ class RangesList(QWidget):
         self._proposed: tuple[int, int] = (-1, -1)
         rows = QVBoxLayout(self)
         rows.setContentsMargins(0, 0, 0, 0)
-        self._unmark = QPushButton(self.tr("Take away"), self)
-        self._unmark.setToolTip(self.tr("Unmark the chosen range"))
+        self._unmark = QPushButton(tr("Take away"), self)
+        self._unmark.setToolTip(tr("Unmark the chosen range"))
         self._unmark.setEnabled(False)
         self._unmark.clicked.connect(self._take_away)
-        self._empty = quiet(self.tr("Nothing is marked as reviewed yet."), self)
+        self._empty = quiet(tr("Nothing is marked as reviewed yet."), self)
         rows.addWidget(self._empty)
         self._list = _short_list(self)
-        self._list.setAccessibleName(self.tr("Reviewed ranges"))
+        self._list.setAccessibleName(tr("Reviewed ranges"))
         self._list.itemClicked.connect(
             lambda item: self.frame_sought.emit(self._ranges[self._list.row(item)].start)
         )
@@ -137,25 +138,25 @@ class RangesList(QWidget):
 
     def _build_frames(self) -> QHBoxLayout:
         line = QHBoxLayout()
-        line.addWidget(QLabel(self.tr("Frames"), self))
+        line.addWidget(QLabel(tr("Frames"), self))
         self._first, self._last = WholeBox(self), WholeBox(self)
         for box, name in (
-            (self._first, self.tr("First frame")),
-            (self._last, self.tr("Last frame")),
+            (self._first, tr("First frame")),
+            (self._last, tr("Last frame")),
         ):
             box.setRange(0, _LARGEST_FRAME)
             tell_beside(box)
             box.setMaximumWidth(_FRAME_LETTERS * self.fontMetrics().averageCharWidth())
             box.setAccessibleName(name)
         line.addWidget(self._first)
-        line.addWidget(quiet(self.tr("to"), self))
+        line.addWidget(quiet(tr("to"), self))
         line.addWidget(self._last)
         line.addStretch(1)
         return line
 
     def _build_buttons(self) -> QHBoxLayout:
         line = QHBoxLayout()
-        self._one, self._all = QPushButton(self), QPushButton(self.tr("Mark everybody"), self)
+        self._one, self._all = QPushButton(self), QPushButton(tr("Mark everybody"), self)
         self._one.clicked.connect(lambda: self._mark(False))
         self._all.clicked.connect(lambda: self._mark(True))
         for button in (self._one, self._all):
@@ -178,8 +179,8 @@ class RangesList(QWidget):
             self._first.setValue(scene.proposed[0])
             self._last.setValue(scene.proposed[1])
         self._one.setEnabled(bool(scene.selected))
-        who = scene.selected or self.tr("selected")
-        self._one.setToolTip(self.tr("Mark {0}").format(who))
+        who = scene.selected or tr("selected")
+        self._one.setToolTip(tr("Mark {0}").format(who))
         room = _NAME_LETTERS * self.fontMetrics().averageCharWidth()
         elide = self.fontMetrics().elidedText
         self._one.setText(literal(elide(self._one.toolTip(), Qt.TextElideMode.ElideRight, room)))

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.core.i18n import tr
 from app.core.look.theme import scaled_font
 from app.core.scenes.labels import Tool
 from app.core.widgets.fitted_scroll import ScrolledPanel
@@ -36,7 +37,7 @@ class LabellingPanel(ScrolledPanel):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setProperty("notice", True)
-        self.setAccessibleName(self.tr("Labelling"))
+        self.setAccessibleName(tr("Labelling"))
         rows = QVBoxLayout(self.content)
         rows.setContentsMargins(*NOTICE_MARGINS)
         rows.setSpacing(8)
@@ -62,7 +63,7 @@ class LabellingPanel(ScrolledPanel):
     def _ends(self) -> QHBoxLayout:
         line = QHBoxLayout()
         line.addStretch(1)
-        done = QPushButton(self.tr("Done  (Esc)"), self)
+        done = QPushButton(tr("Done  (Esc)"), self)
         done.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         done.clicked.connect(self.leave_asked)
         line.addWidget(done)

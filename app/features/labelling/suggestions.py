@@ -12,6 +12,7 @@ from PySide6.QtCore import (
 )
 from PySide6.QtWidgets import QListView, QVBoxLayout, QWidget
 
+from app.core.i18n import tr
 from app.core.scenes.labels import SuggestedPart
 from app.core.scenes.queue_rows import ReviewPerson
 from app.core.widgets.parts import heading, quiet
@@ -93,7 +94,7 @@ class SuggestionsList(QWidget):
         self._list = QListView(self)
         self._list.setModel(self._model)
         self._list.setItemDelegate(_Delegate(self._list))
-        self._list.setAccessibleName(self.tr("Where the detector is least sure"))
+        self._list.setAccessibleName(tr("Where the detector is least sure"))
         self._list.setProperty("rows", True)
         self._list.setUniformItemSizes(True)
         self._list.setFocusPolicy(Qt.FocusPolicy.NoFocus)
@@ -110,10 +111,8 @@ class SuggestionsList(QWidget):
         self.setVisible(found is not None)
         if found is None:
             return
-        left = self.tr("{0} left  (N, P)").format(len(found)) if found else ""
-        self._title.setText(
-            self.tr("Least sure first, parts in turn") + (f"   {left}" if left else "")
-        )
+        left = tr("{0} left  (N, P)").format(len(found)) if found else ""
+        self._title.setText(tr("Least sure first, parts in turn") + (f"   {left}" if left else ""))
         self._told.setText(scene.doing)
         self._told.setVisible(bool(scene.doing))
         self._model.take(found)

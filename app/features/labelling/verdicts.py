@@ -14,6 +14,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.core.i18n import tr
 from app.core.look.theme import scaled_font
 from app.core.scenes.labels import PART_COLOURS
 from app.core.widgets.choices import ChoiceButtons
@@ -67,7 +68,7 @@ class PartsGrid(QWidget):
         self._scope.chosen.connect(self.scope_chosen)
         rows.addWidget(self._scope)
         self._keys = quiet(
-            self.tr("4 on, 5 off, 6 unsure; then the next part. 7, 8, 9 choose a part."), self
+            tr("4 on, 5 off, 6 unsure; then the next part. 7, 8, 9 choose a part."), self
         )
         self._keys.setWordWrap(True)
         rows.addWidget(self._keys)
@@ -104,22 +105,22 @@ class PartsGrid(QWidget):
     def _build_step(self) -> QHBoxLayout:
         line = QHBoxLayout()
         line.setContentsMargins(0, 0, 0, 0)
-        line.addWidget(QLabel(self.tr("After the last, go on"), self))
+        line.addWidget(QLabel(tr("After the last, go on"), self))
         self._step = WholeBox(self)
         self._step.setRange(0, _LONGEST_STEP)
         tell_beside(self._step)
         self._step.setMaximumWidth(_STEP_LETTERS * self.fontMetrics().averageCharWidth())
-        self._step.setAccessibleName(self.tr("Frames to go on after the last part"))
+        self._step.setAccessibleName(tr("Frames to go on after the last part"))
         self._step.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
         self._step.valueChanged.connect(self.step_chosen)
         line.addWidget(self._step)
-        line.addWidget(QLabel(self.tr("frames"), self))
+        line.addWidget(QLabel(tr("frames"), self))
         line.addStretch(1)
         return line
 
     def show_scene(self, scene: LabellingScene) -> None:
         """Show what was said of the parts of the person in the frame."""
-        words = {True: self.tr("On"), False: self.tr("Off"), None: self.tr("?")}
+        words = {True: tr("On"), False: tr("Off"), None: tr("?")}
         for part, swatch in enumerate(self._swatches):
             there = part < len(scene.parts)
             self._names[part].setVisible(there)
@@ -131,7 +132,7 @@ class PartsGrid(QWidget):
                     line = scene.parts[part]
                     button.setText(f"{words[answer]}  {line.counts[number]}")
                     button.setChecked(line.said == said)
-                    told = self.tr("{0}: {1}, said {2} times in all")
+                    told = tr("{0}: {1}, said {2} times in all")
                     button.setAccessibleName(
                         told.format(line.name, words[answer], line.counts[number])
                     )

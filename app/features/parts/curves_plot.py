@@ -10,6 +10,7 @@ from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 from PySide6.QtWidgets import QWidget
 
 from app.core.drawing.name_plates import draw_message
+from app.core.i18n import tr
 from app.core.look.theme import Theme, faded
 from app.core.plots.curves import Floats, curve_path, stretches, whole_span
 from app.core.plots.frame_plot import FramePlot
@@ -48,23 +49,23 @@ class CurvesPlot(FramePlot):
         self._scene = CurvesScene("")
         self._strips = (
             _Strip(
-                self.tr("Score of the detector in the run"),
+                tr("Score of the detector in the run"),
                 lambda one: one.score,
                 (-1.0, 1.0),
                 0.46,
                 THRESHOLD,
-                (self.tr("off its part"), self.tr("on its part")),
+                (tr("off its part"), tr("on its part")),
             ),
             _Strip(
-                self.tr("Entropy of the weights (1: all alike)"),
+                tr("Entropy of the weights (1: all alike)"),
                 lambda one: one.entropy,
                 (0.0, 1.0),
                 0.27,
                 high=True,
             ),
-            _Strip(self.tr("Particles (number)"), lambda one: one.particles, (0.0, 10.0), 0.27),
+            _Strip(tr("Particles (number)"), lambda one: one.particles, (0.0, 10.0), 0.27),
         )
-        self.setAccessibleName(self.tr("Failure score, entropy and particles over time"))
+        self.setAccessibleName(tr("Failure score, entropy and particles over time"))
 
     def show_scene(self, scene: CurvesScene) -> None:
         """Draw another frame; the curves only where they are others."""

@@ -10,6 +10,7 @@ from PySide6.QtGui import QColor, QIcon, QImage, QPainter, QPen, QPixmap
 from PySide6.QtWidgets import QListView, QListWidget, QListWidgetItem, QWidget
 
 from app.core.drawing.name_plates import draw_message
+from app.core.i18n import tr
 from app.core.jobs.jobs import Job, Progress
 from app.core.look.theme import current_theme
 from app.features.parts.mistake_pictures import Cut, Cuts
@@ -49,7 +50,7 @@ class MistakesList(QListWidget):
         self.setGridSize(QSize(round(1.7 * side), side + words + 16))
         self.setSpacing(4)
         self.setMinimumHeight(side + words + 24)
-        self.setAccessibleName(self.tr("Mistakes, the most informative first"))
+        self.setAccessibleName(tr("Mistakes, the most informative first"))
         self.itemActivated.connect(self._seek)
         self.itemClicked.connect(self._seek)
 
@@ -62,7 +63,7 @@ class MistakesList(QListWidget):
         self.clear()
         for one in self._items:
             recording = elided(one.recording, Qt.TextElideMode.ElideMiddle, room)
-            frame = self.tr("frame {0}").format(one.frame)
+            frame = tr("frame {0}").format(one.frame)
             entry = QListWidgetItem(f"{one.title}\n{frame}\n{recording}\n{one.said}")
             where = ", ".join(filter(None, (one.title, one.recording, frame, one.when)))
             entry.setToolTip(f"{where}: {one.said}")
@@ -113,8 +114,8 @@ class MistakesList(QListWidget):
             self._job = None
 
     def _draw_known(self) -> None:
-        coming = _icon(None, self.iconSize(), self.tr("Reading..."), self)
-        missing = self.tr("picture not found")
+        coming = _icon(None, self.iconSize(), tr("Reading..."), self)
+        missing = tr("picture not found")
         for row, one in enumerate(self._items):
             if one in self._pictures:
                 icon = _icon(self._pictures[one], self.iconSize(), missing, self)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QGridLayout, QLabel, QVBoxLayout, QWidget
 
+from app.core.i18n import tr
 from app.core.look.icons import IconButton
 from app.core.look.theme import scaled_font
 from app.core.scenes.labels import PART_COLOURS
@@ -24,8 +25,8 @@ class CurvesPanel(Panel):
     closed = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(self.tr("Parts over time"), parent)
-        close = IconButton("close", self.tr("Hide the parts over time"), "Shift+Q", self)
+        super().__init__(tr("Parts over time"), parent)
+        close = IconButton("close", tr("Hide the parts over time"), "Shift+Q", self)
         close.clicked.connect(self.closed)
         self.add_to_heading(close)
         self.plot = CurvesPlot(self)

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.core.error_messages import explain
+from app.core.i18n import tr
 from app.core.look.theme import scaled_font
 from app.core.scenes.labels import PART_COLOURS
 from app.core.widgets.parts import Swatch, heading, quiet
@@ -43,7 +44,7 @@ class ResultDialog(QDialog):
 
     def __init__(self, result: TrainingResult, cut: Cutter, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setWindowTitle(self.tr("Result of the training"))
+        self.setWindowTitle(tr("Result of the training"))
         self.result_shown = result
         self.plot = RocPlot(self)
         self.plot.put.connect(lambda share: self._change(lambda: result.put(share)))
@@ -57,7 +58,7 @@ class ResultDialog(QDialog):
         self._warning.setFont(scaled_font(self.font(), 1.0, bold=True))
         self._told = QLabel(self)
         self._told.setWordWrap(True)
-        self._no_mistakes = quiet(self.tr("None: nothing was judged wrongly."), self)
+        self._no_mistakes = quiet(tr("None: nothing was judged wrongly."), self)
         self.mistakes = MistakesList(cut, self)
         self.mistakes.sought.connect(self.mistake_sought)
         self.mistakes.failed.connect(lambda error: self.tell(explain(error)))
@@ -75,7 +76,7 @@ class ResultDialog(QDialog):
         across.addWidget(self.plot, 2)
         across.addLayout(self._figures_column())
         rows.addLayout(across, 3)
-        title = heading(self.tr("Most informative mistakes: click one to go there"), self)
+        title = heading(tr("Most informative mistakes: click one to go there"), self)
         rows.addWidget(title)
         rows.addWidget(self._no_mistakes)
         rows.addWidget(self.mistakes, 2)
@@ -87,13 +88,13 @@ class ResultDialog(QDialog):
     def _figures_column(self) -> QVBoxLayout:
         column = QVBoxLayout()
         column.setSpacing(8)
-        column.addWidget(heading(self.tr("Operating point"), self))
+        column.addWidget(heading(tr("Operating point"), self))
         names = [curve.name for curve in self.result_shown.scene().curves]
-        self.part_choice.addItems([self.tr("of all parts"), *names])
-        self.part_choice.setAccessibleName(self.tr("Whose operating point is moved"))
+        self.part_choice.addItems([tr("of all parts"), *names])
+        self.part_choice.setAccessibleName(tr("Whose operating point is moved"))
         self.part_choice.currentIndexChanged.connect(self._choose)
-        self._up_to.addItems([self.tr("up to {0:.0f} %").format(100 * one) for one in _UP_TO])
-        self._up_to.setAccessibleName(self.tr("How many false alarms the plot shows"))
+        self._up_to.addItems([tr("up to {0:.0f} %").format(100 * one) for one in _UP_TO])
+        self._up_to.setAccessibleName(tr("How many false alarms the plot shows"))
         self._up_to.currentIndexChanged.connect(lambda at: self.plot.show_up_to(_UP_TO[at]))
         self._up_to.setCurrentIndex(_UP_TO_FIRST)
         line = QHBoxLayout()
@@ -111,7 +112,7 @@ class ResultDialog(QDialog):
     def _steps(self) -> QHBoxLayout:
         """Buttons for what dragging and the arrow keys do, too."""
         line = QHBoxLayout()
-        for text, way in ((self.tr("Fewer false alarms"), -1), (self.tr("Find more failures"), 1)):
+        for text, way in ((tr("Fewer false alarms"), -1), (tr("Find more failures"), 1)):
             button = QPushButton(text, self)
             button.setAutoDefault(False)
             button.clicked.connect(
@@ -129,11 +130,11 @@ class ResultDialog(QDialog):
         titles = (
             "",
             "",
-            self.tr("failures found"),
-            self.tr("missed"),
-            self.tr("false alarms"),
-            self.tr("rightly left alone"),
-            self.tr("area under curve"),
+            tr("failures found"),
+            tr("missed"),
+            tr("false alarms"),
+            tr("rightly left alone"),
+            tr("area under curve"),
         )
         for column, title in enumerate(titles):
             grid.addWidget(quiet(title, self), 0, column)
@@ -150,9 +151,9 @@ class ResultDialog(QDialog):
 
     def _buttons(self) -> QDialogButtonBox:
         buttons = QDialogButtonBox(self)
-        use = QPushButton(self.tr("Use for tracking"), buttons)
-        save = QPushButton(self.tr("Save as..."), buttons)
-        close = QPushButton(self.tr("Close"), buttons)
+        use = QPushButton(tr("Use for tracking"), buttons)
+        save = QPushButton(tr("Save as..."), buttons)
+        close = QPushButton(tr("Close"), buttons)
         # What is no better than chance is not what Enter, or a glance, should lead to.
         proposed = close if self.result_shown.scene().warning else use
         proposed.setProperty("primary", True)

@@ -8,6 +8,7 @@ from PySide6.QtGui import QColor, QFontMetricsF, QKeyEvent, QMouseEvent, QPainte
 from PySide6.QtWidgets import QWidget
 
 from app.core.drawing.viewport import Points, polygon
+from app.core.i18n import tr
 from app.core.look.theme import Theme, current_theme, scaled_font
 from app.core.scenes.labels import PART_COLOURS
 from app.features.parts.training_result import ResultScene, RocCurve
@@ -37,7 +38,7 @@ class RocPlot(QWidget):
         self._most = 0.2
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setCursor(Qt.CursorShape.CrossCursor)
-        self.setAccessibleName(self.tr("Failures found over false alarms"))
+        self.setAccessibleName(tr("Failures found over false alarms"))
 
     def show_scene(self, scene: ResultScene) -> None:
         """Draw another operating point."""
@@ -125,9 +126,9 @@ class RocPlot(QWidget):
             painter.drawText(place, flags.AlignCenter, text)
         title = QRectF(area.left(), area.bottom() + 1.7 * line, area.width(), 1.3 * line)
         painter.setPen(theme.text)
-        painter.drawText(title, flags.AlignCenter, self.tr("false alarms"))
+        painter.drawText(title, flags.AlignCenter, tr("false alarms"))
         above = QRectF(area.left(), area.top() - 1.4 * line, area.width(), 1.2 * line)
-        painter.drawText(above, flags.AlignLeft, self.tr("failures found"))
+        painter.drawText(above, flags.AlignLeft, tr("failures found"))
 
     def _draw_curve(self, painter: QPainter, part: int, curve: RocCurve, theme: Theme) -> None:
         colour, meant = theme.track(PART_COLOURS[part]), self._is_meant(part)

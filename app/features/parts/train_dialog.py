@@ -22,7 +22,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.core.error_messages import explain
-from app.core.i18n import tr
+from app.core.i18n import N_, tr
 from app.core.jobs.jobs import Job, Progress
 from app.core.widgets.parts import heading, quiet
 from app.core.widgets.questions import choose_file
@@ -36,7 +36,7 @@ from app.features.parts.detector_training import (
 )
 from app.features.parts.training_set import Source, TrainingSet, build_training_set, source_at
 
-_TAUGHT = "Sessions and samples (*.h5 *.csv)"
+_TAUGHT = N_("Sessions and samples (*.h5 *.csv)")
 _ROWS = 4
 
 
@@ -62,12 +62,12 @@ class TrainDialog(QDialog):
         """
         super().__init__(parent)
         self._last = last
-        self.setWindowTitle(self.tr("Train the detector"))
+        self.setWindowTitle(tr("Train the detector"))
         self._sources: list[Source] = []
         self._job: Job | None = None
         self._waiting = [partial(source_at, path) for path in before]
         self._list = QListWidget(self)
-        self._list.setAccessibleName(self.tr("Sessions whose labels are learnt from"))
+        self._list.setAccessibleName(tr("Sessions whose labels are learnt from"))
         self._list.setMaximumHeight(_ROWS * (self.fontMetrics().height() + 12))
         self._list.itemChanged.connect(lambda _: self._show_counts())
         self._list.currentRowChanged.connect(lambda row: self._off_list.setEnabled(row >= 0))
@@ -80,7 +80,7 @@ class TrainDialog(QDialog):
         if here is not None:
             self._read(here)
         else:
-            self._end(self.tr("No session is open: add sessions or samples with labels"))
+            self._end(tr("No session is open: add sessions or samples with labels"))
 
     # what it looks like
 
@@ -89,7 +89,7 @@ class TrainDialog(QDialog):
         rows.setContentsMargins(20, 20, 20, 16)
         rows.setSpacing(10)
         about = quiet(
-            self.tr(
+            tr(
                 "The detector learns from parts that were labelled on or off their part, and from "
                 "rectangles that were put right. The more people, the better."
             ),
@@ -97,19 +97,19 @@ class TrainDialog(QDialog):
         )
         about.setWordWrap(True)
         rows.addWidget(about)
-        rows.addWidget(heading(self.tr("Labels"), self))
+        rows.addWidget(heading(tr("Labels"), self))
         rows.addWidget(self._list)
         rows.addLayout(self._list_buttons())
         rows.addWidget(self._told)
         rows.addLayout(self._counts_grid())
         rows.addSpacing(8)
-        rows.addWidget(heading(self.tr("Settings"), self))
+        rows.addWidget(heading(tr("Settings"), self))
         area = QScrollArea(self)
         area.setWidget(self._form)
         area.setWidgetResizable(True)
         area.setFrameShape(QScrollArea.Shape.NoFrame)
         rows.addWidget(area, 1)
-        self._train = QPushButton(self.tr("Train"), self._buttons)
+        self._train = QPushButton(tr("Train"), self._buttons)
         self._train.setProperty("primary", True)
         self._buttons.addButton(self._train, QDialogButtonBox.ButtonRole.AcceptRole)
         self._train.setDefault(True)
@@ -122,11 +122,11 @@ class TrainDialog(QDialog):
 
     def _list_buttons(self) -> QHBoxLayout:
         line = QHBoxLayout()
-        add = QPushButton(self.tr("Add sessions or samples..."), self)
+        add = QPushButton(tr("Add sessions or samples..."), self)
         add.setAutoDefault(False)
         add.clicked.connect(self._ask)
-        self._off_list = QPushButton(self.tr("Take off the list"), self)
-        self._off_list.setToolTip(self.tr("Do not learn from the chosen line; no file is touched"))
+        self._off_list = QPushButton(tr("Take off the list"), self)
+        self._off_list.setToolTip(tr("Do not learn from the chosen line; no file is touched"))
         self._off_list.setAutoDefault(False)
         self._off_list.clicked.connect(self._remove)
         line.addWidget(add)
@@ -135,14 +135,14 @@ class TrainDialog(QDialog):
         return line
 
     def _ask(self) -> None:
-        title = self.tr("Add a session or samples")
+        title = tr("Add a session or samples")
         choose_file(self, title, tr(_TAUGHT), self.add, self._last)
 
     def _counts_grid(self) -> QGridLayout:
         grid = QGridLayout()
         grid.setHorizontalSpacing(24)
         grid.setColumnStretch(4, 1)
-        titles = ("", self.tr("on its part"), self.tr("off its part"), self.tr("people"))
+        titles = ("", tr("on its part"), tr("off its part"), tr("people"))
         for column, title in enumerate(titles):
             grid.addWidget(quiet(title, self), 0, column)
         for row in range(1, 4):
@@ -159,19 +159,19 @@ class TrainDialog(QDialog):
     def add(self, path: Path) -> None:
         """Read the labels of another session."""
         if any(one.path == path for one in self._sources):
-            self._tell(self.tr("{0} is listed already").format(path.name))
+            self._tell(tr("{0} is listed already").format(path.name))
             return
         self._read(lambda: source_at(path))
 
     def _read(self, read: Callable[[], Source]) -> None:
         if self._job is not None:
-            self._tell(self.tr("Wait until the previous session has been read"))
+            self._tell(tr("Wait until the previous session has been read"))
             return
 
         def work(_: Progress) -> object:
             return read()
 
-        self._tell(self.tr("Reading labels..."))
+        self._tell(tr("Reading labels..."))
         self._job = Job("labels", work, self)
         self._job.done.connect(self._take)
         self._job.failed.connect(lambda error: self._end(explain(error)))
@@ -187,7 +187,7 @@ class TrainDialog(QDialog):
         self._end("" if len(source.samples) else self._no_samples(source))
 
     def _no_samples(self, source: Source) -> str:
-        said = self.tr(
+        said = tr(
             "{0} holds no labels of tracked parts: label some (Alt+6) in a session tracked with "
             "three-part"
         )
@@ -229,7 +229,7 @@ class TrainDialog(QDialog):
         self._train.setEnabled(enough and self._job is None)
 
     def _show_count(self, cells: tuple[QLabel, ...], count: PartCount) -> None:
-        people = self.tr("{0} on, {1} off").format(count.people_on, count.people_off)
+        people = tr("{0} on, {1} off").format(count.people_on, count.people_off)
         texts = (count.name, str(count.on), str(count.off), people, count.missing)
         for cell, text in zip(cells, texts, strict=True):
             cell.setText(text)

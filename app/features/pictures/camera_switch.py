@@ -5,6 +5,8 @@ from __future__ import annotations
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QButtonGroup, QFrame, QHBoxLayout, QToolButton, QWidget
 
+from app.core.i18n import tr
+
 
 class CameraSwitch(QFrame):
     """Three joined buttons.
@@ -18,16 +20,16 @@ class CameraSwitch(QFrame):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setProperty("track", True)
-        self.setAccessibleName(self.tr("Cameras shown"))
+        self.setAccessibleName(tr("Cameras shown"))
         row = QHBoxLayout(self)
         row.setContentsMargins(2, 2, 2, 2)
         row.setSpacing(2)
         self._group = QButtonGroup(self)
         self._buttons: dict[str, QToolButton] = {}
         for mode, text in (
-            ("left", self.tr("Left")),
-            ("both", self.tr("Both")),
-            ("anaglyph", self.tr("Anaglyph")),
+            ("left", tr("Left")),
+            ("both", tr("Both")),
+            ("anaglyph", tr("Anaglyph")),
         ):
             self._add(mode, text, row)
         self.show_scene("left")
@@ -41,7 +43,7 @@ class CameraSwitch(QFrame):
     def _add(self, mode: str, text: str, row: QHBoxLayout) -> None:
         button = QToolButton(self)
         button.setText(text)
-        button.setAccessibleName(self.tr("Show: {0}").format(text))
+        button.setAccessibleName(tr("Show: {0}").format(text))
         button.setCheckable(True)
         button.setProperty("segment", True)
         button.setFocusPolicy(Qt.FocusPolicy.NoFocus)

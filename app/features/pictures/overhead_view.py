@@ -15,6 +15,7 @@ from app.core.drawing.particles import darkened, draw_particles
 from app.core.drawing.people_marks import draw_fading_trail, draw_preview
 from app.core.drawing.surfaces import FloorSurface
 from app.core.drawing.truth_marks import draw_truth_places
+from app.core.i18n import tr
 from app.core.look.theme import Theme, scaled_font
 from app.core.projection.extent import unite
 from app.core.scenes import FloorPerson, OverheadScene
@@ -63,7 +64,7 @@ class OverheadView(FloorSurface):
         self._floor_drawn = QPixmap()
         self._explained = True
         self.setContentsMargins(12, 12, 12, 12)
-        self.setAccessibleName(self.tr("Overhead view"))
+        self.setAccessibleName(tr("Overhead view"))
 
     def show_scene(self, scene: OverheadScene) -> None:
         """Draw another frame."""
@@ -155,7 +156,7 @@ class OverheadView(FloorSurface):
         person = self._person_at(at)
         if person is None:
             return ""
-        text = self.tr("{0} at {1:.1f}, {2:.1f} m, {3:.1f} m/s")
+        text = tr("{0} at {1:.1f}, {2:.1f} m, {3:.1f} m/s")
         return text.format(person.label, *person.position, float(np.hypot(*person.velocity)))
 
     def _person_at(self, at: QPointF) -> FloorPerson | None:
@@ -205,7 +206,7 @@ class OverheadView(FloorSurface):
         if self._explained and self._flow is None:
             above = foot - QPointF(0, told + _LEGEND_PX) if told else foot
             self._legend.draw(painter, scene, above, area, self._taken(scene), theme)
-        draw_scale_bar(painter, area, self.viewport, theme, self.tr("m"))
+        draw_scale_bar(painter, area, self.viewport, theme, tr("m"))
 
     def _taken(self, scene: OverheadScene) -> list[QRectF]:
         """Where people and their names are drawn."""

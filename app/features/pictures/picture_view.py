@@ -19,6 +19,7 @@ from app.core.drawing.part_marks import draw_part_boxes, draw_part_particles, pa
 from app.core.drawing.people_marks import draw_cross, draw_ghosts, draw_people, draw_preview
 from app.core.drawing.surfaces import PictureSurface
 from app.core.drawing.truth_marks import draw_truth_boxes
+from app.core.i18n import tr
 from app.core.look.theme import Theme, scaled_font
 from app.core.scenes import LegendEntry, PersonMark, PictureScene, Side
 from app.features.pictures.box_handles import INSIDE, Grip, cursor_of, draw_handles, handle_at
@@ -94,9 +95,9 @@ class PictureView(PictureSurface):
 
     def _rename(self) -> None:
         names = {
-            Side.LEFT: self.tr("Picture") if self._alone else self.tr("Left camera"),
-            Side.RIGHT: self.tr("Right camera"),
-            Side.BOTH: self.tr("Both cameras, for red and cyan glasses"),
+            Side.LEFT: tr("Picture") if self._alone else tr("Left camera"),
+            Side.RIGHT: tr("Right camera"),
+            Side.BOTH: tr("Both cameras, for red and cyan glasses"),
         }
         self._camera_name = names[self._scene.side]
         self.setAccessibleName(self._camera_name)
@@ -210,7 +211,7 @@ class PictureView(PictureSurface):
             return ""
         name = person.label
         if person.predicted:
-            name = self.tr("{0} (predicted)").format(name)
+            name = tr("{0} (predicted)").format(name)
         said = said_at(self._parts, at, self.viewport, person.track)
         return f"{name}\n{said}" if said else name
 

@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.core.i18n import tr
 from app.core.look.icons import IconButton
 from app.core.look.theme import current_theme, scaled_font
 from app.core.scenes import TransportScene
@@ -76,7 +77,7 @@ class TransportBar(QFrame):
         super().__init__(parent)
         self._scene: TransportScene | None = None
         self.setProperty("bar", True)
-        self.setAccessibleName(self.tr("Playback"))
+        self.setAccessibleName(tr("Playback"))
         row = QHBoxLayout(self)
         row.setContentsMargins(12, 4, 12, 4)
         row.setSpacing(4)
@@ -89,15 +90,15 @@ class TransportBar(QFrame):
         row.addWidget(self._rest, 1)
 
     def _build_buttons(self, row: QHBoxLayout) -> None:
-        self._play = IconButton("play", self.tr("Play"), self.tr("Space"), self, primary=True)
+        self._play = IconButton("play", tr("Play"), tr("Space"), self, primary=True)
         self._play.clicked.connect(self.play_toggled)
-        first = IconButton("first", self.tr("First frame"), self.tr("Home"), self)
+        first = IconButton("first", tr("First frame"), tr("Home"), self)
         first.clicked.connect(lambda: self.frame_sought.emit(0))
-        back = IconButton("step-back", self.tr("Frame back"), self.tr("Left"), self)
+        back = IconButton("step-back", tr("Frame back"), tr("Left"), self)
         back.clicked.connect(lambda: self.stepped.emit(-1))
-        forward = IconButton("step-forward", self.tr("Frame forward"), self.tr("Right"), self)
+        forward = IconButton("step-forward", tr("Frame forward"), tr("Right"), self)
         forward.clicked.connect(lambda: self.stepped.emit(1))
-        last = IconButton("last", self.tr("Last frame"), self.tr("End"), self)
+        last = IconButton("last", tr("Last frame"), tr("End"), self)
         last.clicked.connect(lambda: self.frame_sought.emit(self._last_frame()))
         for button in (back, forward):
             button.setAutoRepeat(True)
@@ -110,7 +111,7 @@ class TransportBar(QFrame):
         self._speed = QToolButton(self)
         self._speed.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         self._speed.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        self._speed.setToolTip(self.tr("Speed"))
+        self._speed.setToolTip(tr("Speed"))
         menu = QMenu(self._speed)
         group = QActionGroup(menu)
         self._speed_actions = {}
@@ -124,13 +125,13 @@ class TransportBar(QFrame):
         row.addWidget(self._speed)
 
     def _build_place(self, row: QHBoxLayout) -> None:
-        row.addWidget(quiet(self.tr("Frame"), self))
+        row.addWidget(quiet(tr("Frame"), self))
         self._frame = FrameEdit(self)
         self._frame.setProperty("quiet", True)
         self._frame.setAlignment(Qt.AlignmentFlag.AlignRight)
         self._frame.setFont(scaled_font(self.font(), 1.0, bold=True))
-        self._frame.setAccessibleName(self.tr("Frame number"))
-        self._frame.setToolTip(self.tr("Type a frame number and press Enter  (G)"))
+        self._frame.setAccessibleName(tr("Frame number"))
+        self._frame.setToolTip(tr("Type a frame number and press Enter  (G)"))
         self._frame.setValidator(QIntValidator(0, 2**31 - 1, self))
         self._frame.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
         self._frame.returnPressed.connect(self._seek_typed)
@@ -141,7 +142,7 @@ class TransportBar(QFrame):
         row.addSpacing(16)
         self._time = QLabel(self)
         self._time.setFont(scaled_font(self.font(), 1.0, bold=True))
-        self._time.setAccessibleName(self.tr("Time"))
+        self._time.setAccessibleName(tr("Time"))
         row.addWidget(self._time)
 
     def _build_state(self, state: QWidget) -> None:
@@ -150,7 +151,7 @@ class TransportBar(QFrame):
         row.setSpacing(4)
         self._tracker = QToolButton(self)
         self._tracker.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        self._tracker.setToolTip(self.tr("Tracker and its settings"))
+        self._tracker.setToolTip(tr("Tracker and its settings"))
         self._tracker.clicked.connect(self.tracker_clicked)
         row.addWidget(self._tracker)
         row.addSpacing(8)
@@ -158,14 +159,14 @@ class TransportBar(QFrame):
         self._light.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
         row.addWidget(self._light)
         self._status = quiet("", self)
-        self._status.setAccessibleName(self.tr("State of the tracker"))
+        self._status.setAccessibleName(tr("State of the tracker"))
         row.addWidget(self._status)
         row.addSpacing(8)
         self._follow = QToolButton(self)
         self._follow.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self._follow.setCheckable(True)
-        self._follow.setText(self.tr("Follow"))
-        self._follow.setAccessibleName(self.tr("Follow the tracker"))
+        self._follow.setText(tr("Follow"))
+        self._follow.setAccessibleName(tr("Follow the tracker"))
         self._follow.clicked.connect(self._ask_to_follow)
         row.addWidget(self._follow)
 
@@ -179,15 +180,15 @@ class TransportBar(QFrame):
         self._write_time(scene.time_s)
         if before is None or before.playing != scene.playing:
             self._play.set_drawing("pause" if scene.playing else "play")
-            name = self.tr("Pause") if scene.playing else self.tr("Play")
+            name = tr("Pause") if scene.playing else tr("Play")
             self._play.setAccessibleName(name)
-            self._play.setToolTip(self.tr("{0}  (Space)").format(name))
+            self._play.setToolTip(tr("{0}  (Space)").format(name))
         if before is None or before.speed != scene.speed:
             self._show_speed(scene.speed)
         if before is None or before.tracker != scene.tracker:
             self._tracker.setText(literal(scene.tracker))
             self._tracker.setVisible(bool(scene.tracker))
-            self._tracker.setAccessibleName(self.tr("Tracker: {0}").format(scene.tracker))
+            self._tracker.setAccessibleName(tr("Tracker: {0}").format(scene.tracker))
         if before is None or (before.status, before.live) != (scene.status, scene.live):
             self._status.setText(scene.status)
             self._colour_light()
@@ -217,9 +218,9 @@ class TransportBar(QFrame):
         """A button that stays down while the playhead goes with the tracker; None: no tracker."""
         self._follow.setVisible(following is not None)
         self._follow.setChecked(bool(following))
-        self._follow.setText(self.tr("Following") if following else self.tr("Follow"))
-        on = self.tr("The views follow the tracker until you move the playhead  (Shift+L)")
-        off = self.tr("Follow the tracker: go to its frame and on with it  (Shift+L)")
+        self._follow.setText(tr("Following") if following else tr("Follow"))
+        on = tr("The views follow the tracker until you move the playhead  (Shift+L)")
+        off = tr("Follow the tracker: go to its frame and on with it  (Shift+L)")
         self._follow.setToolTip(on if following else off)
         self._rest.fit()
 
@@ -255,13 +256,13 @@ class TransportBar(QFrame):
         digits = "0" * max(4, len(str(scene.frame_count)))
         metrics = self._frame.fontMetrics()
         self._frame.setFixedWidth(metrics.horizontalAdvance(digits) + 22)
-        self._count.setText(self.tr("/ {0}").format(scene.frame_count))
+        self._count.setText(tr("/ {0}").format(scene.frame_count))
 
     def _show_speed(self, speed: float) -> None:
         self._speed.setText(self._speed_text(speed))
-        self._speed.setAccessibleName(self.tr("Speed: {0}").format(self._speed_text(speed)))
+        self._speed.setAccessibleName(tr("Speed: {0}").format(self._speed_text(speed)))
         if speed in self._speed_actions:
             self._speed_actions[speed].setChecked(True)
 
     def _speed_text(self, speed: float) -> str:
-        return self.tr("{0:g}\u00d7").format(speed)
+        return tr("{0:g}\u00d7").format(speed)

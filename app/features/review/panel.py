@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.core.i18n import tr
 from app.core.look.icons import IconButton
 from app.core.look.theme import scaled_font
 from app.core.widgets.command_list import native_keys
@@ -49,7 +50,7 @@ class ReviewPanel(Panel):
     search_asked = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(self.tr("Review queue"), parent)
+        super().__init__(tr("Review queue"), parent)
         self._scene = ReviewScene()
         self._model = ReviewModel(self)
         self._build_heading()
@@ -59,7 +60,7 @@ class ReviewPanel(Panel):
         self._title.setWordWrap(True)
         self._text = quiet("", self, "faint")
         self._text.setWordWrap(True)
-        self._ask = QPushButton(self.tr("Look for doubtful places"), self)
+        self._ask = QPushButton(tr("Look for doubtful places"), self)
         self._ask.clicked.connect(self.search_asked)
         self._also = FewLines(self)
         self._also.setFont(scaled_font(self.font(), 0.88))
@@ -84,7 +85,7 @@ class ReviewPanel(Panel):
 
     def _build_heading(self) -> None:
         self._left = quiet("", self)
-        self._plays = IconButton("play", self.tr("Play each stretch as it is jumped to"), "", self)
+        self._plays = IconButton("play", tr("Play each stretch as it is jumped to"), "", self)
         self._plays.setCheckable(True)
         self._plays.clicked.connect(self.playing_chosen)
         self.add_to_heading(self._left)
@@ -94,7 +95,7 @@ class ReviewPanel(Panel):
         self._list = QueueView(self)
         self._list.setModel(self._model)
         self._list.setItemDelegate(ReviewDelegate(self._list))
-        self._list.setAccessibleName(self.tr("Review items"))
+        self._list.setAccessibleName(tr("Review items"))
         self._list.setProperty("rows", True)
         self._list.setUniformItemSizes(True)
         self._list.setMouseTracking(True)
@@ -110,12 +111,12 @@ class ReviewPanel(Panel):
 
     def _build_choices(self) -> None:
         self._choices = QHBoxLayout()
-        self._kinds = self._combo(self.tr("Kind of review item"))
+        self._kinds = self._combo(tr("Kind of review item"))
         self._kinds.activated.connect(lambda at: self.kind_chosen.emit(self._kinds.itemData(at)))
-        self._orders = self._combo(self.tr("Order of the queue"))
-        self._orders.addItem(self.tr("by worth"), Order.WORTH.value)
-        self._orders.addItem(self.tr("by time"), Order.TIME.value)
-        worth = self.tr("Worth: how likely something is wrong, times how much would be")
+        self._orders = self._combo(tr("Order of the queue"))
+        self._orders.addItem(tr("by worth"), Order.WORTH.value)
+        self._orders.addItem(tr("by time"), Order.TIME.value)
+        worth = tr("Worth: how likely something is wrong, times how much would be")
         self._orders.setItemData(0, worth, Qt.ItemDataRole.ToolTipRole)
         self._orders.activated.connect(lambda at: self.order_chosen.emit(self._orders.itemData(at)))
         self._choices.addWidget(self._kinds, 1)
@@ -153,7 +154,7 @@ class ReviewPanel(Panel):
         before, self._scene = self._scene, scene
         listed = bool(scene.items)
         self._model.take(scene.items)
-        self._left.setText(self.tr("{0} left").format(scene.left) if scene.left else "")
+        self._left.setText(tr("{0} left").format(scene.left) if scene.left else "")
         self._plays.setChecked(scene.plays)
         self._plays.setVisible(bool(scene.left))
         self._show_kinds(scene)
@@ -202,7 +203,7 @@ class ReviewPanel(Panel):
                 bring_into_view(widget)
 
     def _show_kinds(self, scene: ReviewScene) -> None:
-        titles = [(self.tr("All kinds"), "")]
+        titles = [(tr("All kinds"), "")]
         titles += [(f"{one.title}  {one.count}", one.kind) for one in scene.kinds]
         combo = self._kinds
         before = [(combo.itemText(at), combo.itemData(at)) for at in range(combo.count())]

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Final
 
 from app.core.colours.track_colours import ColourOf
-from app.core.i18n import time_text, tr
+from app.core.i18n import N_, time_text, tr
 from app.core.scenes import MarkKind, TimelineMark
 from app.core.scenes.queue_rows import ReviewPerson, ReviewRow
 from app.features.review.scene import Order, ReviewKind
@@ -15,23 +15,23 @@ from tracking.review import ReviewItem, ReviewItemKey, filter_undecided, rank
 from tracking.tracks import Labels, TrackTable, Verdict
 
 _KINDS: Final = {
-    "exchange": "Likely swap",
-    "turn": "Ways change over",
-    "crossing": "Ways cross",
-    "shared": "Seen as one",
-    "lost": "Lost and found",
-    "ended": "Ends midway",
-    "begun": "Begins midway",
-    "colour": "Colours change",
-    "height": "Height changes",
-    "jump": "Jumps",
-    "reversal": "Turns back",
-    "predicted": "Long out of sight",
-    "drift": "Goes on unseen",
-    "margin": "Close choice",
-    "spread": "Particles spread",
-    "split": "Particles split",
-    "part": "Part failed",
+    "exchange": N_("Likely swap"),
+    "turn": N_("Ways change over"),
+    "crossing": N_("Ways cross"),
+    "shared": N_("Seen as one"),
+    "lost": N_("Lost and found"),
+    "ended": N_("Ends midway"),
+    "begun": N_("Begins midway"),
+    "colour": N_("Colours change"),
+    "height": N_("Height changes"),
+    "jump": N_("Jumps"),
+    "reversal": N_("Turns back"),
+    "predicted": N_("Long out of sight"),
+    "drift": N_("Goes on unseen"),
+    "margin": N_("Close choice"),
+    "spread": N_("Particles spread"),
+    "split": N_("Particles split"),
+    "part": N_("Part failed"),
 }
 _FIXES: Final = frozenset({"swap", "split", "merge", "delete"})
 """Edits that can be begun for a review item; others can only be looked at."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtWidgets import QComboBox, QFormLayout, QWidget
 
 from app.core.document.detector_choice import DETECTOR, OCCLUDERS, DetectorChoice, PartSettings
-from app.core.i18n import count_text
+from app.core.i18n import count_text, tr
 from app.core.widgets.parts import quiet
 from tracking.trackers import settings_fields
 
@@ -20,19 +20,19 @@ class PartsLine(QWidget):
         self._choices = [*in_use, DetectorChoice()]
         self._detector = QComboBox(self)
         self._detector.addItems([choice.name for choice in self._choices])
-        self._detector.setAccessibleName(self.tr("Failure detector"))
-        tip = self.tr("Others are opened or trained in the Detector menu")
+        self._detector.setAccessibleName(tr("Failure detector"))
+        tip = tr("Others are opened or trained in the Detector menu")
         self._detector.setToolTip(tip)
         self._occluders = quiet(self._said(len(asked.occluders)), self)
         self._occluders.setWordWrap(True)
         self._form = QFormLayout(self)
         self._form.setContentsMargins(0, 0, 0, 0)
-        self._form.addRow(self.tr("Failure detector"), self._detector)
+        self._form.addRow(tr("Failure detector"), self._detector)
         self._form.addRow(self._occluders)
 
     def _said(self, count: int) -> str:
         if not count:
-            return self.tr("No occluders are drawn: draw what hides people with Alt+2.")
+            return tr("No occluders are drawn: draw what hides people with Alt+2.")
         one = "{n} drawn occluder hides people from the tracker."
         return count_text(count, one, "{n} drawn occluders hide people from the tracker.")
 

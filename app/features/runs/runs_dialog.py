@@ -52,7 +52,7 @@ class RunsDialog(QDialog):
     def __init__(self, runs: RunList, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.setWindowTitle(self.tr("Runs"))
+        self.setWindowTitle(tr("Runs"))
         self._runs = runs
         self._scene = runs.scene()
         self._job: Job | None = None
@@ -75,23 +75,23 @@ class RunsDialog(QDialog):
 
     def _build_table(self) -> QTableWidget:
         titles = [
-            self.tr("Tracks"),
-            self.tr("Tracker"),
-            self.tr("Settings changed"),
-            self.tr("Frames"),
-            self.tr("Made"),
-            self.tr("People"),
+            tr("Tracks"),
+            tr("Tracker"),
+            tr("Settings changed"),
+            tr("Frames"),
+            tr("Made"),
+            tr("People"),
             *map(_title, RUN_FIGURES),
         ]
         told = {_title(figure): tr(figure.hint) for figure in RUN_FIGURES}
-        told[self.tr("People")] = self.tr("In the frames that are scored")
+        told[tr("People")] = tr("In the frames that are scored")
         table = QTableWidget(0, len(titles), self)
         for column, title in enumerate(titles):
             heading = QTableWidgetItem(title)
             heading.setTextAlignment(_RIGHT if column >= len(titles) - _NUMBERS else _LEFT)
             heading.setToolTip(told.get(title, ""))
             table.setHorizontalHeaderItem(column, heading)
-        table.setAccessibleName(self.tr("Runs of this session"))
+        table.setAccessibleName(tr("Runs of this session"))
         table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         table.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
@@ -118,17 +118,17 @@ class RunsDialog(QDialog):
         return column
 
     def _build_buttons(self) -> QHBoxLayout:
-        self._compare = QPushButton(self.tr("Compare"), self)
+        self._compare = QPushButton(tr("Compare"), self)
         self._compare.setProperty("primary", True)
         self._compare.setDefault(True)
         self._compare.clicked.connect(self._ask_compare)
-        self._correct = QPushButton(self.tr("Correct this run"), self)
+        self._correct = QPushButton(tr("Correct this run"), self)
         self._correct.setAutoDefault(False)
         self._correct.clicked.connect(self._ask_correct)
-        self._drop = QPushButton(self.tr("Drop the last run"), self)
+        self._drop = QPushButton(tr("Drop the last run"), self)
         self._drop.setAutoDefault(False)
         self._drop.clicked.connect(self._ask_drop)
-        close = QPushButton(self.tr("Close"), self)
+        close = QPushButton(tr("Close"), self)
         close.setAutoDefault(False)
         close.clicked.connect(self.reject)
         line = QHBoxLayout()
@@ -198,21 +198,21 @@ class RunsDialog(QDialog):
         self._compare.setEnabled(len(chosen) in (1, 2) and bool(runs) and not said)
         self._compare.setToolTip(said)
         if len(runs) == 2:
-            text = self.tr("Compares the two runs; stretches can be taken from either.")
+            text = tr("Compares the two runs; stretches can be taken from either.")
         elif runs and len(chosen) <= 2:
-            text = said or self.tr("Compares the run with the corrected tracks.")
+            text = said or tr("Compares the run with the corrected tracks.")
         else:
-            text = self.tr("Select a run, or two of them with Ctrl, to compare.")
+            text = tr("Select a run, or two of them with Ctrl, to compare.")
         self._about.setText(text)
         self._enable_correcting(chosen)
 
     def _enable_correcting(self, chosen: list[int]) -> None:
         why_not = {row.number: row.why_not_corrected for row in self._scene.rows}
-        said = why_not[chosen[0]] if len(chosen) == 1 else self.tr("Select one run to correct it.")
+        said = why_not[chosen[0]] if len(chosen) == 1 else tr("Select one run to correct it.")
         self._correct.setEnabled(not said)
         self._correct.setToolTip(
             said
-            or self.tr(
+            or tr(
                 "From then on you correct its tracks. If you have edited already, or it has fewer"
                 " frames, you first see what would change, and take that as one edit."
             )
@@ -250,7 +250,7 @@ class RunsDialog(QDialog):
         job.failed.connect(lambda error: self._end(explain(error)))
         job.cancelled.connect(self._end)
         self._job = job
-        self._about.setText(self.tr("Scoring..."))
+        self._about.setText(tr("Scoring..."))
         self._share.setEnabled(False)
         job.start()
 

@@ -23,6 +23,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.core.document.detector_choice import DETECTOR, OCCLUDERS, PartSettings
+from app.core.i18n import tr
 from app.core.widgets.number_boxes import WholeBox, why_refused
 from app.core.widgets.parts import quiet
 from app.core.widgets.settings_form import SettingsForm
@@ -49,20 +50,20 @@ class TrackDialog(QDialog):
         asked: PartSettings | None = None,
     ) -> None:
         super().__init__(parent)
-        self.setWindowTitle(self.tr("Track"))
+        self.setWindowTitle(tr("Track"))
         self._names = list(TRACKERS)
         self._why_not = {name: _why_not(name, recording) for name in self._names}
         fitting = [name for name in self._names if not self._why_not[name]]
         self._best = best_tracker(recording) if fitting else ""
         self._choice = QComboBox(self)
-        self._choice.setAccessibleName(self.tr("Tracker"))
+        self._choice.setAccessibleName(tr("Tracker"))
         self._title = quiet("", self)
         self._title.setWordWrap(True)
         self._number_fields(recording.frame_count - 1)
         self._parts = PartsLine(asked or PartSettings(), self)
         self._search = SettingSearch(self)
         self._search.textChanged.connect(self._find)
-        self._nothing = quiet(self.tr("No setting of this tracker has these words."), self)
+        self._nothing = quiet(tr("No setting of this tracker has these words."), self)
         self._forms = QStackedWidget(self)
         for name in self._names:
             self._add_choice(name)
@@ -79,10 +80,10 @@ class TrackDialog(QDialog):
         self._refused = quiet("", self, "warning")
         self._refused.setWordWrap(True)
         self._refused.hide()
-        self._seed = self._whole_box(self.tr("Seed of the random numbers"), 2**31 - 1)
-        self._seed.setToolTip(self.tr("The same seed gives the same tracks"))
-        self._first = self._whole_box(self.tr("First frame"), last)
-        self._last = self._whole_box(self.tr("Last frame"), last)
+        self._seed = self._whole_box(tr("Seed of the random numbers"), 2**31 - 1)
+        self._seed.setToolTip(tr("The same seed gives the same tracks"))
+        self._first = self._whole_box(tr("First frame"), last)
+        self._last = self._whole_box(tr("Last frame"), last)
         self._last.setValue(last)
         self._first.valueChanged.connect(self._last.setMinimum)
         self._last.valueChanged.connect(self._first.setMaximum)
@@ -96,8 +97,10 @@ class TrackDialog(QDialog):
         assert isinstance(model, QStandardItemModel)
         if why_not:
             model.item(row).setEnabled(False)
-            model.item(row).setText(self.tr("{0} (not for this recording)").format(name))
-        self._choice.setItemData(row, why_not or TRACKERS[name].title, Qt.ItemDataRole.ToolTipRole)
+            model.item(row).setText(tr("{0} (not for this recording)").format(name))
+        self._choice.setItemData(
+            row, why_not or tr(TRACKERS[name].title), Qt.ItemDataRole.ToolTipRole
+        )
 
     def _lay_out(self, warning: str) -> None:
         rows = QVBoxLayout(self)
@@ -108,10 +111,10 @@ class TrackDialog(QDialog):
             said.setWordWrap(True)
             rows.addWidget(said)
         form = QFormLayout()
-        form.addRow(self.tr("Tracker"), self._choice)
+        form.addRow(tr("Tracker"), self._choice)
         form.addRow("", self._title)
-        form.addRow(self.tr("Frames"), self._frames_line())
-        form.addRow(self.tr("Seed"), self._seed)
+        form.addRow(tr("Frames"), self._frames_line())
+        form.addRow(tr("Seed"), self._seed)
         form.addRow("", self._refused)
         form.addRow("", self._parts)
         rows.addLayout(form)
@@ -119,11 +122,11 @@ class TrackDialog(QDialog):
             rows.addWidget(widget)
         rows.addWidget(self._forms, 1)
         buttons = QDialogButtonBox(self)
-        start = QPushButton(self.tr("Track"), buttons)
+        start = QPushButton(tr("Track"), buttons)
         start.setProperty("primary", True)  # before it is first polished, or it has no effect
         buttons.addButton(start, QDialogButtonBox.ButtonRole.AcceptRole)
         start.setDefault(True)
-        reset = buttons.addButton(self.tr("Defaults"), QDialogButtonBox.ButtonRole.ResetRole)
+        reset = buttons.addButton(tr("Defaults"), QDialogButtonBox.ButtonRole.ResetRole)
         reset.clicked.connect(lambda: self.form.reset())
         buttons.addButton(QDialogButtonBox.StandardButton.Cancel)
         buttons.accepted.connect(self.accept)
@@ -147,11 +150,11 @@ class TrackDialog(QDialog):
 
     def _frames_line(self) -> QHBoxLayout:
         line = QHBoxLayout()
-        whole = QPushButton(self.tr("All"), self)
-        whole.setAccessibleName(self.tr("Track all frames"))
+        whole = QPushButton(tr("All"), self)
+        whole.setAccessibleName(tr("Track all frames"))
         whole.setAutoDefault(False)
         whole.clicked.connect(lambda: self.put_frames(*self._whole))
-        for widget in (self._first, quiet(self.tr("to"), self), self._last, whole):
+        for widget in (self._first, quiet(tr("to"), self), self._last, whole):
             line.addWidget(widget)
         line.addStretch(1)
         return line
@@ -192,9 +195,9 @@ class TrackDialog(QDialog):
     def _show_tracker(self, index: int) -> None:
         if self._names:
             spec = TRACKERS[self._names[index]]
-            about = f"{spec.title} ({spec.paper})" if spec.paper else spec.title
+            about = f"{tr(spec.title)} ({spec.paper})" if spec.paper else tr(spec.title)
             if self._names[index] == self._best:
-                about = self.tr("{0}. The best for this recording.").format(about)
+                about = tr("{0}. The best for this recording.").format(about)
             self._title.setText(about)
             self._forms.setCurrentIndex(index)
             self._parts.show_for(spec.settings_type)

@@ -12,7 +12,7 @@ from app.core.controller import Controller
 from app.core.document.document import Document
 from app.core.document.track_sources import SHOWN
 from app.core.drawing.surfaces import Surfaces
-from app.core.i18n import tr
+from app.core.i18n import N_, tr
 from app.core.jobs.latest_job import LatestJob
 from app.core.playback.playback import Playback
 from app.core.plots.axis import TimeAxis
@@ -27,7 +27,7 @@ from tracking.formats import TRACK_ENDINGS
 from tracking.progress import Progress
 from tracking.scoring import ErrorKind
 
-_TRUTHS = "Tracks ({endings})"
+_TRUTHS = N_("Tracks ({endings})")
 
 
 class ScoreController(Controller):

@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.core.i18n import tr
 from app.core.look.theme import current_theme
 from app.core.scenes.score_figures import ScoreRow
 from app.core.widgets.table_cells import write_cell
@@ -38,7 +39,7 @@ class FiguresTable(QTableWidget):
         super().__init__(0, _COLUMNS, parent)
         self._scene: ScoreScene | None = None
         self._rows: tuple[ScoreRow, ...] = ()
-        self.setAccessibleName(self.tr("Score"))
+        self.setAccessibleName(tr("Score"))
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
@@ -88,13 +89,13 @@ class FiguresTable(QTableWidget):
     def _title(self) -> None:
         """Titles and widths of the columns."""
         full = (
-            self.tr("Figure"),
-            self.tr("All frames"),
-            self.tr("Frames shown"),
-            self.tr("Last edits"),
+            tr("Figure"),
+            tr("All frames"),
+            tr("Frames shown"),
+            tr("Last edits"),
         )
         narrow = self.groups > 1
-        names = ("", self.tr("All"), self.tr("Shown"), "") if narrow else full
+        names = ("", tr("All"), tr("Shown"), "") if narrow else full
         widest = (_WIDEST, _WIDEST, "\u25b2" if narrow else _WIDEST_MOVE)
         header, width = self.horizontalHeader(), self.fontMetrics().horizontalAdvance
         for column in range(self.columnCount()):
@@ -120,7 +121,7 @@ class FiguresTable(QTableWidget):
             item, part = self.horizontalHeaderItem(column), column % _COLUMNS
             frames = ("", scene.whole, scene.visible, scene.moved)[part]
             if item is not None and frames:
-                item.setToolTip(self.tr("frames {0}").format(frames) if part < 3 else frames)
+                item.setToolTip(tr("frames {0}").format(frames) if part < 3 else frames)
 
     def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802 - Qt's name
         """All figures stay in sight."""
@@ -150,7 +151,7 @@ class FiguresTable(QTableWidget):
         name, moved = (row.short or row.name, row.moved[:1]) if narrow else (row.name, row.moved)
         hint = row.hint
         if narrow:
-            shown = self.tr("{0} in the frames shown").format(row.visible)
+            shown = tr("{0} in the frames shown").format(row.visible)
             hint = "\n".join(filter(None, (row.name, row.hint, shown, row.moved)))
         for part, text in enumerate((name, row.whole, row.visible, moved)):
             item = write_cell(self, line, first + part, text, hint)
@@ -158,7 +159,7 @@ class FiguresTable(QTableWidget):
                 item.setTextAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
                 item.setData(Qt.ItemDataRole.AccessibleTextRole, row.name)
         item.setForeground(_colour(row.better))
-        said = {1: self.tr("better"), -1: self.tr("worse")}.get(row.better, "")
+        said = {1: tr("better"), -1: tr("worse")}.get(row.better, "")
         item.setData(Qt.ItemDataRole.AccessibleTextRole, f"{row.moved} {said}".strip())
 
     def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name

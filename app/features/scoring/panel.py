@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.core.drawing.error_signs import sign_icon
+from app.core.i18n import tr
 from app.core.look.icons import IconButton
 from app.core.scenes.ground_truth import ERROR_COLOURS
 from app.core.widgets.eliding_list import ElidingList
@@ -50,7 +51,7 @@ class ScorePanel(Panel):
     next_asked = Signal(int)
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(self.tr("Score"), parent)
+        super().__init__(tr("Score"), parent)
         self._lists: dict[QComboBox, tuple[str, ...]] = {}
         self._doing = quiet("", self)
         self.add_to_heading(self._doing)
@@ -83,19 +84,19 @@ class ScorePanel(Panel):
 
     def _add_buttons(self) -> None:
         for drawing, name, key, step in (
-            ("step-back", self.tr("Previous error"), "Shift+F4", -1),
-            ("step-forward", self.tr("Next error"), "F4", 1),
+            ("step-back", tr("Previous error"), "Shift+F4", -1),
+            ("step-forward", tr("Next error"), "F4", 1),
         ):
             button = IconButton(drawing, name, key, self)
             button.clicked.connect(lambda _=False, step=step: self.next_asked.emit(step))
             self.add_to_heading(button)
         self._report = QToolButton(self)
-        self._report.setText(self.tr("Report..."))
-        self._report.setToolTip(self.tr("Write a page with all results into a folder, to pass on"))
+        self._report.setText(tr("Report..."))
+        self._report.setToolTip(tr("Write a page with all results into a folder, to pass on"))
         self._report.setProperty("outlined", True)
         self._report.clicked.connect(self.report_asked)
         self.add_to_heading(self._report)
-        close = IconButton("close", self.tr("Hide the score"), "Shift+S", self)
+        close = IconButton("close", tr("Hide the score"), "Shift+S", self)
         close.clicked.connect(self.closed)
         self.add_to_heading(close)
 
@@ -103,13 +104,13 @@ class ScorePanel(Panel):
         """Which truth, and whose tracks."""
         line = QHBoxLayout()
         line.setSpacing(6)
-        self._truth = ElidingList(self.tr("The truth"), self)
+        self._truth = ElidingList(tr("The truth"), self)
         self._truth.activated.connect(self.truth_chosen)
-        self._result = ElidingList(self.tr("Whose tracks are scored"), self)
+        self._result = ElidingList(tr("Whose tracks are scored"), self)
         self._result.activated.connect(self.result_chosen)
-        line.addWidget(quiet(self.tr("Truth"), self))
+        line.addWidget(quiet(tr("Truth"), self))
         line.addWidget(self._truth, 6)
-        line.addWidget(quiet(self.tr("Result"), self))
+        line.addWidget(quiet(tr("Result"), self))
         line.addWidget(self._result, 5)
         return line
 
@@ -117,8 +118,8 @@ class ScorePanel(Panel):
         """How a row of the truth and one of the result are one person."""
         line = QHBoxLayout()
         line.setSpacing(6)
-        self._way = ElidingList(self.tr("How truth and result are paired"), self)
-        self._way.addItems([self.tr("Boxes that overlap"), self.tr("Places on the floor")])
+        self._way = ElidingList(tr("How truth and result are paired"), self)
+        self._way.addItems([tr("Boxes that overlap"), tr("Places on the floor")])
         self._way.activated.connect(lambda at: self.floor_chosen.emit(at == 1))
         self._threshold = NumberBox(self)
         tell_beside(self._threshold)
@@ -126,10 +127,10 @@ class ScorePanel(Panel):
         self._threshold.setSingleStep(0.05)
         self._threshold.setKeyboardTracking(False)
         self._threshold.setAccessibleName(
-            self.tr("From where on two boxes or places count as one person")
+            tr("From where on two boxes or places count as one person")
         )
         self._threshold.valueChanged.connect(self.threshold_chosen)
-        line.addWidget(quiet(self.tr("Paired by"), self))
+        line.addWidget(quiet(tr("Paired by"), self))
         line.addWidget(self._way, 1)
         line.addWidget(self._threshold)
         return line
@@ -184,9 +185,9 @@ class ScorePanel(Panel):
         spin.setRange(_LEAST, _WIDEST_M if scene.on_floor else 1.0)
         spin.setSuffix(" m" if scene.on_floor else " IoU")
         spin.setToolTip(
-            self.tr("Places farther apart than this are of different people")
+            tr("Places farther apart than this are of different people")
             if scene.on_floor
-            else self.tr(
+            else tr(
                 "Boxes that overlap less than this (intersection over union) are of "
                 "different people"
             )
@@ -202,9 +203,9 @@ class ScorePanel(Panel):
         button.setText(f"{choice.name} {number}".strip())
         button.setChecked(choice.shown)
         button.blockSignals(blocked)
-        said = self.tr("shown") if choice.shown else self.tr("left out")
+        said = tr("shown") if choice.shown else tr("left out")
         button.setAccessibleName(f"{choice.name} {number}, {said}")
-        told = self.tr("{0}: on the timeline, and with F4 from one to the next")
+        told = tr("{0}: on the timeline, and with F4 from one to the next")
         button.setToolTip(told.format(choice.name))
 
     @staticmethod

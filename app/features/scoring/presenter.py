@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from app.core.document.document import Document
 from app.core.document.track_sources import SHOWN, capture_rows, list_track_sources, version_of
 from app.core.error_messages import explain
-from app.core.i18n import tr
+from app.core.i18n import N_, tr
 from app.core.scenes import HistoryItem
 from app.core.scenes.error_events import ErrorEvents
 from app.core.scenes.ground_truth import ERROR_COLOURS, ErrorLane, ErrorLanes
@@ -30,10 +30,10 @@ from app.features.scoring.truths import TruthKind, TruthSource, capture_truth, n
 from tracking.scoring import ErrorKind
 
 _NAMES = {
-    ErrorKind.SWITCH: "Switches",
-    ErrorKind.FRAGMENTATION: "Fragmentations",
-    ErrorKind.MISS: "Misses",
-    ErrorKind.FALSE_ALARM: "False alarms",
+    ErrorKind.SWITCH: N_("Switches"),
+    ErrorKind.FRAGMENTATION: N_("Fragmentations"),
+    ErrorKind.MISS: N_("Misses"),
+    ErrorKind.FALSE_ALARM: N_("False alarms"),
 }
 
 

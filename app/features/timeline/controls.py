@@ -10,6 +10,7 @@ from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QAction, QActionGroup, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QMenu, QToolButton, QWidget
 
+from app.core.i18n import tr
 from app.core.look.icons import IconButton
 from app.core.widgets.user_settings import UserSettings
 from app.features.timeline.rows import Arrangement, LaneHeight, LaneOrder
@@ -42,12 +43,12 @@ class TimelineControls(QWidget):
         self._row.setSpacing(0)
         self._menu_button()
         self._buttons = [
-            self._button("zoom-out", self.tr("Zoom out"), "-", lambda: self.zoomed.emit(0.5)),
-            self._button("zoom-in", self.tr("Zoom in"), "+", lambda: self.zoomed.emit(2.0)),
-            self._button("fit-width", self.tr("Whole recording"), "0", self.fit_all.emit),
-            self._button("fit-track", self.tr("Selected track"), "Ctrl+0", self.fit_selected.emit),
+            self._button("zoom-out", tr("Zoom out"), "-", lambda: self.zoomed.emit(0.5)),
+            self._button("zoom-in", tr("Zoom in"), "+", lambda: self.zoomed.emit(2.0)),
+            self._button("fit-width", tr("Whole recording"), "0", self.fit_all.emit),
+            self._button("fit-track", tr("Selected track"), "Ctrl+0", self.fit_selected.emit),
             self._button(
-                "playhead", self.tr("A second around the playhead"), "Alt+0", self.fit_second.emit
+                "playhead", tr("A second around the playhead"), "Alt+0", self.fit_second.emit
             ),
         ]
         self._row.addStretch(1)
@@ -88,7 +89,7 @@ class TimelineControls(QWidget):
             button.setVisible(at < room)
 
     def _menu_button(self) -> None:
-        button = self._small(IconButton("lanes", self.tr("Lanes and zoom"), parent=self))
+        button = self._small(IconButton("lanes", tr("Lanes and zoom"), parent=self))
         button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         button.setMenu(self.menu)
 
@@ -107,24 +108,24 @@ class TimelineControls(QWidget):
 
     def _fill_menu(self) -> None:
         self._orders = self._choices(
-            self.tr("Order of lanes"),
+            tr("Order of lanes"),
             {
-                LaneOrder.FIRST_FRAME: self.tr("By first frame"),
-                LaneOrder.NUMBER: self.tr("By number"),
+                LaneOrder.FIRST_FRAME: tr("By first frame"),
+                LaneOrder.NUMBER: tr("By number"),
             },
             lambda chosen: replace(self._arrangement, order=chosen),
         )
         self._heights = self._choices(
-            self.tr("Height of lanes"),
+            tr("Height of lanes"),
             {
-                LaneHeight.LOW: self.tr("Low, without names"),
-                LaneHeight.MIDDLE: self.tr("Middle"),
-                LaneHeight.HIGH: self.tr("High"),
+                LaneHeight.LOW: tr("Low, without names"),
+                LaneHeight.MIDDLE: tr("Middle"),
+                LaneHeight.HIGH: tr("High"),
             },
             lambda chosen: replace(self._arrangement, height=chosen),
         )
-        self.menu.addSection(self.tr("Lanes shown"))
-        self._sifted = self.menu.addAction(self.tr("Only tracks in the frames shown"))
+        self.menu.addSection(tr("Lanes shown"))
+        self._sifted = self.menu.addAction(tr("Only tracks in the frames shown"))
         self._sifted.setCheckable(True)
         self._sifted.toggled.connect(
             lambda on: self.arrange(replace(self._arrangement, in_view_only=on))

@@ -9,7 +9,7 @@ from PySide6.QtGui import QFont, QFontMetricsF, QHelpEvent, QMouseEvent, QPainte
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
 from app.core.drawing.error_signs import draw_signs, error_colour
-from app.core.i18n import time_text
+from app.core.i18n import time_text, tr
 from app.core.look.theme import Theme, current_theme, scaled_font
 from app.core.plots.axis import TimeAxis
 from app.core.plots.strips import draw_strip
@@ -45,7 +45,7 @@ class ErrorLanesView(QWidget):
         self._still = StillPicture(self)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
-        self.setAccessibleName(self.tr("Errors against the truth"))
+        self.setAccessibleName(tr("Errors against the truth"))
         self.hide()
 
     def show_scene(self, scene: ErrorLanes | None) -> None:
@@ -161,17 +161,17 @@ class ErrorLanesView(QWidget):
         if lane is None or scene is None:
             return ""
         if at.x() < self._axis.left:
-            told = self.tr("{0}: {1} in {2} places. A click on one goes there.")
+            told = tr("{0}: {1} in {2} places. A click on one goes there.")
             return told.format(lane.name, lane.count, len(lane.events))
         frame = self._axis.frame_at(at.x())
         first, end = self._near(at.x())
         there = lane.events.at(first, end)
         lines = [
-            self.tr("frame {0}, {1}").format(frame, time_text(frame / max(scene.fps, 1e-6))),
+            tr("frame {0}, {1}").format(frame, time_text(frame / max(scene.fps, 1e-6))),
             *there.rows(np.arange(min(len(there), _MOST_TOLD))).words(),
         ]
         if len(there) > _MOST_TOLD:
-            lines.append(self.tr("and {0} more").format(len(there) - _MOST_TOLD))
+            lines.append(tr("and {0} more").format(len(there) - _MOST_TOLD))
         return "\n".join(lines)
 
     def _near(self, x: float) -> tuple[int, int]:

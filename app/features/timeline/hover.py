@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from app.core.i18n import time_text, tr
+from app.core.i18n import N_, time_text, tr
 from app.core.scenes import Lane, SpanKind, TimelineMark, TimelineScene
 
 _WORDS = {
-    SpanKind.MEASURED: "measured",
-    SpanKind.PREDICTED: "predicted: nothing was seen of the person",
-    SpanKind.INTERPOLATED: "interpolated between keyframes",
+    SpanKind.MEASURED: N_("measured"),
+    SpanKind.PREDICTED: N_("predicted: nothing was seen of the person"),
+    SpanKind.INTERPOLATED: N_("interpolated between keyframes"),
 }
 
 

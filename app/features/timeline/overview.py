@@ -16,7 +16,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QToolTip, QWidget
 
-from app.core.i18n import time_text
+from app.core.i18n import time_text, tr
 from app.core.look.theme import Theme, current_theme, faded
 from app.core.plots.axis import TimeAxis
 from app.core.scenes import TimelineScene
@@ -45,7 +45,7 @@ class OverviewStrip(QWidget):
         self._still = StillPicture(self)
         self._review_items: NDArray[np.int64] = np.zeros(0, np.int64)
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
-        self.setAccessibleName(self.tr("Overview of the whole recording"))
+        self.setAccessibleName(tr("Overview of the whole recording"))
 
     def show_scene(self, scene: TimelineScene) -> None:
         """Draw another frame; what stays only where it is another one."""
@@ -80,14 +80,14 @@ class OverviewStrip(QWidget):
         """What is told of a place: the frame, its time, how many people."""
         scene, axis = self._scene, self._axis()
         if scene is None or x < axis.left:
-            return self.tr("The whole recording: people at once; below, what is tracked")
+            return tr("The whole recording: people at once; below, what is tracked")
         frame = axis.frame_at(x)
         lines = [
-            self.tr("frame {0}, {1}").format(frame, time_text(frame / max(scene.fps, 1e-6))),
-            self.tr("people: {0}").format(int(scene.activity[frame])),
+            tr("frame {0}, {1}").format(frame, time_text(frame / max(scene.fps, 1e-6))),
+            tr("people: {0}").format(int(scene.activity[frame])),
         ]
         if any(start <= frame < end for start, end in scene.reviewed):
-            lines.append(self.tr("reviewed"))
+            lines.append(tr("reviewed"))
         return "\n".join(lines)
 
     def _axis(self) -> TimeAxis:
@@ -116,7 +116,7 @@ class OverviewStrip(QWidget):
         axis = self._axis()
         painter.setPen(theme.text_faint)
         name = QRectF(12, 0, axis.left - 16, self.height())
-        painter.drawText(name, Qt.AlignmentFlag.AlignVCenter, self.tr("Overview"))
+        painter.drawText(name, Qt.AlignmentFlag.AlignVCenter, tr("Overview"))
         ground = QRectF(axis.left, 4, axis.width, self.height() - 8)
         painter.fillRect(ground, theme.sunken)
         if self._scene is not None:

@@ -16,6 +16,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QToolTip, QWidget
 
 from app.core.drawing.name_plates import draw_message
+from app.core.i18n import tr
 from app.core.look.theme import Theme, current_theme, scaled_font
 from app.core.plots.axis import TimeAxis
 from app.core.scenes import Lane, TimelineScene
@@ -80,9 +81,9 @@ class TracksArea(QWidget):
         self.setMouseTracking(True)
         self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
-        self.setAccessibleName(self.tr("Timeline"))
-        self.scroll_bar.setAccessibleName(self.tr("Scroll the lanes"))
-        self.time_bar.setAccessibleName(self.tr("Scroll in time"))
+        self.setAccessibleName(tr("Timeline"))
+        self.scroll_bar.setAccessibleName(tr("Scroll the lanes"))
+        self.time_bar.setAccessibleName(tr("Scroll in time"))
         self._fit_scroll_bars()
 
     def _connect_controls(self) -> None:
@@ -225,7 +226,7 @@ class TracksArea(QWidget):
         placed = area, self.lanes.offset, self.lane_height
         self.lanes_drawn = draw_rows(painter, scene, self._rows, placed, self.axis, theme)
         if not len(self._rows):
-            draw_message(painter, area, self.tr("No track is in the frames shown"), theme)
+            draw_message(painter, area, tr("No track is in the frames shown"), theme)
 
     # gestures
 

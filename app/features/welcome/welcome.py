@@ -15,6 +15,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
+from app.core.i18n import tr
 from app.core.look.icons import application_icon
 from app.core.look.theme import current_theme, faded, scaled_font
 from app.core.scenes import WelcomeScene
@@ -40,7 +41,7 @@ class WelcomePage(QWidget):
         super().__init__(parent)
         self._over = False
         self.setAcceptDrops(True)
-        self.setAccessibleName(self.tr("Welcome"))
+        self.setAccessibleName(tr("Welcome"))
         column = QWidget(self)
         column.setMaximumWidth(_WIDTH_LETTERS * self.fontMetrics().averageCharWidth())
         rows = QVBoxLayout(column)
@@ -71,7 +72,7 @@ class WelcomePage(QWidget):
         name = QLabel("trackwright", self)
         name.setFont(scaled_font(self.font(), 2.4, bold=True))
         words.addWidget(name)
-        said = self.tr("Follow people in recorded stereo footage, and put right what went wrong.")
+        said = tr("Follow people in recorded stereo footage, and put right what went wrong.")
         line = quiet(said, self)
         line.setFont(scaled_font(self.font(), 1.1))
         words.addWidget(line)
@@ -89,11 +90,11 @@ class WelcomePage(QWidget):
     def _build_choices(self) -> QHBoxLayout:
         row = QHBoxLayout()
         row.setSpacing(16)
-        opening = ChoiceButton("open", self.tr("Open\u2026"), "Ctrl+O", self)
-        opening.say(self.tr("A recording, a video or a session. You can also drop it here."))
+        opening = ChoiceButton("open", tr("Open\u2026"), "Ctrl+O", self)
+        opening.say(tr("A recording, a video or a session. You can also drop it here."))
         opening.clicked.connect(self.open_asked)
-        demo = ChoiceButton("demo", self.tr("Try the demo"), "", self)
-        demo.say(self.tr("Makes a short stereo recording with people walking, and tracks it."))
+        demo = ChoiceButton("demo", tr("Try the demo"), "", self)
+        demo.say(tr("Makes a short stereo recording with people walking, and tracks it."))
         demo.clicked.connect(self.demo_asked)
         row.addWidget(opening, 1)
         row.addWidget(demo, 1)
@@ -105,13 +106,13 @@ class WelcomePage(QWidget):
         rows = QVBoxLayout(card)
         rows.setContentsMargins(8, 12, 8, 8)
         rows.setSpacing(4)
-        title = heading(self.tr("Recent"), card)
+        title = heading(tr("Recent"), card)
         title.setIndent(10)
         rows.addWidget(title)
         self._recent = QVBoxLayout()
         self._recent.setSpacing(0)
         rows.addLayout(self._recent)
-        self._none = quiet(self.tr("What you open is listed here, to go on with."), card)
+        self._none = quiet(tr("What you open is listed here, to go on with."), card)
         self._none.setIndent(10)
         rows.addWidget(self._none)
         return card

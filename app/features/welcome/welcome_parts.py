@@ -16,6 +16,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QPushButton, QSizePolicy, QToolButton, QWidget
 
+from app.core.i18n import tr
 from app.core.look.icons import pixmap
 from app.core.look.theme import Theme, current_theme, faded, scaled_font
 from app.core.scenes import RecentItem
@@ -91,7 +92,7 @@ class RecentRow(QToolButton):
         super().__init__(parent)
         self._item = item
         self.setEnabled(item.exists)
-        self.setAccessibleName(self.tr("Open {0}").format(item.title))
+        self.setAccessibleName(tr("Open {0}").format(item.title))
         self.setToolTip(item.path)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setCursor(Qt.CursorShape.PointingHandCursor)
@@ -105,7 +106,7 @@ class RecentRow(QToolButton):
         """The button's ground, then both lines."""
         super().paintEvent(event)
         theme, painter, item = current_theme(), QPainter(self), self._item
-        detail = item.detail if item.exists else self.tr("not there any more")
+        detail = item.detail if item.exists else tr("not there any more")
         below = "  \u00b7  ".join(part for part in (detail, from_home(item.path)) if part)
         quiet = theme.text_muted if item.exists else theme.text_faint
         for text, factor, bold, colour, side in (

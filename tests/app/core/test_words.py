@@ -7,15 +7,6 @@ def test_places_in_a_text_are_filled():
     assert i18n.tr("Swap {a} with...", a=4) == "Swap 4 with..."
 
 
-def test_an_installed_translator_is_asked():
-    i18n.use_translator({"Open...": "開く..."}.get)
-    try:
-        assert i18n.tr("Open...") == "開く..."
-    finally:
-        i18n.use_translator(None)
-    assert i18n.tr("Open...") == "Open..."
-
-
 def test_times_are_said_as_on_a_clock():
     assert i18n.time_text(41.7) == "00:41.70"
     assert i18n.time_text(3725.5) == "1:02:05.50"
