@@ -10,7 +10,10 @@ from typing import Final
 from babel.messages.catalog import Catalog
 from babel.messages.extract import extract_from_dir
 from babel.messages.pofile import write_po
+from typer.main import get_command
 
+from app.cli.commands import program
+from app.cli.help_pages import clean_help
 from app.core.commands import menu_of
 from app.core.editing.edits import EDITS
 from app.core.scenes.score_figures import FIGURES
@@ -57,6 +60,11 @@ def declared_texts() -> Iterator[str]:
         for field in settings_fields(kind):
             stage = field.name.rpartition(".")[0]
             yield from (field.title, field.help, stage_title(stage))
+    commands = get_command(program)
+    for command in (commands, *commands.commands.values()):  # type: ignore[attr-defined] # a group
+        yield clean_help(command.help or "")
+        for parameter in command.params:
+            yield from (getattr(parameter, name, "") for name in ("help", "rich_help_panel"))
 
 
 def template_of(catalogue: Catalog) -> bytes:

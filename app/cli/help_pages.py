@@ -5,20 +5,24 @@ Rich would draw the same in boxes, but importing it takes half of the time that 
 
 from __future__ import annotations
 
+from copy import copy
+from inspect import cleandoc
 from typing import Any
 
 import typer
 from typer.core import TyperCommand, TyperGroup
 
+from tracking.translation import N_, tr
+
 WIDTH = 100
 """Of a page at most, in characters."""
 _LONGEST_HELP = 200
-_ARGUMENTS, _OPTIONS = "Arguments", "Options"
+_ARGUMENTS, _OPTIONS, _COMMANDS = N_("Arguments"), N_("Options"), N_("Commands")
 
 
 def _write_parameters(command: Any, context: typer.Context, formatter: Any) -> None:
     groups: dict[str, list[tuple[str, str]]] = {}
-    for parameter in command.get_params(context):
+    for parameter in map(_translated, command.get_params(context)):
         record = parameter.get_help_record(context)
         if record is None:
             continue
@@ -27,12 +31,40 @@ def _write_parameters(command: Any, context: typer.Context, formatter: Any) -> N
         groups.setdefault(name, []).append(record)
     first = [name for name in (_ARGUMENTS, _OPTIONS) if name in groups]
     for name in (*first, *(one for one in groups if one not in first)):
-        with formatter.section(name):
+        with formatter.section(tr(name)):
             formatter.write_dl(groups[name])
+
+
+def _translated(parameter: Any) -> Any:
+    """A copy of an argument or an option whose help is in the user's language."""
+    shown = copy(parameter)
+    shown.help = tr(parameter.help) if parameter.help else parameter.help
+    return shown
+
+
+def _summary(command: Any) -> str:
+    """The first sentence of a command's help."""
+    text = tr(clean_help(command.help or ""))
+    return text.partition("\n\n")[0].replace("\n", " ").rstrip()[:_LONGEST_HELP]
+
+
+def clean_help(text: str) -> str:
+    """Help without its indentation, as it is looked up in the catalogue."""
+    return cleandoc(text)
+
+
+def _write_text(command: Any, formatter: Any) -> None:
+    formatter.write_paragraph()
+    with formatter.indentation():
+        formatter.write_text(tr(clean_help(command.help or "")))
 
 
 class HelpCommand(TyperCommand):
     """A command whose options stand by their groups."""
+
+    def format_help_text(self, ctx: Any, formatter: Any) -> None:  # noqa: ARG002 - typer's
+        """Write what the command does."""
+        _write_text(self, formatter)
 
     def format_options(self, ctx: Any, formatter: Any) -> None:
         """Write the arguments and the options."""
@@ -42,14 +74,18 @@ class HelpCommand(TyperCommand):
 class HelpGroup(TyperGroup):
     """The program, whose commands stand with the whole first sentence of their help."""
 
+    def format_help_text(self, ctx: Any, formatter: Any) -> None:  # noqa: ARG002 - typer's
+        """Write what the program is."""
+        _write_text(self, formatter)
+
     def format_options(self, ctx: Any, formatter: Any) -> None:
         """Write the options, then the commands."""
         _write_parameters(self, ctx, formatter)
         commands = [(name, self.get_command(ctx, name)) for name in self.list_commands(ctx)]
-        with formatter.section("Commands"):
+        with formatter.section(tr(_COMMANDS)):
             formatter.write_dl(
                 [
-                    (name, one.get_short_help_str(_LONGEST_HELP))
+                    (name, _summary(one))
                     for name, one in commands
                     if one is not None and not one.hidden
                 ]

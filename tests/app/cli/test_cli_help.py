@@ -1,0 +1,47 @@
+"""Help: grouped options, whole sentences, in the user's language."""
+
+import gettext
+import re
+
+import pytest
+from typer.main import get_command
+
+from app.cli.commands import program
+from tracking.translation import use_catalogue
+
+
+class Pseudo(gettext.NullTranslations):
+    """Puts every text in brackets."""
+
+    def gettext(self, message: str) -> str:
+        return f"<<{message}>>"
+
+
+@pytest.fixture
+def pseudo():
+    use_catalogue(Pseudo())
+    yield
+    use_catalogue(None)
+
+
+def test_options_stand_by_their_groups(trackwright):
+    page = trackwright("track", "--help")[1]
+    again, _, bare = page.partition("Without recording.toml:")
+    assert "--accept" in again.partition("Again, after corrections:")[2]
+    assert "--calibration" in bare
+
+
+def test_each_command_has_its_whole_sentence(trackwright):
+    page = " ".join(trackwright("--help")[1].split())
+    assert "..." not in page.partition("Commands:")[2]
+    assert "Take tracks made elsewhere into a session, with a report of invalid rows." in page
+
+
+def test_every_help_is_translated(pseudo, trackwright):
+    commands = get_command(program).commands
+    for name, command in commands.items():
+        page = " ".join(trackwright(name, "--help")[1].split())
+        assert re.search(r"<<Options>>", page)
+        helps = [" ".join(one.help.split()) for one in command.params if getattr(one, "help", "")]
+        plain = re.sub(r"-\s+", "-", page)
+        assert [one for one in helps if "<<" + re.sub(r"-\s+", "-", one) + ">>" not in plain] == []
