@@ -31,7 +31,7 @@ test: $(STAMP) ## formatter, linter, types, import layers and tests
 	$(BIN)/ruff check .
 	$(BIN)/mypy
 	$(BIN)/lint-imports
-	QT_QPA_PLATFORM=offscreen $(BIN)/pytest
+	QT_QPA_PLATFORM=offscreen $(BIN)/pytest -n auto --dist loadfile
 
 format: $(STAMP) ## put the code into the house's form
 	$(BIN)/ruff format .
