@@ -14,13 +14,13 @@ import numpy as np
 from PySide6.QtCore import QObject, Qt, QTimer
 from PySide6.QtWidgets import QWidget
 
-from app.shell.application import borrowed_window, show_document, wait_until
 from app.features.pictures.overhead_view import OverheadView
 from app.features.pictures.picture_view import PictureView
-from app.shell.recording_controller import RecordingController
 from app.features.timeline.overview import OverviewStrip
 from app.features.timeline.tracks_area import TracksArea
+from app.shell.application import borrowed_window, show_document, wait_until
 from app.shell.main_window import MainWindow
+from app.shell.recording_controller import RecordingController
 from tracking.recording import Recording, open_recording
 from tracking.session import Session
 from tracking.synthesis import render_recording

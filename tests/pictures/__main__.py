@@ -19,10 +19,10 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage, QPixmap
 
 from app.cli.display import why_no_window
-from app.shell.application import borrowed_window, show_document, wait_until
 from app.core.look.theme import Look
-from app.shell.recording_controller import RecordingController
+from app.shell.application import borrowed_window, show_document, wait_until
 from app.shell.main_window import MainWindow
+from app.shell.recording_controller import RecordingController
 from tracking.synthesis import render_recording
 
 IMAGES = Path(__file__).parents[2] / "docs" / "images"
