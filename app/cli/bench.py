@@ -6,6 +6,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import resources
 from tracking.errors import TrackwrightError
 
 
@@ -15,7 +16,7 @@ def run_bench(only: str | None, *, as_json: bool) -> None:
     Raises:
         TrackwrightError: this is an installed program without its tests.
     """
-    checkout = Path(__file__).parents[2]
+    checkout = Path(resources.__file__).parents[1]
     if not (checkout / "tests" / "benchmarks" / "__main__.py").is_file():
         raise TrackwrightError("no benchmarks here: they are run from a checkout of the source")
     words = [*(["--only", only] if only else []), *(["--json"] if as_json else [])]

@@ -27,7 +27,7 @@ from tracking.pipeline import KeptSteps, background_samples, begin_pairing
 from tracking.recording import Instants, Recording, open_recording
 from tracking.settings import settings_from, settings_values
 from tracking.trackers import tracker_named
-from tracking.trackers.protocol import Perception, Tracker
+from tracking.trackers.shared.protocol import Perception, Tracker
 from tracking.tracks import PARTICLE_COLUMNS, Columns, Particles
 from tracking.tracks.run import Run
 

@@ -11,7 +11,7 @@ from tracking.trackers.joint.appearance import CUES, AppearanceModel
 from tracking.trackers.joint.association_likelihoods import place_density
 from tracking.trackers.joint.motion import predict, update_motion
 from tracking.trackers.joint.settings import JointSettings
-from tracking.trackers.population import empty_population, unknown_motion
+from tracking.trackers.stereo.population import empty_population, unknown_motion
 
 
 @given(

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from tracking.trackers import clear_sides as module
-from tracking.trackers.clear_sides import SIDES, clear_sides
+from tracking.trackers.shared import clear_sides as module
+from tracking.trackers.shared.clear_sides import SIDES, clear_sides
 
 
 def rows(

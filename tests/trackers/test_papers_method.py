@@ -13,9 +13,9 @@ from people_on_a_floor import FPS, Errors, Walker, observations, straight, view
 
 from tracking.filtering import nearest_first
 from tracking.trackers import Observation, StepResult
-from tracking.trackers.stereo_colour import HalvesOfFirstFrames, StereoColourSettings
-from tracking.trackers.stereo_direction import MiddleUpdated, StereoDirectionSettings
-from tracking.trackers.stereo_paper import PaperTracker
+from tracking.trackers.stereo.colour import HalvesOfFirstFrames, StereoColourSettings
+from tracking.trackers.stereo.direction import MiddleUpdated, StereoDirectionSettings
+from tracking.trackers.stereo.paper import PaperTracker
 
 SETTINGS = {"particles": 60, "paper": True}
 COLOUR = StereoColourSettings(**SETTINGS)

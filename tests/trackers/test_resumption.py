@@ -11,9 +11,9 @@ from people_on_a_floor import FPS, Errors, Walker, observations, straight, view
 
 from tracking.errors import SettingsError
 from tracking.trackers import Resume, StepResult
-from tracking.trackers.stereo import StereoTracker
-from tracking.trackers.stereo_colour import HalvesOfFirstFrames, StereoColourSettings
-from tracking.trackers.stereo_direction import MiddleUpdated, StereoDirectionSettings
+from tracking.trackers.stereo.colour import HalvesOfFirstFrames, StereoColourSettings
+from tracking.trackers.stereo.direction import MiddleUpdated, StereoDirectionSettings
+from tracking.trackers.stereo.tracker import StereoTracker
 from tracking.tracks import CORRECTED_COLUMNS, Columns, TrackTable
 
 CUT = 60

@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 from people_on_a_floor import FPS, straight, view
 
 from tracking.geometry import View
-from tracking.trackers import run_smoother, smooth_run, tracker_named
+from tracking.trackers import smooth_run, tracker_named
+from tracking.trackers.shared import run_smoother
 from tracking.tracks import Run
 from tracking.tracks.columns import DETECTION_COLUMNS, TRACK_COLUMNS, empty
 from tracking.tracks.run import Particles

@@ -6,8 +6,8 @@ import numpy as np
 from people_on_a_floor import Walker, observations, straight, view
 
 from tracking.trackers import StepResult
-from tracking.trackers.stereo import StereoTracker
-from tracking.trackers.stereo_colour import HalvesOfFirstFrames, StereoColourSettings
+from tracking.trackers.stereo.colour import HalvesOfFirstFrames, StereoColourSettings
+from tracking.trackers.stereo.tracker import StereoTracker
 from tracking.tracks import CLOTHES, SIGNAL_COLUMNS
 
 

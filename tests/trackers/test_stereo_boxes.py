@@ -7,9 +7,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from people_on_a_floor import view
 
-from tracking.trackers.births_and_ends import confirm_tracks
-from tracking.trackers.population import empty_population
-from tracking.trackers.stereo_boxes import Bodies, overlap, share_in_view, visibility
+from tracking.trackers.stereo.births_and_ends import confirm_tracks
+from tracking.trackers.stereo.boxes import Bodies, overlap, share_in_view, visibility
+from tracking.trackers.stereo.population import empty_population
 
 FRONT, BEHIND = [100.0, 100.0, 50.0, 150.0], [110.0, 60.0, 50.0, 150.0]
 

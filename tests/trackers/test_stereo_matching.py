@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 from people_on_a_floor import BINS
 
-from tracking.trackers.population import Population, empty_population
-from tracking.trackers.stereo_cues import costs_of
-from tracking.trackers.stereo_direction import MiddleUpdated, StereoDirectionSettings
-from tracking.trackers.stereo_matching import match_people
+from tracking.trackers.stereo.assignment import match_people
+from tracking.trackers.stereo.cues import costs_of
+from tracking.trackers.stereo.direction import MiddleUpdated, StereoDirectionSettings
+from tracking.trackers.stereo.population import Population, empty_population
 
 PLAIN = StereoDirectionSettings(colour_weight=0.0, association_margin=0.0)
 

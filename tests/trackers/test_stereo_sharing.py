@@ -7,11 +7,11 @@ from people_on_a_floor import Errors, detections, view
 
 from tracking.filtering import Association
 from tracking.people import Detections
-from tracking.trackers.births_and_ends import BirthCandidates, initiate_tracks
-from tracking.trackers.population import Population, empty_population
-from tracking.trackers.stereo_boxes import Bodies
-from tracking.trackers.stereo_direction import StereoDirectionSettings
-from tracking.trackers.stereo_sharing import SharedRegions, find_shared_regions
+from tracking.trackers.stereo.births_and_ends import BirthCandidates, initiate_tracks
+from tracking.trackers.stereo.boxes import Bodies
+from tracking.trackers.stereo.direction import StereoDirectionSettings
+from tracking.trackers.stereo.population import Population, empty_population
+from tracking.trackers.stereo.shared_detections import SharedRegions, find_shared_regions
 
 SIDE_BY_SIDE = np.array([[-0.25, 6.0], [0.25, 6.0]])
 

@@ -9,9 +9,9 @@ import pytest
 from people_on_a_floor import Errors, Walker, observations, straight, view
 
 from tracking.trackers import Observation, StepResult
-from tracking.trackers.stereo import StereoTracker
-from tracking.trackers.stereo_colour import HalvesOfFirstFrames, StereoColourSettings
-from tracking.trackers.stereo_direction import MiddleUpdated, StereoDirectionSettings
+from tracking.trackers.stereo.colour import HalvesOfFirstFrames, StereoColourSettings
+from tracking.trackers.stereo.direction import MiddleUpdated, StereoDirectionSettings
+from tracking.trackers.stereo.tracker import StereoTracker
 
 
 def direction_tracker(seed: int = 0, **settings: object) -> StereoTracker:

@@ -21,7 +21,7 @@ from people_of_three_blocks import (
 from tracking.errors import SettingsError
 from tracking.failure import Judgement
 from tracking.trackers import Observation, StepResult, occluders_as_setting
-from tracking.trackers.occluders import occluders_from
+from tracking.trackers.shared.occluders import occluders_from
 from tracking.trackers.three_part import ThreePartSettings, WholeBodySettings
 from tracking.trackers.three_part.claims import claims_of
 from tracking.trackers.three_part.people import Layout

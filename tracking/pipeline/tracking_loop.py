@@ -25,7 +25,7 @@ from tracking.trackers import (
     settings_values,
     tracker_named,
 )
-from tracking.trackers.stages import Stages
+from tracking.trackers.shared.stages import Stages
 from tracking.tracks import Run
 
 BACKGROUND_SAMPLES = 15

@@ -13,10 +13,10 @@ from tracking.trackers.catalogue import (
     require,
     tracker_named,
 )
-from tracking.trackers.occluders import occluders_as_setting
-from tracking.trackers.protocol import ASSOCIATION_COLUMNS, Perception, StepResult, Tracker
-from tracking.trackers.resumption import Resume
-from tracking.trackers.run_smoother import smooth_run
+from tracking.trackers.shared.occluders import occluders_as_setting
+from tracking.trackers.shared.protocol import ASSOCIATION_COLUMNS, Perception, StepResult, Tracker
+from tracking.trackers.shared.resumption import Resume
+from tracking.trackers.shared.run_smoother import smooth_run
 
 __all__ = [
     "ASSOCIATION_COLUMNS",

@@ -17,16 +17,17 @@ from tracking.settings import (
     settings_values,
     with_present_names,
 )
-from tracking.trackers import stereo_colour, stereo_direction
 from tracking.trackers.flow import FlowSettings, build_flow
 from tracking.trackers.flow import finish_run as flow_finished
 from tracking.trackers.joint import JointSettings, build_joint
 from tracking.trackers.linking import link_run
-from tracking.trackers.protocol import Perception, Tracker
-from tracking.trackers.run_smoother import smooth_run
+from tracking.trackers.shared.protocol import Perception, Tracker
+from tracking.trackers.shared.run_smoother import smooth_run
 from tracking.trackers.spheroid import SpheroidSettings, build_spheroid
 from tracking.trackers.spheroid import finish_run as spheroid_finished
-from tracking.trackers.stereo_paper import finish_run as stereo_finished
+from tracking.trackers.stereo import colour as stereo_colour
+from tracking.trackers.stereo import direction as stereo_direction
+from tracking.trackers.stereo.paper import finish_run as stereo_finished
 from tracking.trackers.three_part import (
     ThreePartSettings,
     WholeBodySettings,

@@ -125,7 +125,7 @@ class TrackerProcess:
 
 def _started() -> subprocess.Popen[bytes]:
     """A new interpreter that finds this package, whatever folder it is started in."""
-    root = str(Path(__file__).parents[2])
+    root = str(Path(__file__).parents[3])
     path = os.pathsep.join(filter(None, (root, os.environ.get("PYTHONPATH", ""))))
     return subprocess.Popen(
         [sys.executable, "-P", "-m", "app.core.tracking_process.child"],

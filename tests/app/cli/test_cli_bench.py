@@ -8,14 +8,14 @@ from pathlib import Path
 import pytest
 from command_line import Trackwright
 
-import app
+import resources
 from app.__main__ import run
 
 
 @pytest.fixture
 def checkout(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A checkout that stands elsewhere."""
-    monkeypatch.setattr(app, "__file__", str(tmp_path / "app" / "__init__.py"))
+    monkeypatch.setattr(resources, "__file__", str(tmp_path / "resources" / "__init__.py"))
     return tmp_path
 
 

@@ -150,7 +150,7 @@ def test_names_are_shown_as_they_are_written() -> None:
 def test_commands_print_through_one_place() -> None:
     """What prints by itself would print names by itself."""
     for module in [*PRINTING.rglob("*.py"), PRINTING.with_name("__main__.py")]:
-        if module.name == "output.py":
+        if module.name in ("output.py", "system_libraries.py"):  # which runs before anything else
             continue
         for node in ast.walk(ast.parse(module.read_text())):
             called = node.func if isinstance(node, ast.Call) else None

@@ -152,7 +152,7 @@ def test_the_begin_of_a_track_is_refused_where_going_there_would_show_others(fol
 
 
 def test_errors_of_a_further_run_select_nobody_of_the_sessions_tracks(followed):
-    followed.scoring._go(40, followed.document.session.tracks.track_ids)
+    followed.scoring.go_to(40, followed.document.session.tracks.track_ids)
     assert not followed.document.is_live
     assert not followed.document.selection
 

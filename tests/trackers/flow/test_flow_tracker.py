@@ -16,7 +16,7 @@ from tracking.trackers import StepResult, parse_settings, require, tracker_named
 from tracking.trackers.flow import FlowSettings
 from tracking.trackers.flow.perception import FlowPerception
 from tracking.trackers.flow.tracker import FlowTracker
-from tracking.trackers.resumption import Resume
+from tracking.trackers.shared.resumption import Resume
 from tracking.tracks import CORRECTED_COLUMNS, TRACKLET_COLUMNS, TrackTable
 
 VIEW = view_of()

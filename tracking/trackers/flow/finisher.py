@@ -14,7 +14,7 @@ from tracking.trackers.flow.relabel_run import relabel_run
 from tracking.trackers.flow.result import BODY_WIDTH_M
 from tracking.trackers.flow.silhouettes import USUAL_HEIGHT_M
 from tracking.trackers.flow.witnesses import Witnesses
-from tracking.trackers.run_smoother import smooth_run
+from tracking.trackers.shared.run_smoother import smooth_run
 from tracking.tracks.columns import TRACK_COLUMNS, Columns
 from tracking.tracks.run import Run
 

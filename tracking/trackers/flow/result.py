@@ -11,7 +11,7 @@ from tracking.geometry import View
 from tracking.trackers.flow.point_tracker import Tracklets
 from tracking.trackers.flow.silhouettes import USUAL_HEIGHT_M
 from tracking.trackers.flow.walkers import Walkers
-from tracking.trackers.protocol import ASSOCIATION_COLUMNS, StepResult
+from tracking.trackers.shared.protocol import ASSOCIATION_COLUMNS, StepResult
 from tracking.tracks.columns import (
     DETECTION_COLUMNS,
     PARTICLE_COLUMNS,

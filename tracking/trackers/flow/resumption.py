@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.trackers.flow.walkers import Walkers, begin_walkers
-from tracking.trackers.resumption import Resume
+from tracking.trackers.shared.resumption import Resume
 from tracking.tracks.columns import Columns
 
 Floats = NDArray[np.float64]

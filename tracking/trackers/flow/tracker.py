@@ -22,8 +22,8 @@ from tracking.trackers.flow.point_tracker import PointFollower
 from tracking.trackers.flow.result import step_result
 from tracking.trackers.flow.resumption import resume_walkers
 from tracking.trackers.flow.settings import FlowSettings
-from tracking.trackers.protocol import StepResult
-from tracking.trackers.resumption import Resume
+from tracking.trackers.shared.protocol import StepResult
+from tracking.trackers.shared.resumption import Resume
 
 _SPACING_PX = (4.0, 24.0)
 

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.people import Detections
-from tracking.trackers.population import APPEARANCE_SIZE, Population
+from tracking.trackers.stereo.population import APPEARANCE_SIZE, Population
 
 Floats = NDArray[np.float64]
 Colours = NDArray[np.float32]

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from tracking.filtering import Association, cheapest_pairs, margins
 from tracking.trackers.joint.association_likelihoods import AssociationLikelihoods
-from tracking.trackers.population import Population
+from tracking.trackers.stereo.population import Population
 
 NAT = 0.1
 """What a nat is in reported costs: as large as in the papers' sums of metres and colours."""

@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 from tracking.geometry import View
 from tracking.people import Detections
 from tracking.trackers.joint.settings import JointSettings
-from tracking.trackers.population import Population
-from tracking.trackers.stereo_update import FASTEST_M_PER_S
+from tracking.trackers.stereo.population import Population
+from tracking.trackers.stereo.update import FASTEST_M_PER_S
 
 Floats = NDArray[np.float64]
 

@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 from tracking.people import Detections
 from tracking.trackers.joint.appearance import stack_colours
 from tracking.trackers.joint.settings import JointSettings
-from tracking.trackers.population import Population
-from tracking.trackers.stereo_walking import WalkingCues
+from tracking.trackers.stereo.population import Population
+from tracking.trackers.stereo.walking_direction import WalkingCues
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.geometry import View
-from tracking.trackers.stereo_boxes import Bodies, share_in_view
+from tracking.trackers.stereo.boxes import Bodies, share_in_view
 
 Floats = NDArray[np.float64]
 

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.trackers.joint.settings import JointSettings
-from tracking.trackers.stereo_cues import likelihood_sigma
+from tracking.trackers.stereo.cues import likelihood_sigma
 
 Floats = NDArray[np.float64]
 

@@ -9,7 +9,7 @@ from tracking.filtering import associate
 from tracking.trackers.joint.appearance import AppearanceModel, appearance_differences
 from tracking.trackers.joint.association_likelihoods import particle_covariance, place_density
 from tracking.trackers.joint.settings import JointSettings
-from tracking.trackers.population import Population
+from tracking.trackers.stereo.population import Population
 
 Floats = NDArray[np.float64]
 Rows = NDArray[np.intp]

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from tracking.setting import setting
-from tracking.trackers.stereo_settings import StereoFilterSettings
-from tracking.trackers.stereo_walking import WalkingSettings
+from tracking.trackers.stereo.settings import StereoFilterSettings
+from tracking.trackers.stereo.walking_direction import WalkingSettings
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.trackers.births_and_ends import OUT_OF_VIEW, TENTATIVE_PATIENCE_S
 from tracking.trackers.joint.edges import share_a_step_off
 from tracking.trackers.joint.settings import JointSettings
-from tracking.trackers.population import Population
-from tracking.trackers.stereo_boxes import Bodies, share_in_view
+from tracking.trackers.stereo.births_and_ends import OUT_OF_VIEW, TENTATIVE_PATIENCE_S
+from tracking.trackers.stereo.boxes import Bodies, share_in_view
+from tracking.trackers.stereo.population import Population
 
 Flags = NDArray[np.bool_]
 Floats = NDArray[np.float64]

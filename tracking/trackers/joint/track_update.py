@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from tracking.filtering import weighted_mean
 from tracking.trackers.joint.cues import JointCues
 from tracking.trackers.joint.motion import update_motion
-from tracking.trackers.population import Population
-from tracking.trackers.stereo_update import Match, weigh_or_scatter
+from tracking.trackers.stereo.population import Population
+from tracking.trackers.stereo.update import Match, weigh_or_scatter
 
 
 def update_matched(

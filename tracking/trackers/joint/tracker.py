@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 from tracking.filtering import Association, resample
 from tracking.geometry import View
 from tracking.people import Detections, Observation
-from tracking.trackers.births_and_ends import BirthCandidates, confirm_tracks, initiate_tracks
 from tracking.trackers.joint.appearance import (
     AppearanceModel,
     appearance_differences,
@@ -33,14 +32,19 @@ from tracking.trackers.joint.reidentification import reidentify
 from tracking.trackers.joint.settings import JointSettings
 from tracking.trackers.joint.track_management import is_reported, may_be_occluded, should_keep
 from tracking.trackers.joint.track_update import update_matched
-from tracking.trackers.population import Population, concatenate
-from tracking.trackers.protocol import StepResult
-from tracking.trackers.stereo_boxes import Bodies, expected_visibility, update_outlines
-from tracking.trackers.stereo_cues import Costs
-from tracking.trackers.stereo_filter import StereoFilter
-from tracking.trackers.stereo_result import step_result
-from tracking.trackers.stereo_sharing import find_shared_regions
-from tracking.trackers.stereo_update import (
+from tracking.trackers.shared.protocol import StepResult
+from tracking.trackers.stereo.births_and_ends import (
+    BirthCandidates,
+    confirm_tracks,
+    initiate_tracks,
+)
+from tracking.trackers.stereo.boxes import Bodies, expected_visibility, update_outlines
+from tracking.trackers.stereo.cues import Costs
+from tracking.trackers.stereo.filter import StereoFilter
+from tracking.trackers.stereo.population import Population, concatenate
+from tracking.trackers.stereo.result import step_result
+from tracking.trackers.stereo.shared_detections import find_shared_regions
+from tracking.trackers.stereo.update import (
     Match,
     age_tracks,
     find_isolated,

@@ -18,7 +18,7 @@ from tracking.trackers.linking.seen_rows import (
     is_track_start,
     place_errors,
 )
-from tracking.trackers.stereo_boxes import MIDDLE_M, Bodies
+from tracking.trackers.stereo.boxes import MIDDLE_M, Bodies
 
 Rows = NDArray[np.intp]
 

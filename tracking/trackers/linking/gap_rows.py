@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from tracking.geometry import View
 from tracking.trackers.linking.seen_rows import SIDES, Floats
-from tracking.trackers.stereo_boxes import visibility
+from tracking.trackers.stereo.boxes import visibility
 from tracking.tracks.columns import TRACK_COLUMNS, Columns, typed
 
 Rows = NDArray[np.intp]

@@ -17,7 +17,7 @@ from tracking.trackers.linking.link_selection import least_rows, number_people, 
 from tracking.trackers.linking.run_ids import rename_tracks
 from tracking.trackers.linking.seen_rows import Integers, SeenRows, find_seen_rows
 from tracking.trackers.linking.tracklets import Tracklets, cut_tracklets
-from tracking.trackers.run_smoother import smooth_run
+from tracking.trackers.shared.run_smoother import smooth_run
 from tracking.tracks.columns import CLOTHES, Columns
 from tracking.tracks.run import Run
 

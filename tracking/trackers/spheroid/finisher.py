@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from tracking.geometry import View
 from tracking.trackers.linking import link_run
-from tracking.trackers.run_smoother import smooth_run
+from tracking.trackers.shared.run_smoother import smooth_run
 from tracking.tracks.columns import Columns
 from tracking.tracks.run import Run
 

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.filtering import cloud_shapes
-from tracking.trackers.protocol import ASSOCIATION_COLUMNS, StepResult
+from tracking.trackers.shared.protocol import ASSOCIATION_COLUMNS, StepResult
 from tracking.trackers.spheroid.appearance import bgr_of
 from tracking.trackers.spheroid.hypotheses import SpheroidPeople
 from tracking.tracks.columns import (

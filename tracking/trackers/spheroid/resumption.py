@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from tracking.geometry import FlatView
 from tracking.people import Observation
-from tracking.trackers.resumption import Resume, is_apart, is_seen, only
+from tracking.trackers.shared.resumption import Resume, is_apart, is_seen, only
 from tracking.trackers.spheroid.appearance import ColourLook, learn_colours
 from tracking.trackers.spheroid.hypotheses import Floats, SpheroidPeople, begin_people
 from tracking.trackers.spheroid.perception import FlatObservation

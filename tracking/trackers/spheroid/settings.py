@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from tracking.errors import SettingsError
 from tracking.foreground import ForegroundSettings, RampSettings
 from tracking.setting import setting
-from tracking.trackers.occluders import occluders_from
+from tracking.trackers.shared.occluders import occluders_from
 
 _PAPER_HEIGHT_M = 1.8
 

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from tracking.errors import CalibrationError
 from tracking.geometry import FlatView
 from tracking.recording import Recording
-from tracking.trackers.occluders import Polygons, occluders_from
+from tracking.trackers.shared.occluders import Polygons, occluders_from
 from tracking.trackers.spheroid.perception import SpheroidPerception
 from tracking.trackers.spheroid.settings import SpheroidSettings
 from tracking.trackers.spheroid.tracker import SpheroidTracker

@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.people import Observation
-from tracking.trackers.protocol import StepResult
-from tracking.trackers.resumption import Resume
+from tracking.trackers.shared.protocol import StepResult
+from tracking.trackers.shared.resumption import Resume
 from tracking.trackers.spheroid import births
 from tracking.trackers.spheroid.appearance import ColourLook, appearance_log_weights, learn_colours
 from tracking.trackers.spheroid.boxes import draw_boxes

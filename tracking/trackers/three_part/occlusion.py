@@ -6,7 +6,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.trackers.occluders import Polygons
+from tracking.trackers.shared.occluders import Polygons
 from tracking.trackers.three_part.people import Flags, Floats
 
 _TOUCH = 1.25

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.people import Detections, Observation
-from tracking.trackers.protocol import ASSOCIATION_COLUMNS, StepResult
+from tracking.trackers.shared.protocol import ASSOCIATION_COLUMNS, StepResult
 from tracking.trackers.three_part.people import Flags, Floats, Indices, Layout, PartPeople
 from tracking.tracks.columns import (
     CLOTHES,

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from tracking.people import Detections, Observation
 from tracking.people.parts import ycbcr
-from tracking.trackers.resumption import CLEAR, Resume, is_seen, only
+from tracking.trackers.shared.resumption import CLEAR, Resume, is_seen, only
 from tracking.trackers.three_part.appearance import measure_levels
 from tracking.trackers.three_part.initiation import begin_people, rectangles_in
 from tracking.trackers.three_part.people import Floats, Indices, Layout, PartPeople

@@ -8,7 +8,7 @@ from tracking.errors import SettingsError
 from tracking.foreground import ForegroundSettings
 from tracking.people import PeopleSettings
 from tracking.setting import setting
-from tracking.trackers.occluders import occluders_from
+from tracking.trackers.shared.occluders import occluders_from
 
 
 @dataclass(frozen=True, slots=True)

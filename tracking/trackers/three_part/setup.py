@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from tracking.people import SingleCameraPerception
 from tracking.recording import Recording
-from tracking.trackers.occluders import occluders_from
+from tracking.trackers.shared.occluders import occluders_from
 from tracking.trackers.three_part.detectors import chosen_detector
 from tracking.trackers.three_part.people import Layout
 from tracking.trackers.three_part.settings import ThreePartSettings, WholeBodySettings

@@ -11,10 +11,10 @@ from tracking.failure import Detector
 from tracking.foreground import CameraWatch
 from tracking.geometry import View
 from tracking.people import Observation
-from tracking.trackers.occluders import Polygons
-from tracking.trackers.protocol import StepResult
-from tracking.trackers.resumption import Resume
-from tracking.trackers.stages import Stages
+from tracking.trackers.shared.occluders import Polygons
+from tracking.trackers.shared.protocol import StepResult
+from tracking.trackers.shared.resumption import Resume
+from tracking.trackers.shared.stages import Stages
 from tracking.trackers.three_part import births
 from tracking.trackers.three_part.adjustment import AdjustmentInput, adjust, clear_failures
 from tracking.trackers.three_part.appearance import measure_levels, resemblance

@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from tracking.filtering import bhattacharyya_distance
 from tracking.people import Detections
-from tracking.trackers.population import Population
-from tracking.trackers.stereo_settings import StereoFilterSettings, StereoTrackerSettings
+from tracking.trackers.stereo.population import Population
+from tracking.trackers.stereo.settings import StereoFilterSettings, StereoTrackerSettings
 
 Floats = NDArray[np.float64]
 

@@ -12,7 +12,7 @@ import numpy as np
 from tracking.people.observation import Observation
 from tracking.people.stereo_watch import StereoWatch
 from tracking.recording.frame import StereoFrame
-from tracking.trackers.resumption import Resume
+from tracking.trackers.shared.resumption import Resume
 from tracking.tracks.columns import (
     PART_COLUMNS,
     PART_PARTICLE_COLUMNS,

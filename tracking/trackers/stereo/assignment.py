@@ -6,9 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.filtering import Association, cheapest_pairs, margins
-from tracking.trackers.population import Population
-from tracking.trackers.stereo_cues import Costs
-from tracking.trackers.stereo_settings import StereoTrackerSettings
+from tracking.trackers.stereo.cues import Costs
+from tracking.trackers.stereo.population import Population
+from tracking.trackers.stereo.settings import StereoTrackerSettings
 
 _LONG_MISSED_S = 0.5
 """People missed for longer choose after those who were just seen."""

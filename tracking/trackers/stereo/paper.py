@@ -10,16 +10,20 @@ from numpy.typing import NDArray
 from tracking.filtering import Association, nearest_first, resample, weigh, weighted_mean
 from tracking.geometry import View
 from tracking.people import Detections, Observation
-from tracking.trackers.births_and_ends import BirthCandidates, confirm_tracks, start_tracks
-from tracking.trackers.population import Population, concatenate
-from tracking.trackers.protocol import StepResult
-from tracking.trackers.run_smoother import smooth_run
-from tracking.trackers.stereo_boxes import Bodies
-from tracking.trackers.stereo_cues import Costs, Cues, cue_values
-from tracking.trackers.stereo_filter import StereoFilter, predict
-from tracking.trackers.stereo_result import step_result
-from tracking.trackers.stereo_settings import StereoTrackerSettings
-from tracking.trackers.stereo_update import age_tracks
+from tracking.trackers.shared.protocol import StepResult
+from tracking.trackers.shared.run_smoother import smooth_run
+from tracking.trackers.stereo.births_and_ends import (
+    BirthCandidates,
+    confirm_tracks,
+    start_tracks,
+)
+from tracking.trackers.stereo.boxes import Bodies
+from tracking.trackers.stereo.cues import Costs, Cues, cue_values
+from tracking.trackers.stereo.filter import StereoFilter, predict
+from tracking.trackers.stereo.population import Population, concatenate
+from tracking.trackers.stereo.result import step_result
+from tracking.trackers.stereo.settings import StereoTrackerSettings
+from tracking.trackers.stereo.update import age_tracks
 from tracking.tracks.columns import Columns
 from tracking.tracks.run import Run
 

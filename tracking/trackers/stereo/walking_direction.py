@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from tracking.filtering import direction_cost, turning_angle
 from tracking.setting import setting
-from tracking.trackers.population import Population
+from tracking.trackers.stereo.population import Population
 
 Floats = NDArray[np.float64]
 

@@ -11,11 +11,11 @@ from numpy.typing import NDArray
 from tracking.filtering import move
 from tracking.geometry import View
 from tracking.people import Observation
-from tracking.trackers.population import Population, empty_population
-from tracking.trackers.resumption import Resume
-from tracking.trackers.stereo_cues import Cues
-from tracking.trackers.stereo_resuming import resume_people
-from tracking.trackers.stereo_settings import StereoFilterSettings, StereoTrackerSettings
+from tracking.trackers.shared.resumption import Resume
+from tracking.trackers.stereo.cues import Cues
+from tracking.trackers.stereo.population import Population, empty_population
+from tracking.trackers.stereo.resumed_people import resume_people
+from tracking.trackers.stereo.settings import StereoFilterSettings, StereoTrackerSettings
 
 SettingsT = TypeVar("SettingsT", bound=StereoFilterSettings)
 CuesT = TypeVar("CuesT", bound=Cues)

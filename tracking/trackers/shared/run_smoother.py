@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from tracking.filtering import Chains, robust_levels, robust_paths, slopes, trust
 from tracking.geometry import View
-from tracking.trackers.clear_sides import SIDES, clear_sides
+from tracking.trackers.shared.clear_sides import SIDES, clear_sides
 from tracking.tracks.columns import Columns
 from tracking.tracks.run import Run
 

@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 from tracking.people import Detections, StereoPerception
 from tracking.recording import Recording
 from tracking.setting import setting
-from tracking.trackers.stereo import StereoTracker, perception_and_view
-from tracking.trackers.stereo_paper import PaperTracker
-from tracking.trackers.stereo_settings import StereoTrackerSettings
-from tracking.trackers.stereo_walking import WalkingCues, WalkingSettings
+from tracking.trackers.stereo.paper import PaperTracker
+from tracking.trackers.stereo.settings import StereoTrackerSettings
+from tracking.trackers.stereo.tracker import StereoTracker, perception_and_view
+from tracking.trackers.stereo.walking_direction import WalkingCues, WalkingSettings
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from tracking.filtering import Association
 from tracking.geometry import View
 from tracking.people import Detections
-from tracking.trackers.population import Population
+from tracking.trackers.stereo.population import Population
 from tracking.tracks.boxes import common_px2
 
 Floats = NDArray[np.float64]

@@ -8,10 +8,10 @@ from numpy.typing import NDArray
 from tracking.filtering import Association, cloud_shapes
 from tracking.geometry import View
 from tracking.people import Detections, Observation
-from tracking.trackers.population import Population
-from tracking.trackers.protocol import ASSOCIATION_COLUMNS, StepResult
-from tracking.trackers.stereo_boxes import shown_boxes, visibility
-from tracking.trackers.stereo_cues import Costs
+from tracking.trackers.shared.protocol import ASSOCIATION_COLUMNS, StepResult
+from tracking.trackers.stereo.boxes import shown_boxes, visibility
+from tracking.trackers.stereo.cues import Costs
+from tracking.trackers.stereo.population import Population
 from tracking.tracks.columns import (
     CLOTHES,
     DETECTION_COLUMNS,

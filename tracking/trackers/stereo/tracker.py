@@ -10,22 +10,22 @@ from tracking.filtering import Association, resample
 from tracking.geometry import View
 from tracking.people import Detections, Observation, StereoPerception
 from tracking.recording import Recording
-from tracking.trackers.births_and_ends import (
+from tracking.trackers.shared.protocol import StepResult
+from tracking.trackers.stereo.assignment import match_people
+from tracking.trackers.stereo.births_and_ends import (
     BirthCandidates,
     confirm_tracks,
     initiate_tracks,
     should_keep,
 )
-from tracking.trackers.population import Population, concatenate
-from tracking.trackers.protocol import StepResult
-from tracking.trackers.stereo_boxes import Bodies, expected_visibility, update_outlines
-from tracking.trackers.stereo_cues import Cues, costs_of
-from tracking.trackers.stereo_filter import StereoFilter, predict
-from tracking.trackers.stereo_matching import match_people
-from tracking.trackers.stereo_result import step_result
-from tracking.trackers.stereo_settings import StereoFilterSettings, StereoTrackerSettings
-from tracking.trackers.stereo_sharing import find_shared_regions
-from tracking.trackers.stereo_update import (
+from tracking.trackers.stereo.boxes import Bodies, expected_visibility, update_outlines
+from tracking.trackers.stereo.cues import Cues, costs_of
+from tracking.trackers.stereo.filter import StereoFilter, predict
+from tracking.trackers.stereo.population import Population, concatenate
+from tracking.trackers.stereo.result import step_result
+from tracking.trackers.stereo.settings import StereoFilterSettings, StereoTrackerSettings
+from tracking.trackers.stereo.shared_detections import find_shared_regions
+from tracking.trackers.stereo.update import (
     Match,
     age_tracks,
     find_isolated,

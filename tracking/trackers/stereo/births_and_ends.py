@@ -10,9 +10,13 @@ from numpy.typing import NDArray
 from tracking.filtering import scatter
 from tracking.geometry import View
 from tracking.people import Detections
-from tracking.trackers.population import Population, unknown_appearance, unknown_motion
-from tracking.trackers.stereo_boxes import Bodies, expected_visibility, share_in_view
-from tracking.trackers.stereo_settings import StereoFilterSettings, StereoTrackerSettings
+from tracking.trackers.stereo.boxes import Bodies, expected_visibility, share_in_view
+from tracking.trackers.stereo.population import (
+    Population,
+    unknown_appearance,
+    unknown_motion,
+)
+from tracking.trackers.stereo.settings import StereoFilterSettings, StereoTrackerSettings
 
 Floats = NDArray[np.float64]
 

@@ -18,10 +18,10 @@ from tracking.filtering import (
 )
 from tracking.geometry import View
 from tracking.people import Detections
-from tracking.trackers.population import Population
-from tracking.trackers.stereo_cues import Cues, likelihood_sigma
-from tracking.trackers.stereo_settings import StereoFilterSettings, StereoTrackerSettings
-from tracking.trackers.stereo_sharing import SharedRegions
+from tracking.trackers.stereo.cues import Cues, likelihood_sigma
+from tracking.trackers.stereo.population import Population
+from tracking.trackers.stereo.settings import StereoFilterSettings, StereoTrackerSettings
+from tracking.trackers.stereo.shared_detections import SharedRegions
 
 Floats = NDArray[np.float64]
 _SCATTERED_SHARE = 0.01

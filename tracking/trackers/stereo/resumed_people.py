@@ -11,11 +11,15 @@ from numpy.typing import NDArray
 from tracking.filtering import associate, scatter
 from tracking.geometry import View
 from tracking.people import Detections, Observation
-from tracking.trackers.population import Population, unknown_appearance, unknown_motion
-from tracking.trackers.resumption import Resume, is_apart, is_seen, only
-from tracking.trackers.stereo_boxes import Bodies
-from tracking.trackers.stereo_cues import Cues
-from tracking.trackers.stereo_settings import StereoFilterSettings
+from tracking.trackers.shared.resumption import Resume, is_apart, is_seen, only
+from tracking.trackers.stereo.boxes import Bodies
+from tracking.trackers.stereo.cues import Cues
+from tracking.trackers.stereo.population import (
+    Population,
+    unknown_appearance,
+    unknown_motion,
+)
+from tracking.trackers.stereo.settings import StereoFilterSettings
 from tracking.tracks.boxes import overlaps
 from tracking.tracks.columns import Columns
 

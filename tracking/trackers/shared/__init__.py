@@ -1,0 +1,1 @@
+"""What all trackers share: the protocol, continuing from corrected people, smoothing, occluders."""

@@ -1,0 +1,1 @@
+"""The stereo trackers of [Kawashita2012] and [Kawashita2014], and what they share."""
