@@ -27,7 +27,8 @@ Columns = dict[str, NDArray[Any]]
 LIBRARIES = f"numpy {np.__version__}, OpenCV {cv2.__version__}"
 """Whose arithmetic is in every clip and every run."""
 NO_DISTURBANCES = Disturbances()
-_RENDERING = ("geometry/**/*.py", "synthesis/**/*.py")
+_LIBRARY = Path(next(iter(tracking.__path__)))
+PACKAGES = ("geometry/**/*", "synthesis/**/*")
 """Packages that clips are rendered with."""
 
 
@@ -111,14 +112,19 @@ def clips_cache() -> Path:
 def rendering() -> str:
     """A short hash over whatever clips are rendered with: sources and libraries."""
     more = Path(scenes.__file__).read_text(encoding="utf-8")
-    said = "\0".join((sources_of(_RENDERING), LIBRARIES, more))
+    said = "\0".join((sources_of(PACKAGES), LIBRARIES, more))
     return hashlib.sha256(said.encode()).hexdigest()[:8]
 
 
 def sources_of(packages: Iterable[str]) -> str:
     """A hash over sources of the library, by patterns of their paths."""
-    root = Path(next(iter(tracking.__path__)))
-    return hash_of_files(root, {path for name in packages for path in root.glob(name)})
+    return hash_of_files(_LIBRARY, files_of(packages))
+
+
+def files_of(packages: Iterable[str]) -> set[Path]:
+    """Files of the library by patterns of their paths: sources, and tables beside them."""
+    found = {path for name in packages for path in _LIBRARY.glob(name) if path.is_file()}
+    return {path for path in found if path.suffix != ".pyc"}
 
 
 def hash_of_files(root: Path, files: Iterable[Path]) -> str:

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tracking.recording import Fingerprint
 from tracking.tracks import (
@@ -56,8 +58,26 @@ def crowd(rows: int, tracks: int, frames: int, particles: int = 0, seed: int = 3
     frame, track, phase = frame[there], track[there], phase[there]
     order = np.argsort(frame, kind="stable")
     frame, track, phase = frame[order], track[order], phase[order]
+    values = _walking(frame, track, phase)
+    return Run(
+        tracker="benchmark",
+        settings={},
+        seed=seed,
+        frames=(0, frames),
+        tracks={name: values[name].astype(dtype) for name, dtype in TRACK_COLUMNS.items()},
+        detections=empty(DETECTION_COLUMNS),
+        particles=_cloud(frames, particles, rng),
+        associations=empty(ASSOCIATION_COLUMNS),
+        software="",
+    )
+
+
+def _walking(
+    frame: NDArray[np.int32], track: NDArray[np.int32], phase: NDArray[np.int32]
+) -> dict[str, NDArray[Any]]:
+    """Columns of people who walk in circles; a stretch of each is predicted."""
     angle = frame / 40.0 + track
-    values = {
+    return {
         "frame": frame,
         "track": track,
         "left": 300 + 200 * np.cos(angle),
@@ -72,17 +92,6 @@ def crowd(rows: int, tracks: int, frames: int, particles: int = 0, seed: int = 3
         "visibility": np.ones(len(frame)),
         "predicted": phase < 15,
     }
-    return Run(
-        tracker="benchmark",
-        settings={},
-        seed=seed,
-        frames=(0, frames),
-        tracks={name: values[name].astype(dtype) for name, dtype in TRACK_COLUMNS.items()},
-        detections=empty(DETECTION_COLUMNS),
-        particles=_cloud(frames, particles, rng),
-        associations=empty(ASSOCIATION_COLUMNS),
-        software="",
-    )
 
 
 def _cloud(frames: int, each: int, rng: np.random.Generator) -> Particles:

@@ -36,9 +36,9 @@ _SEEN_BY = ("foreground", "stereo", "people")
 """Settings that decide what a tracker for two cameras sees."""
 _TABLES = ("tracks", "detections", "associations", "signals", "parts")
 _PACKAGES = (
-    *("errors.py", "failure/*.py", "filtering/**/*.py", "foreground/**/*.py", "geometry/**/*.py"),
-    *("people/**/*.py", "pipeline/**/*.py", "recording/**/*.py", "setting*.py"),
-    *("stereo/**/*.py", "trackers/**/*.py", "tracks/**/*.py"),
+    *("errors.py", "failure/*", "filtering/**/*", "foreground/**/*", "geometry/**/*"),
+    *("people/**/*", "pipeline/**/*", "recording/**/*", "setting*.py"),
+    *("stereo/**/*", "trackers/**/*", "tracks/**/*"),
 )
 
 

@@ -106,6 +106,13 @@ def test_another_detector_counts_for_those_who_act_on_it(monkeypatch: pytest.Mon
     assert after[1] == before[1]
 
 
+def test_tables_beside_the_sources_count_and_compiled_files_do_not() -> None:
+    files = {path.name: path for path in clips.files_of(clips.PACKAGES)}
+    assert "scenes.toml" in files
+    assert "raster.py" in files
+    assert {path.suffix for path in files.values()} & {".pyc", ".so"} == set()
+
+
 def test_a_clip_is_rendered_once_until_rendering_changes(
     cache: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
