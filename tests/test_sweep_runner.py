@@ -13,6 +13,7 @@ from tests.sweeps.runner import sweep
 def attack(worker):
     for number in worker.numbers:
         worker.count("runs")
+        worker.count("grown", -1)
         worker.count("drawn", worker.chance().randrange(1000))
         if number == 7:
             raise ValueError("seven")
@@ -48,6 +49,7 @@ def test_all_workers_do_their_share_and_violations_fail(tmp_path: Path) -> None:
     ]
     assert "  again: python -m tests.sweeps.odd --resume 5 --runs 1" in lines
     assert lines[-2].startswith("| `python -m tests.sweeps.odd` | whole, ")
+    assert told["counts"]["grown"] == -6
 
 
 def test_a_run_seen_again_alone_is_the_same(tmp_path: Path) -> None:

@@ -127,8 +127,9 @@ def sweep(attack: Attack, runs: int, workers: int = 2, options: Options | None =
             told = _heard(
                 [(one.folder, forked(lambda one=one: _save(one, attack))) for one in made]
             )
-    counts, lasted_s = sum((Counter(one["counts"]) for one in told), Counter()), time.monotonic()
-    lasted_s -= began_s
+    counts, lasted_s = Counter[str](), time.monotonic() - began_s
+    for one in told:
+        counts.update(one["counts"])
     is_whole = all(one["run"] >= asked.resume + asked.runs for one in told)
     lasted = f"{lasted_s / 60:.0f} minutes" if lasted_s > 99 else f"{lasted_s:.0f} s"
     print(f"| `{command}` | {'whole, ' * is_whole}{lasted}: {figures(counts)} |")
