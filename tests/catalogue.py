@@ -55,11 +55,13 @@ def declared_texts() -> Iterator[str]:
     yield from (spec.title for spec in EDITS)
     for figure in FIGURES:
         yield from (figure.name, figure.hint, figure.short)
-    yield from (one.title for one in (*TRACKERS.values(), *FORMATS.values()))
+    yield from (spec.title for spec in TRACKERS.values())
+    for each in FORMATS.values():
+        yield from (each.title, each.about)
     for kind in (TrainingSettings, *(spec.settings_type for spec in TRACKERS.values())):
         for field in settings_fields(kind):
             stage = field.name.rpartition(".")[0]
-            yield from (field.title, field.help, stage_title(stage))
+            yield from (field.title, field.help, field.group, stage_title(stage))
     commands = get_command(program)
     for command in (commands, *commands.commands.values()):  # type: ignore[attr-defined] # a group
         yield clean_help(command.help or "")

@@ -17,6 +17,7 @@ from dataclasses import dataclass
 from typing import Any, get_type_hints
 
 from tracking.errors import SettingsError
+from tracking.setting import RESULT
 
 SettingValue = bool | int | float | str
 
@@ -34,6 +35,7 @@ class SettingField:
         help: one line.
         odd: whether even numbers are refused.
         formerly: names it had in earlier versions, dotted like `name`.
+        group: the heading it stands under.
     """
 
     name: str
@@ -44,6 +46,7 @@ class SettingField:
     help: str
     odd: bool = False
     formerly: tuple[str, ...] = ()
+    group: str = RESULT
 
     @property
     def title(self) -> str:
@@ -131,6 +134,7 @@ def _fields(settings: Any, prefix: str) -> Iterator[SettingField]:
             about.get("help", ""),
             about.get("odd", False),
             tuple(prefix + former for former in about.get("formerly", ())),
+            about.get("group", RESULT),
         )
 
 

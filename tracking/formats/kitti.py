@@ -280,4 +280,5 @@ KITTI = TrackFormat(
         )
     ),
     confidence_in_results=True,
+    about="Boxes, and places in the camera's coordinates where the floor is known.",
 )

@@ -134,4 +134,5 @@ LABEL_STUDIO = TrackFormat(
     holds=frozenset((Content.BOXES, Content.SOURCES, Content.CLASSES, Content.NAMES)),
     needs=Content.BOXES,
     label_as_read=label_as_read,
+    about="Boxes from keyframe to keyframe, and names; opens in Label Studio as a task.",
 )

@@ -239,6 +239,7 @@ MOT = TrackFormat(
     dont_cares=True,
     holds=frozenset((Content.BOXES, Content.PLACES, Content.CONFIDENCE)),
     confidence_in_results=True,
+    about="Boxes of the left picture, places on the floor where they are known; for scorers.",
 )
 MOT16 = TrackFormat(
     "mot16",
@@ -251,4 +252,5 @@ MOT16 = TrackFormat(
     dont_cares=True,
     holds=frozenset((Content.BOXES, Content.CONFIDENCE, Content.VISIBILITY, Content.CLASSES)),
     confidence_in_results=True,
+    about="Boxes with class and visibility, with seqinfo.ini; for scorers.",
 )

@@ -47,7 +47,8 @@ class TrackFormat:
 
     Attributes:
         name: as `--format` takes it.
-        title: what people call it.
+        title: what people call it. about: what it holds of the tracks, and for whom, where it is
+            written.
         extensions: of its files, with the dot, the usual one first.
         recognises: whether a file is of this format, given its path and its first
             `HEAD_BYTES` bytes; never raises, however hostile they are.
@@ -88,6 +89,7 @@ class TrackFormat:
     unit_unsaid: bool = False
     confidence_in_results: bool = False
     label_as_read: Callable[[TrackLabel], TrackLabel] | None = None
+    about: str = ""
 
     @property
     def is_folder(self) -> bool:

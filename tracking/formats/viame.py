@@ -326,4 +326,5 @@ VIAME = TrackFormat(
     ),
     needs=Content.BOXES,
     label_as_read=label_as_read,
+    about="Boxes with confidence, names and attributes; opens in VIAME and DIVE.",
 )

@@ -20,7 +20,6 @@ from app.core.i18n import tr
 from app.core.look.theme import scaled_font
 from app.core.widgets.number_boxes import NumberBox, WholeBox, tell, why_refused
 from app.core.widgets.parts import heading, quiet
-from app.core.widgets.setting_groups import group_of
 from app.core.widgets.settings_search import FoldButton, SettingRow, show_found
 from tracking.settings import stage_title
 from tracking.trackers import SettingField, settings_fields, settings_from
@@ -115,7 +114,7 @@ class SettingsForm(QWidget):
 
     def _add_own(self, fields: list[SettingField], groups: Mapping[str, QGridLayout]) -> None:
         """The tracker's own settings, those about one thing together under its heading."""
-        titles = {field.name: group_of(field.name) for field in fields}
+        titles = {field.name: tr(field.group) for field in fields}
         several = len(set(titles.values())) > 1
         for title in dict.fromkeys(titles.values()):
             grid, above = groups[""], heading(title, self) if several else None

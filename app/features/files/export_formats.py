@@ -3,37 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Final
 
-from app.core.i18n import N_, tr
+from app.core.i18n import tr
 from tracking.formats import FORMATS, TrackFormat
-
-_BOXES: Final = N_(
-    "Boxes of the left picture, places on the floor where they are known; for scorers."
-)
-_ON_THE_FLOOR: Final = N_(
-    "Places on the floor in metres, for analysis of how people walk; no boxes."
-)
-_ABOUT: Final = {
-    "mot": _BOXES,
-    "mot16": N_("Boxes with class and visibility, with seqinfo.ini; for scorers."),
-    "kitti": N_("Boxes, and places in the camera's coordinates where the floor is known."),
-    "cvat": N_("Boxes with their keyframes, names and attributes; opens in CVAT and its kin."),
-    "coco": N_("Boxes with tracks, as TAO has them; for detectors and their tools."),
-    "label-studio": N_(
-        "Boxes from keyframe to keyframe, and names; opens in Label Studio as a task."
-    ),
-    "x-anylabeling": N_(
-        "Boxes with tracks as groups, a file a frame in a folder; for X-AnyLabeling."
-    ),
-    "viame": N_("Boxes with confidence, names and attributes; opens in VIAME and DIVE."),
-    "pedpy-txt": _ON_THE_FLOOR,
-    "pedpy-h5": _ON_THE_FLOOR,
-    "petrack": _ON_THE_FLOOR,
-    "jupedsim-h5": _ON_THE_FLOOR,
-    "jupedsim-sqlite": _ON_THE_FLOOR,
-    "csv": N_("Everything the corrected table holds, with every digit; opens in any spreadsheet."),
-}
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,9 +30,8 @@ def export_formats() -> tuple[ExportFormat, ...]:
 
 
 def _listed(each: TrackFormat) -> ExportFormat:
-    about = tr(_ABOUT.get(each.name, ""))
     ending = "" if each.is_folder else each.extensions[0]
-    return ExportFormat(each.name, tr(each.title), ending, about)
+    return ExportFormat(each.name, tr(each.title), ending, tr(each.about))
 
 
 def propose_file_name(recording: str, each: ExportFormat) -> str:

@@ -166,6 +166,7 @@ class FlowSettings:
         "A person keeps its points while they move with the body. Off: people are found again "
         "from all points in each frame, as in the paper",
         formerly=("hold",),
+        group="Track management",
     )
     confirm_s: float = setting(
         0.2,
@@ -174,6 +175,7 @@ class FlowSettings:
         "Seconds a group of points must move before it becomes a track; higher: fewer false "
         "tracks, which start later",
         formerly=("birth_s",),
+        group="Track management",
     )
     confirm_distance_m: float = setting(
         0.3,
@@ -182,6 +184,7 @@ class FlowSettings:
         "Distance a track must walk before it is reported; higher: fewer false tracks, but short "
         "walks are missed",
         formerly=("walked_m",),
+        group="Track management",
     )
     confirm_timeout_s: float = setting(
         1.5,
@@ -190,6 +193,7 @@ class FlowSettings:
         "Seconds after which a track that has not walked that distance is deleted; higher: slow "
         "walkers are kept, and false tracks live longer",
         formerly=("unproven_s",),
+        group="Track management",
     )
     delete_in_view_s: float = setting(
         0.6,
@@ -198,6 +202,7 @@ class FlowSettings:
         "Seconds without points or foreground after which a track in plain view is deleted "
         "(longer behind pillars), with persistent_points only; higher: longer guesses",
         formerly=("empty_s",),
+        group="Track management",
     )
     delete_after_s: float = setting(
         2.5,
@@ -206,6 +211,7 @@ class FlowSettings:
         "Seconds without a detection after which a track is deleted; higher: fewer "
         "fragmentations, longer guesses",
         formerly=("lost_after_s",),
+        group="Track management",
     )
     delete_at_edge_s: float = setting(
         0.4,
@@ -214,6 +220,7 @@ class FlowSettings:
         "Seconds before a track that was lost at the image edge or outside the image is deleted; "
         "lower: people who leave are deleted sooner",
         formerly=("lost_at_edge_s",),
+        group="Track management",
     )
     merge_distance_m: float = setting(
         0.2,
@@ -222,6 +229,7 @@ class FlowSettings:
         "Tracks that walk closer together than this become one, with persistent_points only; "
         "higher: fewer duplicate tracks, but couples become one",
         formerly=("closest_m",),
+        group="Track management",
     )
     fit_silhouettes: bool = setting(
         True,
@@ -230,6 +238,7 @@ class FlowSettings:
         "Move people to where their bodies fill the foreground, with persistent_points only. "
         "Off: points alone place people",
         formerly=("silhouettes",),
+        group="Bodies",
     )
     extrapolate_s: float = setting(
         2.0,
@@ -238,6 +247,7 @@ class FlowSettings:
         "Seconds by which finished tracks are extrapolated before their first and after their "
         "last detection, with persistent_points only; higher: longer tracks with more guesses",
         formerly=("led_s",),
+        group="Track management",
     )
     smooth: bool = setting(
         True,

@@ -19,6 +19,7 @@ class JointSettings(WalkingSettings, StereoFilterSettings):
         (0.0, 10.0),
         "Seconds of detections after which a tentative track is confirmed; higher: fewer false "
         "tracks, which start later",
+        group="Track management",
     )
     report_s: float = setting(
         0.5,
@@ -27,6 +28,7 @@ class JointSettings(WalkingSettings, StereoFilterSettings):
         "Seconds a track in plain view is reported without a detection. After that it coasts "
         "unreported, and keeps its id when the person is detected again; higher: longer guesses",
         formerly=("lost_after_s",),
+        group="Track management",
     )
     report_occluded_s: float = setting(
         4.0,
@@ -35,6 +37,7 @@ class JointSettings(WalkingSettings, StereoFilterSettings):
         "Seconds an occluded track is reported without a detection; higher: longer guesses "
         "behind other people",
         formerly=("lost_hidden_s",),
+        group="Track management",
     )
     association_margin: float = setting(
         0.1,
@@ -43,6 +46,7 @@ class JointSettings(WalkingSettings, StereoFilterSettings):
         "Margin by which a detection must fit one track better than the next, as a difference "
         "in cost (0.1 is 1 nat: 2.7 times as likely); higher: fewer id switches, more gaps",
         formerly=("least_margin",),
+        group="Association",
     )
     process_noise: float = setting(
         1.0,
@@ -51,6 +55,7 @@ class JointSettings(WalkingSettings, StereoFilterSettings):
         "Intensity of the process noise: how suddenly people turn, stop and start; higher: "
         "tracks follow turns at once, but are rougher and switch sooner",
         formerly=("agility",),
+        group="Particles and motion",
     )
     birth_rate_edge: float = setting(
         1.0,
@@ -59,6 +64,7 @@ class JointSettings(WalkingSettings, StereoFilterSettings):
         "Birth rate at the image edge: new people per square metre of floor and second; higher: "
         "a detection there is rather a new person than a coasting track",
         formerly=("new_at_edge",),
+        group="Track management",
     )
     birth_rate_interior: float = setting(
         0.05,
@@ -67,6 +73,7 @@ class JointSettings(WalkingSettings, StereoFilterSettings):
         "Birth rate away from the image edge, as through doors or from behind pillars; higher: "
         "a detection there is rather a new person than a coasting track",
         formerly=("new_within",),
+        group="Track management",
     )
     miss_probability: float = setting(
         0.05,
@@ -75,6 +82,7 @@ class JointSettings(WalkingSettings, StereoFilterSettings):
         "Probability that a person in full view is not detected (1 minus the detection "
         "probability); higher: missed detections cost less",
         formerly=("overlooked",),
+        group="Association",
     )
     appearance_weight: float = setting(
         0.5,
@@ -83,6 +91,7 @@ class JointSettings(WalkingSettings, StereoFilterSettings):
         "Weight of appearance (clothes and body height) beside position in association; higher: "
         "appearance decides, which fails among people who are dressed alike",
         formerly=("looks_weight",),
+        group="Association",
     )
     smooth: bool = setting(
         True,
@@ -97,6 +106,7 @@ class JointSettings(WalkingSettings, StereoFilterSettings):
         (0.0, 10.0),
         "Cost of a sharp turn in association, in nats (1 nat: 2.7 times less likely); higher: "
         "people are expected to walk straight on",
+        group="Association",
     )
     coast_s: float = setting(
         8.0,
@@ -105,6 +115,7 @@ class JointSettings(WalkingSettings, StereoFilterSettings):
         "Seconds a track away from the image edge coasts without a detection before it is "
         "deleted; higher: more people get their id back, and more ids go to the wrong person",
         formerly=("remember_s",),
+        group="Track management",
     )
     velocity_decay_s: float = setting(
         2.0,
@@ -113,6 +124,7 @@ class JointSettings(WalkingSettings, StereoFilterSettings):
         "Time constant with which a coasting track slows down; lower: it is searched for nearer "
         "to its last detection",
         formerly=("slowing_s",),
+        group="Particles and motion",
     )
 
     @property

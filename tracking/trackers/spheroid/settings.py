@@ -33,6 +33,7 @@ class SpheroidSettings:
         "",
         (10, 5000),
         "Particles per person; higher: tracking in crowds is more reliable and takes more time",
+        group="Particles and motion",
     )
     radius_m: float = setting(
         0.25,
@@ -40,6 +41,7 @@ class SpheroidSettings:
         (0.1, 0.6),
         "Radius of the spheroid that models a body (half its width); higher: neighbours share "
         "more of the image",
+        group="Bodies",
     )
     min_height_m: float = setting(
         1.35,
@@ -48,6 +50,7 @@ class SpheroidSettings:
         "Smallest body height that is estimated; higher: children are estimated too tall and too "
         "near",
         formerly=("least_height_m",),
+        group="Bodies",
     )
     max_height_m: float = setting(
         2.0,
@@ -55,6 +58,7 @@ class SpheroidSettings:
         (0.6, 2.5),
         "Largest body height that is estimated; higher: tall people fit better",
         formerly=("most_height_m",),
+        group="Bodies",
     )
     initial_height_m: float = setting(
         1.72,
@@ -63,6 +67,7 @@ class SpheroidSettings:
         "Body height of a tentative track (1.8 in the paper); higher: it starts nearer to the "
         "camera",
         formerly=("usual_height_m",),
+        group="Bodies",
     )
     process_noise_m: float = setting(
         0.12,
@@ -71,6 +76,7 @@ class SpheroidSettings:
         "Process noise of the position; higher: tracks follow sudden turns, but neighbours are "
         "mixed up sooner",
         formerly=("spread_m",),
+        group="Particles and motion",
     )
     process_noise_velocity: float = setting(
         0.8,
@@ -79,6 +85,7 @@ class SpheroidSettings:
         "Process noise of the velocity; higher: tracks follow sudden turns, but neighbours are "
         "mixed up sooner",
         formerly=("spread_velocity",),
+        group="Particles and motion",
     )
     region_scale: float = setting(
         2.0,
@@ -86,6 +93,7 @@ class SpheroidSettings:
         (1.0, 4.0),
         "Size of the region in which a particle is weighted, in sizes of the spheroid, with "
         "paper only; higher: a wider background counts",
+        group="Bodies",
     )
     min_separation_m: float = setting(
         0.35,
@@ -94,6 +102,7 @@ class SpheroidSettings:
         "Smallest distance between two people (two radii in the paper); higher: fewer duplicate "
         "tracks, but people who walk close together are lost",
         formerly=("apart_m",),
+        group="Bodies",
     )
     colour_weight: float = setting(
         6.0,
@@ -101,6 +110,7 @@ class SpheroidSettings:
         (0.0, 100.0),
         "Weight of colours beside foreground (0, or with paper: they do not count); higher: fewer "
         "id switches where clothes differ",
+        group="Association",
     )
     birth_interval_s: float = setting(
         0.2,
@@ -108,6 +118,7 @@ class SpheroidSettings:
         (0.02, 10.0),
         "Seconds between two searches for new people; lower: they are found sooner, and more time",
         formerly=("birth_every_s",),
+        group="Track management",
     )
     birth_frames: int = setting(
         2,
@@ -116,6 +127,7 @@ class SpheroidSettings:
         "Searched frames in which a new person must be detected before a track starts; higher: "
         "fewer false tracks, which start later",
         formerly=("birth_looks",),
+        group="Track management",
     )
     max_spread_m: float = setting(
         0.9,
@@ -124,6 +136,7 @@ class SpheroidSettings:
         "A track whose particles spread wider than this is no longer reported; higher: uncertain "
         "tracks are kept longer",
         formerly=("largest_spread_m",),
+        group="Particles and motion",
     )
     report_occluded_s: float = setting(
         1.5,
@@ -132,6 +145,7 @@ class SpheroidSettings:
         "Seconds an occluded track is reported without a detection, not with paper; higher: "
         "longer guesses behind other people",
         formerly=("lost_hidden_s",),
+        group="Track management",
     )
     coast_s: float = setting(
         5.0,
@@ -141,6 +155,7 @@ class SpheroidSettings:
         "then the person gets the id back when detected near by; higher: more ids come back, and "
         "more go to the wrong person",
         formerly=("remembered_s",),
+        group="Track management",
     )
     smooth: bool = setting(
         True,

@@ -34,6 +34,7 @@ class StereoColourSettings(StereoTrackerSettings):
         "",
         (10, 20000),
         "Particles per person; higher: tracking in crowds is more reliable and takes more time",
+        group="Particles and motion",
     )
     cost_limit: float = setting(
         2.5,
@@ -41,6 +42,7 @@ class StereoColourSettings(StereoTrackerSettings):
         (0.1, 10.0),
         "Highest cost at which a detection is associated with a track; higher: fewer gaps, more "
         "id switches",
+        group="Association",
     )
     model_frames: int = setting(
         5,
@@ -48,6 +50,7 @@ class StereoColourSettings(StereoTrackerSettings):
         (1, 1000),
         "The colour model is the mean over this many first frames of a track; higher: steadier "
         "colours, which are of use later",
+        group="Association",
     )
 
 

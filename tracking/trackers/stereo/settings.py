@@ -20,6 +20,7 @@ class StereoFilterSettings(ABC):
         "",
         (10, 20000),
         "Particles per person; higher: tracking in crowds is more reliable and takes more time",
+        group="Particles and motion",
     )
     initial_spread_m: float = setting(
         0.25,
@@ -28,6 +29,7 @@ class StereoFilterSettings(ABC):
         "Standard deviation of a tentative track's particles around its first detection; higher: "
         "the next detection is found more surely, but neighbours are mixed up sooner",
         formerly=("start_spread_m",),
+        group="Particles and motion",
     )
     measurement_noise_m: float = setting(
         0.12,
@@ -36,6 +38,7 @@ class StereoFilterSettings(ABC):
         "Standard deviation of a measured position close to the cameras; higher: tracks are "
         "smoother, but follow turns later",
         formerly=("sigma_near_m",),
+        group="Particles and motion",
     )
     measurement_noise_growth: float = setting(
         0.001,
@@ -44,6 +47,7 @@ class StereoFilterSettings(ABC):
         "Growth of the measurement noise with the square of the distance; higher: far "
         "detections count less",
         formerly=("sigma_range",),
+        group="Particles and motion",
     )
     min_visibility: float = setting(
         0.3,
@@ -52,6 +56,7 @@ class StereoFilterSettings(ABC):
         "A track of whose body a smaller share is expected to be visible counts as occluded by "
         "other people; higher: more tracks count as occluded, and coast longer",
         formerly=("hidden_below",),
+        group="Track management",
     )
     negative_information_s: float = setting(
         0.2,
@@ -60,6 +65,7 @@ class StereoFilterSettings(ABC):
         "Time constant with which the particles of a person without a detection move to places "
         "that other people occlude; higher: they move more slowly",
         formerly=("unseen_s",),
+        group="Track management",
     )
     association_margin: float = setting(
         0.2,
@@ -68,6 +74,7 @@ class StereoFilterSettings(ABC):
         "Margin by which a detection must fit one track better than the next, as a difference "
         "in cost; higher: fewer id switches, more gaps",
         formerly=("least_margin",),
+        group="Association",
     )
     colour_update_distance_m: float = setting(
         0.6,
@@ -76,6 +83,7 @@ class StereoFilterSettings(ABC):
         "The colour model of a track is updated only while no other person is closer than this; "
         "higher: cleaner colour models, updated less often",
         formerly=("colour_distance_m",),
+        group="Association",
     )
     confirm_matches: int = setting(
         3,
@@ -83,6 +91,7 @@ class StereoFilterSettings(ABC):
         (1, 100),
         "Detections after which a tentative track is confirmed; higher: fewer false tracks, "
         "which start later",
+        group="Track management",
     )
     birth_distance_m: float = setting(
         0.5,
@@ -90,6 +99,7 @@ class StereoFilterSettings(ABC):
         (0.0, 5.0),
         "Smallest distance of a new tentative track to another track; higher: fewer duplicate "
         "tracks, but people who arrive in pairs are found later",
+        group="Track management",
     )
     delete_at_edge_s: float = setting(
         0.5,
@@ -98,6 +108,7 @@ class StereoFilterSettings(ABC):
         "Seconds before a track that was lost at the image edge is deleted; lower: people who "
         "leave are deleted sooner",
         formerly=("lost_at_edge_s",),
+        group="Track management",
     )
     smooth: bool = setting(
         True,
@@ -127,6 +138,7 @@ class StereoTrackerSettings(StereoFilterSettings):
         "Seconds without a detection after which a track is deleted; higher: fewer "
         "fragmentations, longer guesses",
         formerly=("lost_after_s",),
+        group="Track management",
     )
     delete_occluded_s: float = setting(
         4.0,
@@ -135,6 +147,7 @@ class StereoTrackerSettings(StereoFilterSettings):
         "Seconds without a detection after which an occluded track is deleted; higher: tracks "
         "wait longer behind other people",
         formerly=("lost_hidden_s",),
+        group="Track management",
     )
     process_noise_m: float = setting(
         0.25,
@@ -143,6 +156,7 @@ class StereoTrackerSettings(StereoFilterSettings):
         "Process noise: standard deviation of a person's position after one second; higher: "
         "tracks follow sudden turns, but neighbours are mixed up sooner",
         formerly=("spread_m",),
+        group="Particles and motion",
     )
     process_noise_growth: float = setting(
         1.0,
@@ -151,6 +165,7 @@ class StereoTrackerSettings(StereoFilterSettings):
         "Growth of the process noise with each second without a detection; higher: people are "
         "searched for in a wider area",
         formerly=("spread_growth",),
+        group="Particles and motion",
     )
     velocity_average_s: float = setting(
         0.4,
@@ -159,6 +174,7 @@ class StereoTrackerSettings(StereoFilterSettings):
         "Time over which the velocity is averaged; higher: steadier, but turns and stops are "
         "noticed later",
         formerly=("velocity_memory_s",),
+        group="Particles and motion",
     )
     gate_m: float = setting(
         0.9,
@@ -166,6 +182,7 @@ class StereoTrackerSettings(StereoFilterSettings):
         (0.1, 5.0),
         "Gate: largest distance of a detection from the predicted position; higher: fast walkers "
         "are kept, but ids switch sooner",
+        group="Association",
     )
     gate_growth: float = setting(
         1.0,
@@ -173,6 +190,7 @@ class StereoTrackerSettings(StereoFilterSettings):
         (0.0, 10.0),
         "Growth of the gate with each second without a detection; higher: people are searched "
         "for in a wider area",
+        group="Association",
     )
     cost_limit: float = setting(
         2.0,
@@ -180,18 +198,21 @@ class StereoTrackerSettings(StereoFilterSettings):
         (0.1, 10.0),
         "Highest cost at which a detection is associated with a track; higher: fewer gaps, more "
         "id switches",
+        group="Association",
     )
     distance_weight: float = setting(
         2.0,
         "1/m",
         (0.0, 20.0),
         "Cost of each metre between detection and predicted position; higher: position decides",
+        group="Association",
     )
     colour_weight: float = setting(
         1.0,
         "",
         (0.0, 10.0),
         "Weight of the colour difference in the cost; higher: clothes decide",
+        group="Association",
     )
     occlusion_weight: float = setting(
         0.5,
@@ -200,6 +221,7 @@ class StereoTrackerSettings(StereoFilterSettings):
         "Cost of a detection where the person should be occluded; higher: a person who appears "
         "from behind others is rather a new one",
         formerly=("hidden_weight",),
+        group="Association",
     )
 
     @property

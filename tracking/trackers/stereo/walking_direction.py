@@ -28,6 +28,7 @@ class WalkingSettings:
         "",
         (0.0, 10.0),
         "Cost of a sharp turn in association; higher: people are expected to walk straight on",
+        group="Association",
     )
     direction_threshold_rad: float = setting(
         1.22,
@@ -35,6 +36,7 @@ class WalkingSettings:
         (0.01, 3.1416),
         "Angle from which on a turn has its full cost (1.57 is a right angle); higher: turning "
         "back costs more than turning aside",
+        group="Association",
     )
     direction_step_m: float = setting(
         0.4,
@@ -42,6 +44,7 @@ class WalkingSettings:
         (0.05, 5.0),
         "Distance a person must walk before the walking direction is known; higher: steadier, "
         "but turns are noticed later",
+        group="Association",
     )
     direction_timeout_s: float = setting(
         1.5,
@@ -50,6 +53,7 @@ class WalkingSettings:
         "A person who needs longer for that distance is standing and has no walking direction; "
         "higher: slow walkers have a direction",
         formerly=("direction_memory_s",),
+        group="Association",
     )
     colour_forgetting_factor: float = setting(
         0.97,
@@ -58,6 +62,7 @@ class WalkingSettings:
         "Share of the colour model that remains after each update; higher: the model follows "
         "the light more slowly, and a wrong association harms it less",
         formerly=("colour_memory",),
+        group="Association",
     )
 
 

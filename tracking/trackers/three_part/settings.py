@@ -35,6 +35,7 @@ class WholeBodySettings:
         (10, 20000),
         "Fewest particles of a body part, however certain it is; higher: steadier, and more time",
         formerly=("least_particles",),
+        group="Particles and motion",
     )
     max_particles: int = setting(
         1000,
@@ -43,6 +44,7 @@ class WholeBodySettings:
         "Most particles of a body part, however uncertain it is; higher: a lost part is found "
         "sooner, and more time",
         formerly=("most_particles",),
+        group="Particles and motion",
     )
     particle_growth: float = setting(
         1.2,
@@ -50,6 +52,7 @@ class WholeBodySettings:
         (0.1, 10.0),
         "Growth of the number of particles with the entropy of their weights; higher: a lost "
         "part is found sooner, and more time",
+        group="Particles and motion",
     )
     similarity_sigma: float = setting(
         0.07,
@@ -57,6 +60,7 @@ class WholeBodySettings:
         (0.01, 1.0),
         "Standard deviation of the colour distance in the likelihood; lower: stricter, but parts "
         "are lost sooner when the light changes",
+        group="Association",
     )
     colour_forgetting_factor: float = setting(
         0.9,
@@ -65,6 +69,7 @@ class WholeBodySettings:
         "Share of the colour model that remains after each update; higher: the model follows "
         "the light more slowly, and a wrong association harms it less",
         formerly=("model_memory",),
+        group="Association",
     )
     process_noise_position: float = setting(
         0.9,
@@ -73,6 +78,7 @@ class WholeBodySettings:
         "Process noise of the position, in sizes of the part; higher: fast movement is followed, "
         "but the part jitters more",
         formerly=("spread_position",),
+        group="Particles and motion",
     )
     process_noise_size: float = setting(
         0.25,
@@ -81,6 +87,7 @@ class WholeBodySettings:
         "Process noise of the size, in sizes of the part; higher: changes of size are followed, "
         "but the size jitters more",
         formerly=("spread_size",),
+        group="Particles and motion",
     )
     process_noise_velocity: float = setting(
         2.5,
@@ -89,6 +96,7 @@ class WholeBodySettings:
         "Process noise of the velocity, in sizes of the part; higher: turns and stops are "
         "followed, but the part jitters more",
         formerly=("spread_velocity",),
+        group="Particles and motion",
     )
     stored_particles: int = setting(
         100,
@@ -96,6 +104,7 @@ class WholeBodySettings:
         (0, 20000),
         "Particles of each part that the session stores for display; 0: none; higher: larger files",
         formerly=("kept_particles",),
+        group="Particles and motion",
     )
     confirm_s: float = setting(
         0.15,
@@ -104,6 +113,7 @@ class WholeBodySettings:
         "Seconds of detections after which a tentative track is confirmed; higher: fewer false "
         "tracks, which start later",
         formerly=("birth_s",),
+        group="Track management",
     )
     delete_after_s: float = setting(
         1.0,
@@ -112,6 +122,7 @@ class WholeBodySettings:
         "Seconds without foreground after which a track is deleted; higher: fewer "
         "fragmentations, longer guesses",
         formerly=("lost_after_s",),
+        group="Track management",
     )
     delete_occluded_s: float = setting(
         4.0,
@@ -120,6 +131,7 @@ class WholeBodySettings:
         "Seconds without foreground after which a track behind other people or drawn occluders "
         "is deleted; higher: tracks wait longer there",
         formerly=("lost_hidden_s",),
+        group="Track management",
     )
     delete_at_edge_s: float = setting(
         0.3,
@@ -128,6 +140,7 @@ class WholeBodySettings:
         "Seconds before a track that was lost at the image edge is deleted; lower: people who "
         "leave are deleted sooner",
         formerly=("lost_at_edge_s",),
+        group="Track management",
     )
     occluders: str = setting(
         "",
@@ -169,6 +182,7 @@ class ThreePartSettings(WholeBodySettings):
         None,
         "Put failed parts back where the other parts and the foreground place them. Off: as in "
         "the paper's comparison, and the next three settings have no effect",
+        group="Bodies",
     )
     fit_silhouettes: bool = setting(
         True,
@@ -177,6 +191,7 @@ class ThreePartSettings(WholeBodySettings):
         "Fit the parts of isolated people to their silhouettes (not in the paper). Off: colours "
         "alone place these parts",
         formerly=("follow_silhouettes",),
+        group="Bodies",
     )
     pose_constraints: bool = setting(
         True,
@@ -185,6 +200,7 @@ class ThreePartSettings(WholeBodySettings):
         "Detect failed parts by foreground and pose too, and keep occluded parts within the body "
         "(not in the paper). Off: only the failure detector does",
         formerly=("body_rules",),
+        group="Bodies",
     )
     reidentify: bool = setting(
         True,
@@ -193,6 +209,7 @@ class ThreePartSettings(WholeBodySettings):
         "Give lost people their id back, and split tracks that hold two people (not in the "
         "paper). Off: neither",
         formerly=("find_again",),
+        group="Association",
     )
     detector: str = setting(
         "", "", None, "File of the failure detector; empty: the built-in detector"
