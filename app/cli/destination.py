@@ -101,7 +101,7 @@ def _check_not_protected(path: Path, option: str) -> None:
     if not path.is_file():
         return
     from app.features.files.own_files import is_own
-    from app.features.files.protected import why_protected
+    from app.features.files.protected_files import why_protected
 
     if (what := why_protected(path)) and not is_own(path):
         raise OutputError(_would_be_lost(path, what, option))

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from app.cli.destination import check_folder, nearest_folder
 from app.cli.output import print_json, print_line, print_lines, say
-from app.cli.score_measuring import MeasureRequest, measure_all, yardstick_of
-from app.cli.score_printing import document_of, text_of
+from app.cli.score_measurement import MeasureRequest, measure_all, yardstick_of
+from app.cli.score_printer import document_of, text_of
 from app.cli.sequences import pair_results
 from tracking.scoring.report import check_score_folder, report_of, write_score_report
 

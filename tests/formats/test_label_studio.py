@@ -15,7 +15,7 @@ from tests.pace import spent
 from tracking.errors import FormatError
 from tracking.formats.filled_rows import MOST_FILLED
 from tracking.formats.label_studio import LABEL_STUDIO
-from tracking.formats.label_studio_reading import import_label_studio
+from tracking.formats.label_studio_reader import import_label_studio
 from tracking.formats.read_result import Filmed, Imported
 from tracking.formats.track_writer import Exported, no_progress
 from tracking.tracks import TrackLabel, TrackTable

@@ -19,7 +19,7 @@ from tracking.formats.kitti import KITTI
 from tracking.formats.label_studio import LABEL_STUDIO
 from tracking.formats.mot import MOT, MOT16, lacks_commas
 from tracking.formats.petrack_trc import PETRACK_TRC
-from tracking.formats.samples_reading import begins_as_hdf5
+from tracking.formats.samples_reader import begins_as_hdf5
 from tracking.formats.sleap import SLEAP
 from tracking.formats.track_format import HEAD_BYTES, TrackFormat
 from tracking.formats.viame import VIAME

@@ -23,7 +23,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.errors import FormatError
-from tracking.formats.coco_writing import export_coco
+from tracking.formats.coco_writer import export_coco
 from tracking.formats.filled_rows import MOST_TRACKS
 from tracking.formats.json_numbers import number_of, whole_of
 from tracking.formats.json_stream import elements_of

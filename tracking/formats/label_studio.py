@@ -41,7 +41,7 @@ import numpy as np
 from tracking.atomic_output import replacing
 from tracking.errors import FormatError
 from tracking.formats.cvat_interpolation import keyframes_of
-from tracking.formats.label_studio_reading import import_label_studio, looks_like_label_studio
+from tracking.formats.label_studio_reader import import_label_studio, looks_like_label_studio
 from tracking.formats.label_studio_region import (
     COLON_WITHIN,
     FIRST_FRAME,

@@ -3,7 +3,7 @@
 Three dialects share their first seven numbers, `frame, id, left, top, width, height, conf`: what
 trackers give ends there; the challenge of 2015 adds the place in the world, `x, y, z`; those of
 2016 and later add `class, visibility`. The text counts frames and pixels from 1; everything else in
-this program counts from 0, so both are shifted in `mot_reading` and `mot_writing`, and nowhere
+this program counts from 0, so both are shifted here and in `mot_writer`, and nowhere
 else. `-1` stands for a number that is not known. `#` and what stands
 behind it in a line is a comment.
 """
@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from tracking.errors import FormatError
 from tracking.formats.delimited_text import NumberRows, RowShape, pieces_of
 from tracking.formats.mot_classes import kept_visibility, labels_of_classes
-from tracking.formats.mot_writing import export_mot, export_mot_classes
+from tracking.formats.mot_writer import export_mot, export_mot_classes
 from tracking.formats.read_result import Filmed, Imported, Reading
 from tracking.formats.row_rules import BOX
 from tracking.formats.seqinfo import sequence_of

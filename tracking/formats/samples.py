@@ -1,7 +1,7 @@
 """Samples of the failure detector for other programs: CSV, HDF5 and LIBSVM text.
 
 CSV holds a row a sample with every column and every digit; HDF5 holds the same as arrays. Both can
-be read back (`samples_reading`). LIBSVM text holds labels and features alone, for one machine a
+be read back (`samples_reader`). LIBSVM text holds labels and features alone, for one machine a
 file, and cannot: it does not say whose samples they are.
 """
 

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.arrays import Flags, Floats, Integers
-from tracking.scoring.clear_counting import Successions, successions
+from tracking.scoring.clear_counts import Successions, successions
 from tracking.scoring.examination import Examination, examine
 from tracking.scoring.similarity import Match
 from tracking.scoring.table import ScoringTable

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from tracking.arrays import Flags, Floats
-from tracking.scoring.clear_matching import clear_matches
+from tracking.scoring.clear_matches import clear_matches
 from tracking.scoring.comparison import Comparison, compare
 from tracking.scoring.conventions import Conventions
 from tracking.scoring.motmetrics import motmetrics_admitted, motmetrics_matches

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from tracking.arrays import Integers
-from tracking.scoring.clear_matching import clear_matches
+from tracking.scoring.clear_matches import clear_matches
 from tracking.scoring.comparison import compare
 from tracking.scoring.similarity import BoxMatch, Match
 from tracking.scoring.table import ScoringTable

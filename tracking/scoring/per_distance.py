@@ -10,7 +10,7 @@ import numpy as np
 
 from tracking.arrays import Floats, Integers
 from tracking.errors import SettingsError
-from tracking.scoring.clear_counting import successions
+from tracking.scoring.clear_counts import successions
 from tracking.scoring.conventions import Conventions
 from tracking.scoring.examination import Examination
 from tracking.scoring.identity import naming

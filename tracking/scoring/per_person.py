@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from tracking.arrays import Integers
-from tracking.scoring.clear_counting import successions
+from tracking.scoring.clear_counts import successions
 from tracking.scoring.examination import Examination, examine
 from tracking.scoring.id_index import grouped
 from tracking.scoring.identity import naming

@@ -10,18 +10,18 @@ from typing import Any
 import numpy as np
 
 from tracking.scoring.clear import Clear
-from tracking.scoring.clear_counting import clear
+from tracking.scoring.clear_counts import clear
 from tracking.scoring.conventions import Conventions
 from tracking.scoring.examination import Examination, examine
 from tracking.scoring.hota import ALPHAS, CURVES, Hota
-from tracking.scoring.hota_counting import hota
+from tracking.scoring.hota_counts import hota
 from tracking.scoring.identity import Identity, identity
 from tracking.scoring.papers import People, PositionError, people
 from tracking.scoring.passages import PassageScore
 from tracking.scoring.similarity import Match
 from tracking.scoring.table import ScoringTable
 from tracking.scoring.track_map import OVERLAPS, SUBSETS, TrackMap
-from tracking.scoring.track_map_matching import track_map
+from tracking.scoring.track_map_matches import track_map
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -22,7 +22,7 @@ from tracking.session.journal_limits import (
     SMALL_CELL,
     TimeLimit,
 )
-from tracking.session.journal_reading import rows_in_order
+from tracking.session.journal_reader import rows_in_order
 from tracking.session.journal_rows import Act as Act
 from tracking.session.journal_rows import (
     Contents,

@@ -33,7 +33,7 @@ def score(
 ) -> None:
     """Measure results against truth."""
     from app.cli.score import run_score
-    from app.cli.score_measuring import MeasureRequest, radius_of
+    from app.cli.score_measurement import MeasureRequest, radius_of
     from app.cli.score_passages import lines_named
     from tracking.formats import Stated
 

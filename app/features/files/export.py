@@ -6,7 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from app.features.files.own_files import is_own
-from app.features.files.protected import why_protected
+from app.features.files.protected_files import why_protected
 from tracking.errors import OutputError, SessionError
 from tracking.formats import Exported, begins_as_hdf5
 from tracking.geometry import View

@@ -27,7 +27,7 @@ from app.features.pictures.floor import (
     inner_corner,
 )
 from app.features.pictures.floor_legend import FloorLegend
-from app.features.pictures.floor_naming import FloorNameInput, FloorNamePainter
+from app.features.pictures.floor_name_painter import FloorNameInput, FloorNamePainter
 from app.features.pictures.floor_people import draw_floor_ghost, draw_floor_person
 from app.features.pictures.flow_map import FlowMapPainter
 from app.features.pictures.measurement_marks import draw_measured

@@ -21,7 +21,7 @@ from app.core.look.theme import Theme, current_theme, scaled_font
 from app.core.plots.axis import TimeAxis
 from app.core.scenes import Lane, TimelineScene
 from app.core.widgets.still_picture import StillPicture
-from app.features.timeline.area_drawing import draw_edit, draw_rows
+from app.features.timeline.area_painter import draw_edit, draw_rows
 from app.features.timeline.controls import TimelineControls
 from app.features.timeline.gestures import Gestures
 from app.features.timeline.hover import words_at

@@ -14,7 +14,7 @@ from tests.benchmarks.clips import Clip, Columns, floor_truth, folder_of, moment
 from tests.benchmarks.runner import Case, run_of
 from tracking.formats import read_mot
 from tracking.scoring import FloorMatch, Score, ScoringTable, score
-from tracking.scoring.clear_matching import clear_matches
+from tracking.scoring.clear_matches import clear_matches
 from tracking.scoring.comparison import compare
 from tracking.synthesis.marks import MARKS_M
 

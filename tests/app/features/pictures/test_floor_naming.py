@@ -11,7 +11,7 @@ from drawn_scenes import floor_person, overhead
 from PySide6.QtCore import QPointF
 
 from app.core.scenes.ground_truth import FlooredTruth, TruthPlace
-from app.features.pictures import floor_naming
+from app.features.pictures import floor_name_painter
 from app.features.pictures.overhead_view import OverheadView
 from tracking.scoring import ErrorKind
 
@@ -63,8 +63,10 @@ def test_who_is_missed_is_named_before_anybody_who_is_found(view):
 
 def test_names_are_placed_once_for_a_picture_that_is_painted_again(view, monkeypatch):
     placed = []
-    place = floor_naming.place_names
-    monkeypatch.setattr(floor_naming, "place_names", lambda *it: placed.append(1) or place(*it))
+    place = floor_name_painter.place_names
+    monkeypatch.setattr(
+        floor_name_painter, "place_names", lambda *it: placed.append(1) or place(*it)
+    )
     scene = overhead(floor_person(1, (0, 5)))
     view.show_scene(scene)
     view.grab()

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from app.cli.output import escape_controls
-from app.cli.score_measuring import MeasureRequest, SequenceMeasurement
+from app.cli.score_measurement import MeasureRequest, SequenceMeasurement
 from app.cli.sequences import Pairing
 from tracking.scoring import Score, combined
 from tracking.scoring.report import (
