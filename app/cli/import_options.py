@@ -9,30 +9,30 @@ import typer
 
 from app.cli import completions
 
-Tracks = Annotated[Path, typer.Argument(help="A file of tracks made elsewhere.")]
+Tracks = Annotated[Path, typer.Argument(help="A file of tracks of another program.")]
 Footage = Annotated[
-    Path | None, typer.Option("--recording", "-r", help="The recording they are of.")
+    Path | None, typer.Option("--recording", "-r", help="The recording of these tracks.")
 ]
 Out = Annotated[Path | None, typer.Option("--out", "-o", help="The session to make: NAME.h5.")]
 Into = Annotated[
     Path | None,
     typer.Option(
-        help="A session to take them into instead, as one edit: tracks of the file are added "
-        "or take the place of those with their ids; no other track goes.",
+        help="A session to import them into instead, as one edit: tracks of the file are added, "
+        "or replace those with the same ids; all other tracks stay.",
     ),
 ]
 FileFormat = Annotated[
     str | None,
     typer.Option(
         "--format",
-        help="Of the file.",
+        help="Format of the file.",
         show_default="told by content",
         autocompletion=completions.complete_import_formats,
     ),
 ]
 TakeGood = Annotated[
     bool,
-    typer.Option("--take-good", help="Take the good rows also where others are bad."),
+    typer.Option("--take-good", help="Import the valid rows even if others are invalid."),
 ]
 Report = Annotated[
     bool, typer.Option("--report", help="List the rows that are invalid, and why, on stderr.")
@@ -41,13 +41,13 @@ Thin = Annotated[
     float | None,
     typer.Option(
         metavar="PX",
-        help="Thin tracks of which every row is a keyframe: no edge of a box ends up farther "
-        "off than this many px.",
+        help="Thin tracks with a keyframe in every frame; edges of boxes move by at most this "
+        "many px.",
     ),
 ]
 AsNew = Annotated[
-    bool, typer.Option("--as-new", help="Give all tracks new ids, above those known.")
+    bool, typer.Option("--as-new", help="Give all tracks new ids, above the ids in use.")
 ]
 OnlyPeople = Annotated[
-    bool, typer.Option("--only-people", help="Leave out what the file says is no person.")
+    bool, typer.Option("--only-people", help="Import only people, no other classes.")
 ]

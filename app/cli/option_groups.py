@@ -50,7 +50,7 @@ class Order:
     tracker: Annotated[
         str | None,
         typer.Option(
-            help="Its name.",
+            help="Name of the tracker.",
             show_default="best for the recording",
             autocompletion=completions.complete_trackers,
         ),
@@ -58,17 +58,17 @@ class Order:
     setting: Annotated[
         list[str] | None,
         typer.Option(
-            "--set", help="KEY=VALUE, see trackers.", autocompletion=completions.complete_settings
+            "--set",
+            help="KEY=VALUE; trackwright trackers lists the settings.",
+            autocompletion=completions.complete_settings,
         ),
     ] = None
     frames: Annotated[
-        str | None, typer.Option(help="A:B, from 0, B not included.", show_default="all")
+        str | None, typer.Option(help="Frames A:B, counted from 0, without B.", show_default="all")
     ] = None
     seed: options.Seed = 0
     detector: Annotated[Path | None, typer.Option(help="A failure detector made by train.")] = None
-    occluders: Annotated[
-        Path | None, typer.Option(help="A session in which what hides people is drawn.")
-    ] = None
+    occluders: Annotated[Path | None, typer.Option(help="A session with drawn occluders.")] = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,8 +96,8 @@ class OnFloor:
     line: Annotated[
         list[str] | None,
         typer.Option(
-            help="NAME:x1,y1:x2,y2 on the floor, m; forward crosses from its left-hand side,"
-            " looking from the first to the second point, to its right-hand side.",
+            help="NAME:x1,y1:x2,y2 on the floor, m. Seen from the first point towards the second,"
+            " forward is from left to right.",
             show_default="drawn in the session",
         ),
     ] = None
@@ -120,7 +120,7 @@ class InPicture:
     picture_line: Annotated[
         list[str] | None,
         typer.Option(
-            help="NAME:u1,v1:u2,v2 in px of the left image; the foot of a box crosses it.",
+            help="NAME:u1,v1:u2,v2 in px of the left image; the foot of a box must cross it.",
             rich_help_panel=_PICTURE,
         ),
     ] = None
@@ -129,7 +129,7 @@ class InPicture:
         typer.Option(help="NAME:u,v:u,v:u,v... in px.", rich_help_panel=_PICTURE),
     ] = None
     jitter_px: Annotated[
-        float, typer.Option(help="As --jitter, in px.", rich_help_panel=_PICTURE)
+        float, typer.Option(help="The same for lines in the picture, px.", rich_help_panel=_PICTURE)
     ] = 0.0
 
 

@@ -18,8 +18,9 @@ Force = Annotated[
     bool,
     typer.Option(
         "--force",
-        help="Replace also a file that is no session and a session with corrections; one without "
-        "is replaced anyway. The older session stays beside it as a backup.",
+        help="Replace the file even if it is a session with corrections, or no session. A session"
+        " without corrections is always replaced. The older session stays beside it as a "
+        "backup.",
     ),
 ]
 
@@ -30,14 +31,14 @@ def _held_seed(seed: int) -> int:
     return seed
 
 
-Seed = Annotated[int, typer.Option(callback=_held_seed, help="Of all random numbers.")]
+Seed = Annotated[int, typer.Option(callback=_held_seed, help="Seed of all random numbers.")]
 
 _AGAIN = "Again, after corrections"
 Again = Annotated[
     Path | None,
     typer.Option(
         "--again",
-        help="A session: go on from its corrected tracks and print what would change there.",
+        help="A session: continue from its corrected tracks and print what would change.",
         rich_help_panel=_AGAIN,
     ),
 ]
@@ -48,14 +49,14 @@ From = Annotated[
 Until = Annotated[
     int | None,
     typer.Option(
-        "--until", min=1, help="The first frame not to.", show_default="all", rich_help_panel=_AGAIN
+        "--until", min=1, help="Stop before this frame.", show_default="all", rich_help_panel=_AGAIN
     ),
 ]
 Accept = Annotated[
     bool,
     typer.Option(
         "--accept",
-        help="Take what changes, except what somebody corrected or marked as reviewed, and save.",
+        help="Apply the changes and save. Rows that are corrected or reviewed stay as they are.",
         rich_help_panel=_AGAIN,
     ),
 ]
@@ -69,45 +70,59 @@ Right = Annotated[
 ]
 Calibration = Annotated[
     list[Path] | None,
-    typer.Option("--calibration", help="A calibration file; twice for two.", rich_help_panel=_BARE),
+    typer.Option(
+        "--calibration", help="A calibration file; may be given twice.", rich_help_panel=_BARE
+    ),
 ]
 Height = Annotated[
     float | None,
-    typer.Option("--height", help="Of the left camera over the floor, m.", rich_help_panel=_BARE),
+    typer.Option(
+        "--height", help="Height of the left camera above the floor, m.", rich_help_panel=_BARE
+    ),
 ]
 Tilt = Annotated[
     float | None,
-    typer.Option("--tilt", help="Of its axis below the horizon, degrees.", rich_help_panel=_BARE),
+    typer.Option(
+        "--tilt",
+        help="Angle of the camera's axis below the horizon, degrees.",
+        rich_help_panel=_BARE,
+    ),
 ]
 Roll = Annotated[
     float | None,
-    typer.Option("--roll", help="About its axis, clockwise, degrees.", rich_help_panel=_BARE),
+    typer.Option(
+        "--roll",
+        help="Rotation of the camera about its axis, clockwise, degrees.",
+        rich_help_panel=_BARE,
+    ),
 ]
 Fps = Annotated[
     float | None,
     typer.Option(
         "--fps",
-        help="Frames a second, for images and for tracks as text without it.",
+        help="Frames per second, for images and for text files of tracks that do not state it.",
         rich_help_panel=_BARE,
     ),
 ]
 Layout = Annotated[
     Literal["side-by-side", "top-bottom"] | None,
-    typer.Option("--layout", help="How both cameras lie in one video.", rich_help_panel=_BARE),
+    typer.Option("--layout", help="How one video holds both cameras.", rich_help_panel=_BARE),
 ]
 First = Annotated[
     Literal["left", "right"] | None,
-    typer.Option("--first", help="The camera that comes first there.", rich_help_panel=_BARE),
+    typer.Option(
+        "--first", help="The camera that comes first in that video.", rich_help_panel=_BARE
+    ),
 ]
 Outside = Annotated[
     bool,
     typer.Option(
         "--allow-outside",
-        help="Follow paths out of the recording's folder.",
+        help="Allow files outside of the recording's folder.",
         rich_help_panel=_BARE,
     ),
 ]
 Unit = Annotated[
     Literal["m", "cm"] | None,
-    typer.Option("--unit", help="Of lengths in tracks as text that does not say it."),
+    typer.Option("--unit", help="Unit of lengths, for text files of tracks that do not state it."),
 ]

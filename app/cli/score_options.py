@@ -22,56 +22,58 @@ Truth = Annotated[
     ),
 ]
 Match = Annotated[
-    Literal["box", "floor"], typer.Option(help="Pair by overlap or by floor distance.")
+    Literal["box", "floor"],
+    typer.Option(help="Match rows by overlap of boxes or by distance on the floor."),
 ]
 Radius = Annotated[
     float | None,
-    typer.Option(help="Greatest distance on the floor, m; with --match floor.", show_default="0.5"),
+    typer.Option(help="Largest distance on the floor, m; with --match floor.", show_default="0.5"),
 ]
 Conventions = Annotated[
     Literal["trackeval", "py-motmetrics"],
-    typer.Option("--as", help="Whose definitions hold where the field's programs differ."),
+    typer.Option("--as", help="Use the definitions of this program where scoring programs differ."),
 ]
 Frames = Annotated[
     str | None,
-    typer.Option(help="A:B, from 0, B not included: measure these.", show_default="all"),
+    typer.Option(help="Score only frames A:B, counted from 0, without B.", show_default="all"),
 ]
 Ranges = Annotated[
     list[str] | None,
-    typer.Option("--range", help="A:B, measured by itself, too; may be repeated."),
+    typer.Option("--range", help="Score frames A:B separately as well; may be repeated."),
 ]
 Distances = Annotated[
     str | None,
     typer.Option(
         metavar="0,M,...",
-        help="Measures by distance from the camera on the floor, m: 0,5,10 are 0 to 5, 5 to 10"
-        " and 10 and more.",
+        help="Score by distance from the camera on the floor, m: 0,5,10 means 0 to 5, 5 to 10, "
+        "and 10 or more.",
     ),
 ]
 Fps = Annotated[
-    float | None, typer.Option(help="Frames a second, for tracks as text that does not say it.")
+    float | None,
+    typer.Option(help="Frames per second, for text files of tracks that do not state it."),
 ]
 PerPerson = Annotated[
-    bool, typer.Option("--per-person", help="A row for each person of the truth.")
+    bool, typer.Option("--per-person", help="Print a row for each person of the ground truth.")
 ]
 Lines = Annotated[
     list[str] | None,
     typer.Option(
-        help="NAME:x1,y1:x2,y2 on the floor, m: compare the passages over it.",
+        help="NAME:x1,y1:x2,y2 on the floor, m: compare the passages over this line.",
         show_default="drawn in the session",
     ),
 ]
 PictureLines = Annotated[
-    list[str] | None, typer.Option(help="NAME:u1,v1:u2,v2: the same in the picture, px.")
+    list[str] | None, typer.Option(help="NAME:u1,v1:u2,v2: the same for a line in the picture, px.")
 ]
 Report = Annotated[
     Path | None,
-    typer.Option(help="A folder for a report: a page, and the same as Markdown and JSON."),
+    typer.Option(help="Folder for a report as a web page, Markdown and JSON."),
 ]
 Outside = Annotated[
     bool,
     typer.Option(
         "--allow-outside",
-        help="Take the report's pictures also from outside of a session's folder.",
+        help="Allow a recording outside of its session's folder for the report's pictures.",
     ),
 ]

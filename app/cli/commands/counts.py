@@ -19,13 +19,17 @@ def count(
     session: Annotated[Path, typer.Argument(help="A session.")],
     *,
     floor: OnFloor,
-    step: Annotated[float, typer.Option(help="How time is cut, s.")] = 0.5,
+    step: Annotated[float, typer.Option(help="Length of a time step, s.")] = 0.5,
     csv: Annotated[
         Path | None, typer.Option(help="Write each step to this file; - is stdout.")
     ] = None,
     run: Annotated[
         int | None,
-        typer.Option(min=0, help="A tracker's run, from 0.", show_default="the corrected tracks"),
+        typer.Option(
+            min=0,
+            help="Number of a tracker's run, counted from 0.",
+            show_default="the corrected tracks",
+        ),
     ] = None,
     picture: InPicture,
     json: options.Json = False,

@@ -32,9 +32,7 @@ def every_command(
     debug: Annotated[bool, typer.Option("--debug", help="Show the traceback of an error.")] = False,
     version: Annotated[
         bool,
-        typer.Option(
-            "--version", help="Say which one it is.", callback=_say_version, is_eager=True
-        ),
+        typer.Option("--version", help="Show the version.", callback=_say_version, is_eager=True),
     ] = False,
 ) -> None:
     """A workbench for people tracked in recorded stereo footage."""

@@ -43,12 +43,13 @@ def _scenes(incomplete: str) -> list[str]:
 @program.command(cls=HelpCommand)
 def demo(
     out: Annotated[
-        Path | None, typer.Option("--out", help="Where to make it.", show_default="data folder")
+        Path | None,
+        typer.Option("--out", help="Folder to make the recording in.", show_default="data folder"),
     ] = None,
     no_gui: Annotated[bool, typer.Option("--no-gui", help="Do not open the window.")] = False,
     json: options.Json = False,
 ) -> None:
-    """Make the built-in stereo recording, track it and open the window on it."""
+    """Make the built-in stereo recording, track it and open it in the window."""
     from app.cli.demo import run_demo
 
     run_demo(out, gui=not no_gui, as_json=json)
@@ -61,7 +62,7 @@ def open_window(
     *,
     bare: Bare,
     recording: Annotated[
-        Path | None, typer.Option(help="Where a session's recording has moved to.")
+        Path | None, typer.Option(help="Where the session's recording is now.")
     ] = None,
 ) -> None:
     """Open the window."""
@@ -78,7 +79,7 @@ def info(
     bare: Bare,
     json: options.Json = False,
 ) -> None:
-    """Say what a recording or a session holds."""
+    """Show what a recording or a session holds."""
     from app.cli.info import run_info
 
     run_info(path, bare, as_json=json)
@@ -86,35 +87,39 @@ def info(
 
 @program.command(cls=HelpCommand)
 def synth(
-    out: Annotated[Path, typer.Argument(help="The recording's folder, made by this command.")],
+    out: Annotated[Path, typer.Argument(help="Folder to make the recording in.")],
     scene: Annotated[
         str,
         typer.Option(
-            help=f"Which kind of place: {', '.join(SCENE_NAMES)}.",
+            help=f"Scene to render: {', '.join(SCENE_NAMES)}.",
             autocompletion=_scenes,
         ),
     ],
     seconds: Annotated[
-        float | None, typer.Option(help="How long.", show_default="the scene's own")
+        float | None,
+        typer.Option(help="Length of the recording, s.", show_default="the scene's own"),
     ] = None,
     people: Annotated[
-        int | None, typer.Option(help="How many.", show_default="the scene's own")
+        int | None, typer.Option(help="Number of people.", show_default="the scene's own")
     ] = None,
     seed: options.Seed = 0,
     begin: Annotated[
-        float, typer.Option(help="Leave out so many seconds: it begins with people in it.")
+        float,
+        typer.Option(
+            help="Leave out this many seconds at the start, so that the first frame shows people."
+        ),
     ] = 0.0,
     dim: Annotated[
         float | None,
-        typer.Option(help="Second at which a part of the light goes out.", show_default="never"),
+        typer.Option(help="Second at which some of the lights go out.", show_default="never"),
     ] = None,
     bump: Annotated[
         float | None,
-        typer.Option(help="Second at which the camera is knocked.", show_default="never"),
+        typer.Option(help="Second at which something bumps the camera.", show_default="never"),
     ] = None,
     json: options.Json = False,
 ) -> None:
-    """Render a recording of people with exact truth, with one camera or two as the scene has it."""
+    """Render a recording of people with exact ground truth; the scene has one camera or two."""
     from app.cli.synth import SynthRequest, run_synth
 
     request = SynthRequest(scene, seconds, people, seed, begin, dim, bump)

@@ -31,7 +31,7 @@ def score(
     allow_outside: score_options.Outside = False,
     json: options.Json = False,
 ) -> None:
-    """Measure results against truth."""
+    """Score results against ground truth."""
     from app.cli.score import run_score
     from app.cli.score_measurement import MeasureRequest, radius_of
     from app.cli.score_passages import lines_named
@@ -61,12 +61,14 @@ def compare(
     b: Annotated[Path, typer.Argument(help="Another person's session of the same recording.")],
     match: Annotated[
         Literal["either", "box", "floor"],
-        typer.Option(help="Pair by overlap, by floor distance, or by whichever fits better."),
+        typer.Option(
+            help="Match rows by overlap of boxes, by distance on the floor, or by what fits better."
+        ),
     ] = "either",
-    radius: Annotated[float, typer.Option(help="Greatest distance on the floor, m.")] = 0.5,
+    radius: Annotated[float, typer.Option(help="Largest distance on the floor, m.")] = 0.5,
     json: options.Json = False,
 ) -> None:
-    """Say how far two people's sessions agree on who is who."""
+    """Measure how well two sessions of a recording agree on who is who."""
     from app.cli.compare import run_compare
 
     run_compare(a, b, match, radius, as_json=json)
@@ -78,12 +80,13 @@ def review(
     order: Annotated[
         Literal["yield", "worth", "likelihood", "time"],
         typer.Option(
-            help="Yield finds most for the time watched; worth, as in the window, is likelihood"
-            " times how much would be wrong; likelihood, that something is."
+            help="yield: most errors found per time watched; likelihood: most likely errors "
+            "first; worth, as in the window: likelihood times size of the error; time: by "
+            "frame."
         ),
     ] = "yield",
     most: Annotated[
-        int | None, typer.Option(min=1, help="How many at most.", show_default="all")
+        int | None, typer.Option(min=1, help="Largest number of review items.", show_default="all")
     ] = None,
     json: options.Json = False,
 ) -> None:
@@ -95,10 +98,10 @@ def review(
 
 @program.command(cls=HelpCommand)
 def bench(
-    only: Annotated[str | None, typer.Option(help="One group of them.")] = None,
+    only: Annotated[str | None, typer.Option(help="Measure only this group.")] = None,
     json: options.Json = False,
 ) -> None:
-    """Measure speed, as ratios against peers; from a checkout of the source."""
+    """Measure speed as ratios to other programs; needs a checkout of the source."""
     from app.cli.bench import run_bench
 
     run_bench(only, as_json=json)

@@ -31,26 +31,30 @@ def export(
     ],
     run: Annotated[
         int | None,
-        typer.Option(min=0, help="A tracker's run, from 0.", show_default="the corrected tracks"),
+        typer.Option(
+            min=0,
+            help="Number of a tracker's run, counted from 0.",
+            show_default="the corrected tracks",
+        ),
     ] = None,
     ground_truth: Annotated[
         bool,
         typer.Option(
             "--ground-truth",
-            help="mot, mot16, kitti: say which rows count instead of how sure the tracker was; "
-            "as in gt/gt.txt, label_02/ and truth.txt without it.",
+            help="mot, mot16, kitti: write whether a row counts in place of the confidence. Files"
+            " named gt/gt.txt or truth.txt, or in label_02/, get this without the option.",
         ),
     ] = False,
     force: Annotated[
         bool,
         typer.Option(
             "--force",
-            help="Replace also a text file that export did not write, without a question.",
+            help="Replace a text file that export did not write, without a question.",
         ),
     ] = False,
     json: options.Json = False,
 ) -> None:
-    """Write a session's tracks for other tools; what the format does not hold is told."""
+    """Export a session's tracks for other tools; a note names what the format cannot hold."""
     from app.cli.export import ExportRequest, run_export
 
     request = ExportRequest(session, out, file_format, run, ground_truth, force)
@@ -76,7 +80,7 @@ def import_tracks(
     bare: Bare,
     json: options.Json = False,
 ) -> None:
-    """Take tracks made elsewhere into a session, with a report of invalid rows."""
+    """Import tracks of other programs into a session, with a report of invalid rows."""
     from app.cli.import_tracks import Order, run_import
 
     order = Order(
@@ -100,15 +104,16 @@ def import_tracks(
 @program.command(cls=HelpCommand)
 def import_labels(
     labels: Annotated[
-        Path, typer.Argument(help="CSV: frame, track, part, on, and where known a rectangle.")
+        Path, typer.Argument(help="CSV with frame, track, part, on and, where known, a rectangle.")
     ],
-    session: Annotated[Path, typer.Argument(help="The session to take them into.")],
+    session: Annotated[Path, typer.Argument(help="The session to import them into.")],
     author: Annotated[
-        str | None, typer.Option(help="Who gave them, where the table does not say.")
+        str | None,
+        typer.Option(help="Name of the person who labelled, where the table does not state it."),
     ] = None,
     json: options.Json = False,
 ) -> None:
-    """Take labels of body parts made elsewhere into a session."""
+    """Import labels of body parts into a session."""
     from app.cli.import_labels import run_import_labels
 
     run_import_labels(labels, session, author, as_json=json)
@@ -122,7 +127,7 @@ def log(
     ] = None,
     json: options.Json = False,
 ) -> None:
-    """Print what people did to a session, oldest first; with --json all rows and labels of it."""
+    """Print the edits of a session, oldest first; with --json all their rows and labels."""
     from app.cli.log import run_log
 
     run_log(session, csv, as_json=json)
@@ -137,23 +142,21 @@ def restore(
             "--backup",
             "--generation",
             min=1,
-            help="Which backup: 1 is the one saved last before this; --generation is its old name.",
+            help="Number of the backup; 1 is the newest. --generation is the option's old name.",
         ),
     ] = 1,
-    only_list: Annotated[
-        bool, typer.Option("--list", help="Only list the ones that are kept.")
-    ] = False,
+    only_list: Annotated[bool, typer.Option("--list", help="Only list the backups.")] = False,
     accept_damage: Annotated[
         bool,
         typer.Option(
             "--accept-damage",
-            help="Restore nothing: take a session that was found damaged as it is, so that no "
-            "command tells it any more.",
+            help="Restore nothing: accept a damaged session as it is, so that commands no longer "
+            "report the damage.",
         ),
     ] = False,
     json: options.Json = False,
 ) -> None:
-    """Put a backup in a session's place; what it is now is kept as the newest one."""
+    """Restore a backup of a session; the current state is kept as the newest backup."""
     from app.cli.restore import run_accept, run_restore
 
     if accept_damage and only_list:

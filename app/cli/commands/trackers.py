@@ -18,7 +18,7 @@ def trackers(
     name: Annotated[
         str | None,
         typer.Argument(
-            help="Of one tracker only.",
+            help="Show only this tracker.",
             show_default="all",
             autocompletion=completions.complete_trackers,
         ),
@@ -47,7 +47,7 @@ def track(
     bare: Bare,
     json: options.Json = False,
 ) -> None:
-    """Run a tracker over a recording, or again from a frame of a corrected session on."""
+    """Track the people in a recording, or track a corrected session again from a frame on."""
     if out is not None and out.suffix.lower() != ".h5":  # before trackers are imported
         reason = f"a session's name ends in .h5: give {out.stem or 'NAME'}.h5"
         raise typer.BadParameter(reason, param_hint="--out")
@@ -67,26 +67,33 @@ def train(
     sources: Annotated[
         list[Path],
         typer.Argument(
-            help="Sessions with labelled body parts, or samples exported from some (.csv, .h5)."
+            help="Sessions with labelled body parts, or samples exported from sessions (.csv, .h5)."
         ),
     ],
     out: Annotated[Path, typer.Option("--out", "-o", help="The detector to make: NAME.h5.")],
     report: Annotated[
-        Path | None, typer.Option(help="A folder for a page with curves and mistakes.")
+        Path | None, typer.Option(help="Folder for a report with curves and mistakes.")
     ] = None,
     false_alarms: Annotated[
         float,
-        typer.Option(min=0.0, max=0.5, help="Share of good parts that may be taken for failed."),
+        typer.Option(
+            min=0.0,
+            max=0.5,
+            help="Highest false alarm rate: share of correct parts that are called failed.",
+        ),
     ] = 0.02,
     from_truth: Annotated[
         bool,
-        typer.Option("--from-truth", help="Label by the truth beside rendered recordings instead."),
+        typer.Option(
+            "--from-truth",
+            help="Use the ground truth beside rendered recordings as labels instead.",
+        ),
     ] = False,
     allow_outside: options.Outside = False,
     seed: options.Seed = 0,
     json: options.Json = False,
 ) -> None:
-    """Train the detector of lost body parts from labels."""
+    """Train the failure detector of body parts from labels."""
     from app.cli.train import TrainRequest, run_train
 
     request = TrainRequest(

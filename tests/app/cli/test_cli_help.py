@@ -34,7 +34,7 @@ def test_options_stand_by_their_groups(trackwright):
 def test_each_command_has_its_whole_sentence(trackwright):
     page = " ".join(trackwright("--help")[1].split())
     assert "..." not in page.partition("Commands:")[2]
-    assert "Take tracks made elsewhere into a session, with a report of invalid rows." in page
+    assert "Import tracks of other programs into a session, with a report of invalid rows." in page
 
 
 def test_every_help_is_translated(pseudo, trackwright):
