@@ -150,6 +150,5 @@ class SessionAgainstStates(RuleBasedStateMachine):
 
 
 TestSessionAgainstStates = SessionAgainstStates.TestCase
-TestSessionAgainstStates.settings = settings(
-    max_examples=200, stateful_step_count=50, deadline=None
-)
+# `make model` has ten thousand of them.
+TestSessionAgainstStates.settings = settings(max_examples=50, stateful_step_count=50, deadline=None)

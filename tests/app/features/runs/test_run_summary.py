@@ -1,11 +1,12 @@
 from dataclasses import replace
+from gettext import NullTranslations
 
 import numpy as np
 from two_people import columns
 from two_people import run as made_run
 
-from app.core.i18n import use_translator
 from app.features.runs.run_summary import RunSummary, describe_further_run
+from tracking.translation import use_catalogue
 
 ASKED = (0, 100)
 
@@ -54,10 +55,19 @@ def test_a_tracking_that_was_stopped_says_how_far_it_came():
 
 def test_what_is_told_is_made_of_whole_sentences_that_can_be_translated():
     asked = []
-    use_translator(lambda text: asked.append(text) or text)
+
+    class Listening(NullTranslations):
+        def gettext(self, message: str) -> str:
+            asked.append(message)
+            return message
+
+        def ngettext(self, one: str, many: str, n: int) -> str:
+            return self.gettext(one if n == 1 else many)
+
+    use_catalogue(Listening())
     try:
         RunSummary.of(made_run(), [_with_ids(columns(), t7=9)], ASKED).words("")
     finally:
-        use_translator(None)
+        use_catalogue(None)
     assert len(asked) == 3
     assert all(text[0].isupper() and text.endswith(".") for text in asked)
