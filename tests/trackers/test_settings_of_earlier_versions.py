@@ -28,6 +28,7 @@ KEPT: dict[str, dict[str, Any]] = json.loads(GOLDEN.read_text())
 FORMER = [
     (name, former, present)
     for name, spec in TRACKERS.items()
+    if name in KEPT  # others came later
     for former, present in former_names(spec.settings_type).items()
 ]
 
