@@ -108,6 +108,8 @@ def test_the_umask_of_the_process_is_never_changed(
     monkeypatch.setattr(os, "umask", changed)
     replace_with(tmp_path / "out.csv", b"new")
     write_manifest(tmp_path, Manifest(name="a", left="left.mp4"))
+    assert (tmp_path / "out.csv").read_bytes() == b"new"
+    assert (tmp_path / "recording.toml").is_file()
 
 
 def test_a_file_is_on_the_disk_before_its_name_and_its_name_before_it_counts(

@@ -175,7 +175,9 @@ def test_where_a_disk_shows_all_files_as_one_person_s_they_are_the_user_s(
     (tmp_path / "own" / "lock").touch()
     monkeypatch.setattr(os, "geteuid", lambda: ANOTHER_USER)  # whose files get our number here
     check_folder(tmp_path / "own")
-    os.close(open_file(tmp_path / "own" / "lock", os.O_RDWR))
+    handle = open_file(tmp_path / "own" / "lock", os.O_RDWR)
+    assert os.fstat(handle).st_uid != ANOTHER_USER
+    os.close(handle)
 
 
 def test_a_folder_is_made_for_the_user_alone(tmp_path: Path) -> None:
@@ -255,3 +257,5 @@ def test_a_folder_that_another_program_takes_away_at_that_moment_is_made(
     monkeypatch.setattr(Path, "mkdir", mkdir_of_what_goes)
     make_folder(place)
     check_folder(place)
+    assert there == []
+    assert place.is_dir()

@@ -7,7 +7,6 @@ from the texts that `make messages` extracts.
 from __future__ import annotations
 
 import gettext
-import locale
 from pathlib import Path
 from typing import Final
 
@@ -20,12 +19,12 @@ _catalogue: gettext.NullTranslations = gettext.NullTranslations()
 
 
 def use_language(language: str | None = None) -> None:
-    """Show texts in a language, e.g. "ja"; None: in the one of the environment.
+    """Show texts in a language, e.g. "ja".
 
+    None: in the first one of LANGUAGE, LC_ALL, LC_MESSAGES and LANG that the environment names.
     Where there is no catalogue, texts stay English.
     """
-    chosen = language if language is not None else locale.getlocale()[0]
-    languages = [chosen] if chosen else []
+    languages = None if language is None else [language]
     use_catalogue(gettext.translation(_DOMAIN, CATALOGUES, languages, fallback=True))
 
 

@@ -16,7 +16,6 @@ from tracking.translation import N_, tr
 
 WIDTH = 100
 """Of a page at most, in characters."""
-_LONGEST_HELP = 200
 _ARGUMENTS, _OPTIONS, _COMMANDS = N_("Arguments"), N_("Options"), N_("Commands")
 
 
@@ -45,7 +44,7 @@ def _translated(parameter: Any) -> Any:
 def _summary(command: Any) -> str:
     """The first sentence of a command's help."""
     text = tr(clean_help(command.help or ""))
-    return text.partition("\n\n")[0].replace("\n", " ").rstrip()[:_LONGEST_HELP]
+    return text.partition("\n\n")[0].replace("\n", " ").rstrip()
 
 
 def clean_help(text: str) -> str:

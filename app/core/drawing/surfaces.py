@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from dataclasses import dataclass
 
 from PySide6.QtCore import Signal
@@ -82,9 +83,9 @@ class FloorSurface(Canvas):
         self._flow: FlowScene | None = None
 
     @property
+    @abstractmethod
     def shows_floor(self) -> bool:
         """Whether there is a floor to see, and room to see it."""
-        raise NotImplementedError
 
     def show_labels(self, labels: FloorLabels) -> None:
         """Draw counting lines and regions."""

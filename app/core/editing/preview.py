@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from app.core.colours.track_colours import ColourOf
 from app.core.editing.edit_planner import plan_of
@@ -17,11 +15,11 @@ from app.core.i18n import tr
 from app.core.scenes import EditPreview, PreviewTrail
 from app.core.tracks.edit_context import EditContext
 from app.core.tracks.track_reader import concatenate
+from app.core.tracks.two_versions import PointsOf
 from tracking.editing import Change
 from tracking.errors import EditError
 from tracking.tracks import Columns
 
-PointsOf = Callable[[Columns], NDArray[np.float64]]
 """Where the people of some rows stand, (n, 2), on the floor or in a picture."""
 
 AROUND_S = 4.0

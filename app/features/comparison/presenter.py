@@ -7,13 +7,13 @@ from functools import partial
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from app.core.colours.track_colours import ColourOf
 from app.core.i18n import N_, span_text, tr
 from app.core.scenes import PreviewTrail
 from app.core.scenes.queue_rows import ReviewPerson
 from app.core.tracks.session_tracks import SessionTracks
+from app.core.tracks.two_versions import PointsOf
 from app.features.comparison.difference_search import ComparisonResult, search_in
 from app.features.comparison.differences_scene import (
     DifferenceItem,
@@ -34,7 +34,6 @@ from tracking.progress import Progress
 from tracking.session import Session
 from tracking.tracks import Columns, Run, TrackTable
 
-PointsOf = Callable[[Columns], NDArray[np.float64]]
 _KINDS: Final = {
     "moved": N_("Elsewhere"),
     "identity": N_("Another id"),

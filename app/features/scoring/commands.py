@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import Final, Protocol
 
 from app.core.commands.command import Command
-from app.core.commands.conditions import WindowState, in_the_way, recording
+from app.core.commands.conditions import in_the_way, recording
 from app.core.commands.view_state import ViewState, toggle, view_command
 from app.core.i18n import tr
 from app.features.scoring.controller import ScoreController
@@ -42,13 +42,6 @@ def reportable(app: ScoringApp) -> str:
     if document is not None and document.recording.truth_path is not None and document.tracks.ids:
         return ""
     return scored(app)
-
-
-def with_truth(now: WindowState) -> str:
-    """A ground truth must stand beside the recording."""
-    if now.document is not None and now.document.recording.truth_path is not None:
-        return ""
-    return tr("the recording has no truth.txt")
 
 
 def _toggle_score(app: ScoringApp) -> None:

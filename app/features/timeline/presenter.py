@@ -8,13 +8,13 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from app.core.document.document_listener import Marks
 from app.core.scenes import Lane, TimelineMark, TimelineScene
 from app.core.scenes.part_curve import LaneScore
 from app.core.tracks.frame_state import FrameState
 from app.core.tracks.track_reader import Spans, TrackReader
 from tracking.tracks import ReviewedRange
 
-Marks = Mapping[int, tuple[TimelineMark, ...]]
 _NO_KEYFRAMES: NDArray[np.int64] = np.zeros(0, np.int64)
 _MOST_PEOPLE = np.iinfo(np.uint16).max
 
