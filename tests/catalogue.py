@@ -17,7 +17,7 @@ from app.cli.help_pages import clean_help
 from app.core.commands import menu_of
 from app.core.editing.edits import EDITS
 from app.core.scenes.score_figures import FIGURES
-from app.features.parts.detector_training import TrainingSettings
+from app.features.parts.training_settings import TrainingSettings
 from app.shell.commands import COMMANDS
 from tracking.formats import FORMATS
 from tracking.settings import settings_fields, stage_title

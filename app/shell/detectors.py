@@ -17,13 +17,13 @@ from app.core.i18n import N_, tr
 from app.core.widgets.questions import choose_file, choose_new_file
 from app.core.widgets.user_settings import UserSettings
 from app.core.widgets.work import Work
-from app.features.parts.detector_training import TrainingSettings, train_on
 from app.features.parts.kept_detectors import detector_file_name, keep_detector
 from app.features.parts.mistake_pictures import Here, Search, crop_surroundings, is_of
 from app.features.parts.result_dialog import ResultDialog
 from app.features.parts.train_dialog import TrainDialog
 from app.features.parts.training_result import MistakeItem, TrainingResult
 from app.features.parts.training_set import Source, TrainingSet, with_labels
+from app.features.parts.training_settings import TrainingSettings, train_on
 from app.features.parts.truth_labels import plan_truth_labels
 from app.shell.export_controller import beside
 from app.shell.recording_controller import RecordingController

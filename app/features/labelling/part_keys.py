@@ -13,7 +13,7 @@ from app.core.i18n import tr
 from app.core.playback.playback import Playback
 from app.core.scenes.labels import SuggestedPart
 from app.core.scenes.part_names import part_name
-from app.features.labelling.part_labelling import PartLabelling
+from app.features.labelling.part_labeller import PartLabeller
 from app.features.labelling.suggestion_search import SuggestionSearch
 from tracking.editing import Change
 from tracking.tracks import PART_NAMES, Box, PartLabels
@@ -35,7 +35,7 @@ class PartKeys(Controller):
         self,
         document: Document,
         playback: Playback,
-        presenter: PartLabelling,
+        presenter: PartLabeller,
         do: Do,
         parent: QObject,
     ) -> None:

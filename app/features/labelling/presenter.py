@@ -20,7 +20,7 @@ from app.core.scenes.labels import (
     Tool,
 )
 from app.features.labelling.outlines import Drawn, DrawnLabels
-from app.features.labelling.part_labelling import PartLabelling
+from app.features.labelling.part_labeller import PartLabeller
 from app.features.labelling.scene import LabellingScene, RangeLine
 from app.features.labelling.shape_planner import shapes_of_tool
 from tracking.tracks import Box, Labels, PartLabel
@@ -45,7 +45,7 @@ class LabellingPresenter:
     def __init__(self, document: Document) -> None:
         self._document = document
         self.choice = Choice()
-        self.parts = PartLabelling(document)
+        self.parts = PartLabeller(document)
         self._drawn = DrawnLabels(document.recording)
 
     @property

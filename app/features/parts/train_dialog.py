@@ -28,13 +28,13 @@ from app.core.widgets.parts import heading, quiet
 from app.core.widgets.questions import choose_file
 from app.core.widgets.settings_form import SettingsForm
 from app.core.widgets.user_settings import LastFolder
-from app.features.parts.detector_training import (
+from app.features.parts.training_set import Source, TrainingSet, build_training_set, source_at
+from app.features.parts.training_settings import (
     PartCount,
     SettingsOfTraining,
     TrainingSettings,
     counts_of,
 )
-from app.features.parts.training_set import Source, TrainingSet, build_training_set, source_at
 
 _TAUGHT = N_("Sessions and samples (*.h5 *.csv)")
 _ROWS = 4

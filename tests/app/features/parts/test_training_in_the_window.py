@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 from app.core.i18n import time_text
-from app.features.parts.detector_training import TrainingSettings, counts_of, train_on
 from app.features.parts.training_result import TrainingResult
 from app.features.parts.training_set import Source, build_training_set
+from app.features.parts.training_settings import TrainingSettings, counts_of, train_on
 from tracking.errors import CancelledError
 from tracking.failure import FEATURE_NAMES, Samples
 from tracking.failure.core.samples import samples_from_rows

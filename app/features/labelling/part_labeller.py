@@ -37,7 +37,7 @@ class PartChoice:
     suggested: SuggestedPart | None = None
 
 
-class PartLabelling:
+class PartLabeller:
     """Plans labels of the selected person's parts and counts all there are."""
 
     def __init__(self, document: Document) -> None:
