@@ -9,7 +9,7 @@ import typer
 
 from tracking.errors import SettingsError
 
-_BARE = "Without recording.toml"
+_BARE = "For input without recording.toml"
 LARGEST_SEED = 2**63 - 1
 """What a session file can hold."""
 

@@ -21,8 +21,8 @@ def ask_again(controller: RecordingController) -> None:
     if session is None:
         return
     told = tr(
-        "People keep the ids they have before the first frame. Nothing that was corrected or "
-        "reviewed is overwritten, and you see all changes before they are made."
+        "People keep the ids they have before the first frame. Corrected and reviewed rows are "
+        "not overwritten, and you see all changes before they are made."
     )
     run = session.corrected_run
     tracker = controller.tracking.propose_tracker

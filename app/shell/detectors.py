@@ -139,7 +139,7 @@ class Detectors(Controller):
         path = None if session is None else session.path
         if controller is None or not is_of(controller.document.recording, path, item):
             where = item.source.path or item.recording
-            self._tell(tr("That is in {where}: open it first", where=where))
+            self._tell(tr("This sample is in {where}: open it first", where=where))
             return
         controller.playback.pause()
         controller.playback.go(item.frame)  # first: it may show the session's tracks again
@@ -188,7 +188,7 @@ class Detectors(Controller):
         if self._window.controller is not None:
             self.begin(self._window.controller)
             self._window.controller.document.detector_chosen = True
-        self._tell(tr("From now on people are tracked in parts with: {name}", name=choice.name))
+        self._tell(tr("Body parts are now tracked with: {name}", name=choice.name))
         self.changed.emit()
 
     def ask_save(self) -> None:
@@ -239,7 +239,7 @@ class Detectors(Controller):
             if self._window.controller is not None:
                 self._window.controller.draw()
 
-        self._work.run(tr("Labelling from the truth"), work, apply)
+        self._work.run(tr("Labelling from ground truth"), work, apply)
 
 
 def _labels_here(session: Session, recording: Recording) -> Callable[[], Source]:

@@ -186,7 +186,7 @@ class Files(Controller):
         if opened.unsaved is not None:
             lines.append(tr("Work on this recording was never saved, and is kept."))
             go_on = partial(self.open_path, opened.unsaved)
-            self._window.notice.say("\n".join(lines), tr("Go on with it"), go_on)
+            self._window.notice.say("\n".join(lines), tr("Continue with it"), go_on)
         elif lines:
             self._window.notice.say("\n".join(lines), passing=True)
         else:

@@ -95,7 +95,11 @@ class ImportController(Controller):
         people are in view.
         """
         came = (fitted.into is None) != (controller.document.session is None)
-        if why_not := tr("another session came meanwhile") if came else drawable(self._window.app):
+        if (
+            why_not := tr("another session was opened meanwhile")
+            if came
+            else drawable(self._window.app)
+        ):
             text = tr("Nothing was imported: {why}; import the file again", why=why_not)
             self.failed.emit(SessionError(text))
             return

@@ -39,7 +39,7 @@ class RefusalNotice:
             self._passing = item.command, item.why_not, said
             return
         self._guard.hold()
-        said = tr("{said}. What is typed now is not taken.", said=strip_full_stop(said))
+        said = tr("{said}. Keys typed now have no effect.", said=strip_full_stop(said))
         self._notice.say(said, is_error=True, passing=True)
         self._refused = said
 

@@ -51,7 +51,7 @@ TRACK: Final[tuple[Command[WindowApp], ...]] = (
         "Stop tracking, keep the result",
         "Tracks",
         ("Ctrl+Shift+T",),
-        lambda app: "" if app.live else tr("no tracker is at work"),
+        lambda app: "" if app.live else tr("no tracker is running"),
         lambda app: app.open.live.stop(),
     ),
     Command(
@@ -84,7 +84,7 @@ DETECTOR: Final[tuple[Command[WindowApp], ...]] = (
     ),
     Command(
         "detector.truth",
-        "Label parts from the truth",
+        "Label parts from ground truth",
         "Detector",
         enabled=with_part_truth,
         run=lambda app: app.files.detectors.label_from_truth(),

@@ -24,7 +24,7 @@ from app.features.scoring.commands import reportable
 from app.shell.shortcuts import ShortcutsDialog
 from app.shell.window_app import WindowApp
 
-_LOOK = "theme colours"
+_LOOK = "look colours"
 
 
 def _file(
@@ -157,7 +157,7 @@ def _look(look: Look, title: str, *, separated: bool = False) -> Command[WindowA
     return Command(
         f"view.look_{look.value}",
         title,
-        "View/Look",
+        "View/Theme",
         run=lambda app: app.window.look_choice.choose(look),
         checked=lambda app: app.window.look_choice.look is look,
         separated=separated,
@@ -168,7 +168,7 @@ def _look(look: Look, title: str, *, separated: bool = False) -> Command[WindowA
 EDIT: Final[tuple[Command[WindowApp], ...]] = (
     Command(
         "edit.undo_alone",
-        "Undo the chosen edit alone",
+        "Undo only the chosen edit",
         "Edit",
         ("Ctrl+Alt+Z",),
         editable,
@@ -197,16 +197,16 @@ LAYOUT: Final = (
     ),
     Command[WindowApp](
         "view.next_pane",
-        "To the next part of the window",
+        "Go to the next part of the window",
         "View",
         ("F6",),
         recording,
         lambda app: app.window.workspace.focus_next_pane(),
     ),
-    _look(Look.SYSTEM, "Look: as the system", separated=True),
-    _look(Look.LIGHT, "Look: light"),
-    _look(Look.DARK, "Look: dark"),
-    view_command("floor_legend", "Legend on the floor", "View/Look", (), floor, separated=True),
+    _look(Look.SYSTEM, "Theme: as the system", separated=True),
+    _look(Look.LIGHT, "Theme: light"),
+    _look(Look.DARK, "Theme: dark"),
+    view_command("floor_legend", "Legend on the floor", "View/Theme", (), floor, separated=True),
 )
 HELP: Final[tuple[Command[WindowApp], ...]] = (
     Command("help.keys", "All shortcuts", "Help", ("F1",), run=_show_keys),
@@ -246,7 +246,7 @@ def _listed(app: WindowApp) -> str:
         app.reviewing.lists_items or app.comparing.shown or app.labelling.suggests
     ):
         return ""
-    return session(app) or tr("nothing is left to look at")
+    return session(app) or tr("no review items are left")
 
 
 def _walk(app: WindowApp, step: int) -> None:
@@ -265,7 +265,7 @@ def _walk(app: WindowApp, step: int) -> None:
 LEAVE: Final[tuple[Command[WindowApp], ...]] = (
     Command(
         "tracks.none",
-        "Select nobody, leave the edit",
+        "Select nobody, cancel the edit",
         "Tracks",
         ("Esc",),
         _to_leave,

@@ -274,5 +274,5 @@ COCO = TrackFormat(
     holds=frozenset((Content.BOXES, Content.CONFIDENCE, Content.CLASSES, Content.NAMES)),
     needs=Content.BOXES,
     label_as_read=label_as_read,
-    about="Boxes with tracks, as TAO has them; for detectors and their tools.",
+    about="Boxes with tracks, in TAO's form; for detectors and their tools.",
 )

@@ -161,5 +161,5 @@ CSV = TrackFormat(
     _import,
     _export,
     holds=frozenset(Content) - {Content.CLASSES, Content.NAMES, Content.NOTES},
-    about="Everything the corrected table holds, with every digit; opens in any spreadsheet.",
+    about="All columns of the corrected tracks, with all digits; opens in any spreadsheet.",
 )

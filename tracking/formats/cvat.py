@@ -295,5 +295,5 @@ CVAT = TrackFormat(
     ),
     needs=Content.BOXES,
     label_as_read=label_as_read,
-    about="Boxes with their keyframes, names and attributes; opens in CVAT and its kin.",
+    about="Boxes with their keyframes, names and attributes; opens in CVAT and similar programs.",
 )

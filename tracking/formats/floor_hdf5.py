@@ -156,7 +156,7 @@ PEDPY_HDF5 = TrackFormat(
     export_archive,
     holds=frozenset((Content.PLACES,)),
     needs=Content.PLACES,
-    about="Places on the floor in metres, for analysis of how people walk; no boxes.",
+    about="Positions on the floor in metres, for analysis of how people walk; no boxes.",
 )
 JUPEDSIM_HDF5 = TrackFormat(
     "jupedsim-h5",
@@ -167,5 +167,5 @@ JUPEDSIM_HDF5 = TrackFormat(
     export_jupedsim,
     holds=frozenset((Content.PLACES,)),
     needs=Content.PLACES,
-    about="Places on the floor in metres, for analysis of how people walk; no boxes.",
+    about="Positions on the floor in metres, for analysis of how people walk; no boxes.",
 )

@@ -223,7 +223,7 @@ PEDPY_TEXT = TrackFormat(
     holds=frozenset((Content.PLACES,)),
     needs=Content.PLACES,
     unit_unsaid=True,
-    about="Places on the floor in metres, for analysis of how people walk; no boxes.",
+    about="Positions on the floor in metres, for analysis of how people walk; no boxes.",
 )
 PETRACK = TrackFormat(
     "petrack",
@@ -235,5 +235,5 @@ PETRACK = TrackFormat(
     holds=frozenset((Content.PLACES,)),
     needs=Content.PLACES,
     unit_unsaid=True,
-    about="Places on the floor in metres, for analysis of how people walk; no boxes.",
+    about="Positions on the floor in metres, for analysis of how people walk; no boxes.",
 )

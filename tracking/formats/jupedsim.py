@@ -143,5 +143,5 @@ JUPEDSIM_SQLITE = TrackFormat(
     export_jupedsim,
     holds=frozenset((Content.PLACES,)),
     needs=Content.PLACES,
-    about="Places on the floor in metres, for analysis of how people walk; no boxes.",
+    about="Positions on the floor in metres, for analysis of how people walk; no boxes.",
 )

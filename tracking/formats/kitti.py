@@ -280,5 +280,5 @@ KITTI = TrackFormat(
         )
     ),
     confidence_in_results=True,
-    about="Boxes, and places in the camera's coordinates where the floor is known.",
+    about="Boxes, and positions in the camera's coordinates where the floor is known.",
 )

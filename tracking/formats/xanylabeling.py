@@ -313,5 +313,5 @@ X_ANYLABELING = TrackFormat(
     holds=frozenset((Content.BOXES, Content.CONFIDENCE, Content.CLASSES, Content.NAMES)),
     needs=Content.BOXES,
     label_as_read=label_as_read,
-    about="Boxes with tracks as groups, a file a frame in a folder; for X-AnyLabeling.",
+    about="Boxes with tracks as groups, one file per frame in a folder; for X-AnyLabeling.",
 )

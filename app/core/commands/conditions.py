@@ -56,7 +56,7 @@ def in_the_way(now: WindowState) -> str:
 
 def read_only() -> str:
     """What is said where the session cannot be saved under its name."""
-    return tr("the session is read only here: save it under another name first")
+    return tr("the session is read-only here: save it under another name first")
 
 
 def _read_only(now: WindowState) -> str:
@@ -102,19 +102,19 @@ def drawable(now: WindowState) -> str:
     if now.busy:
         return tr("wait until the work in progress is done")
     if now.unkept:
-        return tr("keep what was tracked first (Ctrl+S)")
+        return tr("save the tracker's result first (Ctrl+S)")
     return recording(now)
 
 
 def edit_waits() -> str:
     """What is said where a pending edit is in the way."""
-    return tr("an edit waits: do it (Enter) or leave it (Esc) first")
+    return tr("an edit is in preview: apply it (Enter) or cancel it (Esc) first")
 
 
 def live(now: WindowState) -> str:
     """A tracker must be at work, with no edit of the tracks in view on its way."""
     if not now.live:
-        return tr("no tracker is at work")
+        return tr("no tracker is running")
     return "" if pending(now) else edit_waits()
 
 
@@ -122,7 +122,7 @@ def pending(now: WindowState) -> str:
     """An edit must wait for Enter."""
     if now.document is not None and now.document.flow is not None:
         return ""
-    return tr("no edit is waiting")
+    return tr("no edit is in preview")
 
 
 def placing(now: WindowState) -> str:
@@ -134,7 +134,7 @@ def placing(now: WindowState) -> str:
 def trackable(now: WindowState) -> str:
     """No other work may be going on in a recording whose session can be saved."""
     if now.live:
-        return tr("a tracker is at work: stop it first (Ctrl+Shift+T)")
+        return tr("a tracker is running: stop it first (Ctrl+Shift+T)")
     if now.busy:
         return tr("wait until the work in progress is done")
     return _read_only(now) or recording(now)
@@ -151,7 +151,7 @@ def floor(now: WindowState) -> str:
     """The recording must say where the floor is."""
     if now.document is None or now.document.recording.view is not None:
         return recording(now)
-    return tr("the recording does not say where the floor is")
+    return tr("the recording does not state where the floor is")
 
 
 def two_cameras_and_floor(now: WindowState) -> str:

@@ -70,7 +70,7 @@ def _move(flow: EditFlow, on: EditContext) -> Change:
 
 def _drag(flow: EditFlow, on: EditContext) -> Change:
     if on.geometry.view is None:
-        raise EditError(tr("The recording does not say where the floor is: move the box instead"))
+        raise EditError(tr("The recording does not state where the floor is: move the box instead"))
     if flow.place is None:
         raise EditError(
             tr("Move the person with the arrow keys, or drag them in the overhead view")
@@ -168,13 +168,13 @@ KEYFRAME: Final = EditSpec(
 
 NO_KEYFRAME: Final = EditSpec(
     "no keyframe",
-    "Take a keyframe of {a} out",
+    "Remove a keyframe of {a}",
     _no_keyframe,
     (EditScope.FRAME,),
     (
         EditCommand(
             "tracks.no_keyframe",
-            "Take the keyframe out",
+            "Remove the keyframe",
             ("Ctrl+Shift+W",),
             submenu="Keyframes and gaps",
         ),

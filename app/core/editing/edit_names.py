@@ -12,11 +12,11 @@ def question(option: Option) -> str:
     if isinstance(option, EditScope):
         return tr("How far")
     if isinstance(option, Fill):
-        return tr("Where neither stands")
+        return tr("Frames of neither")
     if isinstance(option, LongestGap):
         return tr("Gaps of up to")
     of_merge = option in (Way.KEEP_FIRST, Way.KEEP_SECOND, Way.KEEP_SURER)
-    return tr("Where both stand") if of_merge else tr("How they walk there")
+    return tr("Frames of both") if of_merge else tr("Path in the gap")
 
 
 def option_name(option: Option, flow: EditFlow) -> str:
@@ -30,7 +30,7 @@ def option_name(option: Option, flow: EditFlow) -> str:
     names: dict[Way | Fill, str] = {
         Way.KEEP_FIRST: tr("keep {track}", track=flow.track),
         Way.KEEP_SECOND: tr("keep {track}", track=second),
-        Way.KEEP_SURER: tr("keep the surer"),
+        Way.KEEP_SURER: tr("keep the more certain one"),
         Way.LINEAR: tr("straight in the picture"),
         Way.FLOOR: tr("evenly along the floor"),
         Fill.LEAVE: tr("leave gaps open"),

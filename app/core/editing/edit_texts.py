@@ -124,7 +124,7 @@ def _counts(change: Change, table: TrackTable) -> list[str]:
     said = (
         (new, tr("Adds {what}")),
         (changed, tr("Changes {what}")),
-        (gone, tr("Takes out {what}")),
+        (gone, tr("Removes {what}")),
     )
     return [text.format(what=_frames_of(counts)) for counts, text in said if counts]
 
@@ -170,12 +170,12 @@ def _per_track(places: Places) -> dict[int, int]:
 
 def _hint(flow: EditFlow, ready: bool) -> str:
     if flow.needs_other or not (ready or flow.places):
-        return tr("Esc leaves everything as it is")
+        return tr("Esc cancels the edit")
     keys = []
     if flow.places:
         keys.append(tr("Arrows move, with Shift ten times as far"))
         if flow.drawing:
-            keys.insert(0, tr("Drag over the left picture to draw it"))
+            keys.insert(0, tr("Drag over the left picture to draw the box"))
         if flow.spec is not edits.FLOOR:
             keys.append(tr("Ctrl+arrows resize"))
     if flow.has_cut:

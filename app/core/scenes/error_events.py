@@ -115,6 +115,6 @@ def _said(kind: int, start: int, end: int, truth: int, result: int, earlier: int
         said = tr("person {truth} is missed")
         long = tr("person {truth} is missed in frames {start} to {last}")
         return (long if many else said).format(truth=truth, start=start, last=last)
-    said = tr("track {result} is nobody")
-    long = tr("track {result} is nobody in frames {start} to {last}")
+    said = tr("track {result} is a false alarm")
+    long = tr("track {result} is a false alarm in frames {start} to {last}")
     return (long if many else said).format(result=result, start=start, last=last)

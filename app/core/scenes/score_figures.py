@@ -47,13 +47,12 @@ class Figure:
 FIGURES: Final = (
     Figure(
         "HOTA",
-        "Detection and association weighed alike, over thresholds from 0.05 to 0.95",
+        "Detection and association with equal weight, over thresholds from 0.05 to 0.95",
         lambda score: score.hota.hota,
     ),
     Figure(
         "IDF1",
-        "Share of rows with the right id, where each id stands for one person over the whole "
-        "stretch",
+        "Share of rows with the right id, where each id stands for one person in all frames",
         lambda score: score.identity.idf1,
     ),
     Figure(
@@ -64,7 +63,7 @@ FIGURES: Final = (
     ),
     Figure(
         "People kept",
-        "People followed under one id, of those who were found at all",
+        "People who keep one id, of those who were detected",
         lambda score: score.tracking_accuracy,
         "{:.1%}",
         short="Kept",
@@ -79,7 +78,7 @@ FIGURES: Final = (
     ),
     Figure(
         "Switches",
-        "A person's matched track is another one than before",
+        "A person is matched to another track than before",
         lambda score: score.clear.id_switches,
         "{:.0f}",
         -1,
@@ -94,14 +93,14 @@ FIGURES: Final = (
     ),
     Figure(
         "Misses",
-        "Rows of the truth that nothing is matched to",
+        "Rows of the ground truth without a match",
         lambda score: score.clear.misses,
         "{:.0f}",
         -1,
     ),
     Figure(
         "False alarms",
-        "Rows of the result that nobody is matched to",
+        "Rows of the result without a match",
         lambda score: score.clear.false_positives,
         "{:.0f}",
         -1,

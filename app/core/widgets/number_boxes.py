@@ -71,7 +71,7 @@ def tell(box: WholeBox | NumberBox) -> None:
 def why_refused(box: WholeBox | NumberBox, text: str) -> str:
     """Why a field cannot have a number, in a sentence."""
     known = {"typed": text, "low": box.minimum(), "high": box.maximum(), "unit": box.suffix()}
-    rest = tr("The nearest is taken.")
+    rest = tr("The nearest value is used.")
     if isinstance(box, WholeBox):
         words = tr("{typed} is out of range: whole numbers from {low} to {high}{unit}. {rest}")
     else:

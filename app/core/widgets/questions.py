@@ -68,7 +68,7 @@ def ask_unit(parent: QWidget, name: str, chosen: Callable[[str], object]) -> Non
     box.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
     box.setIcon(QMessageBox.Icon.Question)
     box.setTextFormat(Qt.TextFormat.PlainText)
-    box.setText(tr("{name} does not say the unit of its lengths.", name=name))
+    box.setText(tr("{name} does not state the unit of its lengths.", name=name))
     box.setInformativeText(tr("People walk about a metre in a second."))
     role = QMessageBox.ButtonRole.AcceptRole
     units = {box.addButton(tr("Metres"), role): "m", box.addButton(tr("Centimetres"), role): "cm"}

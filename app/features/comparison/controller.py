@@ -312,7 +312,11 @@ class ComparisonController(Controller):
 def _why_compared(session: Session, number: int) -> str:
     """Why a run is taken by comparing it, in words; "" where tracks can begin anew as the run."""
     if len(session.history):
-        return tr("You have edited already: take what is ticked, as one edit that can be undone")
+        return tr(
+            "You have edited already: take the ticked differences, as one edit that can be undone"
+        )
     if not session.covers_corrected(session.runs[number]):
-        return tr("It has fewer frames: take what is ticked, as one edit that can be undone")
+        return tr(
+            "The run has fewer frames: take the ticked differences, as one edit that can be undone"
+        )
     return ""

@@ -115,7 +115,7 @@ class DifferencesPanel(Panel):
         line.addWidget(self._ticks, 1)
         for text, name, on in (
             (tr("Tick all"), tr("Tick all that are listed"), True),
-            (tr("None"), tr("Tick none that is listed"), False),
+            (tr("None"), tr("Untick all that are listed"), False),
         ):
             button = QPushButton(text, self)
             button.setProperty("link", True)
@@ -136,7 +136,7 @@ class DifferencesPanel(Panel):
         self._take_solid.setAccessibleName(tr("Take what is ticked from the solid version"))
         self._take_solid.clicked.connect(lambda: self.taken.emit(0))
         self._drop = QPushButton(tr("Drop this run"), self)
-        self._drop.setToolTip(tr("Forget the run; without this it is kept among the runs"))
+        self._drop.setToolTip(tr("Delete the run; otherwise it is kept among the runs"))
         self._drop.clicked.connect(self.dropped)
         self._close = QPushButton(tr("Close"), self)
         self._close.setToolTip(tr("Take nothing more; the run is kept among the runs"))

@@ -206,7 +206,7 @@ class Comparison:
 
     def _chosen(self) -> list[Difference]:
         if self._found is None or not self._ticked:
-            raise EditError(tr("Nothing is ticked: tick what is to be taken"))
+            raise EditError(tr("Nothing is ticked: tick the differences to take"))
         return [self._found.differences[number] for number in sorted(self._ticked)]
 
     def _plan_stretch(self, number: int, stretch: Difference) -> Change:
@@ -297,10 +297,10 @@ class Comparison:
     def _same_words(self) -> str:
         """What is said where nothing differs."""
         if self.base is not None:
-            return tr("The two runs say the same over the frames of both.")
+            return tr("The two runs are equal in the frames of both.")
         return tr(
-            "Nothing differs: the run agrees with the corrected tracks, and goes on from what a "
-            "person corrected."
+            "Nothing differs: the run agrees with the corrected tracks, and continues from the "
+            "corrections."
         )
 
     @property

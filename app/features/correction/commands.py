@@ -64,9 +64,7 @@ def _in_view(app: CorrectionApp) -> str:
     """They must be in view still when the playhead is moved."""
     if app.document is None or not app.document.shows_further_run:
         return somebody(app)
-    return somebody(app) or tr(
-        "moving the playhead shows your own tracks again: select one of those"
-    )
+    return somebody(app) or tr("move the playhead to show your own tracks, then select one of them")
 
 
 def _vertical(app: CorrectionApp, down: int, *, far: bool = False, resize: bool = False) -> None:
@@ -186,7 +184,7 @@ SELECTED: Final[tuple[Command[CorrectionApp], ...]] = (
     ),
     Command(
         "tracks.range_start",
-        "Range begins here",
+        "Start the range here",
         "Tracks",
         ("[",),
         session,
@@ -195,7 +193,7 @@ SELECTED: Final[tuple[Command[CorrectionApp], ...]] = (
     ),
     Command(
         "tracks.range_end",
-        "Range ends here",
+        "End the range here",
         "Tracks",
         ("]",),
         session,
@@ -203,7 +201,7 @@ SELECTED: Final[tuple[Command[CorrectionApp], ...]] = (
     ),
     Command(
         "tracks.no_range",
-        "No range",
+        "Clear the range",
         "Tracks",
         ("\\",),
         session,
@@ -238,7 +236,7 @@ SELECTED: Final[tuple[Command[CorrectionApp], ...]] = (
 CONFIRM: Final[tuple[Command[CorrectionApp], ...]] = (
     Command(
         "tracks.confirm",
-        "Do the edit shown",
+        "Apply the edit shown",
         "Correct",
         ("Return", "Enter"),
         pending,

@@ -194,7 +194,7 @@ class EditController(Controller):
     def redo(self) -> bool:
         """Do the edit again that was taken back and go where it was; whether that was done."""
         self._document.correcting.leave()
-        return self._do(self._document.redo, tr("Done again: {text}"), go=True)
+        return self._do(self._document.redo, tr("Redone: {text}"), go=True)
 
     # labels
 

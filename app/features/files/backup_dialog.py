@@ -55,10 +55,10 @@ class BackupDialog(QDialog):
         rows.addWidget(text)
         self._table = self._build_table()
         rows.addWidget(self._table)
-        rows.addWidget(heading(tr("What would be different"), self))
+        rows.addWidget(heading(tr("What would change"), self))
         self._differences = QPlainTextEdit(self)
         self._differences.setReadOnly(True)
-        self._differences.setAccessibleName(tr("What would be different"))
+        self._differences.setAccessibleName(tr("What would change"))
         self._differences.setMinimumHeight(9 * self.fontMetrics().lineSpacing())
         rows.addWidget(self._differences, 1)
         rows.addWidget(self._build_buttons())
@@ -123,7 +123,7 @@ class BackupDialog(QDialog):
             self._differences.setPlainText(tr("No backup is kept yet."))
             return
         problem = self._lines[self._table.currentRow()].problem
-        self._differences.setPlainText(problem or tr("Looking ..."))
+        self._differences.setPlainText(problem or tr("Looking..."))
         if not problem:
             self.looked_at.emit(number)
 

@@ -88,11 +88,11 @@ def describe_unsaved(session: Session | None, *, held: bool, tracking: bool) -> 
         kept = tr("Never saved, but kept: {path}. Open it, or its recording, to go on.", path=path)
         lines.append(kept)
     elif path is not None and session is not None and session.dirty:
-        lines.append(tr("Edits not saved are kept beside {path}. Open it to go on.", path=path))
+        lines.append(tr("Unsaved edits are kept beside {path}. Open it to go on.", path=path))
     if held:
         lines.append(tr("A result that could not be kept on disk is lost."))
     if tracking:
-        lines.append(tr("The tracker at work was stopped; what it had found is not kept."))
+        lines.append(tr("The running tracker was stopped; its result is not kept."))
     return lines
 
 
@@ -128,4 +128,4 @@ def changes_unsaved(file: str, recording: str) -> Question:
     asked = tr(
         'Save the changes to the session {file} of "{recording}"?', file=file, recording=recording
     )
-    return asked, tr("Discard takes back everything that was changed since it was saved last.")
+    return asked, tr("Discard loses all changes since the last save.")

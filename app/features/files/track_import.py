@@ -177,7 +177,7 @@ def with_good(fitted: FittedTracks, takes_good: bool) -> FittedTracks:
 def _lines(fitted: FittedTracks, own: int) -> tuple[str, ...]:
     found, rows = fitted.found, fitted.found.rows["frame"]
     if not len(rows):
-        return (tr("The file holds no tracks that can be taken."),)
+        return (tr("The file holds no tracks to import."),)
     people = count_text(found.tracks, "{n} track", "{n} tracks")
     boxes = count_text(len(rows), "{n} row", "{n} rows")
     span = tr("frames {first} to {last}", first=int(rows[0]), last=int(rows[-1]))
@@ -249,9 +249,9 @@ def _rows_gone(written: StoredChange | None) -> int:
 
 def _why_not(fitted: FittedTracks) -> str:
     if not len(fitted.found.rows["frame"]):
-        return tr("there is nothing to take")
+        return tr("there is nothing to import")
     if fitted.found.bad_count and not fitted.choice.takes_good:
-        return tr("say whether the other rows are taken, or correct the file")
+        return tr("choose whether to take the other rows, or correct the file")
     if fitted.into is not None and fitted.written is None:
-        return tr("the session says so already")
+        return tr("the session has these tracks already")
     return ""

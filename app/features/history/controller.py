@@ -90,7 +90,7 @@ class HistoryWalk(Controller):
             while self._step():
                 if time.monotonic() >= until:
                     self._steps.start()
-                    self.said.emit(tr("Going back to edit {n} ...", n=self._goal))
+                    self.said.emit(tr("Going back to edit {n}...", n=self._goal))
                     return
         except TrackwrightError as error:
             self.failed.emit(error)

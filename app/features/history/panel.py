@@ -188,7 +188,7 @@ class HistoryPanel(Panel):
         """Undo this one alone; where that cannot be, the reason stands below it."""
         self._why_not_alone = ""
         self.menu_opening.emit(item.edit)
-        alone: QAction = menu.addAction(tr("Undo this one alone") + f"\t{_UNDO_ALONE_KEYS}")
+        alone: QAction = menu.addAction(tr("Undo only this edit") + f"\t{_UNDO_ALONE_KEYS}")
         alone.triggered.connect(lambda: self.alone_asked.emit(item.edit))
         if self._why_not_alone:
             alone.setEnabled(False)

@@ -122,7 +122,7 @@ class Shapes(Controller):
             self.said.emit(tr("Occluders are drawn in the left camera"))
         elif self._tool is not None and self._tool.on_floor:
             self.said.emit(
-                tr("Lines and regions are drawn in the view from above, or in the left camera")
+                tr("Lines and regions are drawn in the overhead view, or in the left camera")
             )
 
     def _change(self, plan: Callable[..., Change]) -> None:

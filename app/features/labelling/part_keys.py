@@ -170,7 +170,7 @@ class PartKeys(Controller):
         choice = self._presenter.choice
         choice.suggested = suggested
         if suggested is None:
-            self.said.emit(tr("Nothing suggested is left to label"))
+            self.said.emit(tr("No suggestions are left to label"))
         else:
             frame, track, choice.part = suggested.key
             choice.scope = EditScope.FRAME

@@ -108,7 +108,7 @@ class PartLabeller:
     def _in_range(self) -> list[PartLabel]:
         marked, session = self._document.correcting.marked, self._document.session
         if marked is None:
-            raise EditError(tr("No range is set: [ sets where it begins, ] where it ends"))
+            raise EditError(tr("No range is set: [ sets its start, ] its end"))
         found: list[PartLabel] = []
         if session is not None and self._track:
             person = (self._track, self.choice.part)

@@ -159,10 +159,7 @@ class LabellingPresenter:
         return LabellingScene(
             Tool.REVIEWED,
             tr("Reviewed ranges"),
-            tr(
-                "Choose the frames you have looked at and found right, and mark them; click a "
-                "range to go there."
-            ),
+            tr("Choose the frames you have checked, and mark them; click a range to go there."),
             ranges=ranges,
             proposed=self._proposed(frame),
             selected=self._who() if self.track else "",

@@ -80,8 +80,8 @@ class SuggestionSearch(QObject):
         if self._problem or self.queue.open:
             return self._problem
         return tr(
-            "Nothing is left to suggest: train the detector (Ctrl+D) with what is labelled, and "
-            "track again with it."
+            "No suggestions are left: train the detector (Ctrl+D) with the labels, and track "
+            "again with it."
         )
 
     def _take(self, found: tuple[SuggestedPart, ...]) -> None:

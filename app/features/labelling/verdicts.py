@@ -105,7 +105,7 @@ class PartsGrid(QWidget):
     def _build_step(self) -> QHBoxLayout:
         line = QHBoxLayout()
         line.setContentsMargins(0, 0, 0, 0)
-        line.addWidget(QLabel(tr("After the last, go on"), self))
+        line.addWidget(QLabel(tr("After the last part, go on"), self))
         self._step = WholeBox(self)
         self._step.setRange(0, _LONGEST_STEP)
         tell_beside(self._step)
@@ -132,7 +132,7 @@ class PartsGrid(QWidget):
                     line = scene.parts[part]
                     button.setText(f"{words[answer]}  {line.counts[number]}")
                     button.setChecked(line.said == said)
-                    told = tr("{0}: {1}, said {2} times in all")
+                    told = tr("{0}: {1}, labelled {2} times in all")
                     button.setAccessibleName(
                         told.format(line.name, words[answer], line.counts[number])
                     )

@@ -114,15 +114,15 @@ class PartsController(Controller):
         if failure.by_rule:
             said = tr(
                 "The {part} of {track} begins to fail in frame {frame}, by a rule of the tracker;"
-                " its detector did not see it"
+                " the detector did not report it"
             )
         track = f"{failure.track} {who}".rstrip()
         return said.format(part=part_name(failure.part), track=track, frame=failure.frame)
 
     def _done_with(self, track: int, step: int) -> str:
         if step > 0:
-            return tr("No further failure of {track}, on to others. ", track=track)
-        return tr("No earlier failure of {track}, back to others. ", track=track)
+            return tr("No further failure of {track}, next person. ", track=track)
+        return tr("No earlier failure of {track}, previous person. ", track=track)
 
     def tell_what_is_missing(self, *, for_one: bool) -> None:
         """Say why nothing is seen: no parts, or nobody selected for what is one person's."""

@@ -107,7 +107,7 @@ def _nothing(state: FrameState, some: bool) -> str:
             "No parts were tracked of this person: track with three-part (Ctrl+T) to see head, "
             "torso and hip-leg here."
         )
-    return tr("Click a person to see how their parts went.")
+    return tr("Click a person to see their parts over time.")
 
 
 def _said(name: str, curve: PartCurve, frame: int) -> str:

@@ -91,7 +91,7 @@ class ResultDialog(QDialog):
         column.addWidget(heading(tr("Operating point"), self))
         names = [curve.name for curve in self.result_shown.scene().curves]
         self.part_choice.addItems([tr("of all parts"), *names])
-        self.part_choice.setAccessibleName(tr("Whose operating point is moved"))
+        self.part_choice.setAccessibleName(tr("Part whose operating point is moved"))
         self.part_choice.currentIndexChanged.connect(self._choose)
         self._up_to.addItems([tr("up to {0:.0f} %").format(100 * one) for one in _UP_TO])
         self._up_to.setAccessibleName(tr("How many false alarms the plot shows"))
@@ -133,7 +133,7 @@ class ResultDialog(QDialog):
             tr("failures found"),
             tr("missed"),
             tr("false alarms"),
-            tr("rightly left alone"),
+            tr("correct, not called failed"),
             tr("area under curve"),
         )
         for column, title in enumerate(titles):

@@ -67,7 +67,7 @@ class TrainDialog(QDialog):
         self._job: Job | None = None
         self._waiting = [partial(source_at, path) for path in before]
         self._list = QListWidget(self)
-        self._list.setAccessibleName(tr("Sessions whose labels are learnt from"))
+        self._list.setAccessibleName(tr("Sessions with labels to learn from"))
         self._list.setMaximumHeight(_ROWS * (self.fontMetrics().height() + 12))
         self._list.itemChanged.connect(lambda _: self._show_counts())
         self._list.currentRowChanged.connect(lambda row: self._off_list.setEnabled(row >= 0))
@@ -90,8 +90,8 @@ class TrainDialog(QDialog):
         rows.setSpacing(10)
         about = quiet(
             tr(
-                "The detector learns from parts that were labelled on or off their part, and from "
-                "rectangles that were put right. The more people, the better."
+                "The detector learns from rectangles that are labelled on or off their part, and "
+                "from corrected rectangles. More people are better."
             ),
             self,
         )
@@ -125,8 +125,8 @@ class TrainDialog(QDialog):
         add = QPushButton(tr("Add sessions or samples..."), self)
         add.setAutoDefault(False)
         add.clicked.connect(self._ask)
-        self._off_list = QPushButton(tr("Take off the list"), self)
-        self._off_list.setToolTip(tr("Do not learn from the chosen line; no file is touched"))
+        self._off_list = QPushButton(tr("Remove from the list"), self)
+        self._off_list.setToolTip(tr("Remove the chosen line; its file stays as it is"))
         self._off_list.setAutoDefault(False)
         self._off_list.clicked.connect(self._remove)
         line.addWidget(add)

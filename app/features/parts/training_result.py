@@ -222,12 +222,13 @@ class TrainingResult:
         origin, report = self.detector.origin, self.trained.report
         several = (
             tr(
-                "Several at once: how well it tells that more than one part is lost. A false "
-                "alarm takes one lost part for several."
+                "Several at once: how well the detector recognizes that more than one part is "
+                "lost. A false alarm: one lost part is called several."
             )
             if len(report.questions) > len(PART_NAMES)
             else tr(
-                "Too few labels are of several parts lost at once: nothing was learnt about that."
+                "Too few labels show several parts lost at once: the detector learnt nothing "
+                "about that."
             )
         )
         measured = (
@@ -242,7 +243,7 @@ class TrainingResult:
                 people=origin.people,
                 recordings=", ".join(origin.recordings),
             ),
-            tr("Each figure is of people the detector had not seen ({n} groups)", n=report.folds),
+            tr("Each figure is of people who were not in the training ({n} folds)", n=report.folds),
             several,
             measured,
         )

@@ -145,14 +145,17 @@ class BodyPainter:
 def legend_of(state: FrameState, view_options: ViewOptions) -> tuple[LegendEntry, ...]:
     """What is laid over the picture, as far as it is seen in the frame."""
     said = {
-        "outlines": (_LIGHT, tr("hypotheses: the clearer, the likelier")),
+        "outlines": (_LIGHT, tr("hypotheses: clearer means likelier")),
         "evaluation": (_REGION_COLOUR, tr("region of evaluation")),
-        "tracklets": (_LIGHT, tr("tracklets: the dot is this frame; faint ones are nobody's")),
+        "tracklets": (
+            _LIGHT,
+            tr("tracklets: the dot is this frame; faint ones belong to no person"),
+        ),
     }
     asked = {name: getattr(view_options, name) for name in said}
     entries = [LegendEntry(*said[name]) for name in said if asked[name] and _seen(state, name)]
     if asked["tracklets"] and state.selected and _has_kernels(state):
-        entries.append(LegendEntry((255, 255, 255), tr("kernel: whose tracklets are gathered")))
+        entries.append(LegendEntry((255, 255, 255), tr("kernel: its tracklets form one person")))
     return tuple(entries)
 
 
@@ -173,7 +176,7 @@ def why_nothing(state: FrameState, name: str) -> str:
             "with that (Ctrl+T) to see it"
         )
     if name == "evaluation" and not state.selected:
-        return tr("Click a person to see the region in which their hypotheses are judged")
+        return tr("Click a person to see the region in which their hypotheses are evaluated")
     return ""
 
 

@@ -97,7 +97,7 @@ def _lines(scene: OverheadScene) -> list[tuple[Sign, str]]:
     if any(not person.predicted for person in scene.people):
         lines.append((_draw_ring, tr("where the tracker has a person")))
     if any(person.predicted for person in scene.people):
-        lines.append((_draw_dashed, tr("predicted: not seen just now")))
+        lines.append((_draw_dashed, tr("predicted: not detected now")))
     if len(scene.particles):
         lines.append((_draw_cloud, tr("particles: where they may be")))
     if any(map(walks, scene.people)):

@@ -220,7 +220,7 @@ class TransportBar(QFrame):
         self._follow.setChecked(bool(following))
         self._follow.setText(tr("Following") if following else tr("Follow"))
         on = tr("The views follow the tracker until you move the playhead  (Shift+L)")
-        off = tr("Follow the tracker: go to its frame and on with it  (Shift+L)")
+        off = tr("Follow the tracker: go to its frame and stay with it  (Shift+L)")
         self._follow.setToolTip(on if following else off)
         self._rest.fit()
 

@@ -34,7 +34,7 @@ def _fixable(app: ReviewApp) -> str:
     """The review item must say what would put it right."""
     if _decidable(app) or app.reviewing.fixable:
         return _decidable(app)
-    return tr("this one can only be looked at: correct it by hand, or say that it is right")
+    return tr("no edit is proposed for this item: correct it by hand, or say that it is right")
 
 
 def _watched(app: ReviewApp) -> str:
@@ -53,7 +53,7 @@ def _unflagged(app: ReviewApp) -> str:
     """No tracker must have made the tracks, and nobody have asked for review items yet."""
     if app.document is not None and app.reviewing.waits:
         return ""
-    return session(app) or tr("the tracks are looked through already")
+    return session(app) or tr("the tracks are searched already")
 
 
 def _with_truth(app: ReviewApp) -> str:
@@ -66,7 +66,7 @@ def _with_truth(app: ReviewApp) -> str:
 COMMANDS: Final[tuple[Command[ReviewApp], ...]] = (
     Command(
         "review.play",
-        "Play its stretch",
+        "Play the item's stretch",
         "Review",
         ("Shift+N",),
         _looked_at,
@@ -82,14 +82,14 @@ COMMANDS: Final[tuple[Command[ReviewApp], ...]] = (
     ),
     Command(
         "review.search",
-        "Look for doubtful places",
+        "Look for review items",
         "Review",
         enabled=_unflagged,
         run=lambda app: app.reviewing.look_through(),
     ),
     Command(
         "review.measure",
-        "Measure the queue against truth",
+        "Measure the queue against ground truth",
         "Review",
         enabled=_with_truth,
         run=lambda app: app.reviewing.set_measures(not app.reviewing.measures),
@@ -106,7 +106,7 @@ COMMANDS: Final[tuple[Command[ReviewApp], ...]] = (
     ),
     Command(
         "review.fix",
-        "Put it right...",
+        "Correct it...",
         "Review",
         ("E",),
         _fixable,

@@ -30,7 +30,7 @@ def waiting_words(session: Session) -> tuple[str, str]:
     """What is said of tracks made by hand until somebody asks: a title, and a text."""
     imported = session.adopted_run is not None
     title = tr("Imported labels") if imported else tr("Labelled by hand")
-    return title, tr("Nothing is flagged in tracks that no tracker made, unless you ask for it.")
+    return title, tr("Tracks that no tracker made are searched only if you ask for it.")
 
 
 def empty_words(session: Session | None, *, live: bool, problem: str) -> tuple[str, str]:
@@ -41,18 +41,18 @@ def empty_words(session: Session | None, *, live: bool, problem: str) -> tuple[s
     """
     if session is None:
         return "", tr(
-            "What may be wrong is listed here once the recording is tracked, or labelled by "
-            "hand: W or Ins draws a person."
+            "Review items are listed here once the recording is tracked, or labelled by hand: W "
+            "or Ins draws a person."
         )
     if live:
-        return "", tr("What may be wrong is looked for once the tracker is done.")
+        return "", tr("The search for review items starts when the tracker is done.")
     if problem:
-        return tr("Not looked through"), problem
+        return tr("Not searched"), problem
     if not session.tracks.track_ids:
         return tr("Nobody is tracked"), tr(
             "There is nothing to review. Track again with other settings, or correct another "
             "run: Ctrl+R lists them. W or Ins draws a person."
         )
-    return tr("Nothing left to look at"), tr(
+    return tr("No review items left"), tr(
         "Every review item is decided. Watch what is not reviewed yet, or score the tracks."
     )

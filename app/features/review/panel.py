@@ -60,7 +60,7 @@ class ReviewPanel(Panel):
         self._title.setWordWrap(True)
         self._text = quiet("", self, "faint")
         self._text.setWordWrap(True)
-        self._ask = QPushButton(tr("Look for doubtful places"), self)
+        self._ask = QPushButton(tr("Look for review items"), self)
         self._ask.clicked.connect(self.search_asked)
         self._also = FewLines(self)
         self._also.setFont(scaled_font(self.font(), 0.88))
@@ -85,7 +85,7 @@ class ReviewPanel(Panel):
 
     def _build_heading(self) -> None:
         self._left = quiet("", self)
-        self._plays = IconButton("play", tr("Play each stretch as it is jumped to"), "", self)
+        self._plays = IconButton("play", tr("Play each stretch when going to it"), "", self)
         self._plays.setCheckable(True)
         self._plays.clicked.connect(self.playing_chosen)
         self.add_to_heading(self._left)
@@ -116,7 +116,7 @@ class ReviewPanel(Panel):
         self._orders = self._combo(tr("Order of the queue"))
         self._orders.addItem(tr("by worth"), Order.WORTH.value)
         self._orders.addItem(tr("by time"), Order.TIME.value)
-        worth = tr("Worth: how likely something is wrong, times how much would be")
+        worth = tr("Worth: likelihood of an error, times its size")
         self._orders.setItemData(0, worth, Qt.ItemDataRole.ToolTipRole)
         self._orders.activated.connect(lambda at: self.order_chosen.emit(self._orders.itemData(at)))
         self._choices.addWidget(self._kinds, 1)

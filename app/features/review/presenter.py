@@ -17,7 +17,7 @@ from tracking.tracks import Labels, TrackTable, Verdict
 _KINDS: Final = {
     "exchange": N_("Likely swap"),
     "turn": N_("Ways change over"),
-    "crossing": N_("Ways cross"),
+    "crossing": N_("Paths cross"),
     "shared": N_("Seen as one"),
     "lost": N_("Lost and found"),
     "ended": N_("Ends midway"),
@@ -28,7 +28,7 @@ _KINDS: Final = {
     "reversal": N_("Turns back"),
     "predicted": N_("Long out of sight"),
     "drift": N_("Goes on unseen"),
-    "margin": N_("Close choice"),
+    "margin": N_("Close association"),
     "spread": N_("Particles spread"),
     "split": N_("Particles split"),
     "part": N_("Part failed"),

@@ -79,12 +79,12 @@ def measure_queue(
 def measures_text(measures: ReviewMeasures) -> str:
     """What the queue would show of the mistakes there are, in a line."""
     if not measures.errors:
-        return tr("Against the truth no identity of these tracks is wrong.")
+        return tr("The ground truth shows no identity errors in these tracks.")
     if not len(measures.found):
-        return tr("Against the truth {n} identities are wrong.", n=measures.errors)
+        return tr("The ground truth shows {n} identity errors.", n=measures.errors)
     return tr(
-        "Against the truth: the queue shows {found} of {n} identity errors, {early} of them in the "
-        "first {share:.0%} of the footage watched.",
+        "By the ground truth, the queue shows {found} of {n} identity errors, {early} of them in "
+        "the first {share:.0%} of the footage watched.",
         found=int(measures.found[-1]),
         n=measures.errors,
         early=measures.found_within(_EARLY),

@@ -96,7 +96,7 @@ class ReviewSearch(QObject):
             view, size = recording.view, recording.size
             return lookout.find(table, run, recording.fps, labels, view, progress, size=size)
 
-        self._tell(tr("Looking for what may be wrong..."), self.measures)
+        self._tell(tr("Looking for review items..."), self.measures)
         self._start(find, lambda found: self._take(found, table))
 
     def _start(self, work: Callable[[Progress], object], done: Callable[[Any], None]) -> None:
@@ -127,7 +127,7 @@ class ReviewSearch(QObject):
     def _show(self, done: int, total: int) -> None:
         if total > 0 and self._job is not None:
             share = 100 * done // total
-            words = tr("Looking for what may be wrong... {share} %", share=share)
+            words = tr("Looking for review items... {share} %", share=share)
             self._tell(words, self.measures)
 
     def _end(self, tell: Callable[[], None]) -> None:

@@ -32,7 +32,7 @@ class PartsLine(QWidget):
 
     def _said(self, count: int) -> str:
         if not count:
-            return tr("No occluders are drawn: draw what hides people with Alt+2.")
+            return tr("No occluders are drawn: Alt+2 draws outlines of objects that hide people.")
         one = "{n} drawn occluder hides people from the tracker."
         return count_text(count, one, "{n} drawn occluders hide people from the tracker.")
 

@@ -226,7 +226,7 @@ class RunList:
         if number == self._session.adopted_run:
             return tr("This run is the one being corrected.")
         if self._live:
-            return tr("A tracker is at work: stop it first.")
+            return tr("A tracker is running: stop it first.")
         return read_only() if self._session.read_only else ""
 
     def _why_not_compared(self, number: int) -> str:

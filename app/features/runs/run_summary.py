@@ -88,9 +88,9 @@ class RunSummary:
     def _ids_text(self) -> str:
         return count_text(
             self.changed,
-            "Ids were then put right over the whole recording: {n} of the {seen} ids you saw "
+            "Ids were then corrected over the whole recording: {n} of the {seen} ids you saw "
             "while it was tracked has changed or is gone.",
-            "Ids were then put right over the whole recording: {n} of the {seen} ids you saw "
+            "Ids were then corrected over the whole recording: {n} of the {seen} ids you saw "
             "while it was tracked have changed or are gone.",
             seen=self.seen,
         )
@@ -114,21 +114,22 @@ def list_tracking_notes(session: Session) -> list[str]:
     """What was told when the tracks that are corrected were made, a line each."""
     run = session.corrected_run
     notes = run.notes if run is not None else ()
-    return [tr("As it was tracked: {note}", note=note) for note in notes]
+    return [tr("During tracking: {note}", note=note) for note in notes]
 
 
 def describe_first_run() -> str:
     """Where the first run of a recording is kept."""
     return tr(
-        "It is on disk and ready to be corrected; give it a file of your own with Save (Ctrl+S)."
+        "The result is on disk and ready to be corrected. Save (Ctrl+S) gives it a file of your "
+        "own."
     )
 
 
 def describe_added_first_run(number: int) -> str:
     """Where the first run of a session is kept that was begun without one."""
     return tr(
-        "Kept as run {n}, and its tracks are the ones to correct now. The session's file has it "
-        "after the next Save (Ctrl+S).",
+        "Kept as run {n}; you now correct its tracks. The next Save (Ctrl+S) writes it to the "
+        "session's file.",
         n=number,
     )
 
@@ -136,8 +137,8 @@ def describe_added_first_run(number: int) -> str:
 def describe_replacement(number: int, before: int) -> str:
     """Where a run is kept whose tracks took the place of others that nobody had corrected."""
     return tr(
-        "Kept as run {n}, and its tracks are the ones to correct now; those of run {before} stay "
-        "under Runs (Ctrl+R).",
+        "Kept as run {n}; you now correct its tracks. Those of run {before} stay under Runs "
+        "(Ctrl+R).",
         n=number,
         before=before,
     )

@@ -213,8 +213,8 @@ class RunsDialog(QDialog):
         self._correct.setToolTip(
             said
             or tr(
-                "From then on you correct its tracks. If you have edited already, or it has fewer"
-                " frames, you first see what would change, and take that as one edit."
+                "You then correct the tracks of this run. If you have edited already, or it has "
+                "fewer frames, you first see what would change, and take that as one edit."
             )
         )
 

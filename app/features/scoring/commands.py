@@ -24,7 +24,7 @@ def scored(app: ScoringApp) -> str:
     """Tracks must have been compared with a ground truth."""
     if recording(app) or app.scoring.known:
         return recording(app)
-    return tr("score against a truth first (Shift+S)")
+    return tr("score against ground truth first (Shift+S)")
 
 
 def reportable(app: ScoringApp) -> str:
@@ -65,12 +65,16 @@ def _choose_truth(app: ScoringApp) -> None:
 
 VIEWS: Final = (
     view_command(
-        "score", "Score against a truth", "View/Truth and score", ("Shift+S",), run=_toggle_score
+        "score",
+        "Score against ground truth",
+        "View/Ground truth and score",
+        ("Shift+S",),
+        run=_toggle_score,
     ),
     view_command(
         "truth",
-        "Truth and its errors in the views",
-        "View/Truth and score",
+        "Ground truth and errors in the views",
+        "View/Ground truth and score",
         ("Shift+G",),
         run=_toggle_truth,
     ),
@@ -78,7 +82,7 @@ VIEWS: Final = (
 ERRORS: Final[tuple[Command[ScoringApp], ...]] = (
     Command(
         "review.choose_truth",
-        "Score against a truth file...",
+        "Score against a ground truth file...",
         "Review",
         enabled=recording,
         run=_choose_truth,
@@ -86,7 +90,7 @@ ERRORS: Final[tuple[Command[ScoringApp], ...]] = (
     ),
     Command(
         "review.next_error",
-        "Next error against the truth",
+        "Next error against ground truth",
         "Review",
         ("F4",),
         scored,
@@ -94,7 +98,7 @@ ERRORS: Final[tuple[Command[ScoringApp], ...]] = (
     ),
     Command(
         "review.previous_error",
-        "Previous error against the truth",
+        "Previous error against ground truth",
         "Review",
         ("Shift+F4",),
         scored,

@@ -130,7 +130,7 @@ class ScoreController(Controller):
         """Go to the next error (1) or the one before (-1), of the kinds that are shown."""
         events, frame = self.presenter.events, self._playback.clock.frame
         if events is None:
-            self.said.emit(tr("Nothing is scored yet: choose a truth (Shift+S)"))
+            self.said.emit(tr("Nothing is scored yet: choose the ground truth (Shift+S)"))
             return
         there = events.next_start(frame, step)
         if there is None:

@@ -104,11 +104,11 @@ class ScorePanel(Panel):
         """Which truth, and whose tracks."""
         line = QHBoxLayout()
         line.setSpacing(6)
-        self._truth = ElidingList(tr("The truth"), self)
+        self._truth = ElidingList(tr("Ground truth"), self)
         self._truth.activated.connect(self.truth_chosen)
         self._result = ElidingList(tr("Whose tracks are scored"), self)
         self._result.activated.connect(self.result_chosen)
-        line.addWidget(quiet(tr("Truth"), self))
+        line.addWidget(quiet(tr("Ground truth"), self))
         line.addWidget(self._truth, 6)
         line.addWidget(quiet(tr("Result"), self))
         line.addWidget(self._result, 5)
@@ -118,19 +118,17 @@ class ScorePanel(Panel):
         """How a row of the truth and one of the result are one person."""
         line = QHBoxLayout()
         line.setSpacing(6)
-        self._way = ElidingList(tr("How truth and result are paired"), self)
-        self._way.addItems([tr("Boxes that overlap"), tr("Places on the floor")])
+        self._way = ElidingList(tr("How rows of ground truth and result are matched"), self)
+        self._way.addItems([tr("Boxes that overlap"), tr("Positions on the floor")])
         self._way.activated.connect(lambda at: self.floor_chosen.emit(at == 1))
         self._threshold = NumberBox(self)
         tell_beside(self._threshold)
         self._threshold.setDecimals(2)
         self._threshold.setSingleStep(0.05)
         self._threshold.setKeyboardTracking(False)
-        self._threshold.setAccessibleName(
-            tr("From where on two boxes or places count as one person")
-        )
+        self._threshold.setAccessibleName(tr("Limit for two boxes or positions to match"))
         self._threshold.valueChanged.connect(self.threshold_chosen)
-        line.addWidget(quiet(tr("Paired by"), self))
+        line.addWidget(quiet(tr("Matched by"), self))
         line.addWidget(self._way, 1)
         line.addWidget(self._threshold)
         return line
@@ -185,12 +183,9 @@ class ScorePanel(Panel):
         spin.setRange(_LEAST, _WIDEST_M if scene.on_floor else 1.0)
         spin.setSuffix(" m" if scene.on_floor else " IoU")
         spin.setToolTip(
-            tr("Places farther apart than this are of different people")
+            tr("Positions farther apart than this do not match")
             if scene.on_floor
-            else tr(
-                "Boxes that overlap less than this (intersection over union) are of "
-                "different people"
-            )
+            else tr("Boxes that overlap less than this (intersection over union) do not match")
         )
         if not spin.hasFocus():
             spin.setValue(scene.threshold)
@@ -205,7 +200,7 @@ class ScorePanel(Panel):
         button.blockSignals(blocked)
         said = tr("shown") if choice.shown else tr("left out")
         button.setAccessibleName(f"{choice.name} {number}, {said}")
-        told = tr("{0}: on the timeline, and with F4 from one to the next")
+        told = tr("{0}: show them on the timeline; F4 goes to the next")
         button.setToolTip(told.format(choice.name))
 
     @staticmethod

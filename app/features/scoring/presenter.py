@@ -293,7 +293,7 @@ class ScoringPresenter:
             return tr("Track the recording first (Ctrl+T): its tracks are scored then.")
         if self.source is None:
             return tr(
-                "There is no truth.txt beside the recording: choose a file with the truth, or "
+                "There is no truth.txt beside the recording: choose a file with ground truth, or "
                 "another run."
             )
         if self._refused is not None and self.scored is None:

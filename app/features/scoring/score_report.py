@@ -73,7 +73,7 @@ def prepare_report(
         findings, unscored = _findings(subject, name, yardstick, report)
         shown: dict[Finding, Shown] = {}
         for done, finding in enumerate(findings):
-            why_none = tr("nobody knows where people stand in the pictures")
+            why_none = tr("the boxes of people in the pictures are unknown")
             tell = partial(_tell_of_results, report, done, len(findings))
             shown[finding] = shown_of(finding, len(findings), tell, why_none)
         page = write_score_report(folder, report_of(findings, yardstick), shown)
@@ -97,7 +97,7 @@ def _runs_beside(document: Document, scored: ScoreResult) -> tuple[dict[str, Run
         if run.frames == frames:
             beside[name] = run
         else:
-            left_out[name] = tr("it is over other frames")
+            left_out[name] = tr("it covers other frames")
     return beside, left_out
 
 

@@ -91,7 +91,7 @@ class TruthPeople:
 def legend() -> tuple[LegendEntry, ...]:
     """What the marks mean."""
     return (
-        LegendEntry(TRUTH_COLOUR, tr("truth: T and its number")),
+        LegendEntry(TRUTH_COLOUR, tr("ground truth: T and its number")),
         LegendEntry(ERROR_COLOURS[ErrorKind.MISS], tr("missed")),
         LegendEntry(ERROR_COLOURS[ErrorKind.FALSE_ALARM], tr("false alarm")),
     )

@@ -45,7 +45,7 @@ class ErrorLanesView(QWidget):
         self._still = StillPicture(self)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
-        self.setAccessibleName(tr("Errors against the truth"))
+        self.setAccessibleName(tr("Errors against ground truth"))
         self.hide()
 
     def show_scene(self, scene: ErrorLanes | None) -> None:
@@ -161,7 +161,7 @@ class ErrorLanesView(QWidget):
         if lane is None or scene is None:
             return ""
         if at.x() < self._axis.left:
-            told = tr("{0}: {1} in {2} places. A click on one goes there.")
+            told = tr("{0}: {1} in {2} places. Click one to go there.")
             return told.format(lane.name, lane.count, len(lane.events))
         frame = self._axis.frame_at(at.x())
         first, end = self._near(at.x())

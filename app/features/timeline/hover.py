@@ -9,7 +9,7 @@ from app.core.scenes import Lane, SpanKind, TimelineMark, TimelineScene
 
 _WORDS = {
     SpanKind.MEASURED: N_("measured"),
-    SpanKind.PREDICTED: N_("predicted: nothing was seen of the person"),
+    SpanKind.PREDICTED: N_("predicted: the person was not detected"),
     SpanKind.INTERPOLATED: N_("interpolated between keyframes"),
 }
 

@@ -80,7 +80,7 @@ class OverviewStrip(QWidget):
         """What is told of a place: the frame, its time, how many people."""
         scene, axis = self._scene, self._axis()
         if scene is None or x < axis.left:
-            return tr("The whole recording: people at once; below, what is tracked")
+            return tr("The whole recording: number of people; below, the tracked frames")
         frame = axis.frame_at(x)
         lines = [
             tr("frame {0}, {1}").format(frame, time_text(frame / max(scene.fps, 1e-6))),

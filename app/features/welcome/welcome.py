@@ -72,7 +72,7 @@ class WelcomePage(QWidget):
         name = QLabel("trackwright", self)
         name.setFont(scaled_font(self.font(), 2.4, bold=True))
         words.addWidget(name)
-        said = tr("Follow people in recorded stereo footage, and put right what went wrong.")
+        said = tr("Track people in recorded stereo footage, and correct the errors.")
         line = quiet(said, self)
         line.setFont(scaled_font(self.font(), 1.1))
         words.addWidget(line)
@@ -112,7 +112,7 @@ class WelcomePage(QWidget):
         self._recent = QVBoxLayout()
         self._recent.setSpacing(0)
         rows.addLayout(self._recent)
-        self._none = quiet(tr("What you open is listed here, to go on with."), card)
+        self._none = quiet(tr("Recordings and sessions you have opened are listed here."), card)
         self._none.setIndent(10)
         rows.addWidget(self._none)
         return card

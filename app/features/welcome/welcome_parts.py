@@ -106,7 +106,7 @@ class RecentRow(QToolButton):
         """The button's ground, then both lines."""
         super().paintEvent(event)
         theme, painter, item = current_theme(), QPainter(self), self._item
-        detail = item.detail if item.exists else tr("not there any more")
+        detail = item.detail if item.exists else tr("no longer there")
         below = "  \u00b7  ".join(part for part in (detail, from_home(item.path)) if part)
         quiet = theme.text_muted if item.exists else theme.text_faint
         for text, factor, bold, colour, side in (

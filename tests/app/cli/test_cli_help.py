@@ -26,7 +26,7 @@ def pseudo():
 
 def test_options_stand_by_their_groups(trackwright):
     page = trackwright("track", "--help")[1]
-    again, _, bare = page.partition("Without recording.toml:")
+    again, _, bare = page.partition("For input without recording.toml:")
     assert "--accept" in again.partition("Again, after corrections:")[2]
     assert "--calibration" in bare
 

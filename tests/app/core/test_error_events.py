@@ -37,7 +37,7 @@ def test_each_kind_is_told_in_words(events):
         "person 1 is missed in frames 2 to 4",
         "person 1 changes from track 7 to 8",
         "person 1 is found again as track 8",
-        "track 9 is nobody in frames 3 to 6",
+        "track 9 is a false alarm in frames 3 to 6",
     }
 
 

@@ -42,6 +42,6 @@ def test_what_was_tracked_before_the_tracker_died_becomes_a_session(opened, qtbo
     early = f"stereo-colour ended after {end} of 80 frames: the tracker ended by itself"
     assert first == 0 < end < 80
     assert early in opened.notice.text
-    assert "It is on disk" in opened.notice.text
+    assert "The result is on disk" in opened.notice.text
     assert [note.startswith(early) for note in run.notes] == [True]
     assert not opened.controller.live.running

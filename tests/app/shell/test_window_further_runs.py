@@ -99,7 +99,7 @@ def test_following_a_further_run_is_refused_while_an_edit_waits(swapping, window
     window.workspace.transport.follow_toggled.emit()
     assert _waiting(swapping) == before
     assert not swapping.document.is_live
-    assert "an edit waits" in said[-1]
+    assert "an edit is in preview" in said[-1]
 
 
 def test_why_not_is_said_also_where_the_other_ones_id_is_asked_for(followed, window, press):
@@ -110,7 +110,7 @@ def test_why_not_is_said_also_where_the_other_ones_id_is_asked_for(followed, win
     assert window.focusWidget() is field
     window.bring_up_to_date()  # which disables the command: its key comes to the field
     press(Key.Key_L, Qt.KeyboardModifier.ShiftModifier)
-    assert "an edit waits" in window.statusBar().currentMessage()
+    assert "an edit is in preview" in window.statusBar().currentMessage()
     assert followed.document.flow is not None
     press(Key.Key_2)
     assert field.text() == "2"

@@ -70,7 +70,7 @@ def test_the_menu_says_why_an_edit_cannot_be_undone_alone(window, controller, na
     panel = window.workspace.history
     panel._open_menu(_row(panel, 1))
     menu = panel._list.findChildren(QMenu)[-1]
-    alone = next(one for one in menu.actions() if one.text().startswith("Undo this one alone"))
+    alone = next(one for one in menu.actions() if one.text().startswith("Undo only this edit"))
     assert not alone.isEnabled()
     assert "edit 3" in alone.toolTip()
     menu.close()

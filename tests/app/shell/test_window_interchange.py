@@ -168,7 +168,7 @@ def test_an_import_does_not_take_the_place_of_a_session_that_came_meanwhile(
     dialog.accept()
     at_rest(window, qtbot)
     assert controller.document.session is kept
-    assert "another session came meanwhile" in str(told[0])
+    assert "another session was opened meanwhile" in str(told[0])
 
 
 def test_a_file_is_not_imported_by_dropping_it_while_other_work_is_going_on(

@@ -52,7 +52,7 @@ def test_what_was_told_as_a_session_was_tracked_is_said_once_and_goes_by_itself(
         document_loader.keep_run(recording, run, path).close()
     window.files.open_path(path)
     qtbot.waitUntil(lambda: window.controller is not None)
-    assert "As it was tracked: tiny: the right camera was dark" in window.notice.text
+    assert "During tracking: tiny: the right camera was dark" in window.notice.text
     assert window.notice._passing.isActive()
     window.notice.hide()
     window.controller.draw()

@@ -87,7 +87,7 @@ def test_an_entry_of_a_menu_that_cannot_be_chosen_says_why_beside_it(
         QApplication.sendEvent(menu, QHelpEvent(QEvent.Type.ToolTip, at, at))
     menu.close()
     assert told == [entries["play.follow"].statusTip(), ""]
-    assert "no tracker is at work" in told[0]
+    assert "no tracker is running" in told[0]
 
 
 def test_why_not_is_no_longer_said_once_it_can_be_done(window, controller):

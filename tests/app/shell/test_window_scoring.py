@@ -114,7 +114,7 @@ def test_a_run_that_cannot_be_scored_is_left_out_of_the_report_and_it_is_said_wh
     assert "no-boxes" not in page.read_text()
     said = window.notice.text.splitlines()
     assert said[1:] == [
-        "Not in the report: Run 2: shorter (it is over other frames).",
+        "Not in the report: Run 2: shorter (it covers other frames).",
         "Not in the report: Run 1: no-boxes (the result has no boxes).",
     ]
 

@@ -166,7 +166,7 @@ def test_a_result_for_a_session_without_any_says_that_it_is_to_be_saved(opened, 
     controller.document.take_session(Session.create(controller.document.recording))
     controller.live.run_summary = RunSummary.of(tiny_run, [tiny_run.tracks], tiny_run.frames)
     controller.tracking.add_run(tiny_run)
-    assert "Kept as run 0, and its tracks are the ones to correct now" in opened.notice.text
+    assert "Kept as run 0; you now correct its tracks" in opened.notice.text
     assert "on disk" not in opened.notice.text
     assert opened.notice._passing.isActive()
 
@@ -179,7 +179,7 @@ def test_which_run_is_corrected_is_told_until_another_one_is(opened, tiny_run, q
     controller.live.notes = ("Lobby: are the cameras swapped?",)
     controller.tracking.add_run(tiny_run)
     opened.bring_up_to_date()
-    assert "Kept as run 1, and its tracks are the ones to correct now" in opened.notice.text
+    assert "Kept as run 1; you now correct its tracks" in opened.notice.text
     controller.comparing.correct(0)
     qtbot.waitUntil(lambda: opened.notice.text == "")
 

@@ -176,8 +176,8 @@ def test_a_merge_asks_whom_to_keep_where_both_stand(table):
     flow = EditFlow.begin(edits.MERGE, 4, 30, FPS).with_other(7)
     scene = _planned(flow, table).scene
     row = scene.choices[0]
-    assert row.title == "Where both stand"
-    assert row.options == ("keep 4", "keep 7", "keep the surer")
+    assert row.title == "Frames of both"
+    assert row.options == ("keep 4", "keep 7", "keep the more certain one")
     assert "4 is kept" in scene.title
     other = _planned(flow.with_choice(0, 1), table).scene
     assert "7 is kept" in other.title

@@ -172,7 +172,7 @@ def test_a_field_without_a_line_for_it_says_under_itself_what_it_refuses(field, 
     QTest.keyClicks(box, "120")
     assert (
         QToolTip.text()
-        == "120 is out of range: whole numbers from 0 to 99 s. The nearest is taken."
+        == "120 is out of range: whole numbers from 0 to 99 s. The nearest value is used."
     )
     QTest.keyClick(box, Qt.Key.Key_Backspace)
     qtbot.waitUntil(lambda: not QToolTip.isVisible())

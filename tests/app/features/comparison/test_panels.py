@@ -19,8 +19,8 @@ from app.features.review.scene import ReviewScene
 def test_the_review_queue_says_why_it_is_empty(qtbot, dark):
     panel = ReviewPanel()
     qtbot.addWidget(panel)
-    panel.show_scene(ReviewScene(title="Nothing left to look at", text="All is decided."))
-    assert "Nothing left to look at" in words(panel)
+    panel.show_scene(ReviewScene(title="No review items left", text="All is decided."))
+    assert "No review items left" in words(panel)
     assert "All is decided." in words(panel)
     assert panel._list.isHidden()
 

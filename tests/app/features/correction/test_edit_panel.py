@@ -51,8 +51,8 @@ def test_a_preview_is_done_left_moved_and_widened(preview, qtbot, heard):
     said = [heard(getattr(preview, name)) for name in signals]
     choices = heard(preview.choice_made)
     for name in (
-        "Do the edit",
-        "Leave the edit undone",
+        "Apply the edit",
+        "Cancel the edit",
         "From a frame earlier",
         "to a frame later",
         "9",

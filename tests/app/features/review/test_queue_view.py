@@ -16,7 +16,7 @@ from app.features.review.scene import ReviewScene
 
 WORDS = "2 and 8 were seen as one for 0.8 s until 00:18; "
 ITEMS = tuple(
-    ReviewRow(("margin", (1, 2), at), "Close choice", (), at, "00:01", WORDS, (), 0.2)
+    ReviewRow(("margin", (1, 2), at), "Close association", (), at, "00:01", WORDS, (), 0.2)
     for at in range(40)
 )
 
@@ -88,7 +88,7 @@ def test_a_title_that_has_room_is_not_cut(qtbot, dark, monkeypatch):
 
     monkeypatch.setattr(queue_list, "_draw_elided", draw)
     panel._list.grab()
-    assert seen == ["Close choice", "2", "16"]
+    assert seen == ["Close association", "2", "16"]
 
 
 def test_a_short_name_leaves_its_room_to_a_long_one():

@@ -106,4 +106,4 @@ def test_what_has_no_room_in_a_list_ends_in_an_ellipsis_and_the_tooltip_says_it_
     shown = panel._truth.shown_text()
     assert shown.startswith("truth")
     assert shown.endswith("\u2026")
-    assert panel._truth.toolTip() == "The truth\ntruth.txt beside the recording"
+    assert panel._truth.toolTip() == "Ground truth\ntruth.txt beside the recording"

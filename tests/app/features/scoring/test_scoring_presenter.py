@@ -175,7 +175,7 @@ def test_people_who_are_missed_are_marked_on_picture_and_floor(presenter, docume
     for people in (picture.people, floor.people):
         assert {one.label for one in people if one.wrong is ErrorKind.MISS} == {f"T{who}"}
     assert [entry.text for entry in picture.legend] == [
-        "truth: T and its number",
+        "ground truth: T and its number",
         "missed",
         "false alarm",
     ]
