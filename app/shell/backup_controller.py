@@ -69,7 +69,7 @@ class BackupController(Controller):
 
     def _choose(self, lines: object) -> None:
         if not isinstance(lines, tuple) or not lines:
-            self.said.emit(tr("No backup is kept yet: each save keeps the one before it"))
+            self.said.emit(tr("There is no backup yet: each save keeps the state before it"))
             return
         dialog = BackupDialog(lines, self._window)
         dialog.looked_at.connect(partial(self._look, dialog))

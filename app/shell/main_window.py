@@ -240,7 +240,7 @@ class MainWindow(QMainWindow):
             self.work.cancel()
         elif self.controller is not None and self.controller.live.running:
             self.controller.tracking.drop()
-            self.say(tr("Tracking was cancelled; nothing of it is kept"))
+            self.say(tr("Tracking was cancelled; its result is not kept"))
             self.refresh()
 
     # coming and going

@@ -31,8 +31,8 @@ class RampSettings:
         2.0,
         "",
         (0.1, 7.9),
-        "Difference at which a pixel counts fully, in the same measure; higher: only strong "
-        "contrast counts fully",
+        "Difference at which a pixel counts fully, in multiples of the foreground limit; higher: "
+        "only strong contrast counts fully",
     )
 
 

@@ -22,7 +22,7 @@ class ForegroundSettings:
         4.0,
         "",
         (0.0, 20.0),
-        "The same limit in multiples of the pixel's own noise; higher: flickering lamps and "
+        "The same threshold in multiples of the pixel's own noise; higher: flickering lamps and "
         "moving leaves are ignored",
     )
     adapt_s: float = setting(

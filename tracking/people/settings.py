@@ -23,8 +23,8 @@ class PeopleSettings:
         0.3,
         "m",
         (0.05, 1.0),
-        "Points lower above the floor are ignored, as they may be shadow; higher: fewer shadows "
-        "are detected as people, but crouching people are missed",
+        "Points below this height above the floor are ignored, as they may be shadow; higher: "
+        "fewer shadows are detected as people, but crouching people are missed",
         formerly=("lowest_m",),
     )
     min_height_m: float = setting(
@@ -73,14 +73,15 @@ class PeopleSettings:
         16,
         "",
         (4, 64),
-        "Histogram bins for hue; higher: more clothes differ, but changing light does more harm",
+        "Histogram bins for hue; higher: clothes differ more clearly, but changing light does "
+        "more harm",
     )
     saturation_bins: int = setting(
         4,
         "",
         (1, 16),
-        "Histogram bins for saturation; higher: more clothes differ, but changing light does "
-        "more harm",
+        "Histogram bins for saturation; higher: clothes differ more clearly, but changing light "
+        "does more harm",
     )
     hue_by_saturation: bool = setting(
         True,

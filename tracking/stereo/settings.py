@@ -29,8 +29,8 @@ class StereoSettings:
         2.2,
         "m",
         (1.0, 3.0),
-        "Points higher above the floor are ignored; lower: less time, but tall people may lose "
-        "their heads",
+        "Points above this height above the floor are ignored; lower: less time, but the heads of"
+        " tall people may be cut off",
         formerly=("tallest_m",),
     )
     window_px: int = setting(

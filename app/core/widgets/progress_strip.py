@@ -34,10 +34,10 @@ class ProgressStrip(QFrame):
         self._left = QLabel(self)
         self._left.setProperty("role", "muted")
         self._stop = QPushButton(tr("Stop, keep the result"), self)
-        self._stop.setAccessibleName(tr("Stop the running work and keep what there is"))
+        self._stop.setAccessibleName(tr("Stop the running work and keep the result so far"))
         self._stop.clicked.connect(lambda: self._end(self.stopped))
         self._cancel = QPushButton(tr("Cancel"), self)
-        self._cancel.setAccessibleName(tr("Cancel the running work, keep nothing of it"))
+        self._cancel.setAccessibleName(tr("Cancel the running work and keep nothing"))
         self._cancel.clicked.connect(lambda: self._end(self.cancelled))
         for button in (self._stop, self._cancel):
             button.setFocusPolicy(Qt.FocusPolicy.NoFocus)

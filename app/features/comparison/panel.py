@@ -114,8 +114,8 @@ class DifferencesPanel(Panel):
         self._tick_line: list[QWidget] = [self._ticks]
         line.addWidget(self._ticks, 1)
         for text, name, on in (
-            (tr("Tick all"), tr("Tick all that are listed"), True),
-            (tr("None"), tr("Untick all that are listed"), False),
+            (tr("Tick all"), tr("Tick all in the list"), True),
+            (tr("None"), tr("Untick all in the list"), False),
         ):
             button = QPushButton(text, self)
             button.setProperty("link", True)

@@ -46,8 +46,8 @@ class BackupDialog(QDialog):
         rows.setSpacing(12)
         text = quiet(
             tr(
-                "Each save keeps the state before it. Restoring keeps the current state as well, "
-                "as the newest in this list: nothing is lost."
+                "Each save keeps the state before it as a backup. Restoring also keeps the "
+                "current state, as the newest backup: nothing is lost."
             ),
             self,
         )

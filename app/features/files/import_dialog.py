@@ -89,9 +89,7 @@ class ImportDialog(QDialog):
         self._tolerance.setAccessibleName(tr("Tolerance of thinning"))
         self._tolerance.setEnabled(False)
         self._as_new = QCheckBox(tr("Give all of them &new ids"), self)
-        self._as_new.setToolTip(
-            tr("Otherwise they replace tracks of the session that have the same ids")
-        )
+        self._as_new.setToolTip(tr("Otherwise they replace the session's tracks with the same ids"))
         self._only_people = QCheckBox(tr("Only &people, no other classes"), self)
         line = QHBoxLayout()
         line.addWidget(self._thins)
@@ -179,7 +177,7 @@ class ImportDialog(QDialog):
             widget.setVisible(bool(scene.bad_count))
         title = count_text(scene.bad_count, "{n} row cannot be used", "{n} rows cannot be used")
         more = scene.bad_count - len(scene.bad)
-        told = tr("the first {0} are listed").format(len(scene.bad)) if more else ""
+        told = tr("the list shows the first {0}").format(len(scene.bad)) if more else ""
         self._bad_title.setText("; ".join(part for part in (title, told) if part))
         if self._bad.rowCount() == len(scene.bad):
             return

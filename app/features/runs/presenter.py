@@ -138,7 +138,7 @@ class RunList:
             )
         return tr(
             "Each row is scored over its own frames. Do not compare rows with different frames: "
-            "one stretch is harder than another."
+            "some frames are harder than others."
         )
 
     @property

@@ -104,9 +104,9 @@ class RunSummary:
 def meanwhile() -> str:
     """What can be done while a further run is made."""
     return tr(
-        "Another run is being tracked. To see and correct your own tracks meanwhile, move the "
-        "playhead or play; Follow shows the new run again. Corrected tracks stay as they are when"
-        " it ends, and so do tracks you are looking at."
+        "Another run is being tracked. Move the playhead or play to see and correct your own "
+        "tracks meanwhile; Follow shows the new run again. When the run ends, the corrected "
+        "tracks and the tracks in view stay as they are."
     )
 
 
@@ -156,7 +156,7 @@ def describe_further_run(number: int) -> str:
 def describe_compared_run(number: int) -> str:
     """Where a run is kept that was made to put corrected tracks right."""
     return tr(
-        "Kept as run {n}; nothing has changed yet. Tick what you want of it: taking it is one "
+        "Kept as run {n}; nothing has changed yet. Tick the differences to take: they are one "
         "edit, which Ctrl+Z undoes.",
         n=number,
     )

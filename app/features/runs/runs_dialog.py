@@ -198,7 +198,7 @@ class RunsDialog(QDialog):
         self._compare.setEnabled(len(chosen) in (1, 2) and bool(runs) and not said)
         self._compare.setToolTip(said)
         if len(runs) == 2:
-            text = tr("Compares the two runs; stretches can be taken from either.")
+            text = tr("Compares the two runs; you can take stretches from either.")
         elif runs and len(chosen) <= 2:
             text = said or tr("Compares the run with the corrected tracks.")
         else:

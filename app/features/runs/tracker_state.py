@@ -48,7 +48,7 @@ class TrackerWords:
 
     def describe_work(self, name: str, status: str) -> TrackerState:
         """While a tracker is at work."""
-        return TrackerState(name, status, tr("Everybody who is tracked gets a lane here."))
+        return TrackerState(name, status, tr("Each tracked person gets a lane here."))
 
     def describe_rest(self, session: Session | None) -> TrackerState:
         """While none is."""

@@ -50,7 +50,7 @@ def test_a_tracker_does_not_begin_where_its_result_could_not_be_kept(
 ):
     controller.document.session._give_up_writing("for the test")
     window.run_command("tracks.track")
-    assert "read only" in window.statusBar().currentMessage()
+    assert "read-only" in window.statusBar().currentMessage()
 
 
 def test_an_edit_larger_than_the_history_can_keep_is_told_before_enter(

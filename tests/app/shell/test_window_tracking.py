@@ -82,7 +82,7 @@ def test_cancel_keeps_nothing_of_a_tracking_and_the_button_beside_it_keeps_it(op
     assert not controller.live.running
     assert not controller.document.tracks.ids
     qtbot.waitUntil(strip.isHidden)
-    assert "nothing of it is kept" in opened.statusBar().currentMessage()
+    assert "its result is not kept" in opened.statusBar().currentMessage()
     assert opened.files.session is None
     controller.tracking.track("stereo-colour")
     qtbot.waitUntil(lambda: controller.live.done > 3 and not strip._stop.isHidden())

@@ -16,7 +16,7 @@ class PointSettings:
         300,
         "",
         (20, 2000),
-        "Largest number of tracked points; higher: tracking in crowds is more reliable and takes "
+        "Largest number of tracked points; higher: tracking in crowds is more reliable but takes "
         "more time",
         formerly=("most",),
     )
@@ -76,8 +76,8 @@ class PointSettings:
         0.15,
         "m/s",
         (0.0, 2.0),
-        "Smallest speed of the points of a person; higher: the background is ignored more surely, "
-        "but slow walkers are missed",
+        "Smallest speed of the points of a person; higher: the background is ignored more "
+        "reliably, but slow walkers are missed",
         formerly=("still_m_s",),
     )
     foreground_only: bool = setting(
@@ -101,17 +101,23 @@ class ClusterSettings:
         "become one",
     )
     height_m: float = setting(
-        1.65, "m", (0.2, 3.0), "Height of that volume; higher: more points belong to one person"
+        1.65,
+        "m",
+        (0.2, 3.0),
+        "Height of the volume of a person; higher: more points belong to one person",
     )
     centre_m: float = setting(
-        0.8, "m", (0.1, 2.5), "Height of its centre above the floor; higher: feet count less"
+        0.8,
+        "m",
+        (0.1, 2.5),
+        "Height of the volume's centre above the floor; higher: feet count less",
     )
     bandwidth: float = setting(
         1.0,
         "",
         (0.1, 5.0),
-        "Bandwidth of mean shift: size of the kernel in multiples of that volume; higher: looser "
-        "groups of points become one person",
+        "Bandwidth of mean shift: size of the kernel in multiples of the volume of a person; "
+        "higher: looser groups of points become one person",
         formerly=("reach",),
     )
     min_points: int = setting(
@@ -190,8 +196,8 @@ class FlowSettings:
         1.5,
         "s",
         (0.1, 60.0),
-        "Seconds after which a track that has not walked that distance is deleted; higher: slow "
-        "walkers are kept, and false tracks live longer",
+        "Seconds after which a track that has not walked the confirm distance is deleted; higher:"
+        " slow walkers are kept, and false tracks live longer",
         formerly=("unproven_s",),
         group="Track management",
     )

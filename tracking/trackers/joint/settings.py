@@ -61,8 +61,8 @@ class JointSettings(WalkingSettings, StereoFilterSettings):
         1.0,
         "1/m²/s",
         (1e-6, 100.0),
-        "Birth rate at the image edge: new people per square metre of floor and second; higher: "
-        "a detection there is rather a new person than a coasting track",
+        "Birth rate at the image edge: new people per square metre of floor and second; higher: a"
+        " detection there more often starts a new track than continues a coasting one",
         formerly=("new_at_edge",),
         group="Track management",
     )
@@ -70,8 +70,8 @@ class JointSettings(WalkingSettings, StereoFilterSettings):
         0.05,
         "1/m²/s",
         (1e-6, 100.0),
-        "Birth rate away from the image edge, as through doors or from behind pillars; higher: "
-        "a detection there is rather a new person than a coasting track",
+        "Birth rate away from the image edge, as through doors or from behind pillars; higher: a "
+        "detection there more often starts a new track than continues a coasting one",
         formerly=("new_within",),
         group="Track management",
     )

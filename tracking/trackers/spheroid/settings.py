@@ -32,7 +32,7 @@ class SpheroidSettings:
         300,
         "",
         (10, 5000),
-        "Particles per person; higher: tracking in crowds is more reliable and takes more time",
+        "Particles per person; higher: tracking in crowds is more reliable but takes more time",
         group="Particles and motion",
     )
     radius_m: float = setting(
@@ -116,7 +116,8 @@ class SpheroidSettings:
         0.2,
         "s",
         (0.02, 10.0),
-        "Seconds between two searches for new people; lower: they are found sooner, and more time",
+        "Seconds between two searches for new people; lower: they are found sooner, but tracking "
+        "takes more time",
         formerly=("birth_every_s",),
         group="Track management",
     )

@@ -33,7 +33,7 @@ class StereoColourSettings(StereoTrackerSettings):
         700,
         "",
         (10, 20000),
-        "Particles per person; higher: tracking in crowds is more reliable and takes more time",
+        "Particles per person; higher: tracking in crowds is more reliable but takes more time",
         group="Particles and motion",
     )
     cost_limit: float = setting(
@@ -49,7 +49,7 @@ class StereoColourSettings(StereoTrackerSettings):
         "",
         (1, 1000),
         "The colour model is the mean over this many first frames of a track; higher: steadier "
-        "colours, which are of use later",
+        "colours, but available later",
         group="Association",
     )
 

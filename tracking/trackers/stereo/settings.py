@@ -19,7 +19,7 @@ class StereoFilterSettings(ABC):
         500,
         "",
         (10, 20000),
-        "Particles per person; higher: tracking in crowds is more reliable and takes more time",
+        "Particles per person; higher: tracking in crowds is more reliable but takes more time",
         group="Particles and motion",
     )
     initial_spread_m: float = setting(
@@ -27,7 +27,7 @@ class StereoFilterSettings(ABC):
         "m",
         (0.01, 2.0),
         "Standard deviation of a tentative track's particles around its first detection; higher: "
-        "the next detection is found more surely, but neighbours are mixed up sooner",
+        "the next detection is matched more reliably, but neighbours are mixed up sooner",
         formerly=("start_spread_m",),
         group="Particles and motion",
     )
@@ -53,8 +53,8 @@ class StereoFilterSettings(ABC):
         0.3,
         "",
         (0.0, 1.0),
-        "A track of whose body a smaller share is expected to be visible counts as occluded by "
-        "other people; higher: more tracks count as occluded, and coast longer",
+        "Smallest expected visible share of a body; below it a track counts as occluded by other "
+        "people; higher: more tracks count as occluded, and coast longer",
         formerly=("hidden_below",),
         group="Track management",
     )
@@ -219,7 +219,7 @@ class StereoTrackerSettings(StereoFilterSettings):
         "",
         (0.0, 10.0),
         "Cost of a detection where the person should be occluded; higher: a person who appears "
-        "from behind others is rather a new one",
+        "from behind others more often gets a new track",
         formerly=("hidden_weight",),
         group="Association",
     )

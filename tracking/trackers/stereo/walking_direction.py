@@ -50,8 +50,8 @@ class WalkingSettings:
         1.5,
         "s",
         (0.1, 60.0),
-        "A person who needs longer for that distance is standing and has no walking direction; "
-        "higher: slow walkers have a direction",
+        "A person who needs longer than this for the direction step stands and has no walking "
+        "direction; higher: slow walkers have a direction",
         formerly=("direction_memory_s",),
         group="Association",
     )

@@ -33,7 +33,8 @@ class WholeBodySettings:
         200,
         "",
         (10, 20000),
-        "Fewest particles of a body part, however certain it is; higher: steadier, and more time",
+        "Fewest particles of a body part, however certain it is; higher: steadier, but takes more"
+        " time",
         formerly=("least_particles",),
         group="Particles and motion",
     )
@@ -42,7 +43,7 @@ class WholeBodySettings:
         "",
         (10, 20000),
         "Most particles of a body part, however uncertain it is; higher: a lost part is found "
-        "sooner, and more time",
+        "sooner, but tracking takes more time",
         formerly=("most_particles",),
         group="Particles and motion",
     )
@@ -50,8 +51,8 @@ class WholeBodySettings:
         1.2,
         "",
         (0.1, 10.0),
-        "Growth of the number of particles with the entropy of their weights; higher: a lost "
-        "part is found sooner, and more time",
+        "Growth of the number of particles with the entropy of their weights; higher: a lost part"
+        " is found sooner, but tracking takes more time",
         group="Particles and motion",
     )
     similarity_sigma: float = setting(
@@ -207,7 +208,7 @@ class ThreePartSettings(WholeBodySettings):
         "",
         None,
         "Give lost people their id back, and split tracks that hold two people (not in the "
-        "paper). Off: neither",
+        "paper). Off: neither is done",
         formerly=("find_again",),
         group="Association",
     )

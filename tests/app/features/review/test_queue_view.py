@@ -60,7 +60,7 @@ def test_a_narrow_row_names_all_it_is_about(qtbot, dark, monkeypatch, names):
     people = tuple(
         ReviewPerson(n, name, (200, 80, 40)) for n, name in zip((2, 16), names, strict=True)
     )
-    item = replace(ITEMS[0], title="Ways change over", people=people, when="00:22.20")
+    item = replace(ITEMS[0], title="Directions swap", people=people, when="00:22.20")
     panel = shown(qtbot, ReviewScene(items=(item,), left=1))
     panel.resize(230, 380)
     drawn = []
