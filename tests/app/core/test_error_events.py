@@ -19,7 +19,7 @@ def table(*rows: tuple[int, int, float]) -> ScoringTable:
 
 @pytest.fixture
 def events():
-    """Person 1 is missed in frames 2 to 4 and then found as 8; 9 is nobody in frames 3 to 6."""
+    """Person 1 is missed in frames 2 to 4 then found as 8; 9 is a false alarm in 3 to 6."""
     truth = table(*((frame, 1, 0.0) for frame in range(10)))
     found = [(frame, 7, 0.0) for frame in range(2)] + [(frame, 8, 0.0) for frame in range(5, 10)]
     result = table(*found, *((frame, 9, 90.0) for frame in range(3, 7)))

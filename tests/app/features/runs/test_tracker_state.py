@@ -1,4 +1,4 @@
-"""What the window says of tracking while no tracker is at work."""
+"""What the window says of tracking while no tracker is running."""
 
 from dataclasses import replace
 from pathlib import Path
