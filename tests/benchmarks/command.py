@@ -57,16 +57,20 @@ def page_options(
     """Read the command line of a subject's page; pictures: some can be made of real footage."""
     parser = parser_of(subject, description)
     page = f"docs/results/{subject}.md"
-    real = Path(os.environ.get("TRACKWRIGHT_DATA") or _REAL)
     parser.add_argument("--report", action="store_true", help=f"measure and write {page}")
     parser.add_argument("--rewrite", action="store_true", help="write it from what was measured")
     parser.add_argument("--only", nargs="+", choices=sections, help="these sections")
     parser.add_argument("--clips", type=Path, help="where clips are kept, not the user's cache")
-    parser.add_argument("--data", type=Path, default=real, help="folder of real recordings")
+    parser.add_argument("--data", type=Path, default=real_data(), help="folder of real recordings")
     if pictures:
         parser.add_argument("--pictures", type=Path, help="where pictures of real footage are put")
     asked = vars(parser.parse_args())
     return Options(**{**asked, "only": tuple(asked["only"] or sections)})
+
+
+def real_data() -> Path:
+    """The folder of recordings that are not in the project."""
+    return Path(os.environ.get("TRACKWRIGHT_DATA") or _REAL)
 
 
 def one_core() -> None:

@@ -10,10 +10,13 @@ from __future__ import annotations
 import hashlib
 import io
 import os
+import sys
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from functools import cache
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -50,11 +53,18 @@ class Case:
         tracker: in the catalogue.
         settings: other than the defaults, by their dotted names.
         name: in tables and pictures; the tracker's if left out.
+        seed: of its randomness.
+        frames: how many it is measured on, from the first; 0: all.
+        replaced: module-level values of the library, by their dotted names, and what stands in
+            their place while this case is tracked: a value, or the dotted name of another one.
     """
 
     tracker: str
     settings: tuple[tuple[str, Any], ...] = ()
     name: str = ""
+    seed: int = SEED
+    frames: int = 0
+    replaced: tuple[tuple[str, Any], ...] = ()
 
     def chosen(self) -> Any:
         """All its settings."""
@@ -105,7 +115,8 @@ def runs_over(folder: Path, cases: Sequence[Case]) -> dict[Case, KeptRun]:
 def _file_name(folder: Path, contents: str, case: Case) -> str:
     chosen = case.chosen()
     detector = built_in_detector().fingerprint if getattr(chosen, "adjust", False) else ""
-    own = repr((case.tracker, settings_values(chosen), SEED, _TABLES, detector))
+    more = (case.seed, case.frames, case.replaced)
+    own = repr((case.tracker, settings_values(chosen), *more, _TABLES, detector))
     said = "\0".join((contents, sources(), LIBRARIES, own))
     return f"{folder.name}-{hashlib.sha256(said.encode()).hexdigest()[:16]}.npz"
 
@@ -139,7 +150,7 @@ def _read(path: Path, case: Case) -> KeptRun:
         frames, notes = tuple(held["frames"].tolist()), tuple(held["notes"].tolist())
     times, settings = tables.pop("times"), settings_values(case.chosen())
     particles = Particles.none(PARTICLE_COLUMNS)
-    known = {"seed": SEED, "frames": frames, "particles": particles, "notes": notes}
+    known = {"seed": case.seed, "frames": frames, "particles": particles, "notes": notes}
     return KeptRun(Run(tracker=case.tracker, settings=settings, **known, **tables), times)
 
 
@@ -147,21 +158,50 @@ def fresh_runs(folder: Path, cases: Sequence[Case]) -> Iterator[tuple[Case, Kept
     """Cases with their runs, tracked now."""
     for together in _seeing_alike(cases):
         began = time.perf_counter()
-        with open_recording(folder) as recording:
+        with open_recording(folder) as recording, replacing(together[0].replaced):
             yield from _tracked(recording, together)
         names = ", ".join(map(str, together))
         tell(f"{folder.name} by {names} in {time.perf_counter() - began:.0f} s")
 
 
+@contextmanager
+def replacing(values: Iterable[tuple[str, Any]]) -> Iterator[None]:
+    """Other module-level values within a with statement; see `Case.replaced`.
+
+    A name that a module imported from the one named is replaced there, too.
+    """
+    before: list[tuple[Any, str, Any]] = []
+    try:
+        for dotted, value in values:
+            module, _, name = dotted.rpartition(".")
+            old = getattr(import_module(module), name)
+            new = _value_named(value) if isinstance(value, str) else value
+            for other in [*sys.modules.values()]:
+                ours = getattr(other, "__name__", "").startswith("tracking.")
+                if ours and other.__dict__.get(name) is old:
+                    before.append((other, name, old))
+                    setattr(other, name, new)
+        yield
+    finally:
+        for other, name, old in reversed(before):
+            setattr(other, name, old)
+
+
+def _value_named(dotted: str) -> Any:
+    module, _, name = dotted.rpartition(".")
+    return getattr(import_module(module), name)
+
+
 def _seeing_alike(cases: Sequence[Case]) -> Iterator[list[Case]]:
     """The trackers in groups that perceive alike."""
-    groups: dict[tuple[Any, ...], list[Case]] = {}
+    groups: dict[Any, list[Case]] = {}
     for case in cases:
         chosen, needs_stereo = case.chosen(), tracker_named(case.tracker).needs_stereo
         # The papers' own methods see colours in their own way.
         apart = case.tracker if getattr(chosen, "paper", False) else ""
-        seen_by = (apart, *(getattr(chosen, name) for name in _SEEN_BY)) if needs_stereo else case
-        groups.setdefault(seen_by, []).append(case)
+        alike = needs_stereo and not case.replaced
+        seen_by = (apart, *(getattr(chosen, name) for name in _SEEN_BY)) if alike else case
+        groups.setdefault((seen_by, case.frames), []).append(case)
     yield from groups.values()
 
 
@@ -174,7 +214,8 @@ def _tracked(recording: Recording, cases: list[Case]) -> Iterator[tuple[Case, Ke
     pairing, instants = perception.stereo_watch, Instants(recording)
     if pairing is not None:
         begin_pairing(pairing, instants, 0)
-    for frame in instants.frames(0, recording.frame_count):
+    frames = min(cases[0].frames or recording.frame_count, recording.frame_count)
+    for frame in instants.frames(0, frames):
         with seeing:
             seen = perception.observe(frame)
         if pairing is not None:
@@ -185,12 +226,12 @@ def _tracked(recording: Recording, cases: list[Case]) -> Iterator[tuple[Case, Ke
             own.add([step])
     for case, (_, tracker), own, watch in zip(cases, built, steps, following, strict=True):
         with watch:
-            run = own.run(case.tracker, settings_values(case.chosen()), SEED, recording)
-        times = (recording.frame_count, seeing.total_s, watch.total_s)
+            run = own.run(case.tracker, settings_values(case.chosen()), case.seed, recording)
+        times = (frames, seeing.total_s, watch.total_s)
         named = zip(("frames", "seeing_s", "following_s"), times, strict=True)
         run = replace(run, notes=(*tracker.notes, *perception.notes))
         yield case, KeptRun(run, {name: np.array([value], float) for name, value in named})
 
 
 def _build(recording: Recording, case: Case) -> tuple[Perception, Tracker]:
-    return tracker_named(case.tracker).build(recording, case.chosen(), SEED)
+    return tracker_named(case.tracker).build(recording, case.chosen(), case.seed)
