@@ -19,8 +19,7 @@ from tests.benchmarks.footage.recordings import Footage, all_footage, footage_na
 from tests.benchmarks.footage.table import changes, table
 from tests.benchmarks.pages import DOCS, template
 from tests.benchmarks.runner import Case, runs_over, sources
-from tracking.errors import TrackwrightError
-from tracking.trackers import TRACKERS, require
+from tracking.trackers import TRACKERS
 
 KEPT = DOCS / "results" / "real.json"
 PAGE = DOCS / "results" / "real.md"
@@ -28,18 +27,9 @@ PAGE = DOCS / "results" / "real.md"
 
 def measure(footage: Footage, cases: Sequence[Case]) -> dict[str, Figures]:
     """Figures by the names of the cases whose trackers fit the recording."""
-    fitting = [case for case in cases if _fits(footage, case)]
+    fitting = [case for case in cases if footage.suits(case.tracker)]
     runs = runs_over(footage.folder, fitting)
     return {str(case): figures_of(footage, runs[case]) for case in fitting}
-
-
-def _fits(footage: Footage, case: Case) -> bool:
-    with footage.open() as recording:
-        try:
-            require(TRACKERS[case.tracker], recording)
-        except TrackwrightError:
-            return False
-        return True
 
 
 def kept_figures() -> dict[str, Any]:

@@ -10,7 +10,9 @@ import numpy as np
 
 from tests.benchmarks.clips import Clip, folder_of
 from tests.benchmarks.command import tell
+from tracking.errors import CalibrationError, RecordingError
 from tracking.recording import Recording, open_recording
+from tracking.trackers import TRACKERS, require
 from tracking.tracks import CountingLine
 
 Box = tuple[int, int, int, int]
@@ -78,6 +80,15 @@ class Footage:
     def open(self) -> Recording:
         """The recording, to be closed by the caller."""
         return open_recording(self.folder)
+
+    def suits(self, tracker: str) -> bool:
+        """Whether the recording has what the tracker needs: cameras, calibration, floor."""
+        with self.open() as recording:
+            try:
+                require(TRACKERS[tracker], recording)
+            except (RecordingError, CalibrationError):
+                return False
+            return True
 
 
 def all_footage(data: Path, kept: Path | None = None) -> list[Footage]:
