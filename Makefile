@@ -5,7 +5,7 @@ BIN := $(VENV)/bin
 STAMP := $(VENV)/.ready
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
-.PHONY: help demo test format bench results results-parts results-stereo results-spheroid results-flow detector kills power-cuts failed-calls two-programs mutants hostile soak long memory interrupts model peers scorers interchange pictures messages lock clean
+.PHONY: help demo test format bench footage ablation results results-parts results-stereo results-spheroid results-flow detector kills power-cuts failed-calls two-programs mutants hostile soak long memory interrupts model peers scorers interchange pictures messages lock clean
 .DEFAULT_GOAL := help
 
 help: ## what can be made
@@ -39,6 +39,13 @@ format: $(STAMP) ## put the code into the house's form
 
 bench: $(STAMP) ## measure speed (not part of make test)
 	$(BIN)/python -m tests.benchmarks
+
+footage: $(STAMP) ## all trackers over real recordings, rendered ones of others and our own scenes (half an hour)
+	$(BIN)/python -m tests.benchmarks.footage --others
+
+ablation: $(STAMP) ## docs/results/ablation.md: what each mechanism of a tracker is worth (hours)
+	for tracker in spheroid flow three-part stereo-joint; do \
+	  $(BIN)/python -m tests.benchmarks.footage.ablation --tracker $$tracker --report || exit 1; done
 
 results: results-parts results-stereo results-spheroid results-flow ## docs/results/: the papers' figures beside ours (six and a half hours)
 

@@ -9,14 +9,17 @@ from __future__ import annotations
 
 import argparse
 import json
+import re
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 from tests.benchmarks.command import one_core, parser_of, real_data
+from tests.benchmarks.footage.failures import save_worst_frame
 from tests.benchmarks.footage.measures import Figures, figures_of
+from tests.benchmarks.footage.others import follow_public_detections
 from tests.benchmarks.footage.recordings import Footage, all_footage, footage_names
-from tests.benchmarks.footage.table import changes, table
+from tests.benchmarks.footage.table import COLUMNS, cell, changes, table
 from tests.benchmarks.pages import DOCS, template
 from tests.benchmarks.runner import Case, runs_over, sources
 from tracking.trackers import TRACKERS
@@ -25,10 +28,19 @@ KEPT = DOCS / "results" / "real.json"
 PAGE = DOCS / "results" / "real.md"
 
 
-def measure(footage: Footage, cases: Sequence[Case]) -> dict[str, Figures]:
-    """Figures by the names of the cases whose trackers fit the recording."""
+def measure(
+    footage: Footage, cases: Sequence[Case], pictures: Path | None = None
+) -> dict[str, Figures]:
+    """Figures by the names of the cases whose trackers fit the recording.
+
+    Args:
+        pictures: where a picture is put of the frame in which each tracker errs most.
+    """
     fitting = [case for case in cases if footage.suits(case.tracker)]
     runs = runs_over(footage.folder, fitting)
+    if pictures is not None:
+        for case in fitting:
+            save_worst_frame(footage, str(case), runs[case].tracks, pictures)
     return {str(case): figures_of(footage, runs[case]) for case in fitting}
 
 
@@ -46,7 +58,13 @@ def keep(found: Mapping[str, Mapping[str, Figures]], kinds: Mapping[str, str]) -
     kinds = {**kept.get("kinds", {}), **kinds}
     figures = {"sources": sources()[:16], "kinds": kinds, "footage": rows}
     KEPT.write_text(json.dumps(figures, indent=1) + "\n", encoding="utf-8")
-    PAGE.write_text(template("footage/page.md.j2").render(**figures), encoding="utf-8")
+    write_page(figures)
+
+
+def write_page(figures: Mapping[str, Any]) -> None:
+    """The page of the figures kept."""
+    text = template("footage/page.md.j2").render(**figures, columns=tuple(COLUMNS), cell=cell)
+    PAGE.write_text(re.sub(r"\n{3,}", "\n\n", text).strip() + "\n", encoding="utf-8")
 
 
 def _options() -> argparse.Namespace:
@@ -58,6 +76,9 @@ def _options() -> argparse.Namespace:
     parser.add_argument("--seed", type=int, default=0, help="of the trackers' randomness")
     parser.add_argument("--data", type=Path, default=real_data(), help="folder of recordings")
     parser.add_argument("--clips", type=Path, help="where clips are kept, not the user's cache")
+    parser.add_argument("--pictures", type=Path, help="where frames with most errors are put")
+    parser.add_argument("--others", action="store_true", help="also trackers on public detections")
+    parser.add_argument("--rewrite", action="store_true", help="only write the page anew")
     parser.add_argument("--json", action="store_true", help="figures as JSON, not as a table")
     parser.add_argument("--keep", action="store_true", help=f"in {PAGE.parent.name}/{PAGE.name}")
     return parser.parse_args()
@@ -67,26 +88,23 @@ def main() -> None:
     """Read the command line, measure, print, and keep what is asked to be kept."""
     one_core()
     asked = _options()
+    if asked.rewrite:
+        write_page(kept_figures())
+        return
     settings = tuple(tuple(text.split("=", 1)) for text in asked.set)
     cases = [Case(name, settings, "", asked.seed, asked.frames) for name in asked.trackers]
-    found: dict[str, dict[str, Figures]] = {}
-    kinds: dict[str, str] = {}
+    chosen = all_footage(asked.data, asked.only, asked.clips)
     before = kept_figures().get("footage", {})
-    for footage in all_footage(asked.data, asked.clips):
-        if asked.only and footage.name not in asked.only:
-            continue
-        kinds[footage.name] = footage.kind
-        found[footage.name] = measure(footage, cases)
+    found: dict[str, dict[str, Figures]] = follow_public_detections(chosen) if asked.others else {}
+    for footage in chosen:
+        ours = measure(footage, cases, asked.pictures)
+        found[footage.name] = ours | found.get(footage.name, {})
         if not asked.json:
-            print(
-                table(footage.name, found[footage.name], before.get(footage.name, {})), flush=True
-            )
-    if asked.json:
-        print(json.dumps(found, indent=1))
-    else:
-        print(changes(found, before))
+            old = before.get(footage.name, {})
+            print(table(footage.name, found[footage.name], old), flush=True)
+    print(json.dumps(found, indent=1) if asked.json else changes(found, before))
     if asked.keep:
-        keep(found, kinds)
+        keep(found, {footage.name: footage.kind for footage in chosen})
 
 
 if __name__ == "__main__":

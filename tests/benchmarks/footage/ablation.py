@@ -181,8 +181,7 @@ def main() -> None:
     if asked.rewrite:
         write_page()
         return
-    there = [one for one in all_footage(asked.data) if one.name in asked.footage]
-    there = [one for one in there if one.suits(asked.tracker)]
+    there = [o for o in all_footage(asked.data, asked.footage) if o.suits(asked.tracker)]
     known = MECHANISMS[asked.tracker]
     chosen = [m for m in known if not asked.only or m.name in asked.only]
     found = {}

@@ -47,6 +47,19 @@ def figures_of(footage: Footage, kept: KeptRun) -> Figures:
     return found
 
 
+def box_figures(footage: Footage, tracks: Columns) -> Figures:
+    """Those of tracks that are boxes only, over the whole recording."""
+    with footage.open() as recording:
+        fps = recording.fps
+    truth, result = truth_table(footage.folder), ScoringTable.from_columns(tracks)
+    return {
+        "tracks": len(np.unique(result.track)),
+        "people": len(np.unique(truth.track[truth.counted])),
+        "boxes": _scored(truth, result, BoxMatch(OVERLAP)),
+        "nobody": _of_nobody(truth, result, round(_LEAST_S * fps)),
+    }
+
+
 def _against_truth(footage: Footage, kept: KeptRun) -> Figures:
     frames = int(kept.times["frames"][0])
     truth = truth_table(footage.folder)
@@ -90,9 +103,8 @@ def _of_nobody(truth: ScoringTable, result: ScoringTable, least: int) -> int:
     rows = examined.comparison.result.track
     matched = rows[examined.matched.rows.result]
     return sum(
-        (matched == track).sum() < _NOBODY_SHARE * number
+        bool(number >= least and (matched == track).sum() < _NOBODY_SHARE * number)
         for track, number in zip(*np.unique(rows, return_counts=True), strict=True)
-        if number >= least
     )
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -30,9 +30,11 @@ _NAMED = {
         f"rendered-{scene}" for scene in ("corridor", "lobby", "pillars", "ceiling", "plaza")
     ),
 }
-_SCENES = ("lobby", "plaza", "square", "uniforms", "pillars", "corridor", "ceiling")
-_SEED, _SECONDS = 6001, 15.0
-"""Of our own scenes: the seed is one for choosing settings."""
+_OWN = {
+    f"own-{scene}": Clip(scene, 6001, 15.0)
+    for scene in ("lobby", "plaza", "square", "uniforms", "pillars", "corridor", "ceiling")
+}
+"""Of a seed for choosing settings."""
 
 BY_EYE: Mapping[str, Mapping[int, tuple[Box, ...]]] = {
     "office-camera0-real": {
@@ -91,24 +93,33 @@ class Footage:
             return True
 
 
-def all_footage(data: Path, kept: Path | None = None) -> list[Footage]:
-    """What there is; recordings that are missing from the folder of data are told."""
+def all_footage(
+    data: Path, only: Collection[str] | None = None, kept: Path | None = None
+) -> list[Footage]:
+    """What there is; recordings that are missing from the folder of data are told.
+
+    Args:
+        data: where those are that are not ours.
+        only: names; None: all.
+        kept: where our own are kept, None: in the user's cache.
+    """
     found = []
-    for kind, names in _NAMED.items():
-        for name in names:
-            if (data / name / "recording.toml").is_file():
-                found.append(Footage(name, kind, data / name))
-            else:
-                tell(f"no {name} in {data.name} (--data or TRACKWRIGHT_DATA): it is left out")
-    for scene in _SCENES:
-        clip = Clip(scene, _SEED, _SECONDS)
-        found.append(Footage(f"own-{scene}", OWN, folder_of(clip, kept)))
+    for name in footage_names():
+        if only is not None and name not in only:
+            continue
+        if name in _OWN:
+            found.append(Footage(name, OWN, folder_of(_OWN[name], kept)))
+        elif (data / name / "recording.toml").is_file():
+            kind = REAL if name in _NAMED[REAL] else OTHER_RENDERER
+            found.append(Footage(name, kind, data / name))
+        else:
+            tell(f"no {name} in {data.name} (--data or TRACKWRIGHT_DATA): it is left out")
     return found
 
 
 def footage_names() -> list[str]:
     """Of all that is looked for."""
-    return [name for names in _NAMED.values() for name in names] + [f"own-{s}" for s in _SCENES]
+    return [*(name for names in _NAMED.values() for name in names), *_OWN]
 
 
 def counting_line(footage: Footage, places: Iterable[tuple[float, float]]) -> CountingLine:
