@@ -24,7 +24,7 @@ def pictures_of(
     """JPEG images of the mistakes whose recordings can be opened, by the row of the sample."""
 
     def missed(source: Source, error: TrackwrightError) -> None:
-        say(f"no pictures of {source.title}: {with_advice(error, allow_outside)}")
+        say(f"no images of {source.title}: {with_advice(error, allow_outside)}")
 
     search = Search(allow_outside=allow_outside, missed=missed)
     items = TrainingResult(trained, training_set).scene().mistakes

@@ -81,7 +81,7 @@ class Onward:
     accept: options.Accept = False
 
 
-_PICTURE = "In the picture, where there is no calibration"
+_PICTURE = "In the image, where there is no calibration"
 
 
 @dataclass(frozen=True, slots=True)
@@ -129,7 +129,7 @@ class InPicture:
         typer.Option(help="NAME:u,v:u,v:u,v... in px.", rich_help_panel=_PICTURE),
     ] = None
     jitter_px: Annotated[
-        float, typer.Option(help="The same for lines in the picture, px.", rich_help_panel=_PICTURE)
+        float, typer.Option(help="The same for lines in the image, px.", rich_help_panel=_PICTURE)
     ] = 0.0
 
 

@@ -147,7 +147,7 @@ def measure_all(
                     found = _measured(asked, one, subject, result, yardstick)
                     tell_unlike(one, result, found.score)
                     if asked.report is not None and found.finding is not None:
-                        why_none = why_none or "the boxes of people in the pictures are unknown"
+                        why_none = why_none or "the boxes of people in the images are unknown"
                         shown = shown_of(found.finding, total, lambda *_: None, why_none)
                         found = replace(found, shown=shown)
                     measured.append(found)

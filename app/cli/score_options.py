@@ -64,7 +64,7 @@ Lines = Annotated[
     ),
 ]
 PictureLines = Annotated[
-    list[str] | None, typer.Option(help="NAME:u1,v1:u2,v2: the same for a line in the picture, px.")
+    list[str] | None, typer.Option(help="NAME:u1,v1:u2,v2: the same for a line in the image, px.")
 ]
 Report = Annotated[
     Path | None,

@@ -187,7 +187,7 @@ EDIT: Final[tuple[Command[WindowApp], ...]] = (
 LAYOUT: Final = (
     Command[WindowApp](
         "view.whole",
-        "Show the whole picture and floor",
+        "Show the whole image and floor",
         "View",
         ("Shift+A",),
         recording,

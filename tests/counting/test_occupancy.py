@@ -160,7 +160,7 @@ def test_a_passage_stands_in_the_step_in_which_it_was() -> None:
 def test_lines_on_the_floor_need_places_there() -> None:
     blind = walk([(20.0, 90.0)] * 6)
     blind["x"][:] = blind["y"][:] = np.nan
-    with pytest.raises(CountingError, match=r"'gate' lies on the floor.*draw it in the picture"):
+    with pytest.raises(CountingError, match=r"'gate' lies on the floor.*draw it in the image"):
         count(blind, 10.0, 6, [CountingLine("gate", (0, 0), (0, 2))])
     lines = [CountingLine("gate", (0, 85), (50, 85), in_picture=True)]
     assert count(blind, 10.0, 6, lines).lines[0].totals == (0, 0)

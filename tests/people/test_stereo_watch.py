@@ -142,7 +142,7 @@ def test_a_lag_that_is_known_before_is_told_and_stays() -> None:
     watch, said = followed([5] * 60, known=5)
     assert set(said) == {5}
     assert watch.notes() == (
-        "the right camera is 5 frames late: pictures of the same instant are paired",
+        "the right camera is 5 frames late: images of the same instant are paired",
     )
 
 
@@ -152,7 +152,7 @@ def test_a_lag_that_is_told_wrong_is_given_up_and_looked_for(told: int) -> None:
     assert said[0] == told
     assert said[-60:] == [3] * 60
     hint = f"recording.toml says {told}: leave `lag` out to have it looked for"
-    assert watch.notes()[0].endswith("as recording.toml says: pictures are paired so")
+    assert watch.notes()[0].endswith("as recording.toml says: images are paired so")
     assert all(line.endswith(hint) for line in watch.notes()[1:])
 
 
@@ -160,7 +160,7 @@ def test_a_lag_that_is_told_and_true_stays() -> None:
     watch, said = followed([30] * 100, known=30, told=30)
     assert set(said) == {30}
     assert watch.notes() == (
-        "the right camera is 30 frames late, as recording.toml says: pictures are paired so",
+        "the right camera is 30 frames late, as recording.toml says: images are paired so",
     )
 
 
@@ -168,7 +168,7 @@ def test_a_lag_that_is_told_and_that_footage_disproves_is_named() -> None:
     watch = StereoWatch(FPS)
     watch.begin(0, told=-12)
     assert watch.notes() == (
-        "neither camera is late: pictures of the same instant are paired; recording.toml says -12: "
+        "neither camera is late: images of the same instant are paired; recording.toml says -12: "
         "leave `lag` out to have it looked for",
     )
 

@@ -88,7 +88,7 @@ def test_a_camera_that_is_ahead_makes_no_difference(sound: Tracked, ahead: Track
     assert agreeing(sound, ahead, range(8, FRAMES)) > 0.7
     assert sound.notes == ()
     assert ahead.notes == (
-        "the left camera is 8 frames late: pictures of the same instant are paired",
+        "the left camera is 8 frames late: images of the same instant are paired",
     )
 
 
@@ -99,7 +99,7 @@ def test_a_camera_that_is_late_and_fails_for_a_time_is_of_use_otherwise(
     assert agreeing(sound, late, range(46, FRAMES - LATE.lag)) > 0.7
     failed, lagged = late.notes
     assert "shows nothing new in frames 38 to 45:" in failed
-    assert lagged == "the right camera is 12 frames late: pictures of the same instant are paired"
+    assert lagged == "the right camera is 12 frames late: images of the same instant are paired"
 
 
 @pytest.mark.parametrize("frames", [range(38, 46), range(FRAMES - LATE.lag, FRAMES)])
@@ -118,7 +118,7 @@ def test_a_lag_that_recording_toml_tells_wrong_is_not_believed(folder: Path) -> 
         assert recording.right_lag == 30
         next(tracking)
         assert tracking.notes == (
-            "neither camera is late: pictures of the same instant are paired; recording.toml says "
+            "neither camera is late: images of the same instant are paired; recording.toml says "
             "30: leave `lag` out to have it looked for",
         )
 

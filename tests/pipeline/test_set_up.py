@@ -76,7 +76,7 @@ def test_swapped_cameras_are_told_as_that_and_not_as_a_wrong_floor(lobby: Path):
 def test_the_same_pictures_for_both_cameras_are_told_as_that(lobby: Path):
     with open_recording(lobby, cameras_of(lobby, "left.mp4", "left.mp4")) as same:
         (note,) = told(same)
-    assert "both cameras show the same pictures" in note
+    assert "both cameras show the same images" in note
 
 
 @pytest.mark.parametrize(("apart_px", "same"), [(10, False), (0, True)])
@@ -91,7 +91,7 @@ def test_a_lamp_at_night_tells_whether_cameras_differ(
     )
     with open_recording(lobby) as recording:
         frame = replace(recording.read(0), left=left, right=right)
-        assert ("show the same pictures" in set_up.doubt_of(recording, [frame])) is same
+        assert ("show the same images" in set_up.doubt_of(recording, [frame])) is same
 
 
 @pytest.mark.parametrize(("nearest", "farthest"), [("20", "2"), ("5", "5")])

@@ -55,7 +55,7 @@ def test_a_frame_one_camera_dropped_does_not_shift_the_rest(tmp_path: Path) -> N
         assert frame.right is not None
         assert number_in(frame.right) == 30 + RIGHT_OFFSET
         assert any(
-            "in 1 frame the right picture is the one before" in note for note in recording.notes
+            "in 1 frame the right image is the one before" in note for note in recording.notes
         )
         assert any("right.mp4: 1 frame not recorded" in note for note in recording.notes)
 

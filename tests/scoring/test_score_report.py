@@ -179,7 +179,7 @@ def test_without_metres_the_map_is_the_picture() -> None:
     )
     finding = finding_of(unplaced, "first<b>", Yardstick())
     page = page_of(report_of([finding], Yardstick()), {finding: Shown((), place_picture(one))})
-    assert "x in the picture, px" in page
+    assert "x in the image, px" in page
     assert "<image " in page
     assert "floor error" not in page
     assert "the truth has no places on the floor" in page

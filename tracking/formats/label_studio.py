@@ -67,7 +67,7 @@ def export_label_studio(path: Path, exported: Exported, report: Progress) -> tup
     """
     if exported.size_px is None:
         raise FormatError(
-            f"{path}: Label Studio tells boxes in percent, and the picture's size is not known"
+            f"{path}: Label Studio tells boxes in percent, and the image's size is not known"
         )
     frames = exported.frame_stop
     task = {_VIDEO_TAG: line(exported.name)}

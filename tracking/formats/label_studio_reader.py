@@ -59,7 +59,7 @@ def looks_like_label_studio(_path: Path, head: bytes) -> bool:
 def import_label_studio(path: Path, filmed: Filmed, report: Progress = no_progress) -> Imported:
     """The tracks of one video; see `label_studio` for what becomes of keyframes and ids.
 
-    Raises FormatError where the file holds several videos, does not say how large the picture is
+    Raises FormatError where the file holds several videos, does not say how large the image is
     and nobody else does, is no such JSON, or has keyframes that stand for more rows than any
     footage has.
     """
@@ -324,7 +324,7 @@ class _File:
         path = self._reading.path
         if regions and size_px is None:
             raise FormatError(
-                f"{path} tells boxes in percent, and not how large the picture is; import it with "
+                f"{path} tells boxes in percent, and not how large the image is; import it with "
                 "its recording"
             )
         filled = FilledRows(path)

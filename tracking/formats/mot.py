@@ -239,7 +239,7 @@ MOT = TrackFormat(
     dont_cares=True,
     holds=frozenset((Content.BOXES, Content.PLACES, Content.CONFIDENCE)),
     confidence_in_results=True,
-    about="Boxes of the left picture, positions on the floor where known; for scorers.",
+    about="Boxes of the left image, positions on the floor where known; for scorers.",
 )
 MOT16 = TrackFormat(
     "mot16",

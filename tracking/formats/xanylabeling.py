@@ -78,7 +78,7 @@ def export_xanylabeling(path: Path, exported: Exported, report: Progress) -> tup
     has a box, or the size of the picture is not known.
     """
     if exported.size_px is None:
-        raise FormatError(f"{path}: X-AnyLabeling needs the picture's size, which is not known")
+        raise FormatError(f"{path}: X-AnyLabeling needs the image's size, which is not known")
     labels = {track: _said(label) for track, label in exported.labels.items()}
     anybody = False
     with replacing_folder(path) as folder:
@@ -222,13 +222,11 @@ class _Folder:
             raise FormatError(f"cannot read {path}: {error.strerror}") from error
         self._bytes += size
         if size > _LARGEST_FILE:
-            raise FormatError(
-                f"{path} is larger than {_LARGEST_FILE >> 20} MB; take its picture out"
-            )
+            raise FormatError(f"{path} is larger than {_LARGEST_FILE >> 20} MB; remove its image")
         if self._bytes > MOST_BYTES:
             raise FormatError(
                 f"the {ENDING} files of {self._reading.path} hold more than {MOST_BYTES >> 30} GB; "
-                "take the pictures out of them"
+                "remove the images from them"
             )
 
     def _take_shape(self, number: int, at: int, shape: Any) -> None:

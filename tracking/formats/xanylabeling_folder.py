@@ -121,5 +121,5 @@ def _check_unique(folder: Path, files: Sequence[FrameFile]) -> None:
         if other != each.path.name:
             raise FormatError(
                 f"{folder}: {other} and {each.path.name} are both of frame {each.frame}; put the "
-                "pictures beside them, or number them anew"
+                "images beside them, or number them anew"
             )

@@ -207,7 +207,7 @@ class Rectification:
             covered = min(covered, float(inside.mean()))
         if covered < _LEAST_COVERED:
             raise CalibrationError(
-                f"calibration: only {covered:.0%} of the rectified picture would be "
+                f"calibration: only {covered:.0%} of the rectified image would be "
                 "covered; the stereo calibration is not usable, calibrate again"
             )
 

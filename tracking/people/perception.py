@@ -258,7 +258,7 @@ def _require_size(size: tuple[int, int], shrink: int, stereo: StereoSettings) ->
     least = shrink * least_side_px(stereo.window_px)
     if min(size) < least:
         raise RecordingError(
-            f"pictures of {size[0]} x {size[1]} px are too small to match two cameras, which needs "
+            f"images of {size[0]} x {size[1]} px are too small to match two cameras, which needs "
             f"{least} x {least}: choose a tracker for one camera"
         )
 

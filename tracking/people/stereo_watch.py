@@ -68,9 +68,9 @@ class StereoWatch:
         if told is not None:
             self._movement = MotionAgreement(self._fps, told)
         if lag and lag == told:
-            self._lagged.append(f"{_late(lag)}, as recording.toml says: pictures are paired so")
+            self._lagged.append(f"{_late(lag)}, as recording.toml says: images are paired so")
         elif lag != (told or 0):
-            paired = "pictures of the same instant are paired"
+            paired = "images of the same instant are paired"
             self._lagged.append(f"{_late(lag)}: {paired}{self._unless_told(lag)}")
 
     def _unless_told(self, lag: int | None) -> str:
@@ -167,7 +167,7 @@ def _told_late(frame: int, lag: int | None) -> str:
     if lag == 0:
         return f"from frame {frame} on both cameras show the same instant"
     return (
-        f"{_late(lag)}, found at frame {frame}: pictures of the same instant are paired from "
+        f"{_late(lag)}, found at frame {frame}: images of the same instant are paired from "
         "there; distances shortly before may be wrong"
     )
 

@@ -37,7 +37,7 @@ _LEAST_FLOOR = 0.3
 _SUITS = 0.5
 """A floor as told has this share of the one that suits the scene best; a wrong one mostly none."""
 _SAME, _LEAST_DETAIL = 0.5, 3.0
-"""Grey levels: how much the same pictures differ at the most, and any picture in itself."""
+"""Grey levels: how much the same images differ at the most, and any picture in itself."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,7 +100,7 @@ def doubt_of(recording: Recording, frames: Sequence[StereoFrame]) -> str:
         return ""
     if _show_the_same(frames):
         return (
-            f"{recording.name}: both cameras show the same pictures, which tell no distance: give "
+            f"{recording.name}: both cameras show the same images, which tell no distance: give "
             "the right camera's own source, or choose a tracker for one camera"
         )
     scene = measure_scene(rectification, frame.left, frame.right)

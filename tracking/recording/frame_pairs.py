@@ -91,6 +91,6 @@ def _by_key(left: NDArray[np.float64], right: NDArray[np.float64]) -> Pairing | 
     filled = np.maximum.accumulate(np.where(met, nearest, 0))
     note = (
         "the cameras lost different frames; they are paired by when they were taken, and in "
-        f"{counted(alone, 'frame')} the right picture is the one before"
+        f"{counted(alone, 'frame')} the right image is the one before"
     )
     return Pairing(filled.astype(np.int64), (note,))

@@ -97,7 +97,7 @@ class ImageSource:
         if self._lost:
             notes.append(
                 f"{self.name}: {counted(len(self._lost), 'image')} broken or of another size, "
-                f"first {self._files[min(self._lost)].name}; the picture before is shown"
+                f"first {self._files[min(self._lost)].name}; the image before is shown"
             )
         return tuple(notes)
 

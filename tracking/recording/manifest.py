@@ -204,7 +204,7 @@ def _sources(table: _Table) -> tuple[str, str | None, Layout | None, Side]:
         layout = _choice(stereo, "layout", _LAYOUTS, _LAYOUTS[0])
         return _source(stereo), None, layout, _choice(stereo, "first", _SIDES, "left")
     if "left" not in table:
-        raise table.error("left", "is missing; say where the pictures are: [left] source = ...")
+        raise table.error("left", "is missing; say where the images are: [left] source = ...")
     right = _source(table.section("right")) if "right" in table else None
     return _source(table.section("left")), right, None, "left"
 

@@ -134,7 +134,7 @@ def index_video(where: str) -> PacketIndex:
         time_base = float(stream.time_base or 1)
     keyframes = [i for i, packet in enumerate(packets) if packet.key]
     if not keyframes:
-        raise RecordingError(f"{where}: holds no picture that can be decoded; record it again")
+        raise RecordingError(f"{where}: holds no image that can be decoded; record it again")
     if trusted:
         shown = np.array([packet.pts for packet in packets], float)
         number, left_out = _ranked(shown, packets, keyframes[0])

@@ -97,7 +97,7 @@ class VideoSource:
         if self._index.left_out:
             notes.append(
                 f"{self.name}: {counted(self._index.left_out, 'frame')} before the first whole "
-                "picture left out"
+                "image left out"
             )
         if self._promised > len(self._index.number):
             notes.append(
@@ -107,7 +107,7 @@ class VideoSource:
         if self._lost:
             notes.append(
                 f"{self.name}: {counted(len(self._lost), 'broken frame')}, first "
-                f"{min(self._lost)}; the picture before is shown"
+                f"{min(self._lost)}; the image before is shown"
             )
         return tuple(notes)
 

@@ -96,7 +96,7 @@ def sentence(
     said = words.two if second else words.one
     parts = _parts(int(figure)) if kind == "part" else ""
     way = f"{figure:.1f} m" if on_floor else f"{figure / BODY_M:.1f} body heights"
-    ground = "floor" if on_floor else "picture"
+    ground = "floor" if on_floor else "image"
     time = f"about {clock(seconds)}" if about else clock(seconds)
     return said.format(
         a=first, b=second, figure=figure, way=way, ground=ground, time=time, parts=parts

@@ -215,8 +215,8 @@ def _differing_footage(imported: Imported, filmed: Filmed) -> list[str]:
     if None not in (imported.size_px, filmed.size_px) and imported.size_px != filmed.size_px:
         (width, height), own = imported.size_px or (0, 0), filmed.size_px or (0, 0)
         notes.append(
-            f"the file is of pictures of {width} x {height} px, the recording's are "
-            f"{own[0]} x {own[1]}; boxes are taken as they stand"
+            f"the file is of images of {width} x {height} px, the recording's are "
+            f"{own[0]} x {own[1]}; boxes are imported unchanged"
         )
     if imported.fps and filmed.fps and abs(imported.fps - filmed.fps) > 0.01 * filmed.fps:
         notes.append(
@@ -260,7 +260,7 @@ def _with_note_on_outside(found: Importable, size_px: tuple[int, int]) -> Import
     if not count:
         return found
     lie = "boxes lies" if count == 1 else "boxes lie"
-    note = f"{count} of {boxes} {lie} outside of the picture: are these tracks of this recording?"
+    note = f"{count} of {boxes} {lie} outside of the image: are these tracks of this recording?"
     return replace(found, notes=(*found.notes, note))
 
 

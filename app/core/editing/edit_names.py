@@ -31,7 +31,7 @@ def option_name(option: Option, flow: EditFlow) -> str:
         Way.KEEP_FIRST: tr("keep {track}", track=flow.track),
         Way.KEEP_SECOND: tr("keep {track}", track=second),
         Way.KEEP_SURER: tr("keep the more certain one"),
-        Way.LINEAR: tr("straight in the picture"),
+        Way.LINEAR: tr("straight in the image"),
         Way.FLOOR: tr("evenly along the floor"),
         Fill.LEAVE: tr("leave gaps open"),
         Fill.FILL: tr("fill between them"),

@@ -175,7 +175,7 @@ def _hint(flow: EditFlow, ready: bool) -> str:
     if flow.places:
         keys.append(tr("Arrows move, with Shift ten times as far"))
         if flow.drawing:
-            keys.insert(0, tr("Drag over the left picture to draw the box"))
+            keys.insert(0, tr("Drag over the left image to draw the box"))
         if flow.spec is not edits.FLOOR:
             keys.append(tr("Ctrl+arrows resize"))
     if flow.has_cut:

@@ -83,7 +83,7 @@ class TrackPanel(Panel):
         self._card: TrackCard | None = None
         self._tools: list[QToolButton] = []
         self._empty = quiet(tr("Click a person to see their track."), self)
-        self._empty.setToolTip(tr("In a picture, on the floor or in the timeline"))
+        self._empty.setToolTip(tr("In an image, on the floor or in the timeline"))
         self._body = QWidget(self)
         rows = QVBoxLayout(self._body)
         rows.setContentsMargins(0, 0, 0, 0)

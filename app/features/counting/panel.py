@@ -88,8 +88,8 @@ class CountingPanel(Panel):
             " m",
         )
         self._jitter_px = self._number(
-            tr("Jitter in the picture"),
-            tr("Ignore re-crossings within this distance of a line in the picture"),
+            tr("Jitter in the image"),
+            tr("Ignore re-crossings within this distance of a line in the image"),
             _MOST["jitter_px"],
             " px",
         )

@@ -58,10 +58,10 @@ def _choose(name: str, title: str, key: str, part: int) -> Command[LabellingApp]
     )
 
 
-VIEWS: Final = (view_command("labels", "Labels on the picture", "View", ("U",)),)
+VIEWS: Final = (view_command("labels", "Labels on the image", "View", ("U",)),)
 COMMANDS: Final = (
     _tool(Tool.PARTS, "Body parts", "Alt+1"),
-    _tool(Tool.OCCLUDERS, "Occluders in the picture", "Alt+2"),
+    _tool(Tool.OCCLUDERS, "Occluders in the image", "Alt+2"),
     _tool(Tool.LINES, "Counting lines", "Alt+3"),
     _tool(Tool.REGIONS, "Regions", "Alt+4"),
     _tool(Tool.REVIEWED, "Reviewed ranges", "Alt+5", session),

@@ -55,14 +55,14 @@ def _jump(app: PartsApp, step: int) -> None:
 VIEWS: Final = (
     view_command(
         "parts",
-        "Body parts on the picture",
+        "Body parts on the image",
         "View/Body parts",
         ("Q",),
         run=lambda app: _toggle(app, "parts"),
     ),
     view_command(
         "part_particles",
-        "Particles of the part on the picture",
+        "Particles of the part on the image",
         "View/Body parts",
         ("Shift+O",),
         run=lambda app: _toggle(app, "part_particles"),

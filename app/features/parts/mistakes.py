@@ -115,7 +115,7 @@ class MistakesList(QListWidget):
 
     def _draw_known(self) -> None:
         coming = _icon(None, self.iconSize(), tr("Reading..."), self)
-        missing = tr("picture not found")
+        missing = tr("image not found")
         for row, one in enumerate(self._items):
             if one in self._pictures:
                 icon = _icon(self._pictures[one], self.iconSize(), missing, self)

@@ -46,7 +46,7 @@ CAMERAS: Final[tuple[Command[PicturesApp], ...]] = (
         recording,
         lambda app: _show("left", app),
         checked=lambda app: _cameras("left", app),
-        title_one_camera="Picture",
+        title_one_camera="Image",
     ),
     Command(
         "view.both",
@@ -68,19 +68,19 @@ CAMERAS: Final[tuple[Command[PicturesApp], ...]] = (
     ),
 )
 OVERLAYS: Final = (
-    view_command("grid", "Floor grid on the picture", "View", ("F",), floor, separated=True),
-    view_command("particles", "Particles on the picture", "View", ("O",)),
-    view_command("trails", "Trails on the picture", "View", ("T",)),
+    view_command("grid", "Floor grid on the image", "View", ("F",), floor, separated=True),
+    view_command("particles", "Particles on the image", "View", ("O",)),
+    view_command("trails", "Trails on the image", "View", ("T",)),
     view_command(
         "foreground",
-        "Foreground and shadows on the picture",
+        "Foreground and shadows on the image",
         "View/What the tracker sees",
         ("B",),
         two_cameras_and_floor,
     ),
     view_command(
         "disparity",
-        "Distances (disparity) on the picture",
+        "Distances (disparity) on the image",
         "View/What the tracker sees",
         ("D",),
         two_cameras_and_floor,
@@ -89,14 +89,14 @@ OVERLAYS: Final = (
 ONE_CAMERA: Final = (
     view_command(
         "tracklets",
-        "Tracklets and kernel on the picture",
+        "Tracklets and kernel on the image",
         "View/One camera",
         ("Shift+T",),
         run=lambda app: _toggle_bodies(app, "tracklets"),
     ),
     view_command(
         "outlines",
-        "Outlines of hypotheses on the picture",
+        "Outlines of hypotheses on the image",
         "View/One camera",
         ("Shift+E",),
         floor,
@@ -104,11 +104,11 @@ ONE_CAMERA: Final = (
     ),
     view_command(
         "evaluation",
-        "Region of evaluation on the picture",
+        "Region of evaluation on the image",
         "View/One camera",
         ("Shift+R",),
         floor,
         lambda app: _toggle_bodies(app, "evaluation"),
     ),
-    view_command("ramp", "Ramp image on the picture", "View/One camera", ("Shift+B",), floor),
+    view_command("ramp", "Ramp on the image", "View/One camera", ("Shift+B",), floor),
 )

@@ -62,7 +62,7 @@ class OverlayController(Controller):
             image = maker.get(*self._last)
         waiting = image is None and not self._playback.clock.playing
         said = (
-            tr("Working out the ramp image...")
+            tr("Working out the ramp...")
             if kinds.ramp
             else tr("Working out foreground and disparity...")
         )

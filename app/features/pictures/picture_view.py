@@ -95,7 +95,7 @@ class PictureView(PictureSurface):
 
     def _rename(self) -> None:
         names = {
-            Side.LEFT: tr("Picture") if self._alone else tr("Left camera"),
+            Side.LEFT: tr("Image") if self._alone else tr("Left camera"),
             Side.RIGHT: tr("Right camera"),
             Side.BOTH: tr("Both cameras, for red and cyan glasses"),
         }

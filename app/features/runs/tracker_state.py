@@ -53,7 +53,7 @@ class TrackerWords:
     def describe_rest(self, session: Session | None) -> TrackerState:
         """While none is."""
         if session is not None and session.adopted_run is None:
-            nobody = tr("Nobody is labelled yet. Draw a person in the picture (Ins).")
+            nobody = tr("Nobody is labelled yet. Draw a person in the image (Ins).")
             return TrackerState("", tr("labelled by hand"), nobody)
         if session is not None and session.corrected_run is not None:
             name = session.corrected_run.tracker

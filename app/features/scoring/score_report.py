@@ -73,7 +73,7 @@ def prepare_report(
         findings, unscored = _findings(subject, name, yardstick, report)
         shown: dict[Finding, Shown] = {}
         for done, finding in enumerate(findings):
-            why_none = tr("the boxes of people in the pictures are unknown")
+            why_none = tr("the boxes of people in the images are unknown")
             tell = partial(_tell_of_results, report, done, len(findings))
             shown[finding] = shown_of(finding, len(findings), tell, why_none)
         page = write_score_report(folder, report_of(findings, yardstick), shown)

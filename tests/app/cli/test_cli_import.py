@@ -141,7 +141,7 @@ def test_boxes_outside_of_the_picture_are_noted(
     words = ["--recording", footage, "-o", tmp_path / "s.h5"]
     status, _, err = trackwright("import", written(tmp_path, GOOD + outside), *words)
     assert status == 0
-    note = "note: 2 of 6 boxes lie outside of the picture: are these tracks of this recording?"
+    note = "note: 2 of 6 boxes lie outside of the image: are these tracks of this recording?"
     assert note in err.splitlines()
 
 

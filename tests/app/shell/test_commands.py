@@ -120,5 +120,5 @@ def test_a_score_is_reported_while_a_tracker_works_but_for_the_tracks_it_finds()
 
 def test_the_only_camera_of_a_recording_is_not_called_the_left_camera():
     assert items_of(window_app())["view.left"].title == "Left camera"
-    assert items_of(window_app(stereo=False))["view.left"].title == "Picture"
+    assert items_of(window_app(stereo=False))["view.left"].title == "Image"
     assert items_of(window_app(recording=False))["view.left"].title == "Left camera"

@@ -10,7 +10,7 @@ from tests.benchmarks.stereo.truth import Floats, Integers, Truth
 
 HIDDEN_BY_PERSON = "behind somebody"
 HIDDEN_BY_THINGS = "behind a thing"
-AT_EDGE = "at the picture's edge"
+AT_EDGE = "at the image edge"
 CLOSE = "beside somebody"
 OPEN = "in the open"
 WHERE = (HIDDEN_BY_PERSON, HIDDEN_BY_THINGS, AT_EDGE, CLOSE, OPEN)

@@ -99,7 +99,7 @@ def _picture(subject: Subject, points: Floats) -> GroundPlan:
         low, high = np.zeros(2), np.array(subject.footage.size_px, float)
     else:
         low, high = np.zeros(2), np.maximum(points[known(points)].max(axis=0), 1.0)
-    titles = ("x in the picture, px", "y in the picture, px")
+    titles = ("x in the image, px", "y in the image, px")
     return GroundPlan(_even(low, high, titles, upward=False), False, np.zeros((0, 2)))
 
 
