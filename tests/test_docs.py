@@ -18,7 +18,7 @@ from tests.editing.tables_of_people import bytes_of, table_of
 from tests.trackers.people_of_three_blocks import RED_BLUE, Blocks, observations, walking
 from tracking.editing import apply_change
 from tracking.formats import FORMATS, Exported, Filmed, no_progress
-from tracking.trackers import TRACKERS
+from tracking.trackers import TRACKERS, settings_fields
 from tracking.tracks import Labels, TrackTable
 
 ROOT = Path(__file__).parents[1]
@@ -86,6 +86,23 @@ def test_every_tracker_and_command_has_a_row_in_its_page() -> None:
     commands = (ROOT / "docs" / "commands.md").read_text(encoding="utf-8")
     names = get_command(program).commands  # type: ignore[attr-defined] # a group
     assert [name for name in names if not re.search(rf"\n\| `{name}\b", commands)] == []
+
+
+def test_the_page_of_trackers_names_the_settings_that_are_offered() -> None:
+    page = (ROOT / "docs" / "trackers.md").read_text(encoding="utf-8")
+    rows = page.partition("| settings offered |")[2].partition("\n\n")[0].splitlines()[2:]
+    written, stages = {}, set[str]()
+    for row in rows:
+        names, own, earlier = (
+            set(re.findall(r"`([\w.-]+)`", cell)) for cell in row.split("|")[1:4]
+        )
+        stages = earlier or stages  # "the same" as in the row above
+        written |= dict.fromkeys(names, own | stages)
+    offered = {
+        name: {one.name for one in settings_fields(spec.settings_type) if not one.expert}
+        for name, spec in TRACKERS.items()
+    }
+    assert written == offered
 
 
 @pytest.mark.parametrize("name", ["CONTRIBUTING.md", "docs/architecture.md"])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Callable
 from typing import Any, Final
 
 RESULT: Final = "Result"
@@ -18,6 +19,7 @@ def setting(
     odd: bool = False,
     formerly: tuple[str, ...] = (),
     group: str = RESULT,
+    expert: bool = False,
 ) -> Any:
     """A dataclass field with its description, from which form, command line and checks are made.
 
@@ -30,7 +32,19 @@ def setting(
         formerly: names it had in earlier versions, without the stage. Sessions that were made
             with them are read under the present name; who types one is told the present one.
         group: the heading it stands under among the settings of its tracker.
+        expert: whether it is shown on request only, as few users have reason to change it.
     """
     about_it = {"unit": unit, "range": allowed, "help": about, "odd": odd, "formerly": formerly}
-    about_it["group"] = group
+    about_it |= {"group": group, "expert": expert}
     return dataclasses.field(default=default, metadata=about_it)
+
+
+def stage(default_factory: Callable[[], Any], expert: tuple[str, ...] = ()) -> Any:
+    """A dataclass field that holds the settings of an earlier stage.
+
+    Args:
+        default_factory: makes the settings of the stage.
+        expert: names of settings of the stage that are expert settings in this tracker too,
+            beside those that the stage itself marks so.
+    """
+    return dataclasses.field(default_factory=default_factory, metadata={"expert": expert})

@@ -12,7 +12,7 @@ from __future__ import annotations
 import dataclasses
 import difflib
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Container, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, get_type_hints
 
@@ -36,6 +36,7 @@ class SettingField:
         odd: whether even numbers are refused.
         formerly: names it had in earlier versions, dotted like `name`.
         group: the heading it stands under.
+        expert: whether it is shown on request only.
     """
 
     name: str
@@ -47,6 +48,7 @@ class SettingField:
     odd: bool = False
     formerly: tuple[str, ...] = ()
     group: str = RESULT
+    expert: bool = False
 
     @property
     def title(self) -> str:
@@ -114,12 +116,13 @@ def settings_from_text(settings_type: type, texts: Mapping[str, str]) -> Any:
     return settings_from(settings_type, values)
 
 
-def _fields(settings: Any, prefix: str) -> Iterator[SettingField]:
+def _fields(settings: Any, prefix: str, expert: Container[str] = ()) -> Iterator[SettingField]:
+    """The settings of one stage and of those before it; `expert` names more expert settings."""
     hints = get_type_hints(type(settings))
     for field in dataclasses.fields(settings):
         value = getattr(settings, field.name)
         if dataclasses.is_dataclass(value):
-            yield from _fields(value, f"{prefix}{field.name}.")
+            yield from _fields(value, f"{prefix}{field.name}.", field.metadata.get("expert", ()))
             continue
         about = field.metadata
         hint = hints[field.name]
@@ -135,6 +138,7 @@ def _fields(settings: Any, prefix: str) -> Iterator[SettingField]:
             about.get("odd", False),
             tuple(prefix + former for former in about.get("formerly", ())),
             about.get("group", RESULT),
+            about.get("expert", False) or field.name in expert,
         )
 
 

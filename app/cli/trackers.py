@@ -23,7 +23,11 @@ def run_trackers(name: str | None, *, as_json: bool) -> None:
             print_line()
         print_line(f"{spec.name}  {spec.title}{source}")
         print_line(f"  needs: {', '.join(_needs(spec)) or 'one camera'}")
-        for field in settings_fields(spec.settings_type):
+        fields = settings_fields(spec.settings_type)
+        for field in (one for one in fields if not one.expert):
+            print_lines(_line(field))
+        print_line("  expert settings:")
+        for field in (one for one in fields if one.expert):
             print_lines(_line(field))
 
 
@@ -42,6 +46,7 @@ def _as_json(spec: TrackerSpec) -> dict[str, Any]:
                 "unit": field.unit,
                 "range": None if field.range is None else list(field.range),
                 "help": field.help,
+                "expert": field.expert,
             }
             for field in settings_fields(spec.settings_type)
         ],

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from app.core.i18n import tr
+from app.core.widgets.user_settings import UserSettings
 from app.features.runs.presenter import CORRECTED, RunList
 from app.features.runs.runs_dialog import RunsDialog
 from app.features.runs.track_dialog import TrackDialog
@@ -10,7 +11,7 @@ from app.shell.recording_controller import RecordingController
 from tracking.errors import TrackwrightError
 
 
-def ask_again(controller: RecordingController) -> None:
+def ask_again(controller: RecordingController, remembered: UserSettings) -> None:
     """Ask from where on, and with what, the recording is tracked again.
 
     Proposed are the range that is set, else all from the playhead on, with the tracker and the
@@ -27,7 +28,7 @@ def ask_again(controller: RecordingController) -> None:
     run = session.corrected_run
     tracker = controller.tracking.propose_tracker
     asked = controller.document.parts_asked
-    dialog = TrackDialog(recording, tracker, told, controller.window_page, asked)
+    dialog = TrackDialog(recording, tracker, remembered, told, controller.window_page, asked)
     dialog.setWindowTitle(tr("Track again"))
     if run is not None and run.tracker == tracker:
         dialog.put_settings(run.tracker, run.settings, run.seed)

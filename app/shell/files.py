@@ -226,7 +226,12 @@ class Files(Controller):
         document = controller.document
         asked = document.parts_asked
         dialog = TrackDialog(
-            document.recording, controller.tracking.propose_tracker, warning, self._window, asked
+            document.recording,
+            controller.tracking.propose_tracker,
+            self._remembered,
+            warning,
+            self._window,
+            asked,
         )
         dialog.accepted.connect(lambda: self._track(dialog))
         dialog.open()

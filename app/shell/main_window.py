@@ -48,7 +48,7 @@ class MainWindow(QMainWindow):
 
     def __init__(self, remembered: UserSettings) -> None:
         super().__init__()
-        self.remembered = remembered
+        self.remembered: UserSettings = remembered
         self.setWindowIcon(application_icon())
         self.welcome = WelcomePage(self)
         self.workspace: Workspace = Workspace(self)

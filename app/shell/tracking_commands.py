@@ -65,7 +65,7 @@ AGAIN: Final[tuple[Command[WindowApp], ...]] = (
         "Review",
         ("Ctrl+Shift+R",),
         _tracked,
-        lambda app: ask_again(app.open),
+        lambda app: ask_again(app.open, app.window.remembered),
         separated=True,
         icon="live",
     ),

@@ -26,6 +26,7 @@ class RampSettings:
         (0.0, 7.0),
         "Difference from the background at which a pixel begins to count, in multiples of the "
         "foreground limit; higher: less noise, but people in pale clothes are missed",
+        expert=True,
     )
     high: float = setting(
         2.0,
@@ -33,6 +34,7 @@ class RampSettings:
         (0.1, 7.9),
         "Difference at which a pixel counts fully, in multiples of the foreground limit; higher: "
         "only strong contrast counts fully",
+        expert=True,
     )
 
 

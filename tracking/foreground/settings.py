@@ -24,6 +24,7 @@ class ForegroundSettings:
         (0.0, 20.0),
         "The same threshold in multiples of the pixel's own noise; higher: flickering lamps and "
         "moving leaves are ignored",
+        expert=True,
     )
     adapt_s: float = setting(
         10.0,
@@ -31,6 +32,7 @@ class ForegroundSettings:
         (0.5, 600.0),
         "Time constant with which the background follows slow changes of light; higher: slower "
         "updates, and standing people stay foreground longer",
+        expert=True,
     )
     absorb_s: float = setting(
         3.0,
@@ -52,6 +54,7 @@ class ForegroundSettings:
         (0.0, 60.0),
         "Seconds at the start in which changes become background ten times faster; higher: "
         "people who stand in the first frames leave a ghost for less time",
+        expert=True,
     )
     updates_hz: float = setting(
         4.0,
@@ -59,6 +62,7 @@ class ForegroundSettings:
         (0.5, 60.0),
         "Background updates per second; higher: the background follows the light more closely "
         "and takes more time",
+        expert=True,
     )
     scene_change: float = setting(
         0.7,
@@ -66,6 +70,7 @@ class ForegroundSettings:
         (0.2, 1.0),
         "Share of foreground pixels above which the whole scene has changed (light, camera) and "
         "the frame has no detections; higher: only larger changes count",
+        expert=True,
     )
     shadow_threshold: float = setting(
         0.42,
@@ -80,6 +85,7 @@ class ForegroundSettings:
         (0.0, 1.0),
         "The same threshold for pixels whose distance places them on the floor; higher: more "
         "shadow is removed there",
+        expert=True,
     )
     shadow_texture: float = setting(
         0.45,
@@ -87,6 +93,7 @@ class ForegroundSettings:
         (0.0, 1.0),
         "Weight of texture in the shadow score (alpha): a shadow keeps the texture of the "
         "floor; higher: texture decides",
+        expert=True,
     )
     shadow_hue: float = setting(
         0.45,
@@ -94,12 +101,14 @@ class ForegroundSettings:
         (0.0, 1.0),
         "Weight of hue in the shadow score (beta): a shadow keeps the hue of the floor; higher: "
         "hue decides",
+        expert=True,
     )
     shadow_constant: float = setting(
         0.2,
         "",
         (0.0, 1.0),
         "Constant part of the shadow score (eta); higher: fewer pixels are shadow",
+        expert=True,
     )
     shadow_min_brightness: float = setting(
         0.25,
@@ -108,4 +117,5 @@ class ForegroundSettings:
         "Pixels darker than this share of the background are not shadow; higher: deep shadows "
         "stay foreground",
         formerly=("shadow_darkest",),
+        expert=True,
     )

@@ -26,6 +26,7 @@ class PeopleSettings:
         "Points below this height above the floor are ignored, as they may be shadow; higher: "
         "fewer shadows are detected as people, but crouching people are missed",
         formerly=("lowest_m",),
+        expert=True,
     )
     min_height_m: float = setting(
         0.9,
@@ -47,6 +48,7 @@ class PeopleSettings:
         (0.8, 2.2),
         "Body height of a person whose head or feet are not visible; higher: such people are "
         "taken to be taller",
+        expert=True,
     )
     body_depth_m: float = setting(
         0.07,
@@ -54,6 +56,7 @@ class PeopleSettings:
         (0.0, 0.4),
         "Distance from the visible surface of a person to the centre of the body; higher: "
         "positions move away from the cameras",
+        expert=True,
     )
     merged_ratio: float = setting(
         1.6,
@@ -61,6 +64,7 @@ class PeopleSettings:
         (1.0, 4.0),
         "A region this many times as wide or as high as a person holds several people; higher: "
         "groups are split less often",
+        expert=True,
     )
     disparity_noise_px: float = setting(
         0.2,
@@ -68,6 +72,7 @@ class PeopleSettings:
         (0.02, 3.0),
         "Standard deviation of the measured disparity; higher: people are separated only when "
         "they are farther apart in depth",
+        expert=True,
     )
     hue_bins: int = setting(
         16,
@@ -75,6 +80,7 @@ class PeopleSettings:
         (4, 64),
         "Histogram bins for hue; higher: clothes differ more clearly, but changing light does "
         "more harm",
+        expert=True,
     )
     saturation_bins: int = setting(
         4,
@@ -82,6 +88,7 @@ class PeopleSettings:
         (1, 16),
         "Histogram bins for saturation; higher: clothes differ more clearly, but changing light "
         "does more harm",
+        expert=True,
     )
     hue_by_saturation: bool = setting(
         True,
@@ -89,4 +96,5 @@ class PeopleSettings:
         None,
         "Weight the hue of each pixel by its saturation. Off, or with paper: all pixels count "
         "alike, and grey counts as red",
+        expert=True,
     )

@@ -17,6 +17,7 @@ class StereoSettings:
         (0.1, 20.0),
         "Smallest distance from the cameras at which people are detected; lower: nearer people "
         "are detected, and matching takes more time",
+        expert=True,
     )
     farthest_m: float = setting(
         25.0,
@@ -32,6 +33,7 @@ class StereoSettings:
         "Points above this height above the floor are ignored; lower: less time, but the heads of"
         " tall people may be cut off",
         formerly=("tallest_m",),
+        expert=True,
     )
     window_px: int = setting(
         9,
@@ -40,4 +42,5 @@ class StereoSettings:
         "Side of the square window in which both images are compared, odd; higher: less noise, "
         "but thin objects and edges blur",
         odd=True,
+        expert=True,
     )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Mapping
+from collections.abc import Container, Mapping, Set
 from typing import Any, Protocol
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
@@ -39,7 +39,8 @@ class HasSettings(Protocol):
 class SettingsForm(QWidget):
     """One control a setting, with its unit, range and help; dotted names stand in groups.
 
-    Settings that are filled in elsewhere (`without`) have none.
+    Settings that are filled in elsewhere (`without`) have none. Expert settings are shown once
+    they are asked for, changed or found by a search.
 
     Signals:
         edited(): some value is another than before.
@@ -63,6 +64,8 @@ class SettingsForm(QWidget):
         self._labels: dict[str, QLabel] = {}
         self._rows: list[SettingRow] = []
         self._folds: dict[str, FoldButton] = {}
+        self._sought, self._with_expert = "", False
+        self._changed: set[str] = set()
         groups: dict[str, QGridLayout] = {}
         for field in self._fields:
             group = field.name.rpartition(".")[0]
@@ -73,6 +76,12 @@ class SettingsForm(QWidget):
         self._add_own([one for one in self._fields if "." not in one.name], groups)
         rows.addStretch(1)
         self.edited.connect(self._mark)
+        self._show()
+
+    @property
+    def expert_count(self) -> int:
+        """How many expert settings there are."""
+        return sum(field.expert for field in self._fields)
 
     def values(self) -> dict[str, Any]:
         """What differs from the defaults, by (dotted) name."""
@@ -91,6 +100,8 @@ class SettingsForm(QWidget):
         """Put all defaults back."""
         for field in self._fields:
             self.put(field.name, field.default)
+        self._changed.clear()
+        self._show()
 
     def put(self, name: str, value: Any) -> None:
         """Put a value into a control."""
@@ -110,7 +121,26 @@ class SettingsForm(QWidget):
 
     def seek(self, sought: str) -> int:
         """Show the settings that have all the words in name or help, and tell how many."""
-        return show_found(self._rows, sought)
+        self._sought = sought
+        return self._show()
+
+    def show_expert(self, shown: bool) -> None:
+        """Show the expert settings, or hide those that are not changed."""
+        self._with_expert, self._changed = shown, set(self.values())
+        self._show()
+
+    def _show(self) -> int:
+        """Show what is sought or offered, and tell how many settings that is.
+
+        A setting that was changed stays in sight also once it is as it comes: it must not vanish
+        from below the hands of whoever types into it.
+        """
+        offered = {
+            field.name
+            for field in self._fields
+            if self._with_expert or not field.expert or field.name in self._changed
+        }
+        return show_found(self._rows, self._sought, offered)
 
     def _add_own(self, fields: list[SettingField], groups: Mapping[str, QGridLayout]) -> None:
         """The tracker's own settings, those about one thing together under its heading."""
@@ -135,6 +165,16 @@ class SettingsForm(QWidget):
             shown = _said(field.default, _unit(field))
             said = tr("Changed; the default is {0}").format(shown)
             label.setToolTip(said if is_changed else _words(field))
+        self._bring_to_sight(changed.keys() - self._changed)
+
+    def _bring_to_sight(self, names: Set[str]) -> None:
+        """Show settings that have just been changed, wherever they stand."""
+        if not names:
+            return
+        self._changed |= names
+        for group in {name.rpartition(".")[0] for name in names} & self._folds.keys():
+            self._folds[group].unfold()
+        self._show()
 
     def _add_group(self, name: str, rows: QVBoxLayout) -> QGridLayout:
         """The tracker's own settings stand open; those of the stages before it are folded."""
@@ -177,7 +217,7 @@ class SettingsForm(QWidget):
         for column, widget in enumerate((label, control, about)):
             grid.addWidget(widget, row, column)
         sought = f"{field.name} {title} {words} {' '.join(field.formerly)}"
-        self._rows.append(SettingRow(sought, (label, control, about), above, fold))
+        self._rows.append(SettingRow(field.name, sought, (label, control, about), above, fold))
         self._controls[field.name], self._labels[field.name] = control, label
         if isinstance(control, WholeBox | NumberBox):
             control.typed.connect(lambda refused: self._tell(about, field, refused))

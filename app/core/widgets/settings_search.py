@@ -1,8 +1,8 @@
-"""Settings found by words of their names and of what they are for."""
+"""Which settings of a form are shown: those offered, or those found by words."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Container, Sequence
 from dataclasses import dataclass
 
 from PySide6.QtCore import Qt
@@ -33,6 +33,10 @@ class FoldButton(QToolButton):
         self.setVisible(found)
         self._fold(found if sought else self.isChecked())
 
+    def unfold(self) -> None:
+        """Show what stands below."""
+        self.setChecked(True)
+
     def _fold(self, is_open: bool) -> None:
         self.setArrowType(Qt.ArrowType.DownArrow if is_open else Qt.ArrowType.RightArrow)
         self._body.setVisible(is_open)
@@ -43,20 +47,27 @@ class SettingRow:
     """A setting in a form.
 
     Attributes:
-        words: what it is found by. widgets: its own. title: the heading it stands under, with
-            others. fold: what folds its group; None: it stands open.
+        name: dotted. words: what it is found by. widgets: its own. title: the heading it stands
+            under, with others. fold: what folds its group; None: it stands open.
     """
 
+    name: str
     words: str
     widgets: tuple[QWidget, ...]
     title: QWidget | None
     fold: FoldButton | None
 
 
-def show_found(rows: Sequence[SettingRow], sought: str) -> int:
-    """Show the settings that have all the words, with their headings, and tell how many."""
+def show_found(rows: Sequence[SettingRow], sought: str, offered: Container[str]) -> int:
+    """Show the settings that have all the words, with their headings, and tell how many.
+
+    Where nothing is sought, those are shown whose names are `offered`.
+    """
     words = sought.lower().split()
-    found = [all(word in row.words.lower() for word in words) for row in rows]
+    found = [
+        all(word in row.words.lower() for word in words) if words else row.name in offered
+        for row in rows
+    ]
     titles: dict[QWidget, bool] = {}
     folds: dict[FoldButton, bool] = {}
     for row, is_found in zip(rows, found, strict=True):

@@ -8,6 +8,7 @@ from typing import Any
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QStandardItemModel
 from PySide6.QtWidgets import (
+    QCheckBox,
     QComboBox,
     QDialog,
     QDialogButtonBox,
@@ -28,23 +29,27 @@ from app.core.widgets.number_boxes import WholeBox, why_refused
 from app.core.widgets.parts import quiet
 from app.core.widgets.settings_form import SettingsForm
 from app.core.widgets.settings_search import SettingSearch
+from app.core.widgets.user_settings import UserSettings
 from app.features.runs.parts_line import PartsLine
 from tracking.errors import TrackwrightError
 from tracking.recording import Recording
 from tracking.trackers import TRACKERS, best_tracker, require
+
+_EXPERT = "track/expert settings"
 
 
 class TrackDialog(QDialog):
     """Chooses a tracker that can work on the recording, its settings, the frames and the seed.
 
     `warning` is said above where tracking would replace something; `asked` is filled in for
-    trackers that follow body parts.
+    trackers that follow body parts; `remembered` says whether expert settings are shown.
     """
 
     def __init__(
         self,
         recording: Recording,
         chosen: str,
+        remembered: UserSettings,
         warning: str = "",
         parent: QWidget | None = None,
         asked: PartSettings | None = None,
@@ -61,13 +66,19 @@ class TrackDialog(QDialog):
         self._title.setWordWrap(True)
         self._number_fields(recording.frame_count - 1)
         self._parts = PartsLine(asked or PartSettings(), self)
+        self._remembered = remembered
         self._search = SettingSearch(self)
         self._search.textChanged.connect(self._find)
+        self._expert = QCheckBox(self)
+        self._expert.setToolTip(tr("Changed settings are always shown, and search finds all"))
+        self._expert.setChecked(remembered.text(_EXPERT) == "shown")
+        self._expert.toggled.connect(self._show_expert)
         self._nothing = quiet(tr("No setting of this tracker has these words."), self)
         self._forms = QStackedWidget(self)
         for name in self._names:
             self._add_choice(name)
             form = SettingsForm(TRACKERS[name], self, without=(DETECTOR, OCCLUDERS))
+            form.show_expert(self._expert.isChecked())
             self._forms.addWidget(_scrolled(form))
         self._choice.currentIndexChanged.connect(self._show_tracker)
         first = chosen if chosen in fitting else next(iter(fitting), self._names[0])
@@ -118,8 +129,11 @@ class TrackDialog(QDialog):
         form.addRow("", self._refused)
         form.addRow("", self._parts)
         rows.addLayout(form)
-        for widget in (self._search, self._nothing):
-            rows.addWidget(widget)
+        seeking = QHBoxLayout()
+        seeking.addWidget(self._search, 1)
+        seeking.addWidget(self._expert)
+        rows.addLayout(seeking)
+        rows.addWidget(self._nothing)
         rows.addWidget(self._forms, 1)
         buttons = QDialogButtonBox(self)
         start = QPushButton(tr("Track"), buttons)
@@ -177,11 +191,7 @@ class TrackDialog(QDialog):
     @property
     def form(self) -> SettingsForm:
         """The chosen tracker's settings."""
-        area = self._forms.currentWidget()
-        assert isinstance(area, QScrollArea)
-        form = area.widget()
-        assert isinstance(form, SettingsForm)
-        return form
+        return _form_in(self._forms.currentWidget())
 
     def answer(self) -> tuple[str, Any, int, tuple[int, int] | None]:
         """Tracker, settings, seed and the half-open range of frames; None: all of them."""
@@ -201,7 +211,14 @@ class TrackDialog(QDialog):
             self._title.setText(about)
             self._forms.setCurrentIndex(index)
             self._parts.show_for(spec.settings_type)
+            self._expert.setText(tr("Expert settings ({n})", n=self.form.expert_count))
             self._find()
+
+    def _show_expert(self, shown: bool) -> None:
+        """Show or hide the expert settings of all trackers, and next time too."""
+        self._remembered.set_text(_EXPERT, "shown" if shown else "hidden")
+        for row in range(self._forms.count()):
+            _form_in(self._forms.widget(row)).show_expert(shown)
 
     def _find(self) -> None:
         """Show what is sought among the chosen tracker's settings."""
@@ -215,6 +232,13 @@ def _why_not(name: str, recording: Recording) -> str:
     except TrackwrightError as error:
         return str(error)
     return ""
+
+
+def _form_in(area: QWidget | None) -> SettingsForm:
+    assert isinstance(area, QScrollArea)
+    form = area.widget()
+    assert isinstance(form, SettingsForm)
+    return form
 
 
 def _scrolled(form: SettingsForm) -> QScrollArea:

@@ -198,11 +198,13 @@ def test_trackers_are_listed_with_all_their_settings(trackwright: Trackwright) -
     found = {tracker["name"]: tracker for tracker in json.loads(out)["trackers"]}
     assert {"stereo-colour", "stereo-direction"} <= set(found)
     for field in found["stereo-direction"]["settings"]:
-        assert set(field) == {"name", "type", "default", "unit", "range", "help"}
+        assert set(field) == {"name", "type", "default", "unit", "range", "help", "expert"}
         assert field["help"]
-    readable = trackwright("trackers")[1]
+    readable = trackwright("trackers", "stereo-direction")[1]
+    plain, heading, expert = readable.partition("  expert settings:\n")
+    assert heading
     for field in found["stereo-direction"]["settings"]:
-        assert field["name"] in readable
+        assert f"  {field['name']}=" in (expert if field["expert"] else plain)
 
 
 def test_one_tracker_is_listed_by_its_name(trackwright: Trackwright) -> None:

@@ -160,7 +160,8 @@ def test_the_loop_closes_labels_train_a_detector_that_tracking_uses(
     assert again.answer()[:2][1].detector == choice.path
     again.reject()
     document = labelled.controller.document
-    asked = TrackDialog(document.recording, "three-part", "", window, document.parts_asked)
+    parts = document.parts_asked
+    asked = TrackDialog(document.recording, "three-part", window.remembered, "", window, parts)
     name, settings, _, _ = asked.answer()
     assert (name, settings.detector) == ("three-part", choice.path)
     asked._parts._detector.setCurrentIndex(1)

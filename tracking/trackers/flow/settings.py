@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from tracking.foreground import ForegroundSettings
-from tracking.setting import setting
+from tracking.setting import setting, stage
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,6 +27,7 @@ class PointSettings:
         "Smallest corner quality of a tracked point; lower: more points, also on plain clothes, "
         "and more that drift",
         formerly=("corner",),
+        expert=True,
     )
     spacing: float = setting(
         0.2,
@@ -34,6 +35,7 @@ class PointSettings:
         (0.02, 2.0),
         "Distance between new points, in body widths at that place; lower: more points on each "
         "person",
+        expert=True,
     )
     window_px: int = setting(
         11,
@@ -42,6 +44,7 @@ class PointSettings:
         "Side of the square patch that is tracked around a point, odd; higher: steadier, but "
         "small far people blur with the background",
         odd=True,
+        expert=True,
     )
     pyramid_levels: int = setting(
         3,
@@ -49,6 +52,7 @@ class PointSettings:
         (0, 5),
         "Levels of the image pyramid; higher: faster people are tracked, and more points drift",
         formerly=("levels",),
+        expert=True,
     )
     forward_backward_px: float = setting(
         1.0,
@@ -57,6 +61,7 @@ class PointSettings:
         "Largest forward-backward error of a point that is tracked to the next frame and back; "
         "lower: fewer points drift, and fewer remain",
         formerly=("return_px",),
+        expert=True,
     )
     max_residual: float = setting(
         20.0,
@@ -65,12 +70,14 @@ class PointSettings:
         "A point whose patch changes by more from frame to frame is deleted; higher: points live "
         "longer, also where they drift",
         formerly=("change",),
+        expert=True,
     )
     history_s: float = setting(
         0.6,
         "s",
         (0.2, 5.0),
         "Time over which the speed of a point is measured; higher: people who stop are kept longer",
+        expert=True,
     )
     min_speed_m_s: float = setting(
         0.15,
@@ -86,6 +93,7 @@ class PointSettings:
         None,
         "Search for points only in the foreground. Off: the whole image is searched, which takes "
         "more time",
+        expert=True,
     )
 
 
@@ -105,12 +113,14 @@ class ClusterSettings:
         "m",
         (0.2, 3.0),
         "Height of the volume of a person; higher: more points belong to one person",
+        expert=True,
     )
     centre_m: float = setting(
         0.8,
         "m",
         (0.1, 2.5),
         "Height of the volume's centre above the floor; higher: feet count less",
+        expert=True,
     )
     bandwidth: float = setting(
         1.0,
@@ -119,6 +129,7 @@ class ClusterSettings:
         "Bandwidth of mean shift: size of the kernel in multiples of the volume of a person; "
         "higher: looser groups of points become one person",
         formerly=("reach",),
+        expert=True,
     )
     min_points: int = setting(
         4,
@@ -135,6 +146,7 @@ class ClusterSettings:
         "Clusters closer than this are one person, in halves of the volume; higher: fewer people "
         "are split into two",
         formerly=("join",),
+        expert=True,
     )
     warm_start: bool = setting(
         True,
@@ -143,6 +155,7 @@ class ClusterSettings:
         "Start mean shift from the clusters of the previous frame, which is faster. Off: each "
         "frame is clustered from scratch",
         formerly=("warm",),
+        expert=True,
     )
     occlusion: bool = setting(
         True,
@@ -150,6 +163,7 @@ class ClusterSettings:
         None,
         "Shrink the volume where the lower part of a body has no points, as behind other people. "
         "Off: it always has its full size",
+        expert=True,
     )
 
     @property
@@ -200,6 +214,7 @@ class FlowSettings:
         " slow walkers are kept, and false tracks live longer",
         formerly=("unproven_s",),
         group="Track management",
+        expert=True,
     )
     delete_in_view_s: float = setting(
         0.6,
@@ -262,6 +277,6 @@ class FlowSettings:
         "After tracking, smooth positions and boxes forward and backward. Off: the run holds "
         "exactly what was tracked live",
     )
-    points: PointSettings = field(default_factory=PointSettings)
-    clusters: ClusterSettings = field(default_factory=ClusterSettings)
-    foreground: ForegroundSettings = field(default_factory=ForegroundSettings)
+    points: PointSettings = stage(PointSettings)
+    clusters: ClusterSettings = stage(ClusterSettings)
+    foreground: ForegroundSettings = stage(ForegroundSettings, expert=("absorb_person_s",))

@@ -20,6 +20,7 @@ class JointSettings(WalkingSettings, StereoFilterSettings):
         "Seconds of detections after which a tentative track is confirmed; higher: fewer false "
         "tracks, which start later",
         group="Track management",
+        expert=True,
     )
     report_s: float = setting(
         0.5,
@@ -65,6 +66,7 @@ class JointSettings(WalkingSettings, StereoFilterSettings):
         " detection there more often starts a new track than continues a coasting one",
         formerly=("new_at_edge",),
         group="Track management",
+        expert=True,
     )
     birth_rate_interior: float = setting(
         0.05,
@@ -74,6 +76,7 @@ class JointSettings(WalkingSettings, StereoFilterSettings):
         "detection there more often starts a new track than continues a coasting one",
         formerly=("new_within",),
         group="Track management",
+        expert=True,
     )
     miss_probability: float = setting(
         0.05,
@@ -83,6 +86,7 @@ class JointSettings(WalkingSettings, StereoFilterSettings):
         "probability); higher: missed detections cost less",
         formerly=("overlooked",),
         group="Association",
+        expert=True,
     )
     appearance_weight: float = setting(
         0.5,
@@ -107,6 +111,7 @@ class JointSettings(WalkingSettings, StereoFilterSettings):
         "Cost of a sharp turn in association, in nats (1 nat: 2.7 times less likely); higher: "
         "people are expected to walk straight on",
         group="Association",
+        expert=True,
     )
     coast_s: float = setting(
         8.0,
@@ -125,6 +130,7 @@ class JointSettings(WalkingSettings, StereoFilterSettings):
         "to its last detection",
         formerly=("slowing_s",),
         group="Particles and motion",
+        expert=True,
     )
 
     @property

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from tracking.errors import SettingsError
 from tracking.foreground import ForegroundSettings, RampSettings
-from tracking.setting import setting
+from tracking.setting import setting, stage
 from tracking.trackers.shared.occluders import occluders_from
 
 _PAPER_HEIGHT_M = 1.8
@@ -68,6 +68,7 @@ class SpheroidSettings:
         "camera",
         formerly=("usual_height_m",),
         group="Bodies",
+        expert=True,
     )
     process_noise_m: float = setting(
         0.12,
@@ -86,6 +87,7 @@ class SpheroidSettings:
         "mixed up sooner",
         formerly=("spread_velocity",),
         group="Particles and motion",
+        expert=True,
     )
     region_scale: float = setting(
         2.0,
@@ -94,6 +96,7 @@ class SpheroidSettings:
         "Size of the region in which a particle is weighted, in sizes of the spheroid, with "
         "paper only; higher: a wider background counts",
         group="Bodies",
+        expert=True,
     )
     min_separation_m: float = setting(
         0.35,
@@ -120,6 +123,7 @@ class SpheroidSettings:
         "takes more time",
         formerly=("birth_every_s",),
         group="Track management",
+        expert=True,
     )
     birth_frames: int = setting(
         2,
@@ -138,6 +142,7 @@ class SpheroidSettings:
         "tracks are kept longer",
         formerly=("largest_spread_m",),
         group="Particles and motion",
+        expert=True,
     )
     report_occluded_s: float = setting(
         1.5,
@@ -170,9 +175,10 @@ class SpheroidSettings:
         "",
         None,
         "Outlines of objects that hide people: [[[u, v], ...], ...] in px of the left image",
+        expert=True,
     )
-    ramp: RampSettings = field(default_factory=RampSettings)
-    foreground: ForegroundSettings = field(default_factory=_sensitive)
+    ramp: RampSettings = stage(RampSettings)
+    foreground: ForegroundSettings = stage(_sensitive, expert=("shadow_threshold",))
 
     @property
     def newcomer_m(self) -> float:

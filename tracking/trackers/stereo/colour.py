@@ -43,6 +43,7 @@ class StereoColourSettings(StereoTrackerSettings):
         "Highest cost at which a detection is associated with a track; higher: fewer gaps, more "
         "id switches",
         group="Association",
+        expert=True,
     )
     model_frames: int = setting(
         5,
@@ -51,6 +52,7 @@ class StereoColourSettings(StereoTrackerSettings):
         "The colour model is the mean over this many first frames of a track; higher: steadier "
         "colours, but available later",
         group="Association",
+        expert=True,
     )
 
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from tracking.foreground import ForegroundSettings
 from tracking.people import PeopleSettings
-from tracking.setting import setting
+from tracking.setting import setting, stage
 from tracking.stereo import StereoSettings
 
 
@@ -30,6 +30,7 @@ class StereoFilterSettings(ABC):
         "the next detection is matched more reliably, but neighbours are mixed up sooner",
         formerly=("start_spread_m",),
         group="Particles and motion",
+        expert=True,
     )
     measurement_noise_m: float = setting(
         0.12,
@@ -39,6 +40,7 @@ class StereoFilterSettings(ABC):
         "smoother, but follow turns later",
         formerly=("sigma_near_m",),
         group="Particles and motion",
+        expert=True,
     )
     measurement_noise_growth: float = setting(
         0.001,
@@ -48,6 +50,7 @@ class StereoFilterSettings(ABC):
         "detections count less",
         formerly=("sigma_range",),
         group="Particles and motion",
+        expert=True,
     )
     min_visibility: float = setting(
         0.3,
@@ -57,6 +60,7 @@ class StereoFilterSettings(ABC):
         "people; higher: more tracks count as occluded, and coast longer",
         formerly=("hidden_below",),
         group="Track management",
+        expert=True,
     )
     negative_information_s: float = setting(
         0.2,
@@ -66,6 +70,7 @@ class StereoFilterSettings(ABC):
         "that other people occlude; higher: they move more slowly",
         formerly=("unseen_s",),
         group="Track management",
+        expert=True,
     )
     association_margin: float = setting(
         0.2,
@@ -84,6 +89,7 @@ class StereoFilterSettings(ABC):
         "higher: cleaner colour models, updated less often",
         formerly=("colour_distance_m",),
         group="Association",
+        expert=True,
     )
     confirm_matches: int = setting(
         3,
@@ -100,6 +106,7 @@ class StereoFilterSettings(ABC):
         "Smallest distance of a new tentative track to another track; higher: fewer duplicate "
         "tracks, but people who arrive in pairs are found later",
         group="Track management",
+        expert=True,
     )
     delete_at_edge_s: float = setting(
         0.5,
@@ -117,9 +124,9 @@ class StereoFilterSettings(ABC):
         "After tracking, smooth positions and boxes forward and backward, and fill gaps. Off: "
         "the run holds exactly what was tracked live",
     )
-    foreground: ForegroundSettings = field(default_factory=ForegroundSettings)
-    stereo: StereoSettings = field(default_factory=StereoSettings)
-    people: PeopleSettings = field(default_factory=PeopleSettings)
+    foreground: ForegroundSettings = stage(ForegroundSettings)
+    stereo: StereoSettings = stage(StereoSettings)
+    people: PeopleSettings = stage(PeopleSettings)
 
     @property
     @abstractmethod
@@ -166,6 +173,7 @@ class StereoTrackerSettings(StereoFilterSettings):
         "searched for in a wider area",
         formerly=("spread_growth",),
         group="Particles and motion",
+        expert=True,
     )
     velocity_average_s: float = setting(
         0.4,
@@ -175,6 +183,7 @@ class StereoTrackerSettings(StereoFilterSettings):
         "noticed later",
         formerly=("velocity_memory_s",),
         group="Particles and motion",
+        expert=True,
     )
     gate_m: float = setting(
         0.9,
@@ -191,6 +200,7 @@ class StereoTrackerSettings(StereoFilterSettings):
         "Growth of the gate with each second without a detection; higher: people are searched "
         "for in a wider area",
         group="Association",
+        expert=True,
     )
     cost_limit: float = setting(
         2.0,
@@ -199,6 +209,7 @@ class StereoTrackerSettings(StereoFilterSettings):
         "Highest cost at which a detection is associated with a track; higher: fewer gaps, more "
         "id switches",
         group="Association",
+        expert=True,
     )
     distance_weight: float = setting(
         2.0,
@@ -206,6 +217,7 @@ class StereoTrackerSettings(StereoFilterSettings):
         (0.0, 20.0),
         "Cost of each metre between detection and predicted position; higher: position decides",
         group="Association",
+        expert=True,
     )
     colour_weight: float = setting(
         1.0,
@@ -222,6 +234,7 @@ class StereoTrackerSettings(StereoFilterSettings):
         "from behind others more often gets a new track",
         formerly=("hidden_weight",),
         group="Association",
+        expert=True,
     )
 
     @property

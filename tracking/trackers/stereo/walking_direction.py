@@ -37,6 +37,7 @@ class WalkingSettings:
         "Angle from which on a turn has its full cost (1.57 is a right angle); higher: turning "
         "back costs more than turning aside",
         group="Association",
+        expert=True,
     )
     direction_step_m: float = setting(
         0.4,
@@ -45,6 +46,7 @@ class WalkingSettings:
         "Distance a person must walk before the walking direction is known; higher: steadier, "
         "but turns are noticed later",
         group="Association",
+        expert=True,
     )
     direction_timeout_s: float = setting(
         1.5,
@@ -54,6 +56,7 @@ class WalkingSettings:
         "direction; higher: slow walkers have a direction",
         formerly=("direction_memory_s",),
         group="Association",
+        expert=True,
     )
     colour_forgetting_factor: float = setting(
         0.97,
@@ -63,6 +66,7 @@ class WalkingSettings:
         "the light more slowly, and a wrong association harms it less",
         formerly=("colour_memory",),
         group="Association",
+        expert=True,
     )
 
 

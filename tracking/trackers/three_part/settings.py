@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from tracking.errors import SettingsError
 from tracking.foreground import ForegroundSettings
 from tracking.people import PeopleSettings
-from tracking.setting import setting
+from tracking.setting import setting, stage
 from tracking.trackers.shared.occluders import occluders_from
 
 
@@ -54,6 +54,7 @@ class WholeBodySettings:
         "Growth of the number of particles with the entropy of their weights; higher: a lost part"
         " is found sooner, but tracking takes more time",
         group="Particles and motion",
+        expert=True,
     )
     similarity_sigma: float = setting(
         0.07,
@@ -62,6 +63,7 @@ class WholeBodySettings:
         "Standard deviation of the colour distance in the likelihood; lower: stricter, but parts "
         "are lost sooner when the light changes",
         group="Association",
+        expert=True,
     )
     colour_forgetting_factor: float = setting(
         0.9,
@@ -71,6 +73,7 @@ class WholeBodySettings:
         "the light more slowly, and a wrong association harms it less",
         formerly=("model_memory",),
         group="Association",
+        expert=True,
     )
     process_noise_position: float = setting(
         0.9,
@@ -89,6 +92,7 @@ class WholeBodySettings:
         "but the size jitters more",
         formerly=("spread_size",),
         group="Particles and motion",
+        expert=True,
     )
     process_noise_velocity: float = setting(
         2.5,
@@ -98,6 +102,7 @@ class WholeBodySettings:
         "followed, but the part jitters more",
         formerly=("spread_velocity",),
         group="Particles and motion",
+        expert=True,
     )
     stored_particles: int = setting(
         100,
@@ -148,9 +153,10 @@ class WholeBodySettings:
         "",
         None,
         "Outlines of objects that hide people: [[[u, v], ...], ...] in px of the left image",
+        expert=True,
     )
-    foreground: ForegroundSettings = field(default_factory=ForegroundSettings)
-    people: PeopleSettings = field(default_factory=PeopleSettings)
+    foreground: ForegroundSettings = stage(ForegroundSettings)
+    people: PeopleSettings = stage(PeopleSettings)
 
     def __post_init__(self) -> None:
         """Check what belongs together, before any work; raises `SettingsError`."""

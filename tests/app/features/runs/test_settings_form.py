@@ -61,6 +61,7 @@ def test_the_trackers_own_settings_stand_open_and_earlier_stages_are_folded(form
     assert form._controls[_own_number(form).name].isVisible()
     folded = form._controls["foreground.threshold"]
     assert not folded.isVisible()
+    form.show_expert(True)
     names = [fold.text() for fold in form.findChildren(FoldButton)]
     stages = [f.name.partition(".") for f in settings_fields(form.spec.settings_type)]
     assert names == list(dict.fromkeys(stage.capitalize() for stage, dot, _ in stages if dot))
@@ -151,13 +152,13 @@ def test_settings_of_a_tracker_stand_under_headings(qtbot):
 
 
 def test_a_tracker_that_does_not_suit_the_recording_is_listed_with_the_reason(
-    qtbot, tiny_recording
+    qtbot, tiny_recording, remembered
 ):
     left = tiny_recording / "left.mp4"
     with open_recording(
         left if left.exists() else next(tiny_recording.glob("left*"))
     ) as one_camera:
-        dialog = TrackDialog(one_camera, best_tracker(one_camera))
+        dialog = TrackDialog(one_camera, best_tracker(one_camera), remembered)
         qtbot.addWidget(dialog)
         row = dialog._names.index("stereo-joint")
         assert not dialog._choice.model().item(row).isEnabled()
@@ -167,9 +168,9 @@ def test_a_tracker_that_does_not_suit_the_recording_is_listed_with_the_reason(
 
 
 @pytest.fixture
-def dialog(qtbot, tiny_recording):
+def dialog(qtbot, tiny_recording, remembered):
     with open_recording(tiny_recording) as recording:
-        dialog = TrackDialog(recording, "stereo-joint")
+        dialog = TrackDialog(recording, "stereo-joint", remembered)
         qtbot.addWidget(dialog)
         dialog.show()
         yield dialog
@@ -240,3 +241,81 @@ def test_a_frame_or_seed_that_cannot_be_is_told_and_the_nearest_is_taken(
     assert dialog._refused.text().startswith(f"{typed} is out of range: whole numbers from 0 to ")
     box.interpretText()  # as Qt does once it is left
     assert box.value() == (box.maximum() if taken is None else taken)
+
+
+def _names(tracker, *, expert):
+    """Of settings outside of folded groups."""
+    fields = settings_fields(TRACKERS[tracker].settings_type)
+    return {field.name for field in fields if field.expert == expert and "." not in field.name}
+
+
+def test_expert_settings_are_shown_on_request(dialog):
+    plain, expert = (_names("stereo-joint", expert=asked) for asked in (False, True))
+    assert expert
+    assert _in_sight(dialog) == plain
+    dialog._expert.click()
+    assert _in_sight(dialog) == plain | expert
+    dialog._expert.click()
+    assert _in_sight(dialog) == plain
+
+
+def test_the_check_box_says_how_many_expert_settings_the_chosen_tracker_has(dialog):
+    fields = settings_fields(TRACKERS["stereo-joint"].settings_type)
+    assert f"({sum(field.expert for field in fields)})" in dialog._expert.text()
+    before = dialog._expert.text()
+    dialog._choice.setCurrentIndex(dialog._names.index("flow"))
+    assert dialog._expert.text() != before
+
+
+def test_whether_expert_settings_are_shown_is_remembered(dialog, qtbot, remembered, tiny_recording):
+    dialog._expert.click()
+    with open_recording(tiny_recording) as recording:
+        later = TrackDialog(recording, "stereo-joint", remembered)
+        qtbot.addWidget(later)
+        later.show()
+        assert _in_sight(later) >= _names("stereo-joint", expert=True)
+        later._expert.click()
+        last = TrackDialog(recording, "stereo-joint", remembered)
+        qtbot.addWidget(last)
+        last.show()
+        assert not _in_sight(last) & _names("stereo-joint", expert=True)
+
+
+def test_expert_settings_are_shown_for_every_tracker_that_is_chosen(dialog):
+    dialog._expert.click()
+    dialog._choice.setCurrentIndex(dialog._names.index("flow"))
+    assert "confirm_timeout_s" in _in_sight(dialog)
+
+
+@pytest.mark.parametrize(("name", "value"), [("miss_probability", 0.2), ("people.hue_bins", 20)])
+def test_an_expert_setting_that_is_changed_is_always_shown(dialog, name, value):
+    assert name not in _in_sight(dialog)
+    dialog.put_settings("stereo-joint", {name: value}, 0)
+    assert name in _in_sight(dialog)
+    for _ in range(2):
+        dialog._expert.click()
+    assert name in _in_sight(dialog)
+    dialog.form.put(name, dict(_defaults("stereo-joint"))[name])
+    assert name in _in_sight(dialog), "it stays while it is worked on"
+    dialog.form.reset()
+    assert name not in _in_sight(dialog)
+
+
+def _defaults(tracker):
+    for field in settings_fields(TRACKERS[tracker].settings_type):
+        yield field.name, field.default
+
+
+def test_search_finds_expert_settings_and_hides_them_again(dialog):
+    dialog._search.setText("miss probability")
+    assert _in_sight(dialog) == {"miss_probability"}
+    dialog._search.clear()
+    assert "miss_probability" not in _in_sight(dialog)
+
+
+def test_a_group_without_a_setting_to_show_has_no_heading(dialog):
+    dialog._choice.setCurrentIndex(dialog._names.index("spheroid"))
+    ramp = next(one for one in dialog.form.findChildren(FoldButton) if one.text() == "Ramp")
+    assert not ramp.isVisible()
+    dialog._expert.click()
+    assert ramp.isVisible()
