@@ -3,7 +3,8 @@
 Each mechanism is left out, alone, by a setting or by what stands in its place, and the tracker runs
 over footage of all kinds with several seeds. What is told is by how much the scores fall, on the
 mean over recordings, and an interval of 95 %: from the differences between seeds, which is how much
-of it may be chance. A mechanism whose interval holds 0 is worth nothing that can be measured here.
+of it may be chance; and on how many recordings anything changed, as a rule whose situation does not
+arise cannot be judged. flow is not random: its seeds are two spacings of its points.
 
 Figures are kept in docs/results/ablation.json as they come, and docs/results/ablation.md is written
 from them.
@@ -12,9 +13,10 @@ from them.
 from __future__ import annotations
 
 import argparse
+import hashlib
 import json
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -23,33 +25,51 @@ from scipy.stats import t as student
 
 from tests.benchmarks.command import one_core, parser_of, real_data, telling
 from tests.benchmarks.footage.measures import Figures, figures_of
-from tests.benchmarks.footage.mechanisms import MECHANISMS, Mechanism
+from tests.benchmarks.footage.mechanism import Mechanism
+from tests.benchmarks.footage.mechanisms import MECHANISMS
 from tests.benchmarks.footage.recordings import Footage, all_footage
 from tests.benchmarks.pages import DOCS, template
-from tests.benchmarks.runner import Case, runs_over, sources
+from tests.benchmarks.runner import Case, KeptRun, replacing, runs_over, sources
+from tracking.people import Observation
+from tracking.pipeline import KeptSteps, background_samples, begin_pairing
+from tracking.recording import Instants, Recording
+from tracking.settings import settings_values
+from tracking.trackers import tracker_named
+from tracking.trackers.shared.protocol import Perception
+from tracking.tracks.columns import PARTICLE_COLUMNS, empty
 
 FIGURES = DOCS / "results" / "ablation.json"
 PAGE = DOCS / "results" / "ablation.md"
 SEEDS = (11, 12)
 """Not those of the bench."""
-FRAMES = 200
-"""Of each recording, from the first."""
+FRAMES = {"steps": 80, "finishing": 200}
+"""Of each recording, from the first, by group of mechanisms: those of steps take a run each."""
 FOOTAGE = (
-    *("towncentre-real", "pets-s2l1-real", "tud-campus-real", "office-camera0-real"),
+    *("towncentre-real", "pets-s2l1-real", "tud-campus-real", "overhead-real"),
     *("rendered-corridor", "rendered-lobby", "rendered-ceiling"),
     *("own-plaza", "own-pillars", "own-corridor"),
 )
 WITH_ALL = "everything"
 """The row of the tracker as it is."""
 
+Mechanisms = Sequence[Mechanism | None]
+Scores = dict[str, Any]
+Found = dict[str, dict[str, list[Scores]]]
+Group = tuple[str, tuple[Mechanism, ...]]
 
-def scores_of(figures: Figures) -> dict[str, float]:
-    """What mechanisms are judged by: on the floor, in boxes where nothing is known of it."""
-    best = figures.get("floor") or figures.get("boxes")
-    if best is not None:
-        return {"MOTA": best["MOTA"] or 0.0, "IDF1": best["IDF1"] or 0.0}
-    walkers = figures["walkers"]
-    return {"MOTA": walkers["found"] / walkers["of"], "IDF1": walkers["found"] / walkers["of"]}
+SCORES = ("MOTA", "IDF1", "box MOTA", "box HOTA")
+"""What mechanisms are judged by: on the floor, in boxes where nothing is known of it; in boxes."""
+
+
+def scores_of(figures: Figures) -> Scores:
+    """Of one run; where people are only marked by eye, the share of them found is every score."""
+    boxes = figures.get("boxes")
+    if boxes is None:
+        walkers = figures["walkers"]
+        return dict.fromkeys(SCORES, walkers["found"] / walkers["of"])
+    best = figures.get("floor") or boxes
+    both = ((best, "MOTA"), (best, "IDF1"), (boxes, "MOTA"), (boxes, "HOTA"))
+    return {name: its[key] or 0.0 for name, (its, key) in zip(SCORES, both, strict=True)}
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,41 +105,143 @@ def worth_of(with_all: Sequence[Sequence[float]], without: Sequence[Sequence[flo
     return Worth(float(fall.mean()), float(student.ppf(0.975, freedom) * np.sqrt(variance)))
 
 
-def measure(
-    tracker: str, mechanism: Mechanism | None, footage: Sequence[Footage], asked: Any
-) -> dict[str, list[dict[str, float]]]:
-    """Scores by recording, one a seed."""
-    found: dict[str, list[dict[str, float]]] = {}
+def measure(tracker: str, mechanisms: Mechanisms, footage: Sequence[Footage], asked: Any) -> Found:
+    """Scores by mechanism and recording, one a seed; None is the tracker with all of them."""
+    found: Found = {}
     for recording in footage:
-        cases = [_case(tracker, mechanism, seed, asked.frames) for seed in asked.seeds]
-        runs = [runs_over(recording.folder, [case])[case] for case in cases]
-        found[recording.name] = [scores_of(figures_of(recording, run)) for run in runs]
+        for mechanism, case in _cases(tracker, mechanisms, asked):
+            run = runs_over(recording.folder, [case])[case]
+            _add(found, mechanism, recording, run)
     return found
 
 
+def measure_together(
+    tracker: str, mechanisms: Mechanisms, footage: Sequence[Footage], asked: Any
+) -> Found:
+    """The same of mechanisms of finishing, and of a stereo tracker's steps: seen, stepped once."""
+    found: Found = {}
+    for recording in footage:
+        cases = _cases(tracker, mechanisms, asked)
+        with telling(f"{recording.name} by {tracker}"), recording.open() as opened:
+            steps = _steps_over(opened, sorted({*map(_stepped, cases)}, key=repr))
+            for mechanism, case in cases:
+                own = steps[_stepped((mechanism, case))]
+                with replacing(case.replaced):
+                    run = own.run(tracker, settings_values(case.chosen()), case.seed, opened)
+                times = {name: np.array([float(own.frames[1])]) for name in _TIMES}
+                _add(found, mechanism, recording, KeptRun(run, times))
+    return found
+
+
+_TIMES = ("frames", "seeing_s", "following_s")
+
+
+def _add(found: Found, mechanism: Mechanism | None, recording: Footage, run: KeptRun) -> None:
+    """Add a run's scores; tracks that were scored before are not scored again."""
+    name = WITH_ALL if mechanism is None else mechanism.name
+    columns = (np.ascontiguousarray(column).tobytes() for column in run.tracks.values())
+    tracks = hashlib.sha256(b"".join(columns)).hexdigest()[:8]
+    rows = (one for its in found.values() for one in its.get(recording.name, ()))
+    known = next((one for one in rows if one["tracks"] == tracks), None)
+    scores = known or {**scores_of(figures_of(recording, run)), "tracks": tracks}
+    found.setdefault(name, {}).setdefault(recording.name, []).append(scores)
+
+
+def _cases(tracker: str, mechanisms: Mechanisms, asked: Any) -> list[tuple[Mechanism | None, Case]]:
+    return [
+        (one, _case(tracker, one, seed, asked.frames)) for seed in asked.seeds for one in mechanisms
+    ]
+
+
+def _stepped(one: tuple[Mechanism | None, Case]) -> Case:
+    """The case whose steps a mechanism's run is finished from."""
+    mechanism, case = one
+    finishing = mechanism is not None and mechanism.finishing
+    return _case(case.tracker, None, case.seed, case.frames) if finishing else case
+
+
+def _steps_over(recording: Recording, cases: Sequence[Case]) -> dict[Case, KeptSteps]:
+    """The steps of cases that perceive alike.
+
+    A stereo tracker's frames are looked at once; another one tells its perception of people.
+    """
+    spec, seen = tracker_named(cases[0].tracker), list[Observation]()
+    steps = {case: KeptSteps() for case in cases}
+    for case in cases:
+        with replacing(case.replaced):
+            perception, tracker = spec.build(recording, case.chosen(), case.seed)
+            frames = _observations(recording, perception, case.frames)
+            if spec.needs_stereo:
+                seen = seen or list(frames)
+            for one in seen or frames:
+                step = tracker.step(one)
+                steps[case].add([replace(step, particles=empty(PARTICLE_COLUMNS))])
+    return steps
+
+
+def _observations(
+    recording: Recording, perception: Perception, wanted: int
+) -> Iterator[Observation]:
+    """What is seen in the first frames."""
+    perception.learn(background_samples(recording))
+    pairing, instants = perception.stereo_watch, Instants(recording)
+    if pairing is not None:
+        begin_pairing(pairing, instants, 0)
+    for frame in instants.frames(0, min(wanted or recording.frame_count, recording.frame_count)):
+        seen = perception.observe(frame)
+        if pairing is not None:
+            instants.lag = pairing.pairing
+        yield seen
+
+
 def _case(tracker: str, mechanism: Mechanism | None, seed: int, frames: int) -> Case:
+    settings = () if tracker != "flow" else (("points.spacing", 0.2 + 0.002 * (seed % 2)),)
     if mechanism is None:
-        return Case(tracker, seed=seed, frames=frames)
-    return Case(tracker, mechanism.settings, "", seed, frames, mechanism.replaced)
+        return Case(tracker, settings, "", seed, frames)
+    return Case(tracker, settings + mechanism.settings, "", seed, frames, mechanism.replaced)
+
+
+def groups_of(tracker: str) -> tuple[Group, Group]:
+    """A tracker's mechanisms: those that are run one by one, and those that share a pass."""
+    stereo = tracker_named(tracker).needs_stereo
+    together = [m for m in MECHANISMS[tracker] if m.finishing or (stereo and not m.seeing)]
+    others = tuple(m for m in MECHANISMS[tracker] if m not in together)
+    return ("steps", others), ("finishing", tuple(together))
 
 
 def rows_of(figures: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
-    """Of each mechanism measured with the tracker as it is: its worth by kind of footage."""
-    for name, its in figures.items():
-        whole = its.get(WITH_ALL)
-        for mechanism in MECHANISMS.get(name, ()):
-            if whole is None or mechanism.name not in its:
-                continue
-            row = {"tracker": name, "name": mechanism.name, "what": mechanism.what}
-            for score in ("MOTA", "IDF1"):
-                for kind, chosen in _KINDS.items():
-                    rows = [r for r in its[mechanism.name] if r in whole and r.startswith(chosen)]
-                    old, new = (
-                        [[one[score] for one in which[r]] for r in rows]
-                        for which in (whole, its[mechanism.name])
-                    )
-                    row[f"{score} {kind}"] = worth_of(old, new) if rows else None
-            yield row
+    """Of each mechanism measured with the tracker as it is: its worth by kind of footage.
+
+    Args:
+        figures: by tracker, group of mechanisms, mechanism and recording, one a seed.
+    """
+    for tracker, groups in figures.items():
+        for group, mechanisms in groups_of(tracker):
+            its = groups.get(group, {})
+            for mechanism in mechanisms:
+                if mechanism.name in its and WITH_ALL in its:
+                    worths = _worths(its[WITH_ALL], its[mechanism.name])
+                    worths |= {"group": group, "recordings": sorted(its[mechanism.name])}
+                    yield {
+                        "tracker": tracker,
+                        "name": mechanism.name,
+                        "what": mechanism.what,
+                    } | worths
+
+
+def _worths(whole: Mapping[str, Any], without: Mapping[str, Any]) -> dict[str, Any]:
+    found: dict[str, Any] = {}
+    for score in SCORES:
+        for kind, chosen in _KINDS.items():
+            rows = [r for r in without if r in whole and r.startswith(chosen)]
+            both = ([[one[score] for one in which[r]] for r in rows] for which in (whole, without))
+            found[f"{score} {kind}"] = worth_of(*both) if rows else None
+    changed = [r for r in without if r in whole and not _is_same(whole[r], without[r])]
+    return found | {"changed": len(changed)}
+
+
+def _is_same(one: Sequence[Scores], other: Sequence[Scores]) -> bool:
+    return all(a["tracks"] == b["tracks"] for a, b in zip(one, other, strict=True))
 
 
 _KINDS: Mapping[str, tuple[str, ...]] = {
@@ -138,36 +260,60 @@ def figures() -> dict[str, Any]:
     return dict(json.loads(FIGURES.read_text(encoding="utf-8")))
 
 
-def _keep(tracker: str, name: str, found: Any) -> None:
-    kept = figures()
-    kept.setdefault(tracker, {})[name] = found
+def _keep(asked: Any, found: Found) -> None:
+    """Keep figures beside those of the same group, unless these are of other frames."""
+    kept, tracker = figures(), asked.tracker
+    frames = kept.setdefault("frames", {}).setdefault(tracker, {})
+    if frames.get(asked.group) != asked.frames:
+        kept.setdefault(tracker, {}).pop(asked.group, None)
+    frames[asked.group] = asked.frames
+    kept.setdefault(tracker, {}).setdefault(asked.group, {}).update(found)
     kept["sources"] = {**kept.get("sources", {}), tracker: sources()[:16]}
     FIGURES.write_text(json.dumps(kept, indent=1) + "\n", encoding="utf-8")
 
 
 def write_page() -> None:
     """Write the page from what was measured."""
-    rows = list(rows_of({k: v for k, v in figures().items() if k != "sources"}))
-    asked = {"seeds": SEEDS, "frames": FRAMES, "footage": FOOTAGE}
-    PAGE.write_text(template("footage/ablation.md.j2").render(rows=rows, **asked), encoding="utf-8")
+    kept = figures()
+    rows = list(rows_of({name: its for name, its in kept.items() if name in MECHANISMS}))
+    known = {"groups": _GROUPS, "frames": kept.get("frames", {}), "seeds": SEEDS}
+    text = template("footage/ablation.md.j2").render(
+        rows=rows, removed=kept.get("removed", []), **known
+    )
+    PAGE.write_text(text, encoding="utf-8")
 
 
-def _line(row: Mapping[str, Any]) -> str:
-    cells = []
-    for name, worth in row.items():
-        if isinstance(worth, Worth):
-            mark = "" if worth.is_sure else "?"
-            cells.append(f"{name} {worth.mean:+.3f} ± {worth.error:.3f}{mark}")
-    return f"{row['tracker']}: {row['name']}\n    " + "  ".join(cells)
+_GROUPS = {
+    "steps": "Rules that change what the tracker does frame by frame.",
+    "finishing": "Rules of finishing a run, and others that are tried on the same frames.",
+}
+
+
+def _lines(row: Mapping[str, Any]) -> str:
+    """The worths of a mechanism, those beyond chance with a star."""
+    lines = [
+        f"{row['tracker']}: {row['name']} (changes {row['changed']} of {len(row['recordings'])})"
+    ]
+    for score in SCORES:
+        cells = [f"{kind} {_cell(row[f'{score} {kind}'])}" for kind in _KINDS]
+        lines.append(f"    {score:<9} " + "  ".join(cells))
+    return "\n".join(lines)
+
+
+def _cell(worth: Worth | None) -> str:
+    if worth is None:
+        return "-"
+    return f"{worth.mean:+.4f} ± {worth.error:.4f}{'*' if worth.is_sure else ' '}"
 
 
 def _options() -> argparse.Namespace:
     parser = parser_of("footage.ablation", __doc__)
     parser.add_argument("--tracker", choices=MECHANISMS, required=True)
+    parser.add_argument("--group", choices=FRAMES, help="these mechanisms only")
     parser.add_argument("--only", nargs="+", metavar="MECHANISM", help="these, by their names")
     parser.add_argument("--footage", nargs="+", default=FOOTAGE, metavar="NAME")
     parser.add_argument("--seeds", nargs="+", type=int, default=SEEDS)
-    parser.add_argument("--frames", type=int, default=FRAMES)
+    parser.add_argument("--frames", type=int, help=f"of each recording: {FRAMES}")
     parser.add_argument("--data", type=Path, default=real_data(), help="folder of recordings")
     parser.add_argument("--report", action="store_true", help="keep the figures, write the page")
     parser.add_argument("--rewrite", action="store_true", help="only write the page")
@@ -182,20 +328,32 @@ def main() -> None:
         write_page()
         return
     there = [o for o in all_footage(asked.data, asked.footage) if o.suits(asked.tracker)]
-    known = MECHANISMS[asked.tracker]
-    chosen = [m for m in known if not asked.only or m.name in asked.only]
-    found = {}
-    for mechanism in (None, *chosen):
-        name = WITH_ALL if mechanism is None else mechanism.name
-        with telling(f"{asked.tracker} without {name}" if mechanism else asked.tracker):
-            found[name] = measure(asked.tracker, mechanism, there, asked)
-        if asked.report:
-            _keep(asked.tracker, name, found[name])
-        if mechanism is not None:
-            both = {WITH_ALL: found[WITH_ALL], name: found[name]}
-            print(*map(_line, rows_of({asked.tracker: both})), sep="\n", flush=True)
+    for group, known in groups_of(asked.tracker):
+        if asked.group not in (None, group):
+            continue
+        chosen = [m for m in known if not asked.only or m.name in asked.only]
+        if not chosen:
+            continue
+        own = argparse.Namespace(**{**vars(asked), "group": group})
+        own.frames = asked.frames or FRAMES[group]
+        for found in _portions(own, chosen, there):
+            if asked.report:
+                _keep(own, found)
+            told = {asked.tracker: {group: found}}
+            print(*(_lines(row) for row in rows_of(told)), sep="\n", flush=True)
     if asked.report:
         write_page()
+
+
+def _portions(asked: Any, chosen: Sequence[Mechanism], there: Sequence[Footage]) -> Iterator[Found]:
+    """What is found, as it comes."""
+    if asked.group == "finishing":
+        yield measure_together(asked.tracker, [None, *chosen], there, asked)
+        return
+    whole = measure(asked.tracker, [None], there, asked)
+    for mechanism in chosen:
+        with telling(f"{asked.tracker} without {mechanism.name}"):
+            yield whole | measure(asked.tracker, [mechanism], there, asked)
 
 
 if __name__ == "__main__":
