@@ -165,7 +165,7 @@ class Source:
         many, first = ("1 row is", "in") if count == 1 else (f"{count} rows are", "the first in")
         raise FormatError(
             f"{self.order.tracks}: {many} invalid, {first} {rows[0].place}: "
-            f"{rows[0].reason}; correct the file, or add --take-good to take the others"
+            f"{rows[0].reason}; correct the file, or add --take-good to import the others"
             + ("" if count == 1 or self.order.report else ", --report to list all")
         )
 

@@ -49,6 +49,6 @@ def run_log(path: Path, csv: Path | None, *, as_json: bool) -> None:
 def _line(history: History, entry: Entry) -> str:
     """An edit as it is printed."""
     taker = history.taken_back_by(entry.id)
-    fate = "undone" if entry.undone else f"taken back by {taker}" if taker else ""
+    fate = "undone" if entry.undone else f"undone by {taker}" if taker else ""
     text = f"{entry.text} ({fate})" if fate else entry.text
     return f"{entry.id:>6}  {entry.time[:19]}  {entry.author or '-'}  frame {entry.frame}  {text}"

@@ -67,7 +67,9 @@ class Order:
         str | None, typer.Option(help="Frames A:B, counted from 0, without B.", show_default="all")
     ] = None
     seed: options.Seed = 0
-    detector: Annotated[Path | None, typer.Option(help="A failure detector made by train.")] = None
+    detector: Annotated[
+        Path | None, typer.Option(help="A part-failure detector made by train.")
+    ] = None
     occluders: Annotated[Path | None, typer.Option(help="A session with drawn occluders.")] = None
 
 

@@ -114,7 +114,7 @@ def parse_scored_range(text: str | None, *tracks: Tracks) -> tuple[int, int] | N
     if text is not None and frames is not None and not 0 <= frames[0] < frames[1] <= count:
         raise SettingsError(
             f"--frames {text.strip()}: from frame {max(frames[0], count)} on there is nothing in "
-            f"result or truth; choose a range within 0:{count}"
+            f"result or ground truth; choose a range within 0:{count}"
         )
     return frames
 
@@ -179,8 +179,8 @@ def tell_unlike(one: LoadedSequence, result: str, score: Score) -> None:
     ours, true = one.subject.result_sources[result], one.subject.true_source
     if true is None or disagreement(true, ours) is None:
         say(
-            f"note: {one.results[result].path}: {clear.matches} of {rows} rows match the truth: "
-            "is it of the same recording, and are its frames counted from the same one?"
+            f"note: {one.results[result].path}: {clear.matches} of {rows} rows match the ground "
+            "truth: is it of the same recording, and are its frames counted from the same one?"
         )
 
 

@@ -209,5 +209,6 @@ def _check_ranges(asked: MeasureRequest, measured: Sequence[SequenceMeasurement]
     if asked.ranges and not any(finding.ranges for finding in findings):
         stop = max(finding.subject.stop for finding in findings)
         raise SettingsError(
-            f"range {asked.ranges[0]} is in neither result nor truth: choose one within 0:{stop}"
+            f"range {asked.ranges[0]} is in neither result nor ground truth: choose one within "
+            f"0:{stop}"
         )

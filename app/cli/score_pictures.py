@@ -25,7 +25,7 @@ def open_recording_of(one: LoadedSequence, *, allow_outside: bool) -> Iterator[t
         allow_outside: a recording outside of its session's folder may be opened.
     """
     with ExitStack() as stack:
-        reason = "no recording stands beside the truth or belongs to a session"
+        reason = "no recording stands beside the ground truth or belongs to a session"
         for opened in _ways(one, allow_outside=allow_outside):
             try:
                 recording = opened(stack)

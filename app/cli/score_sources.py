@@ -32,7 +32,7 @@ def disagreement(truth: Source, result: Source) -> str | None:
         return None
     return (
         f"{result.place} and {truth.place} may be of different recordings: "
-        f"{'; '.join(reasons)}; check that the truth is this result's"
+        f"{'; '.join(reasons)}; check that the ground truth is this result's"
     )
 
 
@@ -43,7 +43,7 @@ def _differences(truth: Source, result: Source) -> Iterator[str]:
     if truth.frames and result.frames and truth.frames != result.frames:
         yield f"{result.frames} and {truth.frames} frames"
     if truth.fps and result.fps and not math.isclose(truth.fps, result.fps, rel_tol=_SAME_RATE):
-        yield f"{result.fps:g} and {truth.fps:g} frames a second"
+        yield f"{result.fps:g} and {truth.fps:g} frames per second"
 
 
 def size_of_recording_at(paths: Iterable[Path]) -> tuple[int, int] | None:

@@ -60,7 +60,7 @@ def _batch(results: Sequence[Path], truth: Path) -> Pairing:
     truths = _sequences(truth, truths=True)
     if not truths:
         raise FormatError(
-            f"{truth} has no {TRUTH}, nor folders or files of sequences; name a truth"
+            f"{truth} has no {TRUTH}, nor folders or files of sequences; name a ground truth"
         )
     folders = [path for path in results if path.is_dir() and _result_in(path) is None]
     files = [path for path in results if path not in folders]
@@ -147,8 +147,8 @@ def _result_at(path: Path) -> Path:
     found = _result_in(path)
     if found is None:
         raise FormatError(
-            f"{path} is a folder and the truth is one sequence; name a session or a file, "
-            "or a folder of truths"
+            f"{path} is a folder and the ground truth is one sequence; name a session or a file, "
+            "or a folder of ground truths"
         )
     return found
 
@@ -190,7 +190,7 @@ def _nothing_shared(
 ) -> str:
     held = {name for found in results.values() for name in found}
     return (
-        f"no result is named like a truth of {truth}: truths {_listed(truths)}; "
+        f"no result is named like a ground truth of {truth}: truths {_listed(truths)}; "
         f"results {_listed(held)}; name them alike"
     )
 
@@ -201,7 +201,7 @@ def _unmatched(truths: Mapping[str, Path], results: Mapping[str, Mapping[str, Pa
         if lacking := sorted(set(truths) - set(found)):
             said.append(f"{result} has no file for {_listed(lacking)}")
         if strange := sorted(set(found) - set(truths)):
-            said.append(f"{result} has files without truth: {_listed(strange)}")
+            said.append(f"{result} has files without ground truth: {_listed(strange)}")
     return said
 
 

@@ -59,7 +59,7 @@ def run_track(
         print_json({"session": str(out), **facts, "frames_a_second": rate})
     else:
         tracks = "1 track" if people == 1 else f"{people} tracks"
-        say(f"{run.tracker}: {tracks}, {rate:.1f} frames a second")
+        say(f"{run.tracker}: {tracks}, {rate:.1f} frames per second")
         if not people and not set(run.notes).difference(recording.notes):
             say(_nobody(run.tracker))
         print_line(out)
@@ -77,7 +77,7 @@ def _unused(recording: Recording) -> str:
     *most, last = unused
     which = f"{', '.join(most)} and {last} are" if most else f"{last} is"
     tracker = best_tracker(recording)
-    return f"no {missing}: {tracker} follows people by the left camera; {which} not used"
+    return f"no {missing}: {tracker} tracks people with the left camera; {which} not used"
 
 
 def _nobody(tracker: str) -> str:

@@ -168,7 +168,7 @@ def _check_place(
         refuse_to_lose(request.out, force=force)
     elif request.accept and session.read_only:
         raise SessionError(
-            f"{request.session} is open for reading only, so nothing can be taken into it; "
+            f"{request.session} is open for reading only, so no changes can be applied to it; "
             "name another session with -o"
         )
 
@@ -299,7 +299,8 @@ def _tell(
     change: Change | None,
     kept: Path | None,
 ) -> None:
-    say(f"{run.tracker}: frames {run.frames[0]} to {run.frames[1] - 1}, {rate:.1f} frames a second")
+    tracked = f"frames {run.frames[0]} to {run.frames[1] - 1}"
+    say(f"{run.tracker}: {tracked}, {rate:.1f} frames per second")
     for each in found:
         stays = "  (protected, stays as it is)" if each.protected else ""
         print_line(f"frames {each.start} to {each.end - 1}: {each.text}{stays}")
@@ -308,6 +309,6 @@ def _tell(
     if change is not None:
         say(change.text)
     elif found and kept is None:
-        say("nothing is kept; add --accept to take this, or -o OUT to keep the run beside it")
+        say("nothing is kept; add --accept to apply this, or -o OUT to keep the run beside it")
     if kept is not None:
         say(f"saved in {kept}")

@@ -92,7 +92,9 @@ def truth_at(path: Path, filmed: Filmed | None = None) -> Tracks:
     if (path / _TRUTH).is_file():
         return _of_file(path / _TRUTH, FORMATS["mot"], Filmed())
     if path.is_dir() and _format_of(path) is None:
-        raise FormatError(f"{path} has no {_TRUTH}; name a session or a file of tracks as truth")
+        raise FormatError(
+            f"{path} has no {_TRUTH}; name a session or a file of tracks as ground truth"
+        )
     return tracks_at(path, filmed)
 
 

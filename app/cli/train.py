@@ -76,7 +76,7 @@ def run_train(request: TrainRequest, *, as_json: bool) -> None:
 def _check(request: TrainRequest) -> None:
     """Refuse what could not be written in the end, or would be lost."""
     if request.out.suffix.lower() not in _ENDINGS:
-        reason = f"a detector's name ends in .h5: give {request.out.stem or 'NAME'}.h5"
+        reason = f"a part-failure detector's name ends in .h5: give {request.out.stem or 'NAME'}.h5"
         raise typer.BadParameter(reason, param_hint="--out")
     if not 0 <= request.false_alarms <= MOST_FALSE_ALARMS:  # NaN, too
         reason = f"{request.false_alarms} is not from 0 to {MOST_FALSE_ALARMS}"

@@ -37,7 +37,10 @@ class Author(QObject):
         dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         dialog.setWindowTitle(tr("Your name"))
         dialog.setLabelText(
-            tr("Edits are logged under this name. Leave it empty to use the name of your account.")
+            tr(
+                "Edits are kept in the history under this name. "
+                "Leave it empty to use the name of your account."
+            )
         )
         controller = self._window.controller
         session = controller.document.session if controller is not None else None

@@ -100,7 +100,9 @@ class Detectors(Controller):
         """
         self._learnt = tuple(one.path for one in training_set.sources if one.path is not None)
         work = partial(train_on, training_set.samples, settings)
-        self._work.run(tr("Training the detector"), work, partial(self._take, training_set))
+        self._work.run(
+            tr("Training the part-failure detector"), work, partial(self._take, training_set)
+        )
 
     def _take(self, training_set: TrainingSet, trained: Trained) -> None:
         self.result = TrainingResult(trained, training_set)
@@ -167,7 +169,9 @@ class Detectors(Controller):
     def ask_open(self) -> None:
         """Ask for the file of a detector."""
         last = self._remembered.last_folder("detector")
-        choose_file(self._window, tr("Use a detector"), tr(_DETECTORS), self.use_file, last)
+        choose_file(
+            self._window, tr("Use a part-failure detector"), tr(_DETECTORS), self.use_file, last
+        )
 
     def use_file(self, path: Path) -> None:
         """Track with the detector of a file, once it has been looked over."""
@@ -197,7 +201,7 @@ class Detectors(Controller):
         document = self._document
         if document is not None:
             start = beside(document, "detector.h5")
-        last, title = self._remembered.last_folder("detector"), tr("Save the detector")
+        last, title = self._remembered.last_folder("detector"), tr("Save the part-failure detector")
         choose_new_file(self._window, title, start, tr(_DETECTORS), self.save_to, last)
 
     def save_to(self, path: Path) -> None:

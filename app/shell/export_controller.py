@@ -152,7 +152,7 @@ class ExportController(Controller):
 
     def ask_log(self) -> None:
         """Ask for a place and write the log of edits."""
-        self._ask(tr("Export the log of edits"), "edits.csv", _LOGS, self.log_to)
+        self._ask(tr("Export the edit history"), "edits.csv", _LOGS, self.log_to)
 
     def log_to(self, path: Path) -> None:
         """Write the log of edits: as JSON where the name ends so, else as CSV."""

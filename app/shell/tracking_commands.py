@@ -27,7 +27,9 @@ def _tracked(app: WindowApp) -> str:
 
 def _trained(app: WindowApp) -> str:
     """A detector must have been trained."""
-    return "" if app.files.detectors.result is not None else tr("train a detector first")
+    return (
+        "" if app.files.detectors.result is not None else tr("train a part-failure detector first")
+    )
 
 
 def _in_use(app: WindowApp) -> str:
@@ -74,7 +76,7 @@ DETECTOR: Final[tuple[Command[WindowApp], ...]] = (
     *FAILURES,
     Command(
         "detector.suggest",
-        "Label where the detector is least sure",
+        "Label where the part-failure detector is least sure",
         "Detector",
         ("Alt+6",),
         labelled,
@@ -91,7 +93,7 @@ DETECTOR: Final[tuple[Command[WindowApp], ...]] = (
     ),
     Command(
         "detector.train",
-        "Train the detector...",
+        "Train the part-failure detector...",
         "Detector",
         ("Ctrl+D",),
         recording,
@@ -107,14 +109,14 @@ DETECTOR: Final[tuple[Command[WindowApp], ...]] = (
     ),
     Command(
         "detector.save",
-        "Save the trained detector...",
+        "Save the trained part-failure detector...",
         "Detector",
         enabled=_trained,
         run=lambda app: app.files.detectors.ask_save(),
     ),
     Command(
         "detector.open",
-        "Use a detector from a file...",
+        "Use a part-failure detector from a file...",
         "Detector",
         enabled=recording,
         run=lambda app: app.files.detectors.ask_open(),
@@ -124,7 +126,7 @@ DETECTOR: Final[tuple[Command[WindowApp], ...]] = (
     ),
     Command(
         "detector.built_in",
-        "Use the built-in detector",
+        "Use the built-in part-failure detector",
         "Detector",
         enabled=recording,
         run=lambda app: app.files.detectors.use_built_in(),

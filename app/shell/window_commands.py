@@ -103,7 +103,7 @@ FILES: Final = (
     ),
     _file(
         "export_log",
-        "Export the log of edits...",
+        "Export the edit history...",
         (),
         session,
         lambda app: app.files.exporting.ask_log(),

@@ -55,13 +55,13 @@ def test_two_who_change_over():
     one = only(table_of(TWO), after)
     assert facts(one) == ("identity", 1, 2, 60, 100, 80)
     assert one.tracks == (1, 2)
-    assert one.text == "1 and 2 change over from frame 60 on"
+    assert one.text == "1 and 2 are swapped from frame 60 on"
 
 
 def test_two_who_change_over_and_back():
     swapped = [(1, 20, 50, 0.0), (1, 50, 80, 1.0), (1, 80, 100, 0.0)]
     swapped += [(2, 20, 50, 1.0), (2, 50, 80, 0.0), (2, 80, 100, 1.0)]
-    assert only(table_of(TWO), swapped).text == "1 and 2 change over in frames 50 to 79"
+    assert only(table_of(TWO), swapped).text == "1 and 2 are swapped in frames 50 to 79"
 
 
 def test_somebody_who_becomes_another():
@@ -76,7 +76,7 @@ def test_somebody_followed_longer():
     table = table_of([(1, 0, 56, 0.0), (2, 0, 100, 1.0)])
     one = only(table, [(1, 20, 120, 0.0), (2, 20, 100, 1.0)])
     assert facts(one) == ("added", 1, 0, 56, 120, 64)
-    assert one.text == "1 is followed 3.2 s longer"
+    assert one.text == "1 is tracked 3.2 s longer"
 
 
 @pytest.mark.parametrize(

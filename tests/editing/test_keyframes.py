@@ -136,7 +136,7 @@ def test_a_keyframe_let_go_is_interpolated_from_its_neighbours() -> None:
     table = annotated((0, 10, 20))
     do(table, plan_move_box(table, 1, 10, (300.0, *BOX[1:])))
     change = plan_delete_keyframe(table, 1, 10)
-    assert change.text == "Take the keyframe of 1 in frame 10 away"
+    assert change.text == "Delete the keyframe of 1 in frame 10"
     do(table, change)
     assert keyframes_of(table, 1).tolist() == [0, 20]
     assert lefts(table, 0, 21) == pytest.approx(np.linspace(100, 120, 21))

@@ -109,7 +109,7 @@ def test_several_parts_are_one_edit() -> None:
     assert change.text == "Label 4 parts in frames 5 to 9"
     labels = made(Labels(), change)
     assert plan_unlabel_part(labels, *labels.parts).text == (
-        "Take the label of 4 parts in frames 5 to 9 away"
+        "Delete the label of 4 parts in frames 5 to 9"
     )
     more = plan_label_part(labels, [*several, replace(HEAD, frame=6)])
     assert len(more.after.labels.parts) == 1
@@ -189,9 +189,9 @@ def test_things_drawn_are_sorted_by_name_and_said_by_it() -> None:
     gone = plan_regions(labels, [])
     assert moved.text == 'Change region "hall"'
     assert named.text == 'Put region "lobby" in place of "hall"'
-    assert gone.text == 'Take region "hall" away'
+    assert gone.text == 'Delete region "hall"'
     many = plan_regions(labels, [Region(name, SQUARE) for name in "abc"])
-    assert many.text == "Change regions: 3 drawn, 1 taken away"
+    assert many.text == "Change regions: 3 drawn, 1 deleted"
 
 
 def test_an_edit_of_one_line_does_not_name_the_others() -> None:

@@ -70,7 +70,7 @@ def test_who_turns_round_where_the_other_does_is_told_by_looks() -> None:
     apply_change(table, Labels(), plan_swap(table, 1, 2, 100))  # now both seem to walk straight on
     best = propose_swap_frames(table, 1, 2, signals=looks(100))[0]
     assert best.frame == pytest.approx(100, abs=2)
-    assert "looks change over" in best.text
+    assert "appearances swap" in best.text
 
 
 def test_looks_that_stay_speak_for_another_frame() -> None:

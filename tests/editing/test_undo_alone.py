@@ -224,7 +224,7 @@ def test_what_is_taken_back_alone_does_not_stand_on_anything(editor: Editor) -> 
     editor.do(plan_swap(editor.table, 1, 2, 10))
     editor.do(plan_delete(editor.table, 1, 25))
     editor.undo_alone(2)
-    assert editor.history.why_not_alone(2) == "edit 2 is taken back already, by edit 3"
+    assert editor.history.why_not_alone(2) == "edit 2 is undone already, by edit 3"
     editor.undo_alone(1)
     assert bytes_of(editor.table) == start
 

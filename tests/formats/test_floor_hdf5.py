@@ -88,7 +88,7 @@ def test_more_rows_than_a_chunk_come_back(tmp_path: Path) -> None:
 
 
 def test_without_frames_a_second_nothing_is_written(tmp_path: Path) -> None:
-    with pytest.raises(FormatError, match="frames a second"):
+    with pytest.raises(FormatError, match="frames per second"):
         through(PEDPY_HDF5, tmp_path / "t.h5", exported(fps=None))
     assert not list(tmp_path.iterdir())
 

@@ -130,7 +130,7 @@ def test_the_last_unit_holds(tmp_path: Path, comments: str, scale: float) -> Non
 def test_an_invalid_frame_rate_is_told(tmp_path: Path, fps: str) -> None:
     found = read(tmp_path, HEADER.replace("25", fps) + "1 0 1 1 1\n")
     assert found.fps is None
-    assert f"{fps} frames a second, which is invalid" in found.notes[0]
+    assert f"{fps} frames per second, which is invalid" in found.notes[0]
 
 
 def test_what_says_no_unit_is_refused(tmp_path: Path) -> None:
@@ -166,7 +166,7 @@ def test_what_a_text_says_itself_counts_and_that_is_noted(tmp_path: Path) -> Non
     assert (found.columns["x"].tolist(), found.fps) == ([5], 25)
     assert found.notes == (
         "the file says m itself; cm is passed over",
-        "the file says 25 frames a second itself; 12.5 is passed over",
+        "the file says 25 frames per second itself; 12.5 is passed over",
     )
 
 

@@ -158,7 +158,7 @@ def test_one_camera_cannot_be_rectified() -> None:
     [
         (np.eye(3) * 2, [-0.12, 0, 0], "not a rotation"),
         (np.diag([1.0, 1.0, -1.0]), [-0.12, 0, 0], "not a rotation"),
-        (np.eye(3), [0.12, 0, 0], "exchange the cameras"),
+        (np.eye(3), [0.12, 0, 0], "swap the cameras"),
         (np.eye(3), [0, -0.12, 0], "side by side"),
         (np.eye(3), [0, 0, 0], "0 m apart"),
         (np.eye(3), [-120.0, 0, 0], "in metres"),

@@ -181,7 +181,7 @@ def test_a_rate_no_camera_has_is_refused_among_the_options_as_in_the_manifest(
     tmp_path: Path, fps: float
 ) -> None:
     video = write_video(tmp_path / "v.mp4", range(3))
-    wanted = "fps must be 0.001 to 10000 frames a second$"
+    wanted = "fps must be 0.001 to 10000 frames per second$"
     with pytest.raises(RecordingError, match=f"^--{wanted}"):
         open_recording(video, OpenOptions(fps=fps))
     with pytest.raises(RecordingError, match=f"^recording.toml: {wanted}"):

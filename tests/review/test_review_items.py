@@ -42,7 +42,7 @@ def test_a_mistake_is_one_review_item_with_all_its_reasons() -> None:
     both = [one for one in found(run, swapped(run, 1, 2, MEETING)) if one.likelihood > 0.3]
     assert len(both) == 1
     said = [both[0].text, *both[0].others]
-    assert any("colours changed over" in each for each in said)
+    assert any("colours swapped" in each for each in said)
     assert any("passed within 0." in each for each in said)
     assert all("00:04" in each or "00:03" in each for each in said)
 

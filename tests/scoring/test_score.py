@@ -161,7 +161,7 @@ def test_rows_without_a_position_match_nobody_on_the_floor() -> None:
 @pytest.mark.parametrize("match", [FloorMatch(), BoxMatch()], ids=["floor", "box"])
 def test_a_side_without_what_is_matched_is_refused(match: Match) -> None:
     nowhere, somewhere = table([(0, 1, math.nan, math.nan)]), table([(0, 1, 0, 0)])
-    with pytest.raises(FormatError, match="the truth has no"):
+    with pytest.raises(FormatError, match="the ground truth has no"):
         score(nowhere, somewhere, match)
     with pytest.raises(FormatError, match="the result has no"):
         score(somewhere, nowhere, match)
@@ -209,5 +209,5 @@ def test_a_frame_with_more_rows_than_can_be_compared_is_refused() -> None:
     columns = {"frame": np.full(len(rows), 3), "track": rows + 1}
     columns |= dict.fromkeys(("left", "top", "width", "height"), np.full(len(rows), 9.0))
     table = ScoringTable.from_columns(columns)
-    with pytest.raises(FormatError, match=r"frame 3 \(from 0\) has 5,000 rows in the truth"):
+    with pytest.raises(FormatError, match=r"frame 3 \(from 0\) has 5,000 rows in the ground truth"):
         score(table, table)

@@ -182,8 +182,10 @@ def test_without_metres_the_map_is_the_picture() -> None:
     assert "x in the image, px" in page
     assert "<image " in page
     assert "floor error" not in page
-    assert "the truth has no places on the floor" in page
-    assert "the truth has no places on the floor" in markdown_of(report_of([finding], Yardstick()))
+    assert "the ground truth has no positions on the floor" in page
+    assert "the ground truth has no positions on the floor" in markdown_of(
+        report_of([finding], Yardstick())
+    )
     assert finding_data(finding)["distances"] == []
 
 
@@ -194,7 +196,7 @@ def test_nobody_anywhere_makes_a_page_all_the_same() -> None:
         empty = replace(one, truth=truth, results={"nobody": result})
         finding = finding_of(empty, "nobody", Yardstick())
         page = Reader(page_of(report_of([finding], Yardstick()), {}))
-        assert "rows of the truth" in page.texts
+        assert "rows of the ground truth" in page.texts
         told = json.dumps(data_of(report_of([finding], Yardstick())), allow_nan=False)
         assert f'"truth_rows": {finding.score.clear.truth_rows}' in told
 
@@ -323,7 +325,7 @@ def test_a_map_shows_no_more_than_can_be_seen_and_says_so(monkeypatch: pytest.Mo
     finding = scenes.found()[0]
     assert finding.errors.count(ErrorKind.MISS) == 5
     page = page_of(report_of([finding], Yardstick()), {})
-    assert "1 stretches of misses beyond" in page
+    assert "1 ranges of misses beyond" in page
 
 
 def test_a_report_says_which_files_it_is_of() -> None:
@@ -335,7 +337,7 @@ def test_a_report_says_which_files_it_is_of() -> None:
     findings = [finding_of(one, name, Yardstick()) for name in one.results]
     for report in (report_of(findings, Yardstick()), report_of(findings[:1], Yardstick())):
         texts = "".join(Reader(page_of(report, {})).texts)
-        known = ", recording lane|0, 100 frames, 12.5 frames a second, tracker flow"
+        known = ", recording lane|0, 100 frames, 12.5 frames per second, tracker flow"
         assert texts.count(f"first<b>/one.h5{known}") == 1
         assert texts.count("a/truth.txt") == len(report.findings)
     text = markdown_of(report_of(findings, Yardstick()))
@@ -353,11 +355,11 @@ def test_kept_is_said_to_count_from_the_first_match_on() -> None:
 @pytest.mark.parametrize(
     ("true", "found", "why"),
     [
-        ([], [], "Neither the truth nor the result has anybody in these frames"),
-        ([], range(20), "The truth has nobody in these frames"),
+        ([], [], "Neither the ground truth nor the result has anybody in these frames"),
+        ([], range(20), "The ground truth has nobody in these frames"),
         (range(20), [], "The result has nobody in these frames"),
-        (range(20), range(30, 40), "the truth's stand in frames 100 to 119, the result's in 130"),
-        (range(20), range(-20, 0), "No row of the result matches one of the truth"),
+        (range(20), range(30, 40), "those of the ground truth stand in frames 100 to 119"),
+        (range(20), range(-20, 0), "No row of the result matches one of the ground truth"),
         (range(20), range(20), None),
     ],
 )

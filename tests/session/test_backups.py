@@ -280,6 +280,6 @@ def test_a_backup_that_goes_while_it_is_restored_is_told(
     session: Session, states: list[tuple[object, ...]], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("tracking.session.document.find_backups", lambda _: ())
-    with pytest.raises(SessionError, match="backup 2 was taken away"):
+    with pytest.raises(SessionError, match="backup 2 was deleted"):
         session.restore(2)
     assert state_of(session) == states[-1]

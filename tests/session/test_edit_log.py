@@ -49,7 +49,7 @@ def test_csv_has_a_line_an_edit(edited: Session, tmp_path: Path) -> None:
     rows = rows_of(tmp_path / "log.csv")
     assert [row["id"] for row in rows] == ["1", "2", "3", "4", "5"]
     assert [row["kind"] for row in rows] == ["swap", "rename", "notes", "undo", "delete"]
-    assert [row["undone"] for row in rows] == ["taken back by 4", "undone for good", "", "", ""]
+    assert [row["undone"] for row in rows] == ["undone by 4", "undone for good", "", "", ""]
     assert [row["undoes"] for row in rows] == ["", "", "", "1", ""]
     assert {row["author"] for row in rows} == {"ada"}
     assert rows[0]["tracks"] == "1 2"

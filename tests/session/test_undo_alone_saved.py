@@ -39,7 +39,7 @@ def test_it_survives_a_crash(edited: Session, tmp_path: Path) -> None:
     again = crashed(edited, tmp_path / "after")
     assert state_of(again) == state_of(edited)
     assert again.history.taken_back_by(1) == 3
-    assert again.history.why_not_alone(1) == "edit 1 is taken back already, by edit 3"
+    assert again.history.why_not_alone(1) == "edit 1 is undone already, by edit 3"
     again.close()
 
 

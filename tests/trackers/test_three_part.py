@@ -178,7 +178,7 @@ def test_that_there_is_no_detector_is_told_where_one_is_wanted(adjust, told):
     by = tracker(adjust=adjust)
     followed(by, observations([walker()], 8))
     assert len(by.notes) == told
-    assert all("no failure detector" in note for note in by.notes)
+    assert all("no part-failure detector" in note for note in by.notes)
 
 
 @both_layouts

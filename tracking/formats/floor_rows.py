@@ -64,7 +64,7 @@ class Places:
 def fps_of(path: Path, exported: Exported) -> float:
     """Frames a second; raises FormatError where they are not known."""
     if exported.fps is None:
-        raise FormatError(f"{path}: the format needs the frames a second, which are not known")
+        raise FormatError(f"{path}: the format needs the frames per second, which are not known")
     return float(exported.fps)
 
 

@@ -93,14 +93,14 @@ def import_floor_text(path: Path, filmed: Filmed, report: Progress = no_progress
     rows_of = NumberRows(reading, _SHAPE, trial)
     table, lines = rows_of.read(comments.passed_over(pieces_of(path, report)))
     if comments.wrong_fps:
-        wrong = f"the file says {comments.wrong_fps[:20]} frames a second"
+        wrong = f"the file says {comments.wrong_fps[:20]} frames per second"
         reading.notes.append(f"{wrong}, which is invalid and passed over")
     unit = comments.unit_of(path, filmed.stated.unit)
     fps = filmed.stated.fps if comments.fps is None else comments.fps
     if filmed.stated.unit not in ("", unit):
         reading.notes.append(f"the file says {unit} itself; {filmed.stated.unit} is passed over")
     if filmed.stated.fps not in (None, fps):
-        own = f"the file says {fps:g} frames a second itself"
+        own = f"the file says {fps:g} frames per second itself"
         reading.notes.append(f"{own}; {filmed.stated.fps:g} is passed over")
     rows: dict[str, NDArray[Any]] = {
         "frame": table[:, 1],
@@ -158,7 +158,7 @@ class _Comments:
 
 
 def export_pedpy(path: Path, exported: Exported, report: Progress) -> tuple[Path, ...]:
-    """Write what PedPy loads, by frame. Raises FormatError without places or frames a second."""
+    """Write what PedPy loads, by frame. Raises FormatError without places or frames per second."""
     fps = fps_of(path, exported)
     Places(path, exported)
     name = line(exported.name)

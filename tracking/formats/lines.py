@@ -114,4 +114,4 @@ def _check_header(
     if unknown or len(set(header)) < len(header):
         name = unknown[0] if unknown else next(n for n in header if header.count(n) > 1)
         what = "is none of ours" if unknown else "stands there twice"
-        raise FormatError(f"{path}, line 1: the column {name[:_TOLD]!r} {what}; take it out")
+        raise FormatError(f"{path}, line 1: the column {name[:_TOLD]!r} {what}; remove it")

@@ -58,7 +58,7 @@ def read_part_labels(path: Path, author: str = "") -> list[GivenLabel]:
     if {"label", "source", FEATURE_NAMES[0]} <= set(header_of(path)):
         raise FormatError(
             f"{path} holds samples, which are labels no more: train from it (trackwright train), "
-            "or export labels (--format labels) to take into a session"
+            "or export labels (--format labels) to import into a session"
         )
     given = [_given(path, line, row, author) for line, row in numbered_rows(path, _NEEDED, _ALSO)]
     seen: dict[tuple[int, int, int], int] = {}
@@ -66,7 +66,7 @@ def read_part_labels(path: Path, author: str = "") -> list[GivenLabel]:
         earlier = seen.setdefault(one.label.key, one.line)
         if earlier != one.line:
             raise FormatError(
-                f"{one.place}: line {earlier} speaks of the same part; take one of them out"
+                f"{one.place}: line {earlier} speaks of the same part; remove one of them"
             )
     return given
 

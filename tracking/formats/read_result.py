@@ -71,7 +71,7 @@ class Stated:
         if self.unit not in ("", "m", "cm"):
             raise FormatError(f"unit {self.unit!r} is unknown; choose m or cm")
         if self.fps is not None and not 0 < self.fps < FASTEST_FPS:
-            raise FormatError(f"{self.fps:g} frames a second are no such number; 25 is usual")
+            raise FormatError(f"{self.fps:g} frames per second are no such number; 25 is usual")
 
 
 @dataclass(frozen=True, slots=True)

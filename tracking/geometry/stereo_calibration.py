@@ -86,5 +86,5 @@ def _check_side_by_side(rotation: Floats, translation: Floats) -> None:
     if centre[0] < abs(centre[1]) or centre[0] < abs(centre[2]):
         raise CalibrationError(
             "calibration: the right camera does not stand right of the left one; "
-            "exchange the cameras or calibrate them side by side"
+            "swap the cameras or calibrate them side by side"
         )

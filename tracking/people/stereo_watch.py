@@ -105,8 +105,8 @@ class StereoWatch:
     def notes(self) -> tuple[str, ...]:
         """What the user should know, a line each; nothing while both cameras are well."""
         failed = [
-            f"the right camera shows nothing new in frames {first} to {last}: people are followed "
-            f"by the left camera alone there, {_MUCH_WORSE}; look after the camera or its cable"
+            f"the right camera shows nothing new in frames {first} to {last}: people are tracked "
+            f"with the left camera alone there, {_MUCH_WORSE}; look after the camera or its cable"
             for first, last in self._failed
         ]
         return (*_first_few(failed), *_first_few(self._lagged))
@@ -162,7 +162,7 @@ def _told_late(frame: int, lag: int | None) -> str:
     if lag is None:
         return (
             f"from frame {frame} on the cameras do not show the same instant, and the lag is "
-            f"unknown: people are followed by the left camera alone, {_MUCH_WORSE}"
+            f"unknown: people are tracked with the left camera alone, {_MUCH_WORSE}"
         )
     if lag == 0:
         return f"from frame {frame} on both cameras show the same instant"

@@ -15,13 +15,13 @@ def checked_fps(fps: float, where: str) -> float:
     """The rate itself.
 
     Args:
-        fps: frames a second. where: who told it, for the message.
+        fps: frames per second. where: who told it, for the message.
 
     Raises:
-        RecordingError: no camera takes that many frames a second; NaN, too.
+        RecordingError: no camera takes that many frames per second; NaN, too.
     """
     if not LEAST_FPS <= fps <= MOST_FPS:
-        raise RecordingError(f"{where} must be {LEAST_FPS} to {MOST_FPS} frames a second")
+        raise RecordingError(f"{where} must be {LEAST_FPS} to {MOST_FPS} frames per second")
     return fps
 
 

@@ -107,7 +107,9 @@ def _in_folder(folder: Path) -> Located:
         return Located(folder, folder, manifest, text, trusted=False, own=True)
     kitti = _kitti(folder) or _only_sequence(folder)
     if kitti is not None:
-        rate = f"frames a second are not said: {_KITTI_FPS:g}, as KITTI has; --fps says otherwise"
+        rate = (
+            f"frames per second are not stated: {_KITTI_FPS:g}, as KITTI has; --fps says otherwise"
+        )
         return replace(kitti, notes=(rate,))
     name = folder.resolve().name
     if image_files([file for file in folder.iterdir() if file.is_file()]):

@@ -37,7 +37,7 @@ class Recording:
         path: what was opened.
         folder: what the paths of its manifest are relative to.
         name: for people.
-        fps: frames a second; the manifest's counts before the video's.
+        fps: frames per second; the manifest's counts before the video's.
         frame_count: the number of frames; of two cameras that differ, the shorter one's.
         size: width and height of one camera's pictures in px.
         right_lag: frames by which the right camera is late, where the manifest tells; see
@@ -199,7 +199,7 @@ def _manifest_notes(located: Located, cameras: ImagePairs, fps: float) -> tuple[
     streamed = cameras.sources[0].fps
     if streamed is not None and abs(streamed - fps) > 0.01 * fps:
         notes.append(
-            f"{cameras.sources[0].name}: the video says {streamed:g} frames a second, the "
+            f"{cameras.sources[0].name}: the video says {streamed:g} frames per second, the "
             f"recording {fps:g}; the recording counts"
         )
     return tuple(notes)

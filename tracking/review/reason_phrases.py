@@ -29,7 +29,7 @@ class Words:
 WORDS: Mapping[str, Words] = MappingProxyType(
     {
         "exchange": Words(
-            "", "{a} and {b} look like each other from {time} on: their colours changed over"
+            "", "{a} and {b} look like each other from {time} on: their colours swapped"
         ),
         "turn": Words("", "{a} goes on as {b} was walking and {b} as {a}, {way} off, at {time}"),
         "crossing": Words("", "{a} and {b} passed within {way} at {time}"),

@@ -43,7 +43,8 @@ def _refuse_overfull(truth: ScoringTable, frames: Frames) -> None:
         fullest = int((down * across).argmax())
         raise FormatError(
             f"frame {truth.frame[frames.truth[fullest]]} (from 0) has {down[fullest]:,} rows in "
-            f"the truth and {across[fullest]:,} in the result, too many to compare: check both"
+            f"the ground truth and {across[fullest]:,} in the result, too many to compare: check "
+            "both"
         )
 
 

@@ -74,7 +74,7 @@ def compare(truth: ScoringTable, result: ScoringTable, match: Match) -> Comparis
     A result row that is matched with a don't-care (at the threshold, among all rows of the frame)
     is dropped, then all rows that do not count are.
     """
-    match.require(truth, "truth")
+    match.require(truth, "ground truth")
     match.require(result, "result")
     if not truth.counted.all():
         result = result.rows(_not_on_dont_cares(truth, result, match))

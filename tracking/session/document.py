@@ -245,7 +245,7 @@ class Session(OnDisk):
             self._write(replace(self.begin_save(), most=UNLIMITED))
         found = [kept for kept in find_backups(path) if file_state(kept) == known]
         if known is None or not found:
-            raise SessionError(f"{path}: backup {number} was taken away meanwhile")
+            raise SessionError(f"{path}: backup {number} was deleted meanwhile")
         file = found[0]
         stamps = next_stamps(older.stamps, self._stamps, store)
         recording = self._whereabouts.reference

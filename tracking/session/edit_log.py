@@ -86,7 +86,7 @@ def _fate(history: History, entry: Entry) -> str:
     if entry.undone:
         return "undone"
     taker = history.taken_back_by(entry.id)
-    return f"taken back by {taker}" if taker else ""
+    return f"undone by {taker}" if taker else ""
 
 
 def _document(history: History, entry: Entry) -> dict[str, Any]:

@@ -39,8 +39,8 @@ class Finding:
         when = f" on {self.found[:19].replace('T', ' ')} UTC" if self.found else ""
         kept = f" (as it was then: {self.kept} in the folder beside it)" if self.kept else ""
         return (
-            f"{path} was found damaged{when}: {self.what}{kept}; restore a backup, or take it as "
-            "it is (trackwright restore --accept-damage)"
+            f"{path} was found damaged{when}: {self.what}{kept}; restore a backup, or accept it "
+            "as it is (trackwright restore --accept-damage)"
         )
 
 

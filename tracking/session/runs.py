@@ -264,7 +264,7 @@ class Runs(Sequence[Run]):
         if number == adopted:
             raise EditError(f"run {number}: the corrected tracks began as it; it stays")
         if saving:
-            raise EditError(f"run {number} is being saved; drop it when that is done")
+            raise EditError(f"run {number} is being saved; delete it when that is done")
         del self._held[number], self._serials[number]
         self._loaded.pop(number, None)
 

@@ -220,8 +220,8 @@ def _differing_footage(imported: Imported, filmed: Filmed) -> list[str]:
         )
     if imported.fps and filmed.fps and abs(imported.fps - filmed.fps) > 0.01 * filmed.fps:
         notes.append(
-            f"the file is of {imported.fps:g} frames a second, the recording of {filmed.fps:g}; "
-            "frames are taken by their number"
+            f"the file is of {imported.fps:g} frames per second, the recording of {filmed.fps:g}; "
+            "frames are matched by their number"
         )
     if imported.frames and filmed.frames and imported.frames != filmed.frames:
         notes.append(f"the file is of {imported.frames} frames, the recording has {filmed.frames}")

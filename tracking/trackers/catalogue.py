@@ -158,7 +158,7 @@ TRACKERS: Mapping[str, TrackerSpec] = MappingProxyType({spec.name: spec for spec
 """The trackers that can be run, the best first."""
 
 _NOTHING = ("", "[]")
-_WITHOUT = " (without, three-part follows people in pixels)"
+_WITHOUT = " (without, three-part tracks people in pixels)"
 
 
 def tracker_named(name: str) -> TrackerSpec:

@@ -74,7 +74,7 @@ def _check_once(path: Path, table: TruthTable, line: Rows, keys: Rows) -> None:
         first = again[np.argmin(line[again + 1])]
         raise FormatError(
             f"{path}, line {line[first + 1]}: line {line[first]} gives {table.once}; "
-            "take one of them out"
+            "remove one of them"
         )
 
 

@@ -70,7 +70,9 @@ def train(
             help="Sessions with labelled body parts, or samples exported from sessions (.csv, .h5)."
         ),
     ],
-    out: Annotated[Path, typer.Option("--out", "-o", help="The detector to make: NAME.h5.")],
+    out: Annotated[
+        Path, typer.Option("--out", "-o", help="The part-failure detector to make: NAME.h5.")
+    ],
     report: Annotated[
         Path | None, typer.Option(help="Folder for a report with curves and mistakes.")
     ] = None,
@@ -93,7 +95,7 @@ def train(
     seed: options.Seed = 0,
     json: options.Json = False,
 ) -> None:
-    """Train the failure detector of body parts from labels."""
+    """Train the part-failure detector from labels."""
     from app.cli.train import TrainRequest, run_train
 
     request = TrainRequest(

@@ -168,13 +168,13 @@ KEYFRAME: Final = EditSpec(
 
 NO_KEYFRAME: Final = EditSpec(
     "no keyframe",
-    "Remove a keyframe of {a}",
+    "Delete a keyframe of {a}",
     _no_keyframe,
     (EditScope.FRAME,),
     (
         EditCommand(
             "tracks.no_keyframe",
-            "Remove the keyframe",
+            "Delete the keyframe",
             ("Ctrl+Shift+W",),
             submenu="Keyframes and gaps",
         ),

@@ -124,7 +124,7 @@ def _counts(change: Change, table: TrackTable) -> list[str]:
     said = (
         (new, tr("Adds {what}")),
         (changed, tr("Changes {what}")),
-        (gone, tr("Removes {what}")),
+        (gone, tr("Deletes {what}")),
     )
     return [text.format(what=_frames_of(counts)) for counts, text in said if counts]
 

@@ -128,7 +128,7 @@ class ComparePanel(QFrame):
         self._figures.setText(scene.figures)
         stretches = tr("You agree everywhere.")
         if scene.rows:
-            said = "You disagree in {n} stretch.", "You disagree in {n} stretches."
+            said = "You disagree in {n} range.", "You disagree in {n} ranges."
             stretches = count_text(len(scene.rows), *said)
         changed = tr("Your session has changed since.") if scene.outdated else ""
         dashed = tr("Their people are dashed.")

@@ -177,7 +177,7 @@ class ComparisonController(Controller):
         except TrackwrightError as error:
             self.failed.emit(error)
             return
-        self.said.emit(tr("Dropped: run {n}", n=number))
+        self.said.emit(tr("Deleted: run {n}", n=number))
         self.changed.emit()
 
     # finding

@@ -135,7 +135,7 @@ class DifferencesPanel(Panel):
         self._take_solid = QPushButton(self)
         self._take_solid.setAccessibleName(tr("Take what is ticked from the solid version"))
         self._take_solid.clicked.connect(lambda: self.taken.emit(0))
-        self._drop = QPushButton(tr("Drop this run"), self)
+        self._drop = QPushButton(tr("Delete this run"), self)
         self._drop.setToolTip(tr("Delete the run; otherwise it is kept among the runs"))
         self._drop.clicked.connect(self.dropped)
         self._close = QPushButton(tr("Close"), self)

@@ -53,7 +53,7 @@ class AttributesTable(QTableWidget):
         self.setMinimumHeight(self.horizontalHeader().sizeHint().height() + rows + 4)
         self.add_button = IconButton("add", tr("Add an attribute"), parent=self)
         self.add_button.clicked.connect(self.add_row)
-        self.remove_button = IconButton("remove", tr("Remove the attribute"), parent=self)
+        self.remove_button = IconButton("remove", tr("Delete the attribute"), parent=self)
         self.remove_button.clicked.connect(self._remove_row)
         self.itemSelectionChanged.connect(self._enable)
         self.itemChanged.connect(self._take_change)

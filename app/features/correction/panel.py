@@ -103,7 +103,7 @@ class EditPanel(QFrame):
         line.addStretch(0)
 
     def _build_cuts(self, rows: QVBoxLayout) -> None:
-        self._cuts = ProposalChips(tr("Changed over at"), self)
+        self._cuts = ProposalChips(tr("Swapped at"), self)
         self._cuts.chosen.connect(self.cut_proposed)
         rows.addWidget(self._cuts)
 

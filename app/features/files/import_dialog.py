@@ -120,7 +120,7 @@ class ImportDialog(QDialog):
         header.setSectionResizeMode(0, QHeaderView.ResizeMode.ResizeToContents)
         header.setSectionResizeMode(1, QHeaderView.ResizeMode.Stretch)
         self._bad.setMinimumHeight(_BAD_LINES * self.fontMetrics().lineSpacing())
-        self._takes_good = QCheckBox(tr("Leave them out and take the &other rows"), self)
+        self._takes_good = QCheckBox(tr("Leave them out and import the &other rows"), self)
         self._takes_good.toggled.connect(self.choice_made)
         for widget in (self._bad_title, self._bad, self._takes_good):
             rows.addWidget(widget)

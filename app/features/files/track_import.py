@@ -251,7 +251,7 @@ def _why_not(fitted: FittedTracks) -> str:
     if not len(fitted.found.rows["frame"]):
         return tr("there is nothing to import")
     if fitted.found.bad_count and not fitted.choice.takes_good:
-        return tr("choose whether to take the other rows, or correct the file")
+        return tr("choose whether to import the other rows, or correct the file")
     if fitted.into is not None and fitted.written is None:
         return tr("the session has these tracks already")
     return ""

@@ -73,7 +73,7 @@ COMMANDS: Final = (
     _choose("hip_leg", "Choose hip and legs", "9", 2),
     Command[LabellingApp](
         "labels.forget",
-        "Remove the part's label",
+        "Delete the part's label",
         "Labels",
         ("Alt+Backspace",),
         selected,

@@ -119,10 +119,10 @@ class Shapes(Controller):
     def _tell_where(self) -> None:
         """A click in a view the tool does not draw on; on its own a layer lies above."""
         if self._tool is Tool.OCCLUDERS:
-            self.said.emit(tr("Occluders are drawn in the left camera"))
+            self.said.emit(tr("Occluders are drawn in the left image"))
         elif self._tool is not None and self._tool.on_floor:
             self.said.emit(
-                tr("Lines and regions are drawn in the overhead view, or in the left camera")
+                tr("Lines and regions are drawn in the overhead view, or in the left image")
             )
 
     def _change(self, plan: Callable[..., Change]) -> None:

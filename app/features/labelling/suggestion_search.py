@@ -76,12 +76,12 @@ class SuggestionSearch(QObject):
 
     def _doing(self) -> str:
         if self._job is not None:
-            return tr("Looking where the detector is least sure...")
+            return tr("Looking where the part-failure detector is least sure...")
         if self._problem or self.queue.open:
             return self._problem
         return tr(
-            "No suggestions are left: train the detector (Ctrl+D) with the labels, and track "
-            "again with it."
+            "No suggestions are left: train the part-failure detector (Ctrl+D) with the labels, "
+            "and track again with it."
         )
 
     def _take(self, found: tuple[SuggestedPart, ...]) -> None:

@@ -94,7 +94,7 @@ class SuggestionsList(QWidget):
         self._list = QListView(self)
         self._list.setModel(self._model)
         self._list.setItemDelegate(_Delegate(self._list))
-        self._list.setAccessibleName(tr("Where the detector is least sure"))
+        self._list.setAccessibleName(tr("Where the part-failure detector is least sure"))
         self._list.setProperty("rows", True)
         self._list.setUniformItemSizes(True)
         self._list.setFocusPolicy(Qt.FocusPolicy.NoFocus)

@@ -114,7 +114,7 @@ class PartsController(Controller):
         if failure.by_rule:
             said = tr(
                 "The {part} of {track} begins to fail in frame {frame}, by a rule of the tracker;"
-                " the detector did not report it"
+                " the part-failure detector did not report it"
             )
         track = f"{failure.track} {who}".rstrip()
         return said.format(part=part_name(failure.part), track=track, frame=failure.frame)

@@ -49,7 +49,7 @@ class CurvesPlot(FramePlot):
         self._scene = CurvesScene("")
         self._strips = (
             _Strip(
-                tr("Score of the detector in the run"),
+                tr("Score of the part-failure detector in the run"),
                 lambda one: one.score,
                 (-1.0, 1.0),
                 0.46,

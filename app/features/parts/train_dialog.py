@@ -62,7 +62,7 @@ class TrainDialog(QDialog):
         """
         super().__init__(parent)
         self._last = last
-        self.setWindowTitle(tr("Train the detector"))
+        self.setWindowTitle(tr("Train the part-failure detector"))
         self._sources: list[Source] = []
         self._job: Job | None = None
         self._waiting = [partial(source_at, path) for path in before]

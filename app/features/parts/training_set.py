@@ -118,7 +118,7 @@ def source_at(path: Path, *, from_truth: bool = False, allow_outside: bool = Fal
     if exported is not None:
         if from_truth:
             raise TrainingError(
-                f"{path} holds samples: truth belongs to sessions; leave --from-truth out"
+                f"{path} holds samples: ground truth belongs to sessions; leave --from-truth out"
             )
         return Source(path.name, path, exported, "")
     with closing(Session.look_into(path)) as session:

@@ -167,7 +167,7 @@ def why_nothing(state: FrameState, name: str) -> str:
     """What to do where something that was asked for is not seen in the frame; "": it is."""
     tracks, frame = state.tracks, state.frame
     if name == "tracklets" and not len(tracks.tracklets(frame)["track"]):
-        return tr("No points are followed here: track with flow (Ctrl+T) to see tracklets")
+        return tr("No points are tracked here: track with flow (Ctrl+T) to see tracklets")
     if name == "outlines" and not len(tracks.particles(frame)["track"]):
         return tr("No hypotheses here: track with spheroid, or two cameras (Ctrl+T), to see them")
     if name == "evaluation" and not _has_regions(state.run):

@@ -41,7 +41,7 @@ def _watched(app: ReviewApp) -> str:
     """A stretch must have been watched."""
     if editable(app) or app.reviewing.watching.stretch[1] > 0:
         return editable(app)
-    return tr("play a stretch first")
+    return tr("play a range first")
 
 
 def _watched_of_some(app: ReviewApp) -> str:
@@ -66,7 +66,7 @@ def _with_truth(app: ReviewApp) -> str:
 COMMANDS: Final[tuple[Command[ReviewApp], ...]] = (
     Command(
         "review.play",
-        "Play the item's stretch",
+        "Play the item's range",
         "Review",
         ("Shift+N",),
         _looked_at,
@@ -74,7 +74,7 @@ COMMANDS: Final[tuple[Command[ReviewApp], ...]] = (
     ),
     Command(
         "review.plays",
-        "Play each stretch when going to it",
+        "Play each item's range when going to it",
         "Review",
         enabled=session,
         run=lambda app: app.reviewing.set_plays(not app.reviewing.plays),

@@ -85,7 +85,7 @@ class ReviewPanel(Panel):
 
     def _build_heading(self) -> None:
         self._left = quiet("", self)
-        self._plays = IconButton("play", tr("Play each stretch when going to it"), "", self)
+        self._plays = IconButton("play", tr("Play each item's range when going to it"), "", self)
         self._plays.setCheckable(True)
         self._plays.clicked.connect(self.playing_chosen)
         self.add_to_heading(self._left)

@@ -20,14 +20,14 @@ class PartsLine(QWidget):
         self._choices = [*in_use, DetectorChoice()]
         self._detector = QComboBox(self)
         self._detector.addItems([choice.name for choice in self._choices])
-        self._detector.setAccessibleName(tr("Failure detector"))
+        self._detector.setAccessibleName(tr("Part-failure detector"))
         tip = tr("Others are opened or trained in the Detector menu")
         self._detector.setToolTip(tip)
         self._occluders = quiet(self._said(len(asked.occluders)), self)
         self._occluders.setWordWrap(True)
         self._form = QFormLayout(self)
         self._form.setContentsMargins(0, 0, 0, 0)
-        self._form.addRow(tr("Failure detector"), self._detector)
+        self._form.addRow(tr("Part-failure detector"), self._detector)
         self._form.addRow(self._occluders)
 
     def _said(self, count: int) -> str:

@@ -125,7 +125,7 @@ class RunsDialog(QDialog):
         self._correct = QPushButton(tr("Correct this run"), self)
         self._correct.setAutoDefault(False)
         self._correct.clicked.connect(self._ask_correct)
-        self._drop = QPushButton(tr("Drop the last run"), self)
+        self._drop = QPushButton(tr("Delete the last run"), self)
         self._drop.setAutoDefault(False)
         self._drop.clicked.connect(self._ask_drop)
         close = QPushButton(tr("Close"), self)
@@ -198,7 +198,7 @@ class RunsDialog(QDialog):
         self._compare.setEnabled(len(chosen) in (1, 2) and bool(runs) and not said)
         self._compare.setToolTip(said)
         if len(runs) == 2:
-            text = tr("Compares the two runs; you can take stretches from either.")
+            text = tr("Compares the two runs; you can take differences from either.")
         elif runs and len(chosen) <= 2:
             text = said or tr("Compares the run with the corrected tracks.")
         else:

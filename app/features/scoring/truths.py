@@ -123,7 +123,9 @@ def _of_file(source: TruthSource, found: Measurable) -> Truth:
         left_out = count_text(found.bad_count, "{n} row is left out", "{n} rows are left out")
         notes.append(f"{left_out}: {first.place}: {first.reason}")
     if found.bad_count and not len(found.columns["frame"]):
-        raise FormatError(f"{source.path} has no rows that can be read; choose another truth")
+        raise FormatError(
+            f"{source.path} has no rows that can be read; choose another ground truth"
+        )
     return _truth(source, found.columns, tuple(notes), dont_cares=found.dont_cares)
 
 
@@ -162,4 +164,4 @@ def refuse_own(path: Path, own: Session) -> None:
         SessionError: the file is the open session.
     """
     if own.path is not None and path.resolve() == own.path.resolve():
-        raise SessionError(f"{path.name} is the open session itself; choose another truth")
+        raise SessionError(f"{path.name} is the open session itself; choose another ground truth")

@@ -62,7 +62,7 @@ def test_it_tells_what_would_change_and_keeps_nothing(
     (over,) = (each for each in told["differences"] if each["kind"] == "identity")
     assert (over["track"], over["other"], over["protected"]) == (min(a, b), max(a, b), False)
     assert abs(over["start"] - CUT) <= 2
-    assert f"{min(a, b)} and {max(a, b)} change over from frame" in over["text"]
+    assert f"{min(a, b)} and {max(a, b)} are swapped from frame" in over["text"]
     assert bytes_of(path) == before
 
 

@@ -77,7 +77,7 @@ def test_places_without_a_unit_are_taken_in_the_one_that_is_named(
     status, _, err = trackwright("import", boxes, "--into", out, "--unit", "cm")
     assert (status, "has a unit of its own" in err) == (2, True)
     status, _, err = trackwright("import", tracks, "--into", out, "--unit", "cm", "--fps", "99")
-    assert (status, "the file is of 99 frames a second" in err) == (0, True)
+    assert (status, "the file is of 99 frames per second" in err) == (0, True)
 
 
 def test_places_without_a_unit_are_scored_in_the_one_that_is_named(

@@ -22,7 +22,7 @@ def test_bad_rows_are_told_with_line_and_reason_and_nothing_is_written(
     assert (status, out) == (1, "")
     assert err.splitlines()[-1] == (
         f"trackwright: {tracks}: 1 row is invalid, in line 4: the box has a negative size; "
-        "correct the file, or add --take-good to take the others"
+        "correct the file, or add --take-good to import the others"
     )
     assert [file.name for file in tmp_path.iterdir()] == ["tracks.txt"]
     assert trackwright(*words, "--json")[:2] == (1, "")

@@ -35,7 +35,7 @@ def test_log_prints_a_line_an_edit(trackwright: Trackwright, edited: Path) -> No
     assert (status, len(lines)) == (0, 3)
     assert "ada" in lines[0]
     assert "Swap" in lines[0]
-    assert lines[0].endswith("(taken back by 3)")
+    assert lines[0].endswith("(undone by 3)")
     assert "red\\x1bcoat" in lines[1]
     assert "Undo edit 1 alone" in lines[2]
 

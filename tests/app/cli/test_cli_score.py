@@ -46,7 +46,7 @@ def test_a_truth_that_hardly_anything_matches_is_asked_about(
     Path(pair[1]).write_text(elsewhere)
     assert run(["score", pair[0], "--truth", pair[1]]) == 0
     err = capsys.readouterr().err
-    asked = "0 of 20 rows match the truth: is it of the same recording, and are its frames counted"
+    asked = "0 of 20 rows match the ground truth: is it of the same recording"
     assert asked in err
     Path(pair[1]).write_text("")
     assert run(["score", pair[0], "--truth", pair[1]]) == 0
@@ -158,8 +158,8 @@ def test_some_frames_are_measured_as_if_there_were_no_others(
         ("all", "frames 'all' are not A:B"),
         ("5:5", "frames 5:5 holds no frames"),
         ("9:3", "frames 9:3 holds no frames"),
-        ("15:29", "15:29: from frame 20 on there is nothing in result or truth; choose a range "),
-        ("25:29", "from frame 25 on there is nothing in result or truth"),
+        ("15:29", "15:29: from frame 20 on there is nothing in result or ground truth; choose "),
+        ("25:29", "from frame 25 on there is nothing in result or ground truth"),
         ("25:", "choose a range within 0:20"),
     ],
 )
@@ -232,7 +232,7 @@ def test_recordings_that_seem_to_differ_are_told(
     truth = str(tmp_path / "marks")
     assert run(["score", str(tmp_path / "lane" / "truth.txt"), "--truth", truth, "--json"]) == 0
     err = capsys.readouterr().err
-    assert "different recordings: named lane and marks; 10 and 15 frames a second" in err
+    assert "different recordings: named lane and marks; 10 and 15 frames per second" in err
     assert run(["score", str(tmp_path / "marks" / "truth.txt"), "--truth", truth, "--json"]) == 0
     assert "different recordings" not in capsys.readouterr().err
 

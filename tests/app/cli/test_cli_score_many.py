@@ -98,7 +98,7 @@ def test_names_without_a_partner_are_told_and_left_out(
     status, out, err = trackwright("score", tracker, "--truth", truths, "--json")
     assert status == 0
     assert "mine has no file for B-02" in err
-    assert "mine has files without truth: C-03" in err
+    assert "mine has files without ground truth: C-03" in err
     assert list(json.loads(out)["sequences"]) == ["A-01"]
 
 
@@ -198,7 +198,7 @@ def test_distances_without_places_on_the_floor_are_one_line(
     words = ["score", path, "--truth", path, "--distances", "0,5"]
     status, out, _ = trackwright(*words)
     assert status == 0
-    assert out.splitlines()[-1] == "By distance: the truth has no places on the floor."
+    assert out.splitlines()[-1] == "By distance: the ground truth has no positions on the floor."
     assert json.loads(trackwright(*words, "--json")[1])["distances"] == []
 
 
@@ -240,7 +240,7 @@ def test_passages_over_a_line_are_compared_with_those_that_happened(
     }  # fmt: skip
     (truth.parent / "seqinfo.ini").unlink()
     status, _, err = trackwright(*words)
-    assert (status, err.splitlines()[-1].count("frames a second")) == (1, 1)
+    assert (status, err.splitlines()[-1].count("frames per second")) == (1, 1)
 
 
 def test_lines_drawn_in_a_session_count_where_places_are_known(

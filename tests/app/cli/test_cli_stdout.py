@@ -88,7 +88,7 @@ def test_a_failed_command_prints_no_document(
     words = ("import", tracks, "-r", footage, "-o", out)
     status, printed, err = trackwright(*words, "--json")
     assert (status, printed, err.count("\n")) == (1, "", 1)
-    assert err.endswith("--take-good to take the others, --report to list all\n")
+    assert err.endswith("--take-good to import the others, --report to list all\n")
     status, printed, err = trackwright(*words, "--report")
     assert (status, printed) == (1, "")
     assert err.count("negative size") == 3

@@ -84,11 +84,11 @@ def test_two_cameras_without_calibration_say_what_is_not_used(
     asked = ["track", "-o", tmp_path / "s.h5", "--frames", "0:2", *cameras]
     err = trackwright(*asked, "--height", "6.4", "--tilt", "60")[2]
     assert (
-        "note: no calibration: three-part follows people by the left camera; the right camera, "
+        "note: no calibration: three-part tracks people with the left camera; the right camera, "
         "height and tilt are not used\n"
     ) in err
     assert "left camera; the right camera is not used\n" in trackwright(*asked)[2]
     calibrated = trackwright(*asked, "--calibration", footage / "calibration.yaml")[2]
-    assert "note: no height and tilt of the camera: three-part follows" in calibrated
+    assert "note: no height and tilt of the camera: three-part tracks" in calibrated
     named = trackwright(*asked, "--tracker", "three-part")[2]
     assert "not used" not in named

@@ -299,7 +299,7 @@ def test_without_truth_beside_it_a_recording_does_not_label_itself(
         (["export", "{made}", "-o", "{out}", "--format", "labels"], "no labels of body parts"),
         (["export", "{made}", "-o", "{out}", "--format", "samples", "--run", "0"], "leave it out"),
         (["train", "{missing}", "-o", "{out}"], "there is no such session"),
-        (["train", "{made}", "-o", "d0.txt"], "a detector's name ends in .h5"),
+        (["train", "{made}", "-o", "d0.txt"], "a part-failure detector's name ends in .h5"),
         (["import-labels", "{samples}", "{made}"], "holds samples, which are labels no more"),
         (["train", "{labels}", "-o", "{out}"], "take them into the session they belong to"),
     ],

@@ -316,10 +316,10 @@ def test_the_menu_shows_which_detector_is_in_use(hands, window, qtbot, tmp_path)
     window.bring_up_to_date()
     assert not built_in.isChecked()
     assert from_file.isChecked()
-    assert from_file.text() == "Use a detector from a file... (mine && yours.h5)"
+    assert from_file.text() == "Use a part-failure detector from a file... (mine && yours.h5)"
     window.run_command("detector.built_in")
     window.bring_up_to_date()
-    assert from_file.text() == "Use a detector from a file..."
+    assert from_file.text() == "Use a part-failure detector from a file..."
 
 
 def test_a_file_that_is_no_detector_is_refused_and_the_one_in_use_stays(

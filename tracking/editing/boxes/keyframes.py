@@ -100,9 +100,9 @@ def plan_delete_keyframe(
     hung between it and its other side. Raises EditError where the frame is no keyframe.
     """
     if standing_row(table, track, frame)["source"][0] != Source.PERSON:
-        raise EditError(f"frame {frame} is no keyframe of track {track}; nothing to take away")
+        raise EditError(f"frame {frame} is no keyframe of track {track}; nothing to delete")
     old = rows_around(table, track, frame)
-    text = f"Take the keyframe of {track} in frame {frame} away"
+    text = f"Delete the keyframe of {track} in frame {frame}"
     if _held_on_both_sides(old, frame):
         new = select_rows(old, slice(None))
         new["source"][new["frame"] == frame] = Source.INTERPOLATED

@@ -86,7 +86,7 @@ def propose_swap_frames(
     """
     check_known(table, a, b)
     if a == b:
-        raise EditError(f"track {a} cannot change over with itself; choose two different tracks")
+        raise EditError(f"track {a} cannot be swapped with itself; choose two different tracks")
     both = np.intersect1d(table.frames_of_track(a), table.frames_of_track(b), assume_unique=True)
     courses, frames = _meeting(table, a, b, near)
     if not (len(both) and len(frames)):
@@ -223,7 +223,7 @@ def _text(walks: float, looks: float, apart: float, courses: Courses) -> str:
     if walks > _SPEAKS:
         reasons.append("each walks on as the other did")
     if looks > _SPEAKS:
-        reasons.append("their looks change over")
+        reasons.append("their appearances swap")
     return ", ".join(reasons)
 
 

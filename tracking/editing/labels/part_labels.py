@@ -49,7 +49,7 @@ def plan_unlabel_part(labels: Labels, *keys: PartKey) -> Change:
         gone.append(label)
     if not gone:
         raise EditError("no part is named; choose one that has a label")
-    return _change("unlabel", f"Take the label of {_named(gone)} away", gone, [])
+    return _change("unlabel", f"Delete the label of {_named(gone)}", gone, [])
 
 
 def with_parts_carried(change: Change, labels: Labels) -> Change:

@@ -92,9 +92,9 @@ def _text(out: Sequence[_Drawn], into: Sequence[_Drawn], what: str) -> str:
     if len(into) == 1 and not out:
         return f'Draw {what} "{into[0].name}"'
     if len(out) == 1 and not into:
-        return f'Take {what} "{out[0].name}" away'
+        return f'Delete {what} "{out[0].name}"'
     if len(out) == len(into) == 1:
         if out[0].name == into[0].name:
             return f'Change {what} "{into[0].name}"'
         return f'Put {what} "{into[0].name}" in place of "{out[0].name}"'
-    return f"Change {what}s: {len(into)} drawn, {len(out)} taken away"
+    return f"Change {what}s: {len(into)} drawn, {len(out)} deleted"

@@ -27,7 +27,7 @@ def plan_rename(
     name = " ".join(writable(name).split())
     _check_length(name, LONGEST_NAME, f"track {track}: a name")
     label = replace(labels.of_track(track), name=name)
-    text = f'Name {track} "{name}"' if name else f"Take the name of {track} away"
+    text = f'Name {track} "{name}"' if name else f"Delete the name of {track}"
     return _relabel(table, labels, track, label, ("rename", text), frame)
 
 
@@ -50,7 +50,7 @@ def plan_set_attribute(
     if value is not None:
         attributes[key] = writable(value)
     label = replace(labels.of_track(track), attributes=dict(sorted(attributes.items())))
-    text = f"Take {key} of {track} away" if value is None else f"Set {key} of {track} to {value}"
+    text = f"Delete {key} of {track}" if value is None else f"Set {key} of {track} to {value}"
     return _relabel(table, labels, track, label, ("attribute", " ".join(text.split())), frame)
 
 

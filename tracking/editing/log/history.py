@@ -182,7 +182,7 @@ class History:
         if entry.undone:
             return f"edit {number} is undone already"
         if taker := self.taken_back_by(number):
-            return f"edit {number} is taken back already, by edit {taker}"
+            return f"edit {number} is undone already, by edit {taker}"
         try:
             standing = self._standing_on(number)
         except EditError as why:  # a damaged line of the log

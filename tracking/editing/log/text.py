@@ -96,7 +96,7 @@ def _plain(value: object) -> Any:
 
 def _too_large(rows: int) -> EditError:
     return EditError(
-        f"an edit of {rows} rows is larger than the log can keep; "
+        f"an edit of {rows} rows is larger than the history can keep; "
         "make it in shorter ranges of frames or with fewer tracks at once"
     )
 

@@ -51,7 +51,7 @@ class Ends:
 
 
 def text_of(stretch: Stretch, ends: Ends) -> str:
-    """One line, e.g. "7 is followed 3.2 s longer"."""
+    """One line, e.g. "7 is tracked 3.2 s longer"."""
     texts = {"identity": _identity, "moved": _moved, "added": _added, "removed": _removed}
     return texts[stretch.kind](stretch, ends)
 
@@ -61,7 +61,7 @@ def _identity(stretch: Stretch, ends: Ends) -> str:
     to_the_end = stretch.end >= min(ends.frames[1], max(stops))
     where = scope_text(stretch.start, None if to_the_end else stretch.end)
     if stretch.mutual:
-        return f"{stretch.track} and {stretch.other} change over {where}"
+        return f"{stretch.track} and {stretch.other} are swapped {where}"
     new = "" if stretch.other in ends.table else "new track "
     return f"{stretch.track} becomes {new}{stretch.other} {where}"
 
@@ -77,7 +77,7 @@ def _added(stretch: Stretch, ends: Ends) -> str:
     if first == stop:
         return f"{stretch.track} is a new track of {time}"
     if stretch.start >= stop:
-        return f"{stretch.track} is followed {time} longer"
+        return f"{stretch.track} is tracked {time} longer"
     if stretch.end <= first:
         return f"{stretch.track} is found {time} earlier"
     return f"{stretch.track} is found for {time} where it had a gap"

@@ -29,7 +29,7 @@ def read_part_truth(folder: Path, frames: int, size_px: tuple[int, int]) -> Part
     if len(true.frame) and int(true.frame[-1]) >= frames:
         raise FormatError(
             f"{place}: frame {true.frame[-1]}; the recording has 0 to {frames - 1}; "
-            "take the truth of this recording"
+            "use the ground truth of this recording"
         )
     corners = corners_of_boxes(true.box)
     frame, person, parts = by_person(true.frame, true.person, true.part, corners)

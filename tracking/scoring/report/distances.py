@@ -12,7 +12,7 @@ from tracking.scoring.examination import Examination
 from tracking.scoring.per_distance import DistanceScore, per_distance_of
 from tracking.scoring.report.measures import finite, written
 
-NO_PLACES = "By distance: the truth has no places on the floor."
+NO_PLACES = "By distance: the ground truth has no positions on the floor."
 
 _CAMERA_M = (0.0, 0.0)
 """The world's axes start on the floor below the camera."""

@@ -35,7 +35,7 @@ MEANINGS: Mapping[str, Mapping[str, Meaning]] = {
         "DetA": Meaning("How well people are found: matches / all rows of either side."),
         "AssA": Meaning("How well ids are kept: how far a match's person and track are the same."),
         "LocA": Meaning("How exactly matched rows lie on each other."),
-        "DetRe": Meaning("Share of the truth's rows that are matched."),
+        "DetRe": Meaning("Share of the ground truth's rows that are matched."),
         "DetPr": Meaning("Share of the result's rows that are matched."),
         "AssRe": Meaning("How much of its person the track of a match covers."),
         "AssPr": Meaning("How much of its track the person of a match covers."),
@@ -45,17 +45,19 @@ MEANINGS: Mapping[str, Mapping[str, Meaning]] = {
         "HOTALocA(0)": Meaning("The product of the two."),
     },
     "Row by row (CLEAR)": {
-        "MOTA": Meaning("1 − (misses + false alarms + switches) / rows of the truth; may be < 0."),
+        "MOTA": Meaning(
+            "1 − (misses + false alarms + switches) / rows of the ground truth; may be < 0."
+        ),
         "MOTP": Meaning("Mean similarity of matched rows."),
         "MODA": Meaning("MOTA without switches."),
         "MOTAL": Meaning("MOTA with the logarithm of the switches."),
         "sMOTA": Meaning("MOTA in which a match counts as much as it is similar."),
-        "recall": Meaning("Matches / rows of the truth."),
+        "recall": Meaning("Matches / rows of the ground truth."),
         "precision": Meaning("Matches / rows of the result."),
         "F1": Meaning("Harmonic mean of recall and precision."),
-        "matches": _count("Rows of the truth with a partner in the result.", "higher"),
-        "misses": _count("Rows of the truth without one."),
-        "false_positives": _count("Rows of the result without a partner in the truth."),
+        "matches": _count("Rows of the ground truth with a partner in the result.", "higher"),
+        "misses": _count("Rows of the ground truth without one."),
+        "false_positives": _count("Rows of the result without a partner in the ground truth."),
         "false_positives_per_frame": Meaning("False alarms / frames.", "lower"),
         "id_switches": _count("A person is matched to another track than the last time."),
         "fragmentations": _count("A person is matched again after frames without a match."),
@@ -66,9 +68,9 @@ MEANINGS: Mapping[str, Mapping[str, Meaning]] = {
     "Who is who (identity)": {
         "IDF1": Meaning("Rows that are right when each person is named after one track only."),
         "IDP": Meaning("The same as a share of the result's rows."),
-        "IDR": Meaning("The same as a share of the truth's rows."),
+        "IDR": Meaning("The same as a share of the ground truth's rows."),
         "IDTP": _count("Rows that are right under that naming.", "higher"),
-        "IDFN": _count("Rows of the truth that are not."),
+        "IDFN": _count("Rows of the ground truth that are not."),
         "IDFP": _count("Rows of the result that are not."),
     },
     "Whole tracks (Track-mAP)": {
@@ -91,8 +93,8 @@ MEANINGS: Mapping[str, Mapping[str, Meaning]] = {
     },
     "What was measured": {
         "frames": _count("Length of what was measured.", None),
-        "truth_people": _count("People in the truth.", None),
-        "truth_rows": _count("Rows that count in the truth.", None),
+        "truth_people": _count("People in the ground truth.", None),
+        "truth_rows": _count("Rows that count in the ground truth.", None),
         "result_tracks": _count("Tracks in the result.", None),
         "result_rows": _count("Rows that count in the result.", None),
     },
@@ -100,6 +102,6 @@ MEANINGS: Mapping[str, Mapping[str, Meaning]] = {
 
 MOTMETRICS: Mapping[str, Meaning] = {
     "MOTP": Meaning("Mean distance (1 − similarity) of matched rows.", "lower"),
-    "matches": _count("Rows of the truth with a partner, switches not counted.", "higher"),
+    "matches": _count("Rows of the ground truth with a partner, switches not counted.", "higher"),
 }
 """What means something else as py-motmetrics has it."""

@@ -89,8 +89,8 @@ _TITLES = {
     "mostly_tracked": "mostly tracked",
     "partly_tracked": "partly tracked",
     "mostly_lost": "mostly lost",
-    "truth_people": "people in the truth",
-    "truth_rows": "rows of the truth",
+    "truth_people": "people in the ground truth",
+    "truth_rows": "rows of the ground truth",
     "result_tracks": "tracks in the result",
     "result_rows": "rows of the result",
 }

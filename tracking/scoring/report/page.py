@@ -67,7 +67,7 @@ def how(report: ScoreReport) -> str:
         if isinstance(match, FloorMatch)
         else f"where their boxes overlap by {match.threshold:g} or more (IoU)"
     )
-    text = f"A row of the truth and one of the result may be one person {paired}."
+    text = f"A row of the ground truth and one of the result may be one person {paired}."
     if report.yardstick.conventions is Conventions.MOTMETRICS:
         text += " CLEAR and identity are counted as py-motmetrics counts them, HOTA as TrackEval."
     else:
@@ -116,5 +116,5 @@ def _not_on_map(finding: Finding, plan: GroundPlan) -> Iterator[str]:
         yield f"{count:,} errors lie farther out than the map goes; their marks are on its edge."
     for kind, count in error_map.left_out(finding).items():
         lasts = kind in (ErrorKind.MISS, ErrorKind.FALSE_ALARM)
-        what = f"stretches of {TITLES[kind]}" if lasts else TITLES[kind]
+        what = f"ranges of {TITLES[kind]}" if lasts else TITLES[kind]
         yield f"{count:,} {what} beyond {error_map.MOST_MARKS} are not drawn."

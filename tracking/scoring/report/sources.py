@@ -31,7 +31,7 @@ def _said(source: Source) -> str:
     parts = (
         source.recording and f"recording {source.recording}",
         source.frames and f"{source.frames:,} frames",
-        source.fps and f"{source.fps:g} frames a second",
+        source.fps and f"{source.fps:g} frames per second",
         source.tracker and f"tracker {source.tracker}",
     )
     return "".join(f", {part}" for part in parts if part)

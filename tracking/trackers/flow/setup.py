@@ -18,7 +18,7 @@ def build_flow(
     if recording.view is None:
         raise CalibrationError(
             f"recording {recording.name}: flow needs the camera's calibration and height over the "
-            "floor; without them three-part can still follow people, in pixels"
+            "floor; without them three-part can still track people, in pixels"
         )
     perception = FlowPerception(recording.fps, settings.foreground)
     return perception, FlowTracker(recording.view, recording.fps, settings)

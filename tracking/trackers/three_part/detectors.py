@@ -10,7 +10,7 @@ from tracking.errors import FormatError
 from tracking.failure import Detector, built_in_detector, load_detector
 
 NO_DETECTOR = (
-    "no failure detector: lost parts are neither found nor put back; "
+    "no part-failure detector: lost parts are neither found nor put back; "
     "name one with --detector or the setting detector"
 )
 

@@ -205,7 +205,7 @@ class ThreePartSettings(WholeBodySettings):
         "",
         None,
         "Detect failed parts by foreground and pose too, and keep occluded parts within the body "
-        "(not in the paper). Off: only the failure detector does",
+        "(not in the paper). Off: only the part-failure detector does",
         formerly=("body_rules",),
         group="Bodies",
     )
@@ -219,7 +219,7 @@ class ThreePartSettings(WholeBodySettings):
         group="Association",
     )
     detector: str = setting(
-        "", "", None, "File of the failure detector; empty: the built-in detector"
+        "", "", None, "File of the part-failure detector; empty: the built-in one"
     )
 
     @property

@@ -56,7 +56,7 @@ def test_a_preview_is_done_left_moved_and_widened(preview, qtbot, heard):
         "From a frame earlier",
         "to a frame later",
         "9",
-        "Changed over at 790 near",
+        "Swapped at 790 near",
         "this range",
     ):
         press(preview, name, qtbot)

@@ -83,7 +83,7 @@ def test_the_ends_are_one_click_away(bar, qtbot, name, frame):
     assert sought.args == [frame]
 
 
-@pytest.mark.parametrize(("name", "step"), [("Frame back", -1), ("Frame forward", 1)])
+@pytest.mark.parametrize(("name", "step"), [("Previous frame", -1), ("Next frame", 1)])
 def test_frames_are_stepped_through(bar, qtbot, name, step):
     with qtbot.waitSignal(bar.stepped) as stepped:
         qtbot.mouseClick(button(bar, name), LEFT)
