@@ -36,6 +36,7 @@ from tracking.trackers.three_part import (
     build_whole_body,
     detector_fingerprint,
 )
+from tracking.trackers.three_part import finish_run as three_part_finished
 from tracking.tracks.columns import Columns
 from tracking.tracks.run import Run
 
@@ -122,6 +123,7 @@ _BUILT = (
         settings_type=ThreePartSettings,
         build=build_three_part,
         detector=detector_fingerprint,
+        finish=three_part_finished,
     ),
     TrackerSpec(
         name="three-part-joint",
@@ -132,6 +134,7 @@ _BUILT = (
         settings_type=ThreePartSettings,
         build=build_three_part_joint,
         detector=detector_fingerprint,
+        finish=three_part_finished,
     ),
     TrackerSpec(
         name="whole-body",

@@ -83,6 +83,7 @@ class WholeBodySettings:
         "but the part jitters more",
         formerly=("spread_position",),
         group="Particles and motion",
+        expert=True,
     )
     process_noise_size: float = setting(
         0.25,
@@ -217,6 +218,14 @@ class ThreePartSettings(WholeBodySettings):
         "paper). Off: neither is done",
         formerly=("find_again",),
         group="Association",
+    )
+    smooth: bool = setting(
+        True,
+        "",
+        None,
+        "After tracking, with reidentify and a calibrated camera: link the tracks of one person, "
+        "smooth positions and boxes, and fill gaps. Off: the run holds exactly what was tracked "
+        "live",
     )
     detector: str = setting(
         "", "", None, "File of the part-failure detector; empty: the built-in one"
