@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import ast
 from collections.abc import Iterator
+from dataclasses import dataclass
 from io import BytesIO
+from itertools import chain
 from pathlib import Path
 from typing import Final
 
 from babel.messages.catalog import Catalog
-from babel.messages.extract import extract_from_dir
 from babel.messages.pofile import write_po
 from typer.main import get_command
 
@@ -16,40 +18,96 @@ from app.cli.commands import program
 from app.cli.help_pages import clean_help
 from app.core.commands import menu_of
 from app.core.editing.edits import EDITS
+from app.core.interrupts import STOPPED
 from app.core.scenes.score_figures import FIGURES
 from app.features.parts.training_settings import TrainingSettings
 from app.shell.commands import COMMANDS
+from tracking import errors
 from tracking.formats import FORMATS
 from tracking.settings import settings_fields, stage_title
 from tracking.trackers import TRACKERS
 
 ROOT: Final = Path(__file__).parents[1]
 TEMPLATE: Final = ROOT / "resources" / "translations" / "trackwright.pot"
-KEYWORDS: Final = {
-    "tr": None,
-    "N_": None,
-    "count_text": (2, 3),
-}
-"""What is called with a text, and which arguments are one, counted from 1; None: the first."""
+SINGLE: Final = frozenset({"tr", "N_", "msg"})
+COUNTING: Final = frozenset({"count_text", "count_msg"})
+ERRORS: Final = frozenset(
+    {
+        *(name for name in vars(errors) if name.endswith("Error")),
+        *("RecordingMissing", "NotOnFloorError", "Refused", "EndedEarlyError", "advising"),
+    }
+)
+"""Whatever is raised with a template, and one of what to do about it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Use:
+    """Texts that stand in one call: one of them is shown, or one and many of a count."""
+
+    place: str
+    call: ast.Call
+    texts: tuple[str, ...]
+    counting: bool = False
+
+    @property
+    def values(self) -> frozenset[str] | None:
+        """Names of the values that the call gives; None where it does not name them one by one."""
+        names = {keyword.arg for keyword in self.call.keywords} - {"option"}
+        if None in names:
+            return None
+        return frozenset({*map(str, names), *(("n",) if self.counting else ())})
 
 
 def extract() -> Catalog:
     """Every text of the program and the library."""
     catalogue = Catalog(project="trackwright", charset="utf-8")
-    for package in ("app", "tracking"):
-        found = extract_from_dir(
-            str(ROOT / package), method_map=[("**.py", "python")], keywords=KEYWORDS
-        )
-        for name, _, text, _, _ in found:
-            if all(text) if isinstance(text, tuple) else text:
-                catalogue.add(text, locations=[(f"{package}/{name}", 0)])
+    for use in uses():
+        for text in (use.texts,) if use.counting else use.texts:
+            if text:
+                catalogue.add(text, locations=[(use.place, 0)])
     for text in filter(None, declared_texts()):
         catalogue.add(text, locations=[("declared values", 0)])
     return catalogue
 
 
+def uses() -> Iterator[Use]:
+    """Every call with texts that are translated, in order of files."""
+    for package in ("app", "tracking"):
+        for path in sorted((ROOT / package).rglob("*.py")):
+            yield from uses_in(path)
+
+
+def uses_in(path: Path) -> Iterator[Use]:
+    """Those of one file."""
+    place = path.relative_to(ROOT).as_posix()
+    for call in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if not isinstance(call, ast.Call):
+            continue
+        name = called(call)
+        if name in COUNTING:
+            texts = tuple(chain(*map(texts_in, call.args[1:3])))
+            yield Use(place, call, texts, counting=len(texts) == 2)
+        elif name in SINGLE | ERRORS:
+            taken = call.args[: 1 if name in SINGLE else 2]
+            yield Use(place, call, tuple(chain(*map(texts_in, taken))))
+
+
+def called(call: ast.Call) -> str:
+    """The name of what is called."""
+    return getattr(call.func, "attr", getattr(call.func, "id", ""))
+
+
+def texts_in(argument: ast.expr) -> Iterator[str]:
+    """The texts that an argument may be, whatever it depends on."""
+    if isinstance(argument, ast.IfExp):
+        yield from (*texts_in(argument.body), *texts_in(argument.orelse))
+    elif isinstance(argument, ast.Constant) and isinstance(argument.value, str):
+        yield argument.value
+
+
 def declared_texts() -> Iterator[str]:
     """Texts of declared values: commands, edits, settings, trackers, formats, figures."""
+    yield STOPPED
     for command in COMMANDS:
         yield from (command.title, *menu_of(command), command.also, command.title_one_camera)
     yield from (spec.title for spec in EDITS)

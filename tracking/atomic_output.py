@@ -138,9 +138,11 @@ def _check_folder(path: Path) -> None:
     except OSError as error:
         raise _told(path, error.strerror or str(error), _ANOTHER_FOLDER) from error
     if found != "a folder":
-        raise OutputError(f"{path} is {found}, and a folder is written", _ANOTHER_FOLDER)
+        raise OutputError(
+            "{path} is {found}, and a folder is written", _ANOTHER_FOLDER, path=path, found=found
+        )
     if held:
-        raise OutputError(f"{path} is not an empty folder", "choose one that is new")
+        raise OutputError("{path} is not an empty folder", "choose one that is new", path=path)
 
 
 def _finish_folder(part: Path, path: Path, allowed: int) -> None:
@@ -170,8 +172,9 @@ def check_target(path: Path) -> None:
         raise _told(path, error.strerror or str(error)) from error
     if found == "a link":
         raise OutputError(
-            f"cannot write {path}: it is a link, which is not written through",
+            "cannot write {path}: it is a link, which is not written through",
             "name the file it leads to, or remove the link",
+            path=path,
         )
     if found != "a file":
         raise _told(path, f"it is {found}")
@@ -219,4 +222,4 @@ def _is_of(error: OSError, part: Path, path: Path) -> bool:
 
 def _told(path: Path, reason: str, advice: str = _ANOTHER_PLACE) -> OutputError:
     """A complaint, as the system's, as one line about the file the user asked for."""
-    return OutputError(f"cannot write {path}: {reason}", advice)
+    return OutputError("cannot write {path}: {reason}", advice, path=path, reason=reason)

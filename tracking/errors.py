@@ -1,7 +1,8 @@
 """The errors this library raises on purpose.
 
-Every message says in one line what is wrong, where, and what to do about it. Whatever else a
-library below raises is converted at the boundary where it is called.
+Every message says in one line what is wrong, where, and what to do about it. An error is raised
+with a template and values; the sentence in the user's language is made of its `message` where it
+is shown. Whatever else a library below raises is converted at the boundary where it is called.
 """
 
 from __future__ import annotations
@@ -13,20 +14,22 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Self
 
+from tracking.translation import N_, Message, joined, msg
+
 _TO_DO = {
-    errno.EACCES: "choose another place, or have its owner let you",
-    errno.EPERM: "choose another place, or have its owner let you",
-    errno.ENOENT: "check the path",
-    errno.ENOTDIR: "a part of the path is no folder; check it",
-    errno.EISDIR: "name a file in it",
-    errno.ELOOP: "its links lead round in a circle; name the file itself",
-    errno.ENAMETOOLONG: "give a shorter one",
-    errno.ENOSPC: "make room",
-    errno.EDQUOT: "make room",
-    errno.EFBIG: "choose another disk",
-    errno.EROFS: "choose another place",
-    errno.EIO: "check the disk, and bring a copy of what is on it",
-    errno.EMFILE: "close other programs and try again",
+    errno.EACCES: N_("choose another place, or have its owner let you"),
+    errno.EPERM: N_("choose another place, or have its owner let you"),
+    errno.ENOENT: N_("check the path"),
+    errno.ENOTDIR: N_("a part of the path is no folder; check it"),
+    errno.EISDIR: N_("name a file in it"),
+    errno.ELOOP: N_("its links lead round in a circle; name the file itself"),
+    errno.ENAMETOOLONG: N_("give a shorter one"),
+    errno.ENOSPC: N_("make room"),
+    errno.EDQUOT: N_("make room"),
+    errno.EFBIG: N_("choose another disk"),
+    errno.EROFS: N_("choose another place"),
+    errno.EIO: N_("check the disk, and bring a copy of what is on it"),
+    errno.EMFILE: N_("close other programs and try again"),
 }
 _OF_NO_FILE = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EROFS, errno.EIO, errno.EMFILE)
 """What the system says of writing without naming the file, and is no mistake of the program."""
@@ -42,18 +45,32 @@ class TrackwrightError(Exception):
     Attributes:
         reason: what is wrong, and where; the middle of a very long one is left out.
         to_do: what to do about it, for whoever knows another way; "" where the reason says it all.
+        option: of the command line, by which it is done there; "" where there is none.
+        message: all of this; `str` of the error is the same in English.
     """
 
-    def __init__(self, reason: str = "", to_do: str = "") -> None:
-        """The message is the reason, then what to do."""
-        if len(reason) > _BEGINNING + _END:
-            reason = f"{reason[:_BEGINNING]} ... {reason[-_END:]}"
-        super().__init__(f"{reason}; {to_do}" if to_do else reason)
-        self.reason, self.to_do = reason, to_do
+    def __init__(
+        self, reason: str = "", to_do: str = "", /, *, option: str = "", **values: object
+    ) -> None:
+        """Reason and to_do are templates with {named} places for the values, or messages."""
+        self.reason: Message = msg(reason, **values)
+        if len(self.reason) > _BEGINNING + _END:
+            self.reason = self.reason.cut_by(_without_middle)
+        self.to_do: Message = msg(to_do, **values)
+        self.option = option
+        self.message: Message = joined("; ", filter(None, (self.reason, self.to_do)))
+        if option:
+            self.message = joined(" ", (self.message, f"({option})"))
+        super().__init__(self.message)
 
-    def advising(self, to_do: str) -> Self:
+    def advising(self, to_do: str, /, *, option: str = "", **values: object) -> Self:
         """The same error with something else to do about it."""
-        return type(self)(self.reason, to_do)
+        return type(self)(self.reason, msg(to_do, **values), option=option)
+
+
+def _without_middle(text: str) -> str:
+    cut = len(text) > _BEGINNING + _END
+    return f"{text[:_BEGINNING]} ... {text[-_END:]}" if cut else text
 
 
 class RecordingError(TrackwrightError):
@@ -110,23 +127,28 @@ def explain_unreadable(path: Path) -> Iterator[None]:
     try:
         yield
     except OSError as error:
-        raise FormatError(f"cannot read {path}: {error.strerror}; check the path") from error
+        raise FormatError(
+            "cannot read {path}: {reason}; check the path", path=path, reason=error.strerror
+        ) from error
 
 
-def told_by_system(error: BaseException) -> str:
+def told_by_system(error: BaseException) -> Message:
     """What the system says of a file, as a line a user can act on; "" where it is of none.
 
     For errors that nothing below foresaw: it names the file, not what it was wanted for.
     """
     if not isinstance(error, OSError) or error.errno is None:
-        return ""
+        return Message()
     names = [
         os.fsdecode(name)
         for name in (error.filename, error.filename2)
         if isinstance(name, str | bytes | os.PathLike)
     ]
     if not names and error.errno not in _OF_NO_FILE:
-        return ""
-    what = f"use {' and '.join(names)}" if names else "go on"
-    to_do = _TO_DO.get(error.errno, "check the path and its disk")
-    return f"cannot {what}: {error.strerror or type(error).__name__}; {to_do}"
+        return Message()
+    return msg(
+        "cannot use {names}: {reason}; {to_do}" if names else "cannot go on: {reason}; {to_do}",
+        names=joined(" and ", names),
+        reason=error.strerror or type(error).__name__,
+        to_do=msg(_TO_DO.get(error.errno, N_("check the path and its disk"))),
+    )

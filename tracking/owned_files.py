@@ -228,22 +228,33 @@ def _check_state(
         raise _foreign(path, state)
     if is_written and state.st_nlink > 1:  # 0: it was removed a moment ago, and is ours alone
         raise UnsafeFileError(
-            f"{path} has {state.st_nlink} names (hard links), so writing it would change "
-            "another file",
+            "{path} has {count} names (hard links), so writing it would change another file",
             "put a copy in its place",
+            path=path,
+            count=state.st_nlink,
         )
     if most_bytes is not None and state.st_size > most_bytes:
         raise UnsafeFileError(
-            f"{path} has {state.st_size} bytes; at most {most_bytes} are read", "move it away"
+            "{path} has {size} bytes; at most {most_bytes} are read",
+            "move it away",
+            path=path,
+            size=state.st_size,
+            most_bytes=most_bytes,
         )
 
 
 def _check_kind(path: Path, state: os.stat_result, kind: int) -> None:
     found = _kind_of(state)
     if found == "a link":
-        raise UnsafeFileError(f"{path} is a link, which is not followed", "remove it")
+        raise UnsafeFileError("{path} is a link, which is not followed", "remove it", path=path)
     if found != _KINDS[kind]:
-        raise UnsafeFileError(f"{path} is {found}, not {_KINDS[kind]}", "move it away")
+        raise UnsafeFileError(
+            "{path} is {found}, not {kind}",
+            "move it away",
+            path=path,
+            found=found,
+            kind=_KINDS[kind],
+        )
 
 
 def _kind_of(state: os.stat_result) -> str:
@@ -279,8 +290,10 @@ def _owner_of_new_files(folder: Path) -> int | None:
 
 def _foreign(path: Path, state: os.stat_result) -> UnsafeFileError:
     return UnsafeFileError(
-        f"{path} belongs to {_user_name(state.st_uid)}, not to you",
+        "{path} belongs to {owner}, not to you",
         "save the session under another name, or in a folder of your own",
+        path=path,
+        owner=_user_name(state.st_uid),
     )
 
 

@@ -14,10 +14,11 @@ import difflib
 import math
 from collections.abc import Container, Iterator, Mapping
 from dataclasses import dataclass
-from typing import Any, get_type_hints
+from typing import Any, Final, get_type_hints
 
 from tracking.errors import SettingsError
 from tracking.setting import RESULT
+from tracking.translation import msg
 
 SettingValue = bool | int | float | str
 
@@ -96,7 +97,7 @@ def settings_from(settings_type: type, values: Mapping[str, Any]) -> Any:
     known = {field.name: field for field in settings_fields(settings_type)}
     for name, value in values.items():
         if name not in known:
-            raise SettingsError(_unknown(name, settings_type))
+            raise _unknown(name, settings_type)
         _check(known[name], value)
     return _replaced(settings_type(), dict(values))
 
@@ -111,7 +112,7 @@ def settings_from_text(settings_type: type, texts: Mapping[str, str]) -> Any:
     values: dict[str, SettingValue] = {}
     for name, text in texts.items():
         if name not in known:
-            raise SettingsError(_unknown(name, settings_type))
+            raise _unknown(name, settings_type)
         values[name] = _parsed(known[name], text.strip())
     return settings_from(settings_type, values)
 
@@ -161,9 +162,7 @@ def _parsed(field: SettingField, text: str) -> SettingValue:
     try:
         return words[text.lower()] if field.type is bool else field.type(text)
     except (KeyError, ValueError):
-        kinds = {bool: "true or false", int: "a whole number", float: "a number"}
-        message = f"setting {field.name}={text}: must be {kinds[field.type]}{_allowed(field)}"
-        raise SettingsError(message) from None
+        raise _misfit(field, text, _KINDS[field.type]) from None
 
 
 def _check(field: SettingField, value: Any) -> None:
@@ -174,24 +173,44 @@ def _check(field: SettingField, value: Any) -> None:
     fits = fits and not (field.odd and value % 2 == 0)
     low, high = field.range or (-math.inf, math.inf)
     if not fits or (isinstance(value, int | float) and not low <= value <= high):
-        kind = {int: "a whole number", float: "a number"}.get(field.type, field.type.__name__)
-        kind = "an odd number" if field.odd else kind
-        message = f"setting {field.name}={value}: must be {kind}{_allowed(field)}"
-        raise SettingsError(message)
+        kind = field.type.__name__ if field.type in (bool, str) else _KINDS[field.type]
+        raise _misfit(field, value, msg("an odd number") if field.odd else kind)
 
 
-def _allowed(field: SettingField) -> str:
-    if field.range is None:
-        return ""
-    low, high = field.range
-    return f" from {low:g} to {high:g}" + (f" {field.unit}" if field.unit else "")
+_KINDS: Final = {
+    bool: msg("true or false"),
+    int: msg("a whole number"),
+    float: msg("a number"),
+}
 
 
-def _unknown(name: str, settings_type: type) -> str:
+def _misfit(field: SettingField, value: object, kind: str) -> SettingsError:
+    low, high = field.range or (0.0, 0.0)
+    return SettingsError(
+        "setting {name}={value}: must be {kind} from {low:g} to {high:g}{unit}"
+        if field.range
+        else "setting {name}={value}: must be {kind}",
+        name=field.name,
+        value=value,
+        kind=kind,
+        low=low,
+        high=high,
+        unit=f" {field.unit}" if field.unit else "",
+    )
+
+
+def _unknown(name: str, settings_type: type) -> SettingsError:
     present = former_names(settings_type)
     if name in present:
-        return f"setting {name} is unknown: its name is {present[name]} now"
+        return SettingsError(
+            "setting {name} is unknown: its name is {present} now", name=name, present=present[name]
+        )
     known = [field.name for field in settings_fields(settings_type)]
     near = difflib.get_close_matches(name, known, n=1, cutoff=0.4)
-    hint = f"did you mean {near[0]}?" if near else "the trackers command lists all settings"
-    return f"setting {name} is unknown: {hint}"
+    return SettingsError(
+        "setting {name} is unknown: did you mean {near}?"
+        if near
+        else "setting {name} is unknown: the trackers command lists all settings",
+        name=name,
+        near=near[0] if near else "",
+    )

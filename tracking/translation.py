@@ -1,14 +1,16 @@
 """Texts in the user's language: one mechanism for the window, the command line and the library.
 
 English stands in the code and is what a catalogue is looked up by. Catalogues are gettext's, made
-from the texts that `make messages` extracts.
+from the texts that `make messages` extracts. A `Message` is translated where it is shown; errors,
+notes and the texts of edits are messages.
 """
 
 from __future__ import annotations
 
 import gettext
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
-from typing import Final
+from typing import Final, Self
 
 import resources
 
@@ -34,17 +36,98 @@ def use_catalogue(catalogue: gettext.NullTranslations | None) -> None:
     _catalogue = catalogue or gettext.NullTranslations()
 
 
-def tr(text: str, **values: object) -> str:
-    """The text in the user's language, with its {named} places filled."""
-    words = _catalogue.gettext(text) if text else text
-    return words.format(**values) if values else words
+class Message(str):
+    """An English sentence that knows what it was made of, so that it can be shown in any language.
+
+    It is the sentence wherever a text is wanted: it compares, is sorted and is kept as one. What
+    makes another text of it (an f-string, `strip`) gives the English sentence only.
+
+    Attributes:
+        template: the sentence with {named} places. many: for several of `values["n"]`, or "".
+        values: what fills the places: numbers, texts of users and files, messages.
+    """
+
+    __slots__ = ("_cut", "many", "template", "values")
+    template: str
+    many: str
+    values: Mapping[str, object]
+    _cut: Callable[[str], str] | None
+
+    def __new__(cls, template: str = "", many: str = "", /, **values: object) -> Self:
+        """A template that has no values is the sentence itself, whatever braces it has."""
+        held = {name: _held(value) for name, value in values.items()}
+        message = super().__new__(cls, _filled(many if many and held["n"] != 1 else template, held))
+        message.template, message.many, message.values, message._cut = template, many, held, None
+        return message
+
+    def translated(self) -> str:
+        """The sentence in the user's language; English where its translation cannot be filled."""
+        values = {name: _shown(value) for name, value in self.values.items()}
+        try:
+            text = _filled(self._looked_up(), values)
+        except (LookupError, ValueError):
+            text = _filled(self.template, values)
+        return self._cut(text) if self._cut else text
+
+    def cut_by(self, cut: Callable[[str], str]) -> Message:
+        """The sentence as `cut` leaves it, in every language."""
+        message = str.__new__(Message, cut(self))
+        message.template, message.many, message.values = self.template, self.many, self.values
+        message._cut = cut
+        return message
+
+    def _looked_up(self) -> str:
+        if self.many:
+            return _catalogue.ngettext(self.template, self.many, int(str(self.values["n"])))
+        return _catalogue.gettext(self.template) if self.template else ""
 
 
-def count_text(count: int, one: str, many: str, **values: object) -> str:
-    """How many of something in words: `one` or `many` of them, with {n} for the number."""
-    return _catalogue.ngettext(one, many, count).format(n=count, **values)
+def msg(template: str, /, **values: object) -> Message:
+    """A message with its {named} places filled; a message that is given stays as it is."""
+    return template if isinstance(template, Message) else Message(template, **values)
+
+
+def count_msg(n: int, one: str, many: str, /, **values: object) -> Message:
+    """How many of something, as a message: `one` or `many` of them, with {n} for the number."""
+    return Message(one, many, n=n, **values)
+
+
+def joined(separator: str, texts: Iterable[object]) -> Message:
+    """Texts and messages one after the other, as a message."""
+    values = {f"part{at}": text for at, text in enumerate(texts)}
+    if len(values) == 1 and isinstance(alone := values["part0"], Message):
+        return alone
+    return Message(separator.join(f"{{{name}}}" for name in values), **values)
+
+
+def tr(text: str, /, **values: object) -> str:
+    """A text or a message in the user's language, with its {named} places filled."""
+    return msg(text, **values).translated()
+
+
+def message_of(error: BaseException) -> Message:
+    """What an error says, as the message it was raised with; "" where it says nothing."""
+    said = error.args[0] if len(error.args) == 1 else None
+    return said if isinstance(said, Message) else Message("{error}", error=str(error))
+
+
+def count_text(count: int, one: str, many: str, /, **values: object) -> str:
+    """How many of something in the user's language: `count_msg`, translated."""
+    return count_msg(count, one, many, **values).translated()
 
 
 def N_(text: str) -> str:  # noqa: N802 - gettext's name
     """Marks a text that is translated later, where it is shown."""
     return text
+
+
+def _held(value: object) -> object:
+    return message_of(value) if isinstance(value, BaseException) else value
+
+
+def _shown(value: object) -> object:
+    return value.translated() if isinstance(value, Message) else value
+
+
+def _filled(template: str, values: Mapping[str, object]) -> str:
+    return template.format(**values) if values else template

@@ -36,6 +36,7 @@ from tracking.errors import CountingError, SettingsError
 from tracking.session import Session
 from tracking.settings import settings_from
 from tracking.tracks import CountingLine, Region
+from tracking.translation import tr
 
 _OPTIONS = {"step_s": "--step", "jitter_m": "--jitter", "jitter_px": "--jitter-px"}
 """How each setting is typed."""
@@ -81,10 +82,17 @@ def run_count(
                 settings,
             )
         except NotOnFloorError as error:
-            to_do = f"{error.to_do} (--picture-line, --picture-region)"
-            raise NotOnFloorError(f"{path}: {error.reason}", to_do) from error
+            raise NotOnFloorError(
+                "{path}: {reason}",
+                error.to_do,
+                option="--picture-line, --picture-region",
+                path=path,
+                reason=error.reason,
+            ) from error
         except CountingError as error:
-            raise CountingError(f"{path}: {error.reason}", error.to_do) from error
+            raise CountingError(
+                "{path}: {reason}", error.to_do, path=path, reason=error.reason
+            ) from error
     _say_what(places, run)
     if csv is not None:
         with text_at(csv) as place:
@@ -129,7 +137,8 @@ def _places(session: Session, named: Places) -> Places:
     drawn = Places(session.labels.lines, session.labels.regions, drawn=True)
     if not (drawn.lines or drawn.regions):
         raise CountingError(
-            f"{session.path} has no lines or regions drawn in it; name some (--line, --region)"
+            "{path} has no lines or regions drawn in it; name some (--line, --region)",
+            path=session.path,
         )
     return drawn
 
@@ -188,5 +197,5 @@ def count_settings(step_s: float, jitter_m: float, jitter_px: float) -> CountSet
         try:
             settings_from(CountSettings, {name: value})
         except SettingsError as error:
-            raise typer.BadParameter(str(error), param_hint=_OPTIONS[name]) from error
+            raise typer.BadParameter(tr(error.message), param_hint=_OPTIONS[name]) from error
     return CountSettings(**typed)

@@ -9,6 +9,7 @@ from pathlib import Path
 from tracking.atomic_output import check_target
 from tracking.errors import FormatError, OutputError
 from tracking.owned_files import real_path
+from tracking.translation import Message, msg
 
 _RESERVE = 8 << 20
 _LOOKED_AT_BYTES = 8 << 10
@@ -26,7 +27,7 @@ def check_file(path: Path, needed_bytes: int = 0) -> None:
     """
     path = real_path(path)
     if path.is_dir():
-        raise OutputError(f"{path} is a folder; name a file in it")
+        raise OutputError("{path} is a folder; name a file in it", path=path)
     check_target(path)
     check_folder(path.parent, needed_bytes)
 
@@ -39,7 +40,9 @@ def check_folder(folder: Path, needed_bytes: int = 0) -> None:
     """
     if not folder.is_dir():
         what = "is not a folder" if folder.exists() else "does not exist"
-        raise OutputError(f"folder {folder} {what}; make it or choose another place")
+        raise OutputError(
+            "folder {folder} {what}; make it or choose another place", folder=folder, what=what
+        )
     try:
         with tempfile.TemporaryFile(dir=folder):
             pass
@@ -47,12 +50,17 @@ def check_folder(folder: Path, needed_bytes: int = 0) -> None:
     except OSError as error:
         reason = error.strerror or str(error)
         raise OutputError(
-            f"cannot write in folder {folder}: {reason}; choose another place"
+            "cannot write in folder {folder}: {reason}; choose another place",
+            folder=folder,
+            reason=reason,
         ) from error
     if free < needed_bytes + _RESERVE:
         raise OutputError(
-            f"folder {folder} has {_readable(free)} of free space and about "
-            f"{_readable(needed_bytes + _RESERVE)} are needed; make room or choose another place"
+            "folder {folder} has {free} of free space and about {needed} are needed; make room "
+            "or choose another place",
+            folder=folder,
+            free=_readable(free),
+            needed=_readable(needed_bytes + _RESERVE),
         )
 
 
@@ -70,7 +78,7 @@ def check_replaced(path: Path, replaceable: str) -> None:
     _check_not_protected(path, "-o")
     if path.is_file() and (held := read_file_kind(path)) != replaceable:
         if held is not None:
-            raise OutputError(_would_be_lost(path, _kind_of(held), "-o"))
+            raise _would_be_lost(path, _kind_of(held), "-o")
         _check_is_text(path, "-o")
 
 
@@ -88,8 +96,8 @@ def check_text_replaced(path: Path, option: str = "-o") -> None:
     _check_not_protected(path, option)
     if path.is_file():
         if (held := read_file_kind(path)) is not None or is_session(path):
-            what = "a session" if held is None else _kind_of(held)
-            raise OutputError(_would_be_lost(path, what, option))
+            what = msg("a session") if held is None else _kind_of(held)
+            raise _would_be_lost(path, what, option)
         _check_is_text(path, option)
 
 
@@ -104,7 +112,7 @@ def _check_not_protected(path: Path, option: str) -> None:
     from app.features.files.protected_files import why_protected
 
     if (what := why_protected(path)) and not is_own(path):
-        raise OutputError(_would_be_lost(path, what, option))
+        raise _would_be_lost(path, what, option)
 
 
 def _check_is_text(path: Path, option: str) -> None:
@@ -113,14 +121,23 @@ def _check_is_text(path: Path, option: str) -> None:
         with path.open("rb") as stream:
             start = stream.read(_LOOKED_AT_BYTES)
     except OSError as error:
-        raise FormatError(f"cannot read {path}: {error.strerror}; check the path") from error
+        raise FormatError(
+            "cannot read {path}: {reason}; check the path", path=path, reason=error.strerror
+        ) from error
     if b"\0" in start:
-        why = _would_be_lost(path, "not a text file", option)
-        raise OutputError(f"{why}, or remove the file first")
+        raise _would_be_lost(path, msg("not a text file"), option).advising(
+            "choose another name with {flag}, or remove the file first", flag=option
+        )
 
 
-def _would_be_lost(path: Path, what: str, option: str) -> str:
-    return f"{path} is {what} and would be lost; choose another name with {option}"
+def _would_be_lost(path: Path, what: Message, option: str) -> OutputError:
+    return OutputError(
+        "{path} is {what} and would be lost",
+        "choose another name with {flag}",
+        path=path,
+        what=what,
+        flag=option,
+    )
 
 
 def is_session(path: Path) -> bool:
@@ -133,10 +150,12 @@ def is_session(path: Path) -> bool:
     return is_hdf5(path)
 
 
-def _kind_of(held: str) -> str:
+def _kind_of(held: str) -> Message:
     """What a file is that says it is that, as a sentence needs it; see `read_file_kind`."""
     what = held.rpartition("-")[2]
-    return "a file of samples" if what == "samples" else f"a {what}" if what else "an HDF5 file"
+    if what == "samples":
+        return msg("a file of samples")
+    return msg("a {what}", what=what) if what else msg("an HDF5 file")
 
 
 def read_file_kind(path: Path) -> str | None:

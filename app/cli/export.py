@@ -39,6 +39,7 @@ from tracking.formats.samples_layout import HDF5_FORMAT
 from tracking.formats.track_format import Write
 from tracking.geometry import View
 from tracking.session import RecordingMissing, Session, session_samples
+from tracking.translation import msg, tr
 
 _PARTS = ("samples", "labels")
 """What is exported of body parts, beside the formats of tracks."""
@@ -126,11 +127,13 @@ def check_is_own(places: Sequence[Path], *, force: bool) -> None:
     for place in places:
         if force or not place.exists() or is_own(place):
             continue
-        why = f"{place} is there, and export did not write it or it was changed since"
+        why = msg(
+            "{place} is there, and export did not write it or it was changed since", place=place
+        )
         if not sys.stdin.isatty():
             raise OutputError(why, "choose another name with -o, or add --force")
-        if not typer.confirm(escape_controls(f"{why}. Replace it?"), err=True):
-            raise OutputError(f"{place} stays as it is", "choose another name with -o")
+        if not typer.confirm(escape_controls(msg("{why}. Replace it?", why=why)), err=True):
+            raise OutputError("{place} stays as it is", "choose another name with -o", place=place)
 
 
 def _says_what_counts(name: str) -> bool:
@@ -144,8 +147,14 @@ def _format_to_write(name: str) -> tuple[TrackFormat, Write]:
     if name in written:
         return FORMATS[name], written[name]
     known = name in FORMATS
-    why = f"{FORMATS[name].title} is only read" if known else f"format {name!r} is unknown"
-    reason = f"{why}; choose one of: {', '.join((*written, *_PARTS))}"
+    reason = tr(
+        "{title} is only read; choose one of: {names}"
+        if known
+        else "format {name!r} is unknown; choose one of: {names}",
+        title=FORMATS[name].title if known else "",
+        name=name,
+        names=", ".join((*written, *_PARTS)),
+    )
     raise typer.BadParameter(reason, param_hint="--format")
 
 
@@ -190,7 +199,7 @@ def _check_parts_place(name: str, out: Path, *, force: bool) -> None:
     try:
         places = sample_files(out)
     except FormatError as error:
-        raise typer.BadParameter(str(error), param_hint="--out") from error
+        raise typer.BadParameter(tr(error.message), param_hint="--out") from error
     check_replaced(out, HDF5_FORMAT)
     check_is_own(places, force=force)
 
@@ -199,7 +208,7 @@ def _write_labels(session: Session, path: Path, place: Path) -> tuple[list[Path]
     """The files that were made, and how many labels are in them; path: of the session."""
     labels = list(session.labels.parts.values())
     if not labels:
-        raise OutputError(f"{path} has no labels of body parts; label some first")
+        raise OutputError("{path} has no labels of body parts; label some first", path=path)
     write_part_labels(place, labels)
     return [place], len(labels)
 
@@ -208,5 +217,7 @@ def _write_samples(session: Session, path: Path, place: Path) -> tuple[list[Path
     """The same of samples."""
     samples = session_samples(session)
     if not len(samples):
-        raise OutputError(f"{path} has no samples; {_what_first(session)}")
+        raise OutputError(
+            "{path} has no samples; {what_first}", path=path, what_first=_what_first(session)
+        )
     return write_samples(place, samples), len(samples)

@@ -14,6 +14,7 @@ import platformdirs
 from app.cli.output import say
 from app.core.interrupts import INTERRUPTED, STOPPED
 from tracking.errors import OutputError, SettingsError, TrackwrightError, told_by_system
+from tracking.translation import Message, joined, message_of, msg, tr
 
 
 class EndedEarlyError(Exception):
@@ -23,10 +24,10 @@ class EndedEarlyError(Exception):
         kept: what of it was kept, and where; "": nothing.
     """
 
-    def __init__(self, what: str, kept: str = "") -> None:
-        """What ended, and when: it begins the line that is told."""
-        super().__init__(what)
-        self.kept = kept
+    def __init__(self, what: str, kept: Message | None = None, /, **values: object) -> None:
+        """What ended, and when, as a template: it begins the line that is told."""
+        super().__init__(msg(what, **values))
+        self.kept = kept or Message()
 
 
 DONE, FAILED, MISUSED = 0, 1, 2
@@ -64,7 +65,9 @@ def _flush() -> None:
         raise
     except OSError as error:
         _drop_stdout()
-        raise OutputError(f"cannot write to stdout: {error.strerror}", "make room") from error
+        raise OutputError(
+            "cannot write to stdout: {reason}", "make room", reason=error.strerror
+        ) from error
 
 
 def _drop_stdout() -> None:
@@ -72,26 +75,28 @@ def _drop_stdout() -> None:
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
-def _reason(error: BaseException) -> str:
+def _reason(error: BaseException) -> Message:
     """What went wrong and what to do about it; the traceback of a bug is kept."""
     if isinstance(error, EndedEarlyError):
-        why = f"{error}: {_reason(error.__cause__)}" if error.__cause__ else str(error)
-        return f"{why}; {error.kept}" if error.kept else why
+        cause = error.__cause__
+        why = joined(": ", (error, _reason(cause))) if cause else message_of(error)
+        return joined("; ", (why, error.kept)) if error.kept else why
     if isinstance(error, TrackwrightError):
-        return str(error)
+        return error.message
     if isinstance(error, MemoryError):
-        return "not enough memory; try a shorter range of frames"
+        return msg("not enough memory; try a shorter range of frames")
     if said := told_by_system(error):
         return said
-    place = _logged(error)
-    return (
-        f"this is a bug in trackwright: {type(error).__name__}: {error}; please report it with "
-        f"{place}"
+    return msg(
+        "this is a bug in trackwright: {kind}: {error}; please report it with {place}",
+        kind=type(error).__name__,
+        error=error,
+        place=_logged(error),
     )
 
 
 def _line(message: str, status: int) -> int:
-    say(f"trackwright: {' '.join(message.split())}")
+    say(f"trackwright: {' '.join(tr(message).split())}")
     return status
 
 
@@ -100,7 +105,7 @@ def _shown(debug: bool) -> None:
         traceback.print_exc()
 
 
-def _logged(error: BaseException) -> str:
+def _logged(error: BaseException) -> Message:
     """Keep the traceback of a bug; says where, or how to see it."""
     log = Path(platformdirs.user_log_dir("trackwright", appauthor=False)) / "errors.log"
     try:
@@ -110,5 +115,5 @@ def _logged(error: BaseException) -> str:
             trace = "".join(traceback.format_exception(error))
             stream.write(f"{datetime.now(UTC).isoformat()}\n{trace}\n")
     except OSError:
-        return "what --debug prints"
-    return str(log)
+        return msg("what --debug prints")
+    return msg("{log}", log=log)

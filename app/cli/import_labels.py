@@ -21,7 +21,7 @@ def run_import_labels(path: Path, into: Path, author: str | None, *, as_json: bo
     with closing(Session.open(into)) as session:
         if session.read_only:
             why = session.why_read_only.removeprefix(f"{session.path}: ")
-            raise SessionError(f"{into} cannot be changed: {why}")
+            raise SessionError("{into} cannot be changed: {why}", into=into, why=why)
         given = read_part_labels(path, author if author is not None else session.author)
         labels = place_labels(session, given)
         new = [label for label in labels if session.labels.parts.get(label.key) != label]

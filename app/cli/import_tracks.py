@@ -20,6 +20,7 @@ from app.cli.output import escape_controls, progress, say
 from tracking.errors import FormatError
 from tracking.formats import BadRow, Filmed, Imported, Stated, TrackFormat, format_named, format_of
 from tracking.progress import Progress, no_progress
+from tracking.translation import count_msg, tr
 
 _MOST_SHOWN = 20
 """Bad rows in the table people read; --json tells more of them."""
@@ -113,12 +114,12 @@ def _format_asked(order: Order) -> TrackFormat:
     try:
         return _readable(format_named(order.format))
     except FormatError as error:
-        raise typer.BadParameter(str(error), param_hint="--format") from error
+        raise typer.BadParameter(tr(error.message), param_hint="--format") from error
 
 
 def _readable(found: TrackFormat) -> TrackFormat:
     if found.read is None:
-        raise FormatError(f"{found.title} is only written; import another format")
+        raise FormatError("{title} is only written; import another format", title=found.title)
     return found
 
 
@@ -139,12 +140,16 @@ class Source:
         read = self.format.read
         filmed = replace(filmed, stated=Stated(self.order.unit or "", self.order.bare.fps))
         if read is None:
-            raise FormatError(f"{self.format.title} is only written; import another format")
+            raise FormatError(
+                "{title} is only written; import another format", title=self.format.title
+            )
         with self._watched() as report:
             found = read(self.order.tracks, filmed, report)
         self.refuse_bad_rows(found.bad_rows, found.bad_count)
         if not len(found.columns["frame"]):
-            raise FormatError(f"{self.order.tracks} holds no tracks; nothing to import")
+            raise FormatError(
+                "{tracks} holds no tracks; nothing to import", tracks=self.order.tracks
+            )
         return found
 
     def _watched(self) -> AbstractContextManager[Progress]:
@@ -162,11 +167,19 @@ class Source:
             return
         if self.order.report:
             show_bad_rows(self.order.tracks, rows, count)
-        many, first = ("1 row is", "in") if count == 1 else (f"{count} rows are", "the first in")
+        reason = count_msg(
+            count,
+            "{path}: {n} row is invalid, in {place}: {reason}",
+            "{path}: {n} rows are invalid, the first in {place}: {reason}",
+            path=self.order.tracks,
+            place=rows[0].place,
+            reason=rows[0].reason,
+        )
         raise FormatError(
-            f"{self.order.tracks}: {many} invalid, {first} {rows[0].place}: "
-            f"{rows[0].reason}; correct the file, or add --take-good to import the others"
-            + ("" if count == 1 or self.order.report else ", --report to list all")
+            reason,
+            "correct the file, or add --take-good to import the others"
+            if count == 1 or self.order.report
+            else "correct the file, or add --take-good to import the others, --report to list all",
         )
 
     def report(self, rows: Sequence[BadRow], count: int) -> dict[str, Any]:

@@ -47,7 +47,7 @@ def into_session(source: Source, read: Imported | None, into: Path) -> None:
     with closing(Session.open(into)) as session:
         if session.read_only:
             why = session.why_read_only.removeprefix(f"{session.path}: ")
-            raise SessionError(f"{into} cannot be changed: {why}")
+            raise SessionError("{into} cannot be changed: {why}", into=into, why=why)
         found = _fitted(source, read, _filmed(session), session.tracks)
         entry = take_into(session, found, _origin(source))
         if entry is not None:

@@ -30,7 +30,9 @@ def run_open(path: Path | None, bare: Bare, recording: Path | None) -> None:
         _note_place(path, recording, options)
     why_not = why_no_window()
     if why_not:
-        raise OutputError(f"{why_not}. Without a window: info, track, demo --no-gui")
+        raise OutputError(
+            "{why_not}. Without a window: info, track, demo --no-gui", why_not=why_not
+        )
     with ending_at_once():
         from app.shell.application import run
 

@@ -27,7 +27,9 @@ Force = Annotated[
 
 def _held_seed(seed: int) -> int:
     if not 0 <= seed <= LARGEST_SEED:
-        raise SettingsError(f"seed is {seed}; give --seed 0 to {LARGEST_SEED}")
+        raise SettingsError(
+            "seed is {seed}; give --seed 0 to {largest}", seed=seed, largest=LARGEST_SEED
+        )
     return seed
 
 

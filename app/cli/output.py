@@ -21,6 +21,7 @@ from typing import Any
 import typer
 
 from tracking.progress import Progress
+from tracking.translation import Message
 
 STDOUT = Path("-")
 """Stands for stdout where a command asks for a file of text to make."""
@@ -44,12 +45,13 @@ def escape_what_stdout_lacks() -> None:
 
 
 def escape_controls(text: object) -> str:
-    r"""A text on one line in which nothing commands the terminal.
+    r"""A text on one line in which nothing commands the terminal; a message is translated.
 
     Control characters, line ends, marks that turn the direction of writing, and halves of broken
     file names are shown as Python writes them: `\x1b`, `\n`, `\u202e`, `\udcff`.
     """
-    return "".join(sign if _is_harmless(sign) else _escaped(sign) for sign in str(text))
+    words = text.translated() if isinstance(text, Message) else str(text)
+    return "".join(sign if _is_harmless(sign) else _escaped(sign) for sign in words)
 
 
 def _is_harmless(sign: str) -> bool:

@@ -26,7 +26,9 @@ def settings_texts(spec: TrackerSpec, order: Order) -> tuple[str, ...]:
     given = {"detector": order.detector, "occluders": order.occluders}
     for name in (name for name, value in given.items() if value is not None and name not in known):
         raise SettingsError(
-            f"tracker {spec.name} knows no {name}: leave --{name} out or choose three-part"
+            "tracker {tracker} knows no {name}: leave --{name} out or choose three-part",
+            tracker=spec.name,
+            name=name,
         )
     texts += [f"{name}={value}" for name, value in _named(order)]
     return tuple(texts)
@@ -38,7 +40,7 @@ def refuse_missing_detector(name: str) -> None:
     Raises SettingsError; "" names none.
     """
     if name.strip() and not Path(name.strip()).exists():
-        raise SettingsError(f"{name.strip()}: there is no such detector; check the path")
+        raise SettingsError("{name}: there is no such detector; check the path", name=name.strip())
 
 
 def _named(order: Order) -> Iterator[tuple[str, str]]:
@@ -54,5 +56,7 @@ def _drawn_in(path: Path) -> str:
     with closing(open_session(path)) as session:
         occluders = session.labels.occluders
     if not occluders:
-        raise SessionError(f"{path}: no occluders are drawn in it; draw some or leave it out")
+        raise SessionError(
+            "{path}: no occluders are drawn in it; draw some or leave it out", path=path
+        )
     return occluders_as_setting(occluders)

@@ -27,19 +27,27 @@ def parse_range(
         return None
     found = re.fullmatch(r"\s*(-?\d*)\s*:\s*(-?\d*)\s*", text, re.ASCII)
     if found is None:
-        raise SettingsError(f"frames {text!r} are not A:B, e.g. {option} 100:400")
+        raise SettingsError(
+            "frames {text!r} are not A:B, e.g. {flag} 100:400", text=text, flag=option
+        )
     start, stop = found.groups()
     if "-" in start + stop or max(len(start), len(stop)) > _MOST_DIGITS:
         if count is None:
             raise SettingsError(
-                f"{option} {text.strip()}: frames count from 0 and have at most "
-                f"{_MOST_DIGITS} digits"
+                "{flag} {text}: frames count from 0 and have at most {most} digits",
+                flag=option,
+                text=text.strip(),
+                most=_MOST_DIGITS,
             )
         raise SettingsError(
-            f"frames {text.strip()} are not all there: choose a range within 0:{count}"
+            "frames {text} are not all there: choose a range within 0:{count}",
+            text=text.strip(),
+            count=count,
         )
     if stop and int(stop) <= int(start or 0):
         raise SettingsError(
-            f"{option} {text.strip()} holds no frames; name them as A:B with A below B"
+            "{flag} {text} holds no frames; name them as A:B with A below B",
+            flag=option,
+            text=text.strip(),
         )
     return int(start or 0), int(stop or (ANY_END if count is None else count))

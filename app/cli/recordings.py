@@ -12,6 +12,7 @@ from tracking.errors import CalibrationError, RecordingError, SessionError
 from tracking.formats import begins_as_hdf5
 from tracking.recording import OpenOptions, Recording, open_recording
 from tracking.recording.limits import checked_fps, checked_ground
+from tracking.translation import tr
 
 
 def open_with_options(path: Path | None, bare: Bare, instead: str = "") -> Recording:
@@ -40,14 +41,22 @@ def _refusal(place: Path, instead: str) -> RecordingError:
 
     if read_file_kind(place) != FORMAT:
         return RecordingError(
-            f"{place} is an HDF5 file, neither a recording nor a session", "name a recording"
+            "{place} is an HDF5 file, neither a recording nor a session",
+            "name a recording",
+            place=place,
         )
     try:
         check_file(place)
     except SessionError as error:  # damaged, or of a newer version
-        return RecordingError(str(error))
-    to_do = "name the recording it is of" + (f", or {instead} {place}" if instead else "")
-    return RecordingError(f"{place} is a session, not a recording", to_do)
+        return RecordingError(error.message)
+    return RecordingError(
+        "{place} is a session, not a recording",
+        "name the recording it is of, or {instead} {place}"
+        if instead
+        else "name the recording it is of",
+        place=place,
+        instead=instead,
+    )
 
 
 def _is_hdf5(place: Path) -> bool:
@@ -82,7 +91,7 @@ def _check_numbers(bare: Bare) -> None:
         if bare.fps is not None:
             checked_fps(bare.fps, "it")
     except RecordingError as error:
-        raise typer.BadParameter(str(error), param_hint="--fps") from error
+        raise typer.BadParameter(tr(error.message), param_hint="--fps") from error
     placed = {"height": bare.height, "tilt": bare.tilt, "roll": bare.roll}
     usual = {"height": 1.0, "tilt": 0.0, "roll": 0.0}
     for name, value in placed.items():
@@ -90,4 +99,4 @@ def _check_numbers(bare: Bare) -> None:
             try:
                 checked_ground(*(usual | {name: value}).values())
             except CalibrationError as error:
-                raise typer.BadParameter(str(error), param_hint=f"--{name}") from error
+                raise typer.BadParameter(tr(error.message), param_hint=f"--{name}") from error

@@ -74,12 +74,12 @@ def _restored(path: Path, number: int) -> Session:
 def _refuse_read_only(session: Session, path: Path, what: str) -> None:
     if session.read_only:
         why = session.why_read_only.removeprefix(f"{session.path}: ")
-        raise SessionError(f"{path} cannot be {what}: {why}")
+        raise SessionError("{path} cannot be {what}: {why}", path=path, what=what, why=why)
 
 
 def _print(path: Path, *, as_json: bool) -> None:
     if not path.is_file():
-        raise SessionError(f"{path}: there is no such session; check the path")
+        raise SessionError("{path}: there is no such session; check the path", path=path)
     kept = list_backups(path)
     if as_json:
         print_json([_facts(backup) for backup in kept])

@@ -113,8 +113,11 @@ def parse_scored_range(text: str | None, *tracks: Tracks) -> tuple[int, int] | N
     frames = parse_range(text, count)
     if text is not None and frames is not None and not 0 <= frames[0] < frames[1] <= count:
         raise SettingsError(
-            f"--frames {text.strip()}: from frame {max(frames[0], count)} on there is nothing in "
-            f"result or ground truth; choose a range within 0:{count}"
+            "--frames {text}: from frame {frame} on there is nothing in result or ground "
+            "truth; choose a range within 0:{count}",
+            text=text.strip(),
+            frame=max(frames[0], count),
+            count=count,
         )
     return frames
 

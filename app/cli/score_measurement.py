@@ -121,7 +121,8 @@ def _distances(text: str) -> tuple[float, ...]:
         edges_m = tuple(float(each) for each in text.split(","))
     except ValueError as error:
         raise SettingsError(
-            f"distances {text!r} are not numbers with commas between, e.g. --distances 0,5,10"
+            "distances {text!r} are not numbers with commas between, e.g. --distances 0,5,10",
+            text=text,
         ) from error
     check_distances(edges_m)
     return edges_m
@@ -172,7 +173,9 @@ def _measured(
             return SequenceMeasurement(result, subject.name, score, parts)
         finding = finding_of(subject, result, yardstick)
     except FormatError as error:
-        raise FormatError(f"{result} on {subject.name}: {error}") from error
+        raise FormatError(
+            "{result} on {name}: {error}", result=result, name=subject.name, error=error
+        ) from error
     score = with_passages(finding.score, one, result, asked.lines)
     finding = replace(finding, score=score, parts=parts)
     return SequenceMeasurement(result, subject.name, score, parts, finding)
@@ -209,6 +212,7 @@ def _check_ranges(asked: MeasureRequest, measured: Sequence[SequenceMeasurement]
     if asked.ranges and not any(finding.ranges for finding in findings):
         stop = max(finding.subject.stop for finding in findings)
         raise SettingsError(
-            f"range {asked.ranges[0]} is in neither result nor ground truth: choose one within "
-            f"0:{stop}"
+            "range {range} is in neither result nor ground truth: choose one within 0:{stop}",
+            range=asked.ranges[0],
+            stop=stop,
         )

@@ -58,9 +58,9 @@ def _passages(
     fps = one.subject.footage.fps
     if fps is None:
         raise CountingError(
-            f"passages over {lines[0].name!r} are compared in time, and neither ground truth nor "
-            "result states its frames per second; name a session, or put a seqinfo.ini beside a "
-            "text"
+            "passages over {name!r} are compared in time, and neither ground truth nor result "
+            "states its frames per second; name a session, or put a seqinfo.ini beside a text",
+            name=lines[0].name,
         )
     happened = _counted(one, one.truth, lines, fps)
     found = _counted(one, one.results[result], lines, fps)

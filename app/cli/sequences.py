@@ -46,7 +46,9 @@ def pair_results(results: Sequence[Path], truth: Path) -> Pairing:
     """
     for path in (*results, truth):
         if not path.exists():
-            raise FormatError(f"cannot read {path}: No such file or directory; check the path")
+            raise FormatError(
+                "cannot read {path}: No such file or directory; check the path", path=path
+            )
     if truth.is_dir() and _truth_in(truth) is None and not _is_tracks(truth):
         return _batch(results, truth)
     names = _short_names(results)
@@ -60,7 +62,9 @@ def _batch(results: Sequence[Path], truth: Path) -> Pairing:
     truths = _sequences(truth, truths=True)
     if not truths:
         raise FormatError(
-            f"{truth} has no {TRUTH}, nor folders or files of sequences; name a ground truth"
+            "{truth} has no {file}, nor folders or files of sequences; name a ground truth",
+            truth=truth,
+            file=TRUTH,
         )
     folders = [path for path in results if path.is_dir() and _result_in(path) is None]
     files = [path for path in results if path not in folders]
@@ -71,7 +75,7 @@ def _batch(results: Sequence[Path], truth: Path) -> Pairing:
     by_name = dict(zip(_short_names(folders), found, strict=True))
     shared = sorted(set(truths).intersection(*by_name.values()))
     if not shared:
-        raise FormatError(_nothing_shared(truth, truths, by_name))
+        raise _nothing_shared(truth, truths, by_name)
     return Pairing(
         {name: truths[name] for name in shared},
         {result: {name: found[name] for name in shared} for result, found in by_name.items()},
@@ -83,7 +87,9 @@ def _batch(results: Sequence[Path], truth: Path) -> Pairing:
 def _sequences(folder: Path, *, truths: bool) -> dict[str, Path]:
     """The sequences of a folder by name; of a file and a folder of one name truths take that."""
     if not folder.is_dir():
-        raise FormatError(f"{folder} is no folder; name one with a file each sequence")
+        raise FormatError(
+            "{folder} is no folder; name one with a file each sequence", folder=folder
+        )
     inner = folder / _DATA
     if not truths and inner.is_dir():
         folder = inner
@@ -111,7 +117,12 @@ def _called(named: Iterable[tuple[str, Path]]) -> dict[str, Path]:
     found: dict[str, Path] = {}
     for name, path in named:
         if name in found:
-            raise FormatError(f"{found[name]} and {path} are both called {name}; remove one")
+            raise FormatError(
+                "{other} and {path} are both called {name}; remove one",
+                other=found[name],
+                path=path,
+                name=name,
+            )
         found[name] = path
     return found
 
@@ -147,8 +158,9 @@ def _result_at(path: Path) -> Path:
     found = _result_in(path)
     if found is None:
         raise FormatError(
-            f"{path} is a folder and the ground truth is one sequence; name a session or a file, "
-            "or a folder of ground truths"
+            "{path} is a folder and the ground truth is one sequence; name a session or a "
+            "file, or a folder of ground truths",
+            path=path,
         )
     return found
 
@@ -187,11 +199,13 @@ def _short_names(paths: Sequence[Path]) -> list[str]:
 
 def _nothing_shared(
     truth: Path, truths: Mapping[str, Path], results: Mapping[str, Mapping[str, Path]]
-) -> str:
-    held = {name for found in results.values() for name in found}
-    return (
-        f"no result is named like a ground truth of {truth}: truths {_listed(truths)}; "
-        f"results {_listed(held)}; name them alike"
+) -> FormatError:
+    return FormatError(
+        "no result is named like a ground truth of {truth}: truths {truths}; results {results}; "
+        "name them alike",
+        truth=truth,
+        truths=_listed(truths),
+        results=_listed({name for found in results.values() for name in found}),
     )
 
 

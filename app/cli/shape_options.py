@@ -9,6 +9,7 @@ import typer
 
 from tracking.errors import EditError
 from tracking.tracks import CountingLine, Region, check_line, check_region
+from tracking.translation import tr
 
 _Drawn = TypeVar("_Drawn", CountingLine, Region)
 _Corners = tuple[tuple[float, float], ...]
@@ -76,7 +77,7 @@ def _checked(item: _Drawn, check: Callable[[_Drawn], None], option: str) -> _Dra
     try:
         check(item)
     except EditError as error:
-        raise _misuse(str(error), option) from error
+        raise _misuse(tr(error.message), option) from error
     return item
 
 

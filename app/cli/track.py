@@ -30,6 +30,7 @@ from tracking.recording import Recording
 from tracking.session import IMPORTED, Session
 from tracking.trackers import TrackerSpec, best_tracker, parse_settings, tracker_named
 from tracking.tracks import Run
+from tracking.translation import message_of, msg
 
 BYTES_A_FRAME = 64 << 10
 """Of a session and what is put aside while it is made, with ten people all the time."""
@@ -146,8 +147,13 @@ class TrackerEndedError(EndedEarlyError):
     def __init__(self, run: Run, asked: tuple[int, int]) -> None:
         """asked: the half-open range of frames that was to be tracked."""
         (first, end), (start, stop) = run.frames, asked
-        super().__init__(f"{run.tracker} ended after {end - first} of {stop - start} frames")
-        self.run = replace(run, notes=(str(self),))
+        super().__init__(
+            "{tracker} ended after {n} of {asked} frames",
+            tracker=run.tracker,
+            n=end - first,
+            asked=stop - start,
+        )
+        self.run = replace(run, notes=(message_of(self),))
 
 
 @contextmanager
@@ -174,11 +180,13 @@ def save_partial_run(
                 save(problem.run, place)
         except (TrackwrightError, OSError) as error:
             why = told_by_system(error) or error
-            kept = f"what it tracked could not be kept: {why}"
+            kept = msg("what it tracked could not be kept: {why}", why=why)
         else:
             first, end = problem.run.frames
-            kept = f"frames {first}:{end} are kept in {place}"
-        raise EndedEarlyError(str(problem), kept) from problem.__cause__
+            kept = msg(
+                "frames {first}:{end} are kept in {place}", first=first, end=end, place=place
+            )
+        raise EndedEarlyError(message_of(problem), kept) from problem.__cause__
 
 
 def _free_name(out: Path) -> Path:
@@ -213,14 +221,17 @@ def refuse_to_lose(out: Path, *, force: bool) -> None:
     """
     if out.is_symlink() and not (out.is_file() and read_file_kind(out) is not None):
         raise OutputError(
-            f"cannot write {out}: it is a link that leads to no session",
+            "cannot write {out}: it is a link that leads to no session",
             "name the file it leads to, or remove the link",
+            out=out,
         )
     if force or not out.exists():
         return
     if lost := _lost_with(out):
         raise OutputError(
-            f"{out} is there: {lost} would be lost; choose another name or add --force"
+            "{out} is there: {lost} would be lost; choose another name or add --force",
+            out=out,
+            lost=lost,
         )
 
 
@@ -268,10 +279,15 @@ def _pairs(texts: Sequence[str]) -> dict[str, str]:
     for text in texts:
         name, sign, value = text.partition("=")
         if not sign or not name.strip():
-            raise SettingsError(f"setting {text!r} is not KEY=VALUE, e.g. --set particles=700")
+            raise SettingsError(
+                "setting {text!r} is not KEY=VALUE, e.g. --set particles=700", text=text
+            )
         if (name := name.strip()) in pairs:
             raise SettingsError(
-                f"setting {name} is given twice, as {pairs[name]} and {value}: give it once"
+                "setting {name} is given twice, as {first} and {value}: give it once",
+                name=name,
+                first=pairs[name],
+                value=value,
             )
         pairs[name] = value
     return pairs

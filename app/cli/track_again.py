@@ -124,9 +124,13 @@ def run_track_again(
 @contextmanager
 def _opened(request: TrackAgainRequest) -> Iterator[tuple[Session, Recording]]:
     if request.session.suffix.lower() != ".h5":
-        raise SessionError(f"{request.session} is no session; make one with track -o NAME.h5 first")
+        raise SessionError(
+            "{session} is no session; make one with track -o NAME.h5 first", session=request.session
+        )
     if request.recording is not None and not request.recording.exists():
-        raise RecordingError(f"there is nothing at {request.recording}; check the path")
+        raise RecordingError(
+            "there is nothing at {recording}; check the path", recording=request.recording
+        )
     options = OpenOptions(allow_outside=request.allow_outside)
     try:
         opening = open_path(request.session, request.recording, options)
@@ -152,8 +156,10 @@ def _check_named(session: Session, recording: Recording, request: TrackAgainRequ
     files = [folder / "recording.toml", *(source.resolve() for source in recording.sources)]
     if folder not in meant and named.resolve() not in files:
         raise RecordingMissing(
-            f'{named} is not the recording of {request.session} ("{session.recording.name}"); '
-            "name that one or leave it out"
+            '{named} is not the recording of {session} ("{name}"); name that one or leave it out',
+            named=named,
+            session=request.session,
+            name=session.recording.name,
         )
 
 
@@ -168,8 +174,9 @@ def _check_place(
         refuse_to_lose(request.out, force=force)
     elif request.accept and session.read_only:
         raise SessionError(
-            f"{request.session} is open for reading only, so no changes can be applied to it; "
-            "name another session with -o"
+            "{session} is open for reading only, so no changes can be applied to it; name "
+            "another session with -o",
+            session=request.session,
         )
 
 
@@ -179,8 +186,10 @@ def _tracked_again(
     """The new run: by default the same tracker with the settings of the run that was corrected."""
     if not 0 <= request.start < recording.frame_count:
         raise SettingsError(
-            f"frame {request.start}: tracking again goes on from one of the frames 0 to "
-            f"{recording.frame_count - 1}; choose --from there"
+            "frame {start}: tracking again goes on from one of the frames 0 to {last}; choose "
+            "--from there",
+            start=request.start,
+            last=recording.frame_count - 1,
         )
     name, settings = _tracker(session, recording, order)
     stop = recording.frame_count if request.until is None else request.until

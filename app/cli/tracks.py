@@ -76,7 +76,7 @@ def tracks_at(path: Path, filmed: Filmed | None = None) -> Tracks:
     """
     kind = _format_of(path)
     if kind is None and path.is_dir():
-        raise FormatError(f"{path} is a folder; name a session or a file of tracks in it")
+        raise FormatError("{path} is a folder; name a session or a file of tracks in it", path=path)
     if kind is None and is_session(path):
         return _of_session(path)
     # What nobody knows is read as MOT text, which says what is wrong with it.
@@ -93,7 +93,9 @@ def truth_at(path: Path, filmed: Filmed | None = None) -> Tracks:
         return _of_file(path / _TRUTH, FORMATS["mot"], Filmed())
     if path.is_dir() and _format_of(path) is None:
         raise FormatError(
-            f"{path} has no {_TRUTH}; name a session or a file of tracks as ground truth"
+            "{path} has no {file}; name a session or a file of tracks as ground truth",
+            path=path,
+            file=_TRUTH,
         )
     return tracks_at(path, filmed)
 
@@ -117,7 +119,12 @@ def _of_file(path: Path, kind: TrackFormat, filmed: Filmed) -> Tracks:
     found = measurable(path, kind, filmed)
     if found.bad_count:
         first = found.bad_rows[0]
-        raise FormatError(f"{path}, {first.place}: {first.reason}; correct or remove the row")
+        raise FormatError(
+            "{path}, {place}: {reason}; correct or remove the row",
+            path=path,
+            place=first.place,
+            reason=first.reason,
+        )
     return Tracks(
         found.columns,
         found.frames or 0,

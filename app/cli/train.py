@@ -61,7 +61,9 @@ def run_train(request: TrainRequest, *, as_json: bool) -> None:
     samples = training_set.samples
     if not len(samples):
         names = ", ".join(map(str, request.sources))
-        raise TrainingError(f"{names}: no label of a tracked body part; label some parts first")
+        raise TrainingError(
+            "{names}: no label of a tracked body part; label some parts first", names=names
+        )
     plan = TrainingPlan(false_alarms=request.false_alarms)
     with progress("training") as told:
         made = train(samples, plan, random=np.random.default_rng(request.seed), progress=told)
@@ -88,7 +90,8 @@ def _check(request: TrainRequest) -> None:
         check_training_folder(request.report)
         if request.report.resolve() in request.out.resolve().parents:
             raise OutputError(
-                f"{request.out} would lie in the report's folder; choose another place with -o"
+                "{out} would lie in the report's folder; choose another place with -o",
+                out=request.out,
             )
 
 

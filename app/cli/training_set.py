@@ -7,6 +7,7 @@ from pathlib import Path
 
 from app.features.parts.training_set import Source, TrainingSet, build_training_set, source_at
 from tracking.session import RecordingMissing
+from tracking.translation import Message, message_of
 
 
 def read_training_set(
@@ -27,12 +28,15 @@ def _source(path: Path, from_truth: bool, allow_outside: bool) -> Source:
     try:
         return source_at(path, from_truth=from_truth, allow_outside=allow_outside)
     except RecordingMissing as missing:
-        raise RecordingMissing(f"{path}: {with_advice(missing, allow_outside)}") from missing
+        raise RecordingMissing(
+            "{path}: {why}", path=path, why=with_advice(missing, allow_outside)
+        ) from missing
 
 
-def with_advice(error: Exception, allow_outside: bool) -> str:
+def with_advice(error: Exception, allow_outside: bool) -> Message:
     """The message of an error; how to find a recording as a command that takes no place for it."""
     if not isinstance(error, RecordingMissing):
-        return str(error)
-    way = "put it beside the session" if allow_outside else "allow it (--allow-outside)"
-    return str(error.advising(way))
+        return message_of(error)
+    if allow_outside:
+        return error.advising("put it beside the session").message
+    return error.advising("allow it", option="--allow-outside").message

@@ -7,10 +7,9 @@ import logging
 from app.core.i18n import strip_full_stop, tr
 from tracking.errors import TrackwrightError, told_by_system
 from tracking.session import RecordingMissing
+from tracking.translation import joined
 
 _log = logging.getLogger(__name__)
-_OPTION = " (--"
-"""Begins how what is to be done is said on the command line, which is no help in a window."""
 
 
 def explain(error: BaseException) -> str:
@@ -21,13 +20,13 @@ def explain(error: BaseException) -> str:
     it came from, and the user is told that the edits are safe.
     """
     if isinstance(error, RecordingMissing):
-        return error.reason
+        return tr(error.reason)
     if isinstance(error, TrackwrightError):
-        to_do = error.to_do.partition(_OPTION)[0]
-        return f"{error.reason}; {to_do}" if to_do else error.reason
+        # Without the option of the command line, which is no help in a window.
+        return tr(joined("; ", filter(None, (error.reason, error.to_do))))
     if told := told_by_system(error):
         _log.warning("unforeseen: %s", told, exc_info=error)
-        return told
+        return tr(told)
     _log.error("unexpected error", exc_info=error)
     return tr(
         "A bug in trackwright: {kind}: {error}. Your edits are safe on disk; save, and start the "

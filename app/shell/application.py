@@ -142,10 +142,10 @@ def save_picture(window: MainWindow, out_png: Path) -> None:
         OutputError: it cannot be written.
     """
     if not wait_until(lambda: not window.work.busy):
-        raise OutputError(f"{out_png}: the window did not come to rest; try again")
+        raise OutputError("{out_png}: the window did not come to rest; try again", out_png=out_png)
     with part_of(out_png) as part:
         if not window.grab().save(str(part), "PNG"):
-            raise OutputError(f"cannot write {out_png}: the picture cannot be made")
+            raise OutputError("cannot write {out_png}: the picture cannot be made", out_png=out_png)
 
 
 def show_document(window: MainWindow, path: Path, frame: int | None = None) -> None:
@@ -162,7 +162,9 @@ def show_document(window: MainWindow, path: Path, frame: int | None = None) -> N
     wait_until(lambda: window.controller is not None or bool(problems))
     controller = window.controller
     if problems or controller is None:
-        raise problems[0] if problems else RecordingError(f"{path}: opening took too long")
+        raise (
+            problems[0] if problems else RecordingError("{path}: opening took too long", path=path)
+        )
     controller.playback.go(controller.document.busiest_frame if frame is None else frame)
     wait_until(
         lambda: controller.playback.number == controller.playback.clock.frame or bool(problems)

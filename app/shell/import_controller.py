@@ -100,8 +100,9 @@ class ImportController(Controller):
             if came
             else drawable(self._window.app)
         ):
-            text = tr("Nothing was imported: {why}; import the file again", why=why_not)
-            self.failed.emit(SessionError(text))
+            self.failed.emit(
+                SessionError("Nothing was imported: {why}; import the file again", why=why_not)
+            )
             return
         if fitted.into is None:
             work = partial(_kept, controller, read, fitted)

@@ -38,11 +38,11 @@ class OpenRecovery(Controller):
         session = self._opening
         if isinstance(error, RecordingMissing) and session is not None:
             find = partial(self._find, session)
-            self._window.notice.say(error.reason, tr("Find it..."), find, is_error=True)
+            self._window.notice.say(tr(error.reason), tr("Find it..."), find, is_error=True)
         elif isinstance(error, SessionError) and session is not None and find_backups(session):
             take = tr("Open the copy saved before")
             older = partial(self._open_older, session)
-            self._window.notice.say(str(error), take, older, is_error=True)
+            self._window.notice.say(tr(error.message), take, older, is_error=True)
         else:
             self.failed.emit(error)
 

@@ -121,8 +121,9 @@ def check_countable(
         return
     if "x" not in columns or not np.isfinite(np.asarray(columns["x"], np.float64)).any():
         raise NotOnFloorError(
-            f"{on_floor[0]!r} lies on the floor, where these tracks have no places",
+            "{name!r} lies on the floor, where these tracks have no places",
             "name the recording's calibration and track again, or draw it in the image",
+            name=on_floor[0],
         )
 
 

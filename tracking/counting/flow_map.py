@@ -74,7 +74,7 @@ def flow_map(
     Raises CountingError for a cell that has no size, a track twice in one frame.
     """
     if not (math.isfinite(cell_m) and cell_m > 0):
-        raise CountingError(f"a cell of {cell_m:g} m; it needs a size")
+        raise CountingError("a cell of {cell_m:g} m; it needs a size", cell_m=cell_m)
     paths = Paths.on_floor(columns)
     velocity = velocities(paths, fps)
     used = (paths.frame >= frames[0]) & (paths.frame < frames[1])

@@ -59,8 +59,9 @@ class Paths:
         again = np.flatnonzero((np.diff(track) == 0) & (np.diff(frame) == 0))
         if len(again):
             raise CountingError(
-                f"track {track[again[0]]} stands twice in frame {frame[again[0]]} (from 0); "
-                "remove one of its rows"
+                "track {track} stands twice in frame {frame} (from 0); remove one of its rows",
+                track=track[again[0]],
+                frame=frame[again[0]],
             )
         return cls(track, frame, places)
 

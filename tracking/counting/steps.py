@@ -40,11 +40,15 @@ class Steps:
         """
         if not (math.isfinite(step_s) and step_s * fps >= 1 - _ROUNDING):
             raise CountingError(
-                f"a step of {step_s:g} s: it lasts a frame at least, here {1 / fps:.4g} s"
+                "a step of {step_s:g} s: it lasts a frame at least, here {frame_s:.4g} s",
+                step_s=step_s,
+                frame_s=1 / fps,
             )
         count = math.floor(frame_count / (step_s * fps)) + 2
         if count > _MOST_STEPS:
-            raise CountingError(f"{count} steps of {step_s:g} s; make the step longer")
+            raise CountingError(
+                "{count} steps of {step_s:g} s; make the step longer", count=count, step_s=step_s
+            )
         begins = np.arange(count) * (step_s * fps)
         frame = np.floor(begins + 0.5 + _ROUNDING).astype(np.int64)
         return cls(step_s, fps, frame[frame < frame_count])

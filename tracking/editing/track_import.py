@@ -92,7 +92,9 @@ def plan_import(
     before, after = select_rows(old, goes), new
     said = _labels(labels, {track: told[track] for track in ids if track in told})
     if not len(before["frame"]) and not len(after["frame"]) and said[0] == said[1]:
-        raise EditError(f"nothing to import: {source} says what the corrected tracks say")
+        raise EditError(
+            "nothing to import: {source} says what the corrected tracks say", source=source
+        )
     touched = np.union1d(before["track"], after["track"]).tolist() or list(said[0].tracks)
     frames = [int(side["frame"][0]) for side in (before, after) if len(side["frame"])]
     text = f"Import {tracks_text(touched)} from {' '.join(source.split())}"
@@ -123,7 +125,9 @@ def thin_dense(
     Raises EditError where the tolerance is not positive.
     """
     if not tolerance_px > 0:
-        raise EditError(f"a tolerance of {tolerance_px} px; give one above 0")
+        raise EditError(
+            "a tolerance of {tolerance_px} px; give one above 0", tolerance_px=tolerance_px
+        )
     dense = np.isin(rows["track"], _dense_tracks(rows))
     by_track = np.flatnonzero(dense)
     by_track = by_track[np.argsort(row_keys(rows["track"], rows["frame"])[by_track])]

@@ -47,12 +47,12 @@ def load_detector(path: Path) -> Detector:
     Raises FormatError where it is missing, no detector, damaged, hostile or too new.
     """
     if path.is_dir():
-        raise FormatError(f"{path}: this is a folder; name a detector file")
+        raise FormatError("{path}: this is a folder; name a detector file", path=path)
     if not path.is_file():
-        raise FormatError(f"{path}: there is no such detector; check the path")
+        raise FormatError("{path}: there is no such detector; check the path", path=path)
     verdict = verdicts_of(inspection.__file__, "detector", [path])[0]
     if "refused" in verdict:
-        raise FormatError(f"{path}{verdict['refused']}")
+        raise FormatError("{path}{why}", path=path, why=verdict["refused"])
     return _read(path)
 
 
@@ -64,7 +64,7 @@ def built_in_detector() -> Detector:
     """
     with as_file(files("resources") / BUILT_IN) as path:
         if not path.is_file():
-            raise FormatError(f"{BUILT_IN} is missing among the resources; install again")
+            raise FormatError("{path} is missing among the resources; install again", path=BUILT_IN)
         return _read(path)
 
 
@@ -107,7 +107,12 @@ def _read(path: Path) -> Detector:
             return _detector(file)
     except FAILURES as why:
         reason = " ".join(str(why).split())
-        raise FormatError(f"{path}: the detector is damaged ({reason}); {_AGAIN}") from why
+        raise FormatError(
+            "{path}: the detector is damaged ({reason}); {to_do}",
+            path=path,
+            reason=reason,
+            to_do=_AGAIN,
+        ) from why
 
 
 def _detector(file: h5py.File) -> Detector:

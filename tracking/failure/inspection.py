@@ -31,9 +31,14 @@ def inspect(path: Path) -> tuple[int, int]:
         for name, dimensions, kind in _expected(several):
             dataset = datasets.get(name)
             if dataset is None:
-                raise Refused(f"has no array {name}; {_KIND.choose}")
+                raise Refused("has no array {name}; {choose}", name=name, choose=_KIND.choose)
             if dataset.ndim != dimensions or dataset.dtype.kind != kind:
-                raise Refused(f"has {dataset.dtype} in {dataset.ndim} dimensions at {name}")
+                raise Refused(
+                    "has {dtype} in {ndim} dimensions at {name}",
+                    dtype=dataset.dtype,
+                    ndim=dataset.ndim,
+                    name=name,
+                )
         datasets["origin/recordings"].asstr(errors="replace")[()]
     return version
 

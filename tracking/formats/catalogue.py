@@ -68,7 +68,9 @@ def format_named(name: str) -> TrackFormat:
     """
     if name not in FORMATS:
         known = ", ".join(FORMATS)
-        raise FormatError(f"format {name!r} is unknown; choose one of: {known}")
+        raise FormatError(
+            "format {name!r} is unknown; choose one of: {known}", name=name, known=known
+        )
     return FORMATS[name]
 
 
@@ -81,26 +83,34 @@ def format_of(path: Path) -> TrackFormat:
     if path.is_dir():
         return _format_of_folder(path)
     if not path.is_file() and path.exists():
-        raise FormatError(f"{path} is no file that can be read twice; save it first")
+        raise FormatError("{path} is no file that can be read twice; save it first", path=path)
     with explain_unreadable(path), path.open("rb") as stream:
         head = stream.read(HEAD_BYTES)
     if not head.strip():
-        raise FormatError(f"{path} is empty; name a file with tracks")
+        raise FormatError("{path} is empty; name a file with tracks", path=path)
     for each in _AS_ASKED:
         if each.recognises(path, head):
             return each
     if begins_as_hdf5(path):
-        raise FormatError(f"{path}{why_refused(path)}")
+        raise FormatError("{path}{why_refused}", path=path, why_refused=why_refused(path))
     if lacks_commas(head):
         raise FormatError(
-            f"{path} is of no format known here", "put commas between values if it is MOT text"
+            "{path} is of no format known here",
+            "put commas between values if it is MOT text",
+            path=path,
         )
     known = ", ".join(each.name for each in READABLE)
-    raise FormatError(f"{path} is of no format known here", f"choose one of: {known} (--format)")
+    raise FormatError(
+        "{path} is of no format known here",
+        "choose one of: {known}",
+        option="--format",
+        path=path,
+        known=known,
+    )
 
 
 def _format_of_folder(path: Path) -> TrackFormat:
     for each in READABLE:
         if each.recognises_folder is not None and each.recognises_folder(path):
             return each
-    raise FormatError(f"{path} is a folder; name the file with the tracks")
+    raise FormatError("{path} is a folder; name the file with the tracks", path=path)

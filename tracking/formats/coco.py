@@ -92,7 +92,12 @@ class _File:
     def take(self, member: str, at: int, value: Any) -> None:
         """One element of a member."""
         if at >= _MOST[member]:
-            raise FormatError(f"{self._reading.path} has more than {at} {member}; split it first")
+            raise FormatError(
+                "{path} has more than {at} {member}; split it first",
+                path=self._reading.path,
+                at=at,
+                member=member,
+            )
         if not isinstance(value, dict):
             if at >= 0:
                 self._reading.bad(f"{member}[{at}]", "is no object")
@@ -194,10 +199,14 @@ class _File:
         path = self._reading.path
         if len(self._videos) > 1:
             raise FormatError(
-                f"{path} holds tracks of {len(self._videos)} videos; keep those of one of them"
+                "{path} holds tracks of {count} videos; keep those of one of them",
+                path=path,
+                count=len(self._videos),
             )
         if self._untracked and not self._whole:
-            raise FormatError(f"{path} holds detections without track_id, no tracks; track first")
+            raise FormatError(
+                "{path} holds detections without track_id, no tracks; track first", path=path
+            )
 
     def _labels(
         self, said: NDArray[np.int64], track: NDArray[Any], kind: NDArray[np.int64]

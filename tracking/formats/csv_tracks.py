@@ -79,11 +79,15 @@ def _header(path: Path, piece: Piece) -> tuple[str, tuple[str, ...]]:
     names = _names(line, separator)
     missing = [name for name in _NEEDED if name not in names]
     if missing:
-        raise FormatError(f"{path}, line 1: there is no column {missing[0]!r}; name the columns")
+        raise FormatError(
+            "{path}, line 1: there is no column {column!r}; name the columns",
+            path=path,
+            column=missing[0],
+        )
     twice = [name for name in names if names.count(name) > 1]
     if twice or len(names) > _MOST_COLUMNS:
         what = f"the column {twice[0]!r} stands there twice" if twice else "far too many columns"
-        raise FormatError(f"{path}, line 1: {what}; correct the header")
+        raise FormatError("{path}, line 1: {what}; correct the header", path=path, what=what)
     return separator, names
 
 

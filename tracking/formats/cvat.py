@@ -203,7 +203,9 @@ class _File:
     def start(self, name: str, attributes: Mapping[str, str], line: int) -> None:
         """See `xml_stream.Elements`."""
         if not self._open and name != "annotations":
-            raise FormatError(f"{self._reading.path} is XML, but none of CVAT's: export it again")
+            raise FormatError(
+                "{path} is XML, but none of CVAT's: export it again", path=self._reading.path
+            )
         inside = self._open[-1] if self._open else ""
         self._open.append(name)
         if name not in _OF_TRACKS or (self._track is None and name != "track"):
@@ -232,16 +234,24 @@ class _File:
         """Raise FormatError where the file is not of one video."""
         path = self._reading.path
         if self.meta.tasks > 1:
-            raise FormatError(f"{path} holds {self.meta.tasks} tasks; export one of them alone")
+            raise FormatError(
+                "{path} holds {tasks} tasks; export one of them alone",
+                path=path,
+                tasks=self.meta.tasks,
+            )
         if self._images and not self.tracks:
-            raise FormatError(f"{path} is CVAT for images; export the task as CVAT for video")
+            raise FormatError(
+                "{path} is CVAT for images; export the task as CVAT for video", path=path
+            )
 
     def _count_beside(self) -> None:
         """Raise FormatError where far more is said than in any of CVAT's files of a video."""
         self._beside += 1
         if self._beside > _MOST_BESIDE:
             self.check()
-            raise FormatError(f"{self._reading.path} holds hardly more than elements without boxes")
+            raise FormatError(
+                "{path} holds hardly more than elements without boxes", path=self._reading.path
+            )
 
     def _shape(self, name: str, attributes: Mapping[str, str], line: int) -> None:
         assert self._track is not None

@@ -106,11 +106,14 @@ class FileTracks:
         self._met += 1
         if self._met > MOST_TRACKS:
             raise FormatError(
-                f"{self._reading.path} holds more than {MOST_TRACKS} tracks; split it"
+                "{path} holds more than {most} tracks; split it",
+                path=self._reading.path,
+                most=MOST_TRACKS,
             )
         if self._met - len(self._held) > max(MOST_EMPTY, len(self._held)):
             raise FormatError(
-                f"{self._reading.path} holds hardly more than tracks without boxes; export it again"
+                "{path} holds hardly more than tracks without boxes; export it again",
+                path=self._reading.path,
             )
         if track.number is None:
             self._reading.bad(f"line {track.line}", "the id of the track is not a whole number")

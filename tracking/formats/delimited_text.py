@@ -56,10 +56,12 @@ def pieces_of(path: Path, report: Progress = no_progress) -> Iterator[Piece]:
     first, rest = 1, b""
     try:
         if not path.is_file() and path.exists():
-            raise FormatError(f"{path} is no file that can be read twice; save it first")
+            raise FormatError("{path} is no file that can be read twice; save it first", path=path)
         size = path.stat().st_size
         if size > MAX_BYTES:
-            raise FormatError(f"{path} is larger than {MAX_BYTES >> 20} MB; split it first")
+            raise FormatError(
+                "{path} is larger than {size} MB; split it first", path=path, size=MAX_BYTES >> 20
+            )
         with path.open("rb") as stream:
             count = lines_in(path, stream)
             stream.seek(0)
@@ -75,9 +77,11 @@ def pieces_of(path: Path, report: Progress = no_progress) -> Iterator[Piece]:
                 report(min(stream.tell(), size), size)
         yield Piece(first, _lines(first, rest), count)
     except OSError as error:
-        raise FormatError(f"cannot read {path}: {error.strerror}; check the path") from error
+        raise FormatError(
+            "cannot read {path}: {reason}; check the path", path=path, reason=error.strerror
+        ) from error
     except UnicodeDecodeError as error:
-        raise FormatError(f"{path} is not text; give a text file or a session") from error
+        raise FormatError("{path} is not text; give a text file or a session", path=path) from error
 
 
 def _lines(first: int, block: bytes) -> list[str]:
@@ -208,7 +212,11 @@ class NumberRows:
         if rows > MOST_ROWS:
             raise too_many(path)
         if empty > max(rows, MOST_EMPTY):
-            raise FormatError(f"{path} is hardly more than empty lines; is it {self._shape.what}?")
+            raise FormatError(
+                "{path} is hardly more than empty lines; is it {what}?",
+                path=path,
+                what=self._shape.what,
+            )
 
     def _read(
         self, lines: list[str], numbers: NDArray[np.int32], first: int, stop: int
@@ -278,7 +286,11 @@ class NumberRows:
         if self._reading.bad_count:
             first = self._reading.bad_rows[0]
             raise FormatError(
-                f"{self._reading.path}, {first.place}: {first.reason}; is it {self._shape.what}?"
+                "{path}, {place}: {reason}; is it {what}?",
+                path=self._reading.path,
+                place=first.place,
+                reason=first.reason,
+                what=self._shape.what,
             )
 
 

@@ -27,8 +27,10 @@ class FilledRows:
         self._count += count
         if self._count > MOST_FILLED:
             raise FormatError(
-                f"{self._path}: its keyframes stand for more than {MOST_FILLED} boxes between them",
+                "{path}: its keyframes stand for more than {most} boxes between them",
                 "check its frame numbers, or split it",
+                path=self._path,
+                most=MOST_FILLED,
             )
 
 

@@ -37,7 +37,8 @@ class Places:
                 self._take(rows)
         if not self.count:
             raise FormatError(
-                f"{path}: nobody has a place on the floor; calibrate the camera, then track again"
+                "{path}: nobody has a place on the floor; calibrate the camera, then track again",
+                path=path,
             )
 
     def _take(self, rows: Columns) -> None:
@@ -64,7 +65,9 @@ class Places:
 def fps_of(path: Path, exported: Exported) -> float:
     """Frames a second; raises FormatError where they are not known."""
     if exported.fps is None:
-        raise FormatError(f"{path}: the format needs the frames per second, which are not known")
+        raise FormatError(
+            "{path}: the format needs the frames per second, which are not known", path=path
+        )
     return float(exported.fps)
 
 

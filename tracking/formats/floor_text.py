@@ -133,9 +133,10 @@ class _Comments:
         said = "cm" if self._unit.startswith("c") else "m" if self._unit else ""
         if not said and not stated:
             raise UnitUnsaidError(
-                f"{path} does not say its unit",
+                "{path} does not say its unit",
                 "say it with --unit m or --unit cm, or put '# id frame x/m y/m z/m' before its "
                 "rows, x/cm y/cm where they are centimetres",
+                path=path,
             )
         return said or stated
 

@@ -14,6 +14,7 @@ import numpy as np
 from tracking.errors import FormatError, explain_unreadable
 from tracking.formats import hdf5_tracks_inspection
 from tracking.formats.read_result import FASTEST_FPS
+from tracking.translation import Message, msg
 from tracking.untrusted import SIGNATURE, verdicts_of
 
 
@@ -31,12 +32,12 @@ def has_layout(*layouts: str) -> Callable[[Path, bytes], bool]:
     return recognises
 
 
-def why_refused(path: Path) -> str:
+def why_refused(path: Path) -> Message:
     """Why a HDF5 file is of no layout read here, as it goes on after the file's name; "": it is.
 
     Raises OSError where the file is not there.
     """
-    return str(_verdict(path).get("refused", ""))
+    return msg(_verdict(path).get("refused", ""))
 
 
 @contextmanager
@@ -48,17 +49,21 @@ def opened(path: Path, *layouts: str) -> Iterator[h5py.File]:
     with explain_unreadable(path):
         verdict = _verdict(path)
     if "refused" in verdict:
-        raise FormatError(f"{path}{verdict['refused']}")
+        raise FormatError("{path}{why}", path=path, why=verdict["refused"])
     if verdict["layout"] not in layouts:
         raise FormatError(
-            f"{path} is a file of {verdict['layout']}", "import it as that (--format)"
+            "{path} is a file of {layout}",
+            "import it as that",
+            option="--format",
+            path=path,
+            layout=verdict["layout"],
         )
     try:
         with h5py.File(path, "r", locking=False) as file:
             yield file
     except (OSError, KeyError, ValueError, TypeError, RuntimeError, OverflowError) as error:
         raise FormatError(
-            f"{path} is damaged: its tracks cannot be read; export it anew"
+            "{path} is damaged: its tracks cannot be read; export it anew", path=path
         ) from error
 
 

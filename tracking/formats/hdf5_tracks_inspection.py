@@ -42,7 +42,9 @@ def inspect(path: Path) -> str:
     with h5py.File(path, "r", locking=False) as file:
         held = str(attribute_of(file, "format"))
         if held.startswith("trackwright-"):
-            raise Refused(f"is a {held.replace('-', ' ', 1)}; open it, or score it as it is", held)
+            raise Refused(
+                "is a {held}; open it, or score it as it is", held, held=held.replace("-", " ", 1)
+            )
         walk = Walk(path.stat().st_size, _KIND)
         for layout in (_trajectory, _analysis, _project, _individuals):
             if found := layout(file, walk):
@@ -60,10 +62,14 @@ def _trajectory(file: h5py.File, walk: Walk) -> str:
     fields = rows.dtype.names or ()
     missing = [name for name in _NEEDED if name not in fields]
     if rows.ndim != 1 or missing:
-        raise Refused(f"has a /trajectory without {', '.join(missing) or 'rows'}")
+        raise Refused("has a /trajectory without {missing}", missing=", ".join(missing) or "rows")
     for name in (*_NEEDED, *({"z"} & set(fields))):
         if rows.dtype[name].kind not in "iuf" or rows.dtype[name].shape:
-            raise Refused(f"keeps {rows.dtype[name]} in {name} of /trajectory; numbers are needed")
+            raise Refused(
+                "keeps {dtype} in {name} of /trajectory; numbers are needed",
+                dtype=rows.dtype[name],
+                name=name,
+            )
     _check_packing(rows)
     for node in (rows, file):
         attribute_of(node, "fps")
@@ -97,10 +103,19 @@ def _project(file: h5py.File, walk: Walk) -> str:
         fields = table.dtype.names or ()
         missing = [each for each in needed if each not in fields]
         if table.ndim != 1 or missing:
-            raise Refused(f"has a table {name} without {', '.join(missing) or 'rows'}")
+            raise Refused(
+                "has a table {name} without {missing}",
+                name=name,
+                missing=", ".join(missing) or "rows",
+            )
         for each in needed:
             if table.dtype[each].kind not in "iufb" or table.dtype[each].shape:
-                raise Refused(f"keeps {table.dtype[each]} in {each} of {name}; numbers are needed")
+                raise Refused(
+                    "keeps {dtype} in {each} of {name}; numbers are needed",
+                    dtype=table.dtype[each],
+                    each=each,
+                    name=name,
+                )
         _check_size(table, name)
         _check_packing(table)
     names = walk.dataset_at(file, "tracks_json")
@@ -133,10 +148,12 @@ def _individuals(file: h5py.File, walk: Walk) -> str:
     _check_numbers(points, "trajectories", 3)
     _check_size(points, "trajectories")
     if points.shape[2] != 2:
-        raise Refused(f"has {points.shape[2]} numbers a place in trajectories; two are needed")
+        raise Refused(
+            "has {count} numbers a place in trajectories; two are needed", count=points.shape[2]
+        )
     probabilities = walk.dataset_at(file, "id_probabilities")
     if probabilities is not None and probabilities.dtype.kind not in "iuf":
-        raise Refused(f"keeps {probabilities.dtype} in id_probabilities")
+        raise Refused("keeps {dtype} in id_probabilities", dtype=probabilities.dtype)
     for name in ("frames_per_second", "identities_labels", "width", "height"):
         attribute_of(file, name)
     return "idtracker"
@@ -144,19 +161,32 @@ def _individuals(file: h5py.File, walk: Walk) -> str:
 
 def _check_numbers(dataset: h5py.Dataset, where: str, dimensions: int) -> None:
     if dataset.dtype.kind not in "iufb" or dataset.ndim != dimensions:
-        raise Refused(f"has {dataset.dtype} in {dataset.ndim} dimensions at {where}")
+        raise Refused(
+            "has {dtype} in {ndim} dimensions at {where}",
+            dtype=dataset.dtype,
+            ndim=dataset.ndim,
+            where=where,
+        )
 
 
 def _check_size(dataset: h5py.Dataset, where: str) -> None:
     """It is read whole; nearly empty ones pack well, so how well says nothing."""
     if dataset.size * dataset.dtype.itemsize > _MOST_POINT_BYTES:
-        raise Refused(f"holds more than {_MOST_POINT_BYTES >> 20} MB of {where}; split it first")
+        raise Refused(
+            "holds more than {size} MB of {where}; split it first",
+            size=_MOST_POINT_BYTES >> 20,
+            where=where,
+        )
 
 
 def _check_packing(rows: h5py.Dataset) -> None:
     unpacked, stored = rows.size * rows.dtype.itemsize, rows.id.get_storage_size()
     if unpacked > _USUAL_BYTES + _BEST_RATIO * stored:
-        raise Refused(f"packs {rows.size} rows into {stored} bytes, as no places of people do")
+        raise Refused(
+            "packs {count} rows into {stored} bytes, as no places of people do",
+            count=rows.size,
+            stored=stored,
+        )
 
 
 def _check_names(names: h5py.Dataset, where: str) -> None:
@@ -165,7 +195,12 @@ def _check_names(names: h5py.Dataset, where: str) -> None:
         return
     text = h5py.check_string_dtype(names.dtype) is not None
     if names.ndim != 1 or not (text or names.dtype.kind == "S") or len(names) > _MOST_NAMES:
-        raise Refused(f"has {names.dtype} in {names.ndim} dimensions at {where}")
+        raise Refused(
+            "has {dtype} in {ndim} dimensions at {where}",
+            dtype=names.dtype,
+            ndim=names.ndim,
+            where=where,
+        )
     if _longest(names[()]) > _LONGEST_NAME:
         raise Refused("has names of tracks longer than any")
 

@@ -105,15 +105,26 @@ def _points_of_text(reading: Reading) -> tuple[NDArray[np.float64], NDArray[np.f
     width = first.lines[0].count(",") + 1
     people = width // 2
     if people > _MOST_PEOPLE or width != 2 * people + 1:
-        raise FormatError(f"{reading.path} has {width} columns; two a person and the time belong")
+        raise FormatError(
+            "{path} has {width} columns; two a person and the time belong",
+            path=reading.path,
+            width=width,
+        )
     shape = RowShape("idtracker.ai's table", width, width)
     table, lines = NumberRows(reading, shape).read(_without_header(first, pieces))
     if reading.bad_count:
         # A row is a frame by where it stands: without one, all that follow would be earlier.
         bad = reading.bad_rows[0]
-        raise FormatError(f"{reading.path}, {bad.place}: {bad.reason}; export the table again")
+        raise FormatError(
+            "{path}, {place}: {reason}; export the table again",
+            path=reading.path,
+            place=bad.place,
+            reason=bad.reason,
+        )
     if len(lines) and not np.array_equal(lines, np.arange(len(lines)) + 2):
-        raise FormatError(f"{reading.path} has empty lines between its frames; export it again")
+        raise FormatError(
+            "{path} has empty lines between its frames; export it again", path=reading.path
+        )
     return table[:, 1:].reshape(len(table), people, 2), table[:, 0]
 
 

@@ -82,14 +82,18 @@ def _opened(path: Path, report: Progress) -> Iterator[_Text]:
     try:
         size = path.stat().st_size
         if size > MOST_BYTES:
-            raise FormatError(f"{path} is larger than {MOST_BYTES >> 30} GB; split it first")
+            raise FormatError(
+                "{path} is larger than {size} GB; split it first", path=path, size=MOST_BYTES >> 30
+            )
         with path.open("rb") as held, TextIOWrapper(held, encoding="utf-8-sig") as stream:
             _check_end(path, held, size)
             yield _Text(path, stream, lambda: report(min(held.tell(), size), size))
     except OSError as error:
-        raise FormatError(f"cannot read {path}: {error.strerror}; check the path") from error
+        raise FormatError(
+            "cannot read {path}: {reason}; check the path", path=path, reason=error.strerror
+        ) from error
     except UnicodeDecodeError as error:
-        raise FormatError(f"{path} is not text; give a JSON file") from error
+        raise FormatError("{path} is not text; give a JSON file", path=path) from error
 
 
 def _check_end(path: Path, held: BinaryIO, size: int) -> None:
@@ -97,7 +101,9 @@ def _check_end(path: Path, held: BinaryIO, size: int) -> None:
     if size > _TAIL:
         held.seek(size - _TAIL)
         if not held.read(_TAIL).rstrip(b" \t\r\n\0").endswith(_ENDS):
-            raise FormatError(f"{path} is cut short: it ends within its JSON; export it again")
+            raise FormatError(
+                "{path} is cut short: it ends within its JSON; export it again", path=path
+            )
         held.seek(0)
 
 
@@ -285,8 +291,10 @@ class _Text:
     def _wrong(self, reason: str) -> FormatError:
         where = self._before + self._at
         return FormatError(
-            f"{self._path}, character {where}: {reason or 'the file ends'}; it is not the JSON "
-            "it should be, export it again"
+            "{path}, character {where}: {reason}; it is not the JSON it should be, export it again",
+            path=self._path,
+            where=where,
+            reason=reason or "the file ends",
         )
 
 

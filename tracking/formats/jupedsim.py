@@ -118,11 +118,14 @@ def _check_version(path: Path, said: object) -> None:
     text = str(said).strip()
     version = int(text) if text.isascii() and text.isdigit() and len(text) < 10 else None
     if version is None:
-        raise FormatError(f"{path} names no version of JuPedSim's files; export it again")
+        raise FormatError("{path} names no version of JuPedSim's files; export it again", path=path)
     if version not in _READ_VERSIONS:
         raise FormatError(
-            f"{path} is of version {version} of JuPedSim's files; {max(_READ_VERSIONS)} is the "
-            "newest that is known here"
+            "{path} is of version {version} of JuPedSim's files; {newest} is the newest that "
+            "is known here",
+            path=path,
+            version=version,
+            newest=max(_READ_VERSIONS),
         )
 
 

@@ -204,7 +204,9 @@ def _with_numbered_types(reading: Reading, types: dict[str, int]) -> Iterator[Pi
             lines.append(" ".join(fields))
         if len(types) > _MOST_TYPES:
             raise FormatError(
-                f"{reading.path}: more than {_MOST_TYPES} types; is it KITTI's labels?"
+                "{path}: more than {most} types; is it KITTI's labels?",
+                path=reading.path,
+                most=_MOST_TYPES,
             )
         yield replace(piece, lines=lines)
 

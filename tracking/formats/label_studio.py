@@ -67,7 +67,8 @@ def export_label_studio(path: Path, exported: Exported, report: Progress) -> tup
     """
     if exported.size_px is None:
         raise FormatError(
-            f"{path}: Label Studio tells boxes in percent, and the image's size is not known"
+            "{path}: Label Studio tells boxes in percent, and the image's size is not known",
+            path=path,
         )
     frames = exported.frame_stop
     task = {_VIDEO_TAG: line(exported.name)}

@@ -165,7 +165,11 @@ class _File:
     def _take_keyframe(self, region: Region, number: int, value: Any) -> None:
         self._keyframes += 1
         if self._keyframes > _MOST_KEYFRAMES:
-            raise FormatError(f"{self._reading.path} has more than {_MOST_KEYFRAMES} keyframes")
+            raise FormatError(
+                "{path} has more than {most} keyframes",
+                path=self._reading.path,
+                most=_MOST_KEYFRAMES,
+            )
         if reason := region.take(number, value):
             self._reading.bad(f"{region.place}, sequence[{number}]", reason)
         else:
@@ -175,7 +179,11 @@ class _File:
         if owner not in self._annotations:
             if len(self._annotations) == _MOST_ANNOTATIONS:
                 path, most = self._reading.path, _MOST_ANNOTATIONS
-                raise FormatError(f"{path} has more than {most} annotations; keep the task of one")
+                raise FormatError(
+                    "{path} has more than {most} annotations; keep the task of one",
+                    path=path,
+                    most=most,
+                )
             filled = FilledRows(self._reading.path)
             self._annotations[owner] = _Annotation(owner[0], predicted, filled)
         return self._annotations[owner]
@@ -185,7 +193,9 @@ class _File:
         if place not in held.regions:
             self._regions += 1
             if self._regions > MOST_TRACKS:
-                raise FormatError(f"{self._reading.path} has more than {MOST_TRACKS} regions")
+                raise FormatError(
+                    "{path} has more than {most} regions", path=self._reading.path, most=MOST_TRACKS
+                )
             self._count_last(held)
             held.regions[place] = Region(_named(place))
         return held.regions[place]
@@ -237,7 +247,9 @@ class _File:
         videos = len({str(each.task) for each in held})
         if videos > 1:
             raise FormatError(
-                f"{self._reading.path} holds tracks of {videos} videos; keep the task of one"
+                "{path} holds tracks of {videos} videos; keep the task of one",
+                path=self._reading.path,
+                videos=videos,
             )
         by_people = [each for each in held if not each.predicted] or held
         if len(by_people) > 1:
@@ -283,7 +295,7 @@ class _File:
         ]
         following = max((each for each in kept if each is not None), default=0)
         if following + kept.count(None) > LARGEST_NUMBER:
-            raise FormatError(f"{self._reading.path}: no ids are left for its new tracks")
+            raise FormatError("{path}: no ids are left for its new tracks", path=self._reading.path)
         if None in kept and any(kept):
             self._reading.notes.append("tracks that were made in Label Studio got new ids")
         free = itertools.count(following + 1)
@@ -324,8 +336,9 @@ class _File:
         path = self._reading.path
         if regions and size_px is None:
             raise FormatError(
-                f"{path} tells boxes in percent, and not how large the image is; import it with "
-                "its recording"
+                "{path} tells boxes in percent, and not how large the image is; import it with "
+                "its recording",
+                path=path,
             )
         filled = FilledRows(path)
         for each in regions:

@@ -36,7 +36,7 @@ def lines_in(path: Path, stream: BinaryIO) -> int:
     rest = b""
     while block := stream.read(_BLOCK):
         if b"\0" in block:
-            raise FormatError(f"{path} is not text; give a text file or a session")
+            raise FormatError("{path} is not text; give a text file or a session", path=path)
         block = rest + block
         end = block.rfind(b"\n") + 1
         rest = block[end:]
@@ -62,16 +62,23 @@ def _check(path: Path, rows: int, empty: int) -> None:
     if rows > MOST_ROWS + MOST_EMPTY:
         raise too_many(path)
     if empty > max(rows, MOST_EMPTY):
-        raise FormatError(f"{path} is hardly more than empty lines; is it a file with tracks?")
+        raise FormatError(
+            "{path} is hardly more than empty lines; is it a file with tracks?", path=path
+        )
 
 
 def too_many(path: Path) -> FormatError:
     """The error of a text with more than `MOST_ROWS`."""
-    return FormatError(f"{path} has more than {MOST_ROWS} rows; split it first")
+    return FormatError(
+        "{path} has more than {most} rows; split it first", path=path, most=MOST_ROWS
+    )
 
 
 def too_long(path: Path, line: int) -> FormatError:
     """The error of a line beyond `LONGEST_LINE`."""
     return FormatError(
-        f"{path}, line {line}: longer than {LONGEST_LINE >> 10} kB; is it a file of this format?"
+        "{path}, line {line}: longer than {size} kB; is it a file of this format?",
+        path=path,
+        line=line,
+        size=LONGEST_LINE >> 10,
     )

@@ -37,7 +37,9 @@ def numbered_rows(
     filled = empty = 0
     try:
         if path.stat().st_size > most_bytes:
-            raise FormatError(f"{path} is larger than {most_bytes >> 20} MB; split it first")
+            raise FormatError(
+                "{path} is larger than {size} MB; split it first", path=path, size=most_bytes >> 20
+            )
         with path.open(encoding="utf-8-sig", newline="") as stream:
             lines = _Lines(path, stream)
             rows = csv.reader(iter(lines), strict=True)
@@ -48,21 +50,30 @@ def numbered_rows(
                 if not any(value.strip() for value in row):
                     empty += 1
                     if empty > max(filled, MOST_EMPTY):
-                        raise FormatError(f"{path} is hardly more than empty lines; is it a table?")
+                        raise FormatError(
+                            "{path} is hardly more than empty lines; is it a table?", path=path
+                        )
                     continue
                 filled += 1
                 if len(row) != len(header):
                     raise FormatError(
-                        f"{place_of(path, rows.line_num)}: {len(row)} values where the header "
-                        f"names {len(header)}; correct or remove the row"
+                        "{place}: {count} values where the header names {named}; correct or "
+                        "remove the row",
+                        place=place_of(path, rows.line_num),
+                        count=len(row),
+                        named=len(header),
                     )
                 yield rows.line_num, dict(zip(header, map(text_of_cell, row), strict=True))
     except OSError as error:
-        raise FormatError(f"cannot read {path}: {error.strerror}; check the path") from error
+        raise FormatError(
+            "cannot read {path}: {reason}; check the path", path=path, reason=error.strerror
+        ) from error
     except UnicodeDecodeError as error:
-        raise FormatError(f"{path} is not text; give a CSV file") from error
+        raise FormatError("{path} is not text; give a CSV file", path=path) from error
     except csv.Error as error:
-        raise FormatError(f"{path} is not CSV ({error}); write it anew") from error
+        raise FormatError(
+            "{path} is not CSV ({error}); write it anew", path=path, error=error
+        ) from error
 
 
 class _Lines:
@@ -106,12 +117,22 @@ def _check_header(
     if missing:
         if len(header) == 1 and (other := next((s for s in _SEPARATORS if s in header[0]), "")):
             raise FormatError(
-                f"{path}, line 1: the columns are separated by {_SEPARATORS[other]}; "
-                "separate them by commas"
+                "{path}, line 1: the columns are separated by {separator}; separate them by commas",
+                path=path,
+                separator=_SEPARATORS[other],
             )
-        raise FormatError(f"{path}, line 1: there is no column {missing[0]!r}; name the columns")
+        raise FormatError(
+            "{path}, line 1: there is no column {column!r}; name the columns",
+            path=path,
+            column=missing[0],
+        )
     unknown = [name for name in header if name not in (*needed, *also)]
     if unknown or len(set(header)) < len(header):
         name = unknown[0] if unknown else next(n for n in header if header.count(n) > 1)
         what = "is none of ours" if unknown else "stands there twice"
-        raise FormatError(f"{path}, line 1: the column {name[:_TOLD]!r} {what}; remove it")
+        raise FormatError(
+            "{path}, line 1: the column {name!r} {what}; remove it",
+            path=path,
+            name=name[:_TOLD],
+            what=what,
+        )

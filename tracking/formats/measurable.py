@@ -50,7 +50,9 @@ def measurable(path: Path, kind: TrackFormat, filmed: Filmed) -> Measurable:
     if kind.name.startswith(_MOT):
         return _of_mot(path)
     if kind.read is None:
-        raise FormatError(f"{path} is {kind.title}, which is not read; export it anew")
+        raise FormatError(
+            "{path} is {title}, which is not read; export it anew", path=path, title=kind.title
+        )
     found = _as_numbered(_people_of(kind.read(path, filmed)))
     return Measurable(
         found.columns,

@@ -85,7 +85,7 @@ def _check_no_bad(reading: Reading) -> None:
     if reading.bad_count:
         first = reading.bad_rows[0]
         where = f"{reading.path}, {first.place}: {first.reason}"
-        raise FormatError(f"{where}; correct or remove the row")
+        raise FormatError("{where}; correct or remove the row", where=where)
 
 
 def rows_by_frame(reading: Reading) -> dict[str, NDArray[Any]]:

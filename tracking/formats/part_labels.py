@@ -57,8 +57,9 @@ def read_part_labels(path: Path, author: str = "") -> list[GivenLabel]:
     """
     if {"label", "source", FEATURE_NAMES[0]} <= set(header_of(path)):
         raise FormatError(
-            f"{path} holds samples, which are labels no more: train from it (trackwright train), "
-            "or export labels (--format labels) to import into a session"
+            "{path} holds samples, which are labels no more: train from it (trackwright "
+            "train), or export labels (--format labels) to import into a session",
+            path=path,
         )
     given = [_given(path, line, row, author) for line, row in numbered_rows(path, _NEEDED, _ALSO)]
     seen: dict[tuple[int, int, int], int] = {}
@@ -66,7 +67,9 @@ def read_part_labels(path: Path, author: str = "") -> list[GivenLabel]:
         earlier = seen.setdefault(one.label.key, one.line)
         if earlier != one.line:
             raise FormatError(
-                f"{one.place}: line {earlier} speaks of the same part; remove one of them"
+                "{place}: line {earlier} speaks of the same part; remove one of them",
+                place=one.place,
+                earlier=earlier,
             )
     return given
 
@@ -103,7 +106,7 @@ def _given(path: Path, line: int, row: Mapping[str, str], author: str) -> GivenL
         )
         check_part_label(label)
     except (ValueError, EditError) as error:
-        raise FormatError(f"{place}: {error}") from error
+        raise FormatError("{place}: {error}", place=place, error=error) from error
     return GivenLabel(line, place, label, box is not None)
 
 

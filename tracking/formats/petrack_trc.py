@@ -118,12 +118,15 @@ class _File:
         path = self._reading.path
         if self._people is None:
             raise FormatError(
-                f"{path} is cut short: it ends before the number of people; export it again"
+                "{path} is cut short: it ends before the number of people; export it again",
+                path=path,
             )
         if self._person is not None or self._met < self._people:
             raise FormatError(
-                f"{path} is cut short: it ends within person {max(self._met, 1)} of "
-                f"{self._people}; export it again"
+                "{path} is cut short: it ends within person {person} of {people}; export it again",
+                path=path,
+                person=max(self._met, 1),
+                people=self._people,
             )
         self._reading.notes.append("boxes have no size: PeTrack's file tells points of heads alone")
         frame, track, line = np.asarray(self._whole, np.int64).reshape(-1, 3).T
@@ -151,8 +154,11 @@ class _File:
             self._version = int(found[1])
             if not _HAS_STEREO <= self._version <= _NEWEST:
                 raise FormatError(
-                    f"{self._reading.path} is of version {self._version}; versions 1 to {_NEWEST} "
-                    "are read, export PeTrack's text instead"
+                    "{path} is of version {version}; versions 1 to {newest} are read, export "
+                    "PeTrack's text instead",
+                    path=self._reading.path,
+                    version=self._version,
+                    newest=_NEWEST,
                 )
             return
         count = whole_in(text)
@@ -206,7 +212,11 @@ class _File:
         self._numbers.extend(point)
         self._reading.good += 1
         if self._reading.good > MOST_ROWS:
-            raise FormatError(f"{self._reading.path} has more than {MOST_ROWS} points; split it")
+            raise FormatError(
+                "{path} has more than {most} points; split it",
+                path=self._reading.path,
+                most=MOST_ROWS,
+            )
 
     def _point_of(self, text: str) -> tuple[float, float, float] | str:
         """Place and confidence; why they are none as text."""
@@ -224,7 +234,12 @@ class _File:
         return x, y, min(quality, _FULL_QUALITY) / _FULL_QUALITY
 
     def _wrong(self, number: int, reason: str) -> FormatError:
-        return FormatError(f"{self._reading.path}, line {number}: {reason}; export it again")
+        return FormatError(
+            "{path}, line {number}: {reason}; export it again",
+            path=self._reading.path,
+            number=number,
+            reason=reason,
+        )
 
 
 PETRACK_TRC = TrackFormat(

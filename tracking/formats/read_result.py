@@ -69,9 +69,11 @@ class Stated:
 
     def __post_init__(self) -> None:
         if self.unit not in ("", "m", "cm"):
-            raise FormatError(f"unit {self.unit!r} is unknown; choose m or cm")
+            raise FormatError("unit {unit!r} is unknown; choose m or cm", unit=self.unit)
         if self.fps is not None and not 0 < self.fps < FASTEST_FPS:
-            raise FormatError(f"{self.fps:g} frames per second are no such number; 25 is usual")
+            raise FormatError(
+                "{fps:g} frames per second are no such number; 25 is usual", fps=self.fps
+            )
 
 
 @dataclass(frozen=True, slots=True)
@@ -160,9 +162,12 @@ class Reading:
         if self.bad_count > most:
             first = self._told[0]
             raise FormatError(
-                f"{self.path}: more than {most} invalid rows, the first in "
-                f"{first.place}: {first.reason}",
+                "{path}: more than {most} invalid rows, the first in {place}: {reason}",
                 "is it a file of this format?",
+                path=self.path,
+                most=most,
+                place=first.place,
+                reason=first.reason,
             )
 
     def checked(
@@ -197,7 +202,9 @@ class Reading:
         """
         own, self._track_of_zero = positive_ids(track)
         if self._track_of_zero > LARGEST_NUMBER:
-            raise FormatError(f"{self.path}: no id is left for its track 0; number it anew")
+            raise FormatError(
+                "{path}: no id is left for its track 0; number it anew", path=self.path
+            )
         return own
 
     def imported(self, rows: Columns, place_of: PlaceOf, **known: Any) -> Imported:

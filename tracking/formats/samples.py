@@ -50,7 +50,11 @@ def _writer_of(path: Path) -> Callable[[Path, Samples], list[Path]]:
     writer = _WRITERS.get(path.suffix.lower())
     if writer is None:
         endings = ", ".join(_WRITERS)
-        raise FormatError(f"{path}: samples are written to files that end in {endings}; rename it")
+        raise FormatError(
+            "{path}: samples are written to files that end in {endings}; rename it",
+            path=path,
+            endings=endings,
+        )
     return writer
 
 

@@ -49,17 +49,31 @@ def _check_columns(datasets: Mapping[str, h5py.Dataset]) -> None:
     """All there, of one length and of the right kind."""
     features = datasets.get("features")
     if features is None or features.ndim != len(SHAPE) or features.shape[1] != SHAPE[1]:
-        raise Refused(f"has no table of {SHAPE[1]} features a sample; {_KIND.choose}")
+        raise Refused(
+            "has no table of {count} features a sample; {choose}",
+            count=SHAPE[1],
+            choose=_KIND.choose,
+        )
     expected = {"features": "f", **dict.fromkeys(NUMBERS, "iu"), **dict.fromkeys(TEXTS, "O")}
     expected |= {name: "iuf" for name in SHARED if name in datasets}
     for name, kinds in expected.items():
         column = datasets.get(name)
         if column is None:
-            raise Refused(f"has no column {name}; {_KIND.choose}")
+            raise Refused("has no column {name}; {choose}", name=name, choose=_KIND.choose)
         if column.dtype.kind not in kinds or (name != "features" and column.ndim != 1):
-            raise Refused(f"has {column.dtype} in {column.ndim} dimensions at {name}")
+            raise Refused(
+                "has {dtype} in {ndim} dimensions at {name}",
+                dtype=column.dtype,
+                ndim=column.ndim,
+                name=name,
+            )
         if len(column) != len(features):
-            raise Refused(f"has {len(column)} rows of {name} and {len(features)} of features")
+            raise Refused(
+                "has {count} rows of {name} and {features} of features",
+                count=len(column),
+                name=name,
+                features=len(features),
+            )
 
 
 def _check_text(datasets: Mapping[str, h5py.Dataset]) -> None:
@@ -70,7 +84,7 @@ def _check_text(datasets: Mapping[str, h5py.Dataset]) -> None:
             go_on(_BLOCK)
             total += sum(map(len, datasets[name].asstr()[start : start + _BLOCK]))
             if total > MOST_TEXT:
-                raise Refused(f"holds more text than any {_KIND.name}")
+                raise Refused("holds more text than any {name}", name=_KIND.name)
 
 
 if __name__ == "__main__":

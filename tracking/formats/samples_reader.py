@@ -35,12 +35,15 @@ def read_samples(path: Path) -> Samples:
     """
     if path.suffix.lower() in _LIBSVM:
         raise FormatError(
-            f"{path}: LIBSVM text does not say whose samples they are, so nobody could be held "
-            "out; export them as .csv or .h5"
+            "{path}: LIBSVM text does not say whose samples they are, so nobody could be held "
+            "out; export them as .csv or .h5",
+            path=path,
         )
     samples = samples_in_hdf5(path) if is_hdf5(path) else _read_csv(path)
     if samples is None:
-        raise FormatError(f"{path} holds no samples", "export some (--format samples)")
+        raise FormatError(
+            "{path} holds no samples", "export some", option="--format samples", path=path
+        )
     return samples
 
 
@@ -62,13 +65,13 @@ def samples_in_hdf5(path: Path) -> Samples | None:
     verdict = verdicts_of(samples_inspection.__file__, "samples", [path])[0]
     if "refused" in verdict:
         if verdict.get("held") == HDF5_FORMAT:
-            raise FormatError(f"{path}{verdict['refused']}")
+            raise FormatError("{path}{why}", path=path, why=verdict["refused"])
         return None
     try:
         with h5py.File(path, "r", locking=False) as file:
             return _checked(path, _columns_of(file), np.asarray(file["features"][()], float))
     except (OSError, KeyError, ValueError, TypeError, RuntimeError, OverflowError) as why:
-        raise FormatError(f"{path}: the samples are damaged; export them again") from why
+        raise FormatError("{path}: the samples are damaged; export them again", path=path) from why
 
 
 def is_hdf5(path: Path) -> bool:
@@ -110,7 +113,9 @@ def _read_csv(path: Path) -> Samples:
                 columns[name].append(value)
         except ValueError as error:
             raise FormatError(
-                f"{place_of(path, line)}: {error}; correct or remove the row"
+                "{place}: {error}; correct or remove the row",
+                place=place_of(path, line),
+                error=error,
             ) from error
         lines.append(line)
     held = {name: np.array(columns[name], object) for name in names}
@@ -142,8 +147,9 @@ def _check_is_no_other_table(path: Path) -> None:
     names = set(header_of(path))
     if names >= _LABELS and not names >= {"label", FEATURE_NAMES[0]}:
         raise FormatError(
-            f"{path} holds labels of parts, which say nothing of how the parts stood: take them "
-            "into the session they belong to (trackwright import-labels), then train from that"
+            "{path} holds labels of parts, which say nothing of how the parts stood: take them "
+            "into the session they belong to (trackwright import-labels), then train from that",
+            path=path,
         )
 
 
@@ -178,6 +184,8 @@ def _checked(
         if len(rows):
             at = int(rows[0])
             place = f"{path}, row {at}" if lines is None else place_of(path, int(lines[at]))
-            raise FormatError(f"{place}: {reason}; correct or remove the row")
+            raise FormatError(
+                "{place}: {reason}; correct or remove the row", place=place, reason=reason
+            )
     types = {**SAMPLE_COLUMNS, **{name: BESIDES[name].dtype for name in SHARED}}
     return Samples({name: column.astype(types[name]) for name, column in columns.items()}, features)

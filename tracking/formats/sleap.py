@@ -92,7 +92,9 @@ def _axes_of(path: Path, file: h5py.File) -> tuple[str, ...]:
     else:
         axes = _AS_MATLAB if bool(file.attrs.get("transpose", True)) else _OLD
     if sorted(axes) != sorted(_AXES) or file["tracks"].shape[axes.index("xy")] != 2:
-        raise FormatError(f"{path} does not have x and y of nodes, tracks and frames in its tracks")
+        raise FormatError(
+            "{path} does not have x and y of nodes, tracks and frames in its tracks", path=path
+        )
     return axes
 
 

@@ -64,7 +64,9 @@ class _Table:
         """names: of its columns. Raises FormatError where some are missing."""
         self._reading, self._names = reading, names
         if _FRAME not in names or len(names) > _MOST_COLUMNS or len(set(names)) < len(names):
-            raise FormatError(f"{reading.path}, line 1: it is no header of SLEAP's analysis")
+            raise FormatError(
+                "{path}, line 1: it is no header of SLEAP's analysis", path=reading.path
+            )
         nodes = [name.removesuffix(".x") for name in names if name.endswith(".x")]
         self._nodes = [
             (names.index(f"{node}.x"), names.index(f"{node}.y"))
@@ -84,7 +86,9 @@ class _Table:
             if self._reading.good == TRIED_ROWS:
                 self._try()
         if self._reading.good > MOST_ROWS or len(self._tracks) > _MOST_TRACKS:
-            raise FormatError(f"{self._reading.path} has more rows or tracks than any; split it")
+            raise FormatError(
+                "{path} has more rows or tracks than any; split it", path=self._reading.path
+            )
 
     def _try(self) -> None:
         """Raise FormatError where the first rows are such that the file is refused in the end."""

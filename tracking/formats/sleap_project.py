@@ -134,7 +134,9 @@ class _Project:
         videos = len(np.unique(self._frames["video"][filled]))
         if videos > 1:
             raise FormatError(
-                f"{self._reading.path} holds instances of {videos} videos; export one's analysis"
+                "{path} holds instances of {videos} videos; export one's analysis",
+                path=self._reading.path,
+                videos=videos,
             )
 
     def _boxes(self, at: Whole) -> tuple[Floats, NDArray[np.bool_]]:
@@ -196,7 +198,9 @@ class _Project:
         )
 
     def _damaged(self, why: str) -> FormatError:
-        return FormatError(f"{self._reading.path} is damaged: {why}; save the project again")
+        return FormatError(
+            "{path} is damaged: {why}; save the project again", path=self._reading.path, why=why
+        )
 
 
 def _whole(values: NDArray[Any]) -> Whole:

@@ -51,9 +51,13 @@ def opened(path: Path, tables: Collection[str]) -> Iterator[sqlite3.Connection]:
         size = path.stat().st_size
         with path.open("rb") as stream:
             if stream.read(len(SIGNATURE)) != SIGNATURE:
-                raise FormatError(f"{path} is not an SQLite file; choose one of JuPedSim's")
+                raise FormatError(
+                    "{path} is not an SQLite file; choose one of JuPedSim's", path=path
+                )
     if size > MOST_BYTES:
-        raise FormatError(f"{path} is larger than {MOST_BYTES >> 30} GB; split it first")
+        raise FormatError(
+            "{path} is larger than {size} GB; split it first", path=path, size=MOST_BYTES >> 30
+        )
     where = f"file:{quote(str(path.resolve()))}?mode=ro&immutable=1"
     try:
         with closing(sqlite3.connect(where, uri=True, isolation_level=None)) as database:
@@ -61,7 +65,9 @@ def opened(path: Path, tables: Collection[str]) -> Iterator[sqlite3.Connection]:
             _check_tables(path, database, tables)
             yield database
     except (sqlite3.Error, OverflowError, UnicodeError) as error:
-        raise FormatError(f"{path} is damaged ({line(error)}); export it again") from error
+        raise FormatError(
+            "{path} is damaged ({line}); export it again", path=path, line=line(error)
+        ) from error
 
 
 def numbers_of(
@@ -93,7 +99,11 @@ def numbers_of(
         reading.good += len(kept)
         reading.report(min(count, most), most)
         if count > most:
-            raise FormatError(f"{reading.path} is damaged: {table} has no end; export it again")
+            raise FormatError(
+                "{path} is damaged: {table} has no end; export it again",
+                path=reading.path,
+                table=table,
+            )
     if not parts:
         return np.zeros((0, len(columns))), np.zeros(0, np.int64)
     return np.concatenate(parts), np.concatenate(places)
@@ -129,7 +139,13 @@ def _check_tables(path: Path, database: sqlite3.Connection, tables: Collection[s
     for table in tables:
         said = [str(sql) for kind, name, sql in things if (kind, name) == ("table", table)]
         if not said or said[0].upper().lstrip().startswith("CREATE VIRTUAL"):
-            raise FormatError(f"{path} has no table {table}; choose a file of JuPedSim's")
+            raise FormatError(
+                "{path} has no table {table}; choose a file of JuPedSim's", path=path, table=table
+            )
         columns = database.execute(f"PRAGMA table_xinfo({table})").fetchmany(_MOST_THINGS)
         if any(hidden for *_, hidden in columns):
-            raise FormatError(f"{path} computes columns of {table} when they are read; export anew")
+            raise FormatError(
+                "{path} computes columns of {table} when they are read; export anew",
+                path=path,
+                table=table,
+            )

@@ -150,7 +150,9 @@ class Exported:
 
 def nobody_boxed(path: Path, what: str) -> FormatError:
     """The error where a format of boxes is to hold tracks without any."""
-    return FormatError(f"{path}: nobody has a box, and {what} holds nothing else")
+    return FormatError(
+        "{path}: nobody has a box, and {what} holds nothing else", path=path, what=what
+    )
 
 
 def _cut(rows: Columns, cuts: NDArray[np.int64]) -> list[dict[str, NDArray[Any]]]:

@@ -224,7 +224,7 @@ class _File:
     def _take_comment(self, text: str) -> None:
         self._comments += 1
         if self._comments > _MOST_COMMENTS:
-            raise FormatError(f"{self._reading.path} holds hardly more than comments")
+            raise FormatError("{path} holds hardly more than comments", path=self._reading.path)
         found = _FPS.search(text)
         if self._fps is None and "metadata" in text and found:
             fps = float(found[1])
@@ -266,7 +266,11 @@ class _File:
         """Raise FormatError where a file has far more ids than people."""
         self._tracks.add(track)
         if len(self._tracks) > MOST_TRACKS:
-            raise FormatError(f"{self._reading.path} has more than {MOST_TRACKS} tracks; split it")
+            raise FormatError(
+                "{path} has more than {most} tracks; split it",
+                path=self._reading.path,
+                most=MOST_TRACKS,
+            )
 
     def _try(self) -> None:
         """Raise FormatError where the first rows are such that the file is refused in the end."""

@@ -78,7 +78,9 @@ def export_xanylabeling(path: Path, exported: Exported, report: Progress) -> tup
     has a box, or the size of the picture is not known.
     """
     if exported.size_px is None:
-        raise FormatError(f"{path}: X-AnyLabeling needs the image's size, which is not known")
+        raise FormatError(
+            "{path}: X-AnyLabeling needs the image's size, which is not known", path=path
+        )
     labels = {track: _said(label) for track, label in exported.labels.items()}
     anybody = False
     with replacing_folder(path) as folder:
@@ -189,7 +191,9 @@ class _Folder:
         """The tracks."""
         path, notes = self._reading.path, self._reading.notes
         if self._ungrouped and not self._whole:
-            raise FormatError(f"{path} holds shapes without group_id, no tracks; group them first")
+            raise FormatError(
+                "{path} holds shapes without group_id, no tracks; group them first", path=path
+            )
         if self._ungrouped:
             notes.append(
                 left_out(self._ungrouped, "shape without group id", "shapes without group id")
@@ -219,14 +223,23 @@ class _Folder:
         try:
             size = path.lstat().st_size
         except OSError as error:
-            raise FormatError(f"cannot read {path}: {error.strerror}") from error
+            raise FormatError(
+                "cannot read {path}: {reason}", path=path, reason=error.strerror
+            ) from error
         self._bytes += size
         if size > _LARGEST_FILE:
-            raise FormatError(f"{path} is larger than {_LARGEST_FILE >> 20} MB; remove its image")
+            raise FormatError(
+                "{path} is larger than {size} MB; remove its image",
+                path=path,
+                size=_LARGEST_FILE >> 20,
+            )
         if self._bytes > MOST_BYTES:
             raise FormatError(
-                f"the {ENDING} files of {self._reading.path} hold more than {MOST_BYTES >> 30} GB; "
-                "remove the images from them"
+                "the {ending} files of {path} hold more than {size} GB; remove the images from "
+                "them",
+                ending=ENDING,
+                path=self._reading.path,
+                size=MOST_BYTES >> 30,
             )
 
     def _take_shape(self, number: int, at: int, shape: Any) -> None:
@@ -244,7 +257,9 @@ class _Folder:
         else:
             self._reading.good += 1
         if at >= _MOST_SHAPES or self._reading.good > MOST_ROWS:
-            raise FormatError(f"{self._reading.path} holds more shapes than any footage; split it")
+            raise FormatError(
+                "{path} holds more shapes than any footage; split it", path=self._reading.path
+            )
 
     def _take_area(self, number: int, at: int, shape: Mapping[str, Any], kind: str) -> str:
         """Add a row; says why it is invalid where it is."""

@@ -62,7 +62,9 @@ def frame_files(reading: Reading) -> tuple[list[FrameFile], int | None]:
     try:
         files, pictures, links = _listed(reading.path)
     except OSError as error:
-        raise FormatError(f"cannot read {reading.path}: {error.strerror}") from error
+        raise FormatError(
+            "cannot read {path}: {reason}", path=reading.path, reason=error.strerror
+        ) from error
     for name in links:
         reading.bad(name, "is a link, and links are not followed")
     places = {name: at for at, name in enumerate(pictures)}
@@ -84,7 +86,11 @@ def _listed(folder: Path) -> tuple[list[Path], list[str], list[str]]:
     with os.scandir(folder) as entries:
         for number, entry in enumerate(entries):
             if number >= _MOST_FILES:
-                raise FormatError(f"{folder} holds more than {_MOST_FILES} files; split it first")
+                raise FormatError(
+                    "{folder} holds more than {most} files; split it first",
+                    folder=folder,
+                    most=_MOST_FILES,
+                )
             path = folder / entry.name
             ending = path.suffix.lower()
             if ending == ENDING and entry.is_symlink():
@@ -120,6 +126,10 @@ def _check_unique(folder: Path, files: Sequence[FrameFile]) -> None:
         other = first.setdefault(each.frame, each.path.name)
         if other != each.path.name:
             raise FormatError(
-                f"{folder}: {other} and {each.path.name} are both of frame {each.frame}; put the "
-                "images beside them, or number them anew"
+                "{folder}: {other} and {name} are both of frame {frame}; put the images beside "
+                "them, or number them anew",
+                folder=folder,
+                other=other,
+                name=each.path.name,
+                frame=each.frame,
             )

@@ -67,25 +67,35 @@ def parse(path: Path, elements: Elements, member: str, report: Progress = no_pro
                 read += len(piece)
                 if read > MOST_BYTES:
                     raise FormatError(
-                        f"{path} is larger than {MOST_BYTES >> 30} GB; split it first"
+                        "{path} is larger than {size} GB; split it first",
+                        path=path,
+                        size=MOST_BYTES >> 30,
                     )
                 parser.feed(piece)
                 parser.check_waiting(read)
                 report(min(read, size), size)
             if not read:
-                raise FormatError(f"{path} is empty; export it again")
+                raise FormatError("{path} is empty; export it again", path=path)
             parser.close()
     except DefusedXmlException as error:
-        raise FormatError(f"{path} declares a document type or entities; remove them") from error
+        raise FormatError(
+            "{path} declares a document type or entities; remove them", path=path
+        ) from error
     except SAXParseException as error:
         reason = f"{path}, line {error.getLineNumber()}: no XML ({error.getMessage()})"
-        raise FormatError(f"{reason}; export it again") from error
+        raise FormatError("{reason}; export it again", reason=reason) from error
     except (SAXException, UnicodeError, LookupError) as error:
-        raise FormatError(f"{path} is no XML that can be read; export it again") from error
+        raise FormatError(
+            "{path} is no XML that can be read; export it again", path=path
+        ) from error
     except (zipfile.BadZipFile, zlib.error, EOFError) as error:
-        raise FormatError(f"{path} is an archive that is damaged; export it again") from error
+        raise FormatError(
+            "{path} is an archive that is damaged; export it again", path=path
+        ) from error
     except OSError as error:
-        raise FormatError(f"cannot read {path}: {error.strerror}; check the path") from error
+        raise FormatError(
+            "cannot read {path}: {reason}; check the path", path=path, reason=error.strerror
+        ) from error
 
 
 def _opened(path: Path, member: str) -> tuple[AbstractContextManager[IO[bytes]], int]:
@@ -99,7 +109,7 @@ def _opened(path: Path, member: str) -> tuple[AbstractContextManager[IO[bytes]],
                 stream.seek(size - _TAIL)
                 if not _is_ended(head, stream.read(_TAIL)):
                     raise FormatError(
-                        f"{path} is cut short: it ends within its XML; export it again"
+                        "{path} is cut short: it ends within its XML; export it again", path=path
                     )
             return path.open("rb"), size
     try:
@@ -107,7 +117,9 @@ def _opened(path: Path, member: str) -> tuple[AbstractContextManager[IO[bytes]],
         return archive.open(member), archive.getinfo(member).file_size
     except (KeyError, zipfile.BadZipFile, NotImplementedError, RuntimeError, ValueError) as error:
         raise FormatError(
-            f"{path} is an archive without a {member} that can be read; unpack it and name that"
+            "{path} is an archive without a {member} that can be read; unpack it and name that",
+            path=path,
+            member=member,
         ) from error
 
 
@@ -195,4 +207,9 @@ class _Parser(DefusedExpatParser):
 
     def _refused(self, reason: str) -> FormatError:
         line = self._parser.CurrentLineNumber
-        return FormatError(f"{self._path}, line {line}: {reason}; export it again")
+        return FormatError(
+            "{path}, line {line}: {reason}; export it again",
+            path=self._path,
+            line=line,
+            reason=reason,
+        )

@@ -32,19 +32,23 @@ def read_text(path: Path) -> str:
     """The text of a calibration file; CalibrationError where it is missing, binary or too large."""
     try:
         if path.exists() and not path.is_file():  # a pipe would keep us waiting for ever
-            raise CalibrationError(f"{path}: not a file; give the calibration file")
+            raise CalibrationError("{path}: not a file; give the calibration file", path=path)
         if path.stat().st_size > MAX_BYTES:
             raise CalibrationError(
-                f"{path}: larger than {MAX_BYTES // 1024} KiB, too large for a calibration; "
-                "give the calibration file"
+                "{path}: larger than {size} KiB, too large for a calibration; give the "
+                "calibration file",
+                path=path,
+                size=MAX_BYTES // 1024,
             )
         return path.read_text("utf-8-sig")
     except OSError as error:
         raise CalibrationError(
-            f"{path}: cannot be read ({error.strerror}); check the path"
+            "{path}: cannot be read ({reason}); check the path", path=path, reason=error.strerror
         ) from error
     except UnicodeDecodeError as error:
-        raise CalibrationError(f"{path}: not a text file; give the calibration file") from error
+        raise CalibrationError(
+            "{path}: not a text file; give the calibration file", path=path
+        ) from error
 
 
 def parse_yaml(text: str, where: Path) -> dict[str, Any]:
@@ -56,9 +60,13 @@ def parse_yaml(text: str, where: Path) -> dict[str, Any]:
     try:
         content = yaml.load(text, _CappedLoader)
     except _BROKEN as error:
-        raise CalibrationError(f"{where}: not readable as YAML ({_one_line(error)})") from error
+        raise CalibrationError(
+            "{where}: not readable as YAML ({why})", where=where, why=_one_line(error)
+        ) from error
     if not isinstance(content, dict):
-        raise CalibrationError(f"{where}: holds no named values; give a calibration file")
+        raise CalibrationError(
+            "{where}: holds no named values; give a calibration file", where=where
+        )
     return {str(key): value for key, value in content.items()}
 
 
@@ -67,13 +75,19 @@ def parse_xml(text: str, where: Path) -> dict[str, Any]:
     try:
         root = fromstring(text.encode(), forbid_dtd=True)
     except (ParseError, DefusedXmlException, ValueError) as error:
-        raise CalibrationError(f"{where}: not readable as XML ({_one_line(error)})") from error
+        raise CalibrationError(
+            "{where}: not readable as XML ({why})", where=where, why=_one_line(error)
+        ) from error
     if root.tag != "opencv_storage":
-        raise CalibrationError(f"{where}: not an OpenCV file, its root is <{root.tag[:40]}>")
+        raise CalibrationError(
+            "{where}: not an OpenCV file, its root is <{tag}>", where=where, tag=root.tag[:40]
+        )
     try:
         return {child.tag: _xml_value(child) for child in root}
     except (ValueError, TypeError, OverflowError) as error:
-        raise CalibrationError(f"{where}: a broken value ({_one_line(error)})") from error
+        raise CalibrationError(
+            "{where}: a broken value ({why})", where=where, why=_one_line(error)
+        ) from error
 
 
 def matrix(rows: Any, cols: Any, data: Any) -> Floats:

@@ -31,7 +31,9 @@ def read_calibration(
         CalibrationError: unreadable, incomplete or not a possible calibration.
     """
     if not 1 <= len(paths) <= 2:
-        raise CalibrationError(f"calibration: {len(paths)} files given; give one, or a pair")
+        raise CalibrationError(
+            "calibration: {count} files given; give one, or a pair", count=len(paths)
+        )
     texts = [read_text(path) for path in paths]
     try:
         if is_kitti(texts[0]):
@@ -42,9 +44,9 @@ def read_calibration(
         merged = {name: value for _, values in files for name, value in values.items()}
         return calibration_of_opencv(merged, paths[0], size)
     except CalibrationError as error:
-        if str(paths[0]) in str(error) or str(paths[-1]) in str(error):
+        if error.reason.values.keys() & {"path", "where"}:  # it names the file
             raise
-        raise CalibrationError(f"{paths[0]}: {error}") from error
+        raise CalibrationError("{path}: {error}", path=paths[0], error=error) from error
 
 
 def _values(path: Path, text: str) -> dict[str, Any]:

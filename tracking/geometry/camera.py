@@ -39,13 +39,17 @@ class Camera:
         _check_matrix(matrix)
         if distortion.size not in DISTORTION_LENGTHS or not np.isfinite(distortion).all():
             raise CalibrationError(
-                f"calibration: {distortion.size} distortion coefficients are not one of "
-                f"{DISTORTION_LENGTHS} finite numbers; calibrate with OpenCV's pinhole model"
+                "calibration: {size} distortion coefficients are not one of {lengths} finite "
+                "numbers; calibrate with OpenCV's pinhole model",
+                size=distortion.size,
+                lengths=DISTORTION_LENGTHS,
             )
         if self.width < 1 or self.height < 1:
             raise CalibrationError(
-                f"calibration: an image of {self.width} x {self.height} px is none; "
-                "set image_width and image_height"
+                "calibration: an image of {width} x {height} px is none; set image_width and "
+                "image_height",
+                width=self.width,
+                height=self.height,
             )
         object.__setattr__(self, "matrix", matrix)
         object.__setattr__(self, "distortion", distortion)
@@ -74,7 +78,8 @@ class Camera:
 def _check_matrix(matrix: Floats) -> None:
     if matrix.shape != (3, 3) or not np.isfinite(matrix).all():
         raise CalibrationError(
-            f"calibration: the camera matrix is {matrix.shape}, not 3 x 3 finite numbers"
+            "calibration: the camera matrix is {shape}, not 3 x 3 finite numbers",
+            shape=matrix.shape,
         )
     upright = matrix[0, 0] > 0 and matrix[1, 1] > 0 and matrix[1, 0] == 0
     if not upright or not np.array_equal(matrix[2], (0, 0, 1)):

@@ -31,12 +31,15 @@ class Ground:
     def __post_init__(self) -> None:
         if not (np.isfinite(self.height_m) and self.height_m > 0):
             raise CalibrationError(
-                f"ground: height is {self.height_m} m; give the camera's height above the floor"
+                "ground: height is {height_m} m; give the camera's height above the floor",
+                height_m=self.height_m,
             )
         if not -90 <= self.tilt_deg <= 90 or not -180 <= self.roll_deg <= 180:
             raise CalibrationError(
-                f"ground: tilt {self.tilt_deg} or roll {self.roll_deg} is out of range; "
-                "tilt lies in -90..90 and roll in -180..180 degrees"
+                "ground: tilt {tilt_deg} or roll {roll_deg} is out of range; tilt lies in "
+                "-90..90 and roll in -180..180 degrees",
+                tilt_deg=self.tilt_deg,
+                roll_deg=self.roll_deg,
             )
 
     @property

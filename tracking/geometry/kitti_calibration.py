@@ -30,10 +30,14 @@ def calibration_of_kitti(text: str, where: Path, size: tuple[int, int] | None) -
     projections = {int(number): _projection(row, where) for number, row in _LINE.findall(text)}
     first, second = (2, 3) if 2 in projections else (0, 1)
     if first not in projections:
-        raise CalibrationError(f"{where}: neither P2 nor P0 is given; give KITTI's calib.txt")
+        raise CalibrationError(
+            "{where}: neither P2 nor P0 is given; give KITTI's calib.txt", where=where
+        )
     size = _size(text, where) or size
     if size is None:
-        raise CalibrationError(f"{where}: says no image size; open it with its recording")
+        raise CalibrationError(
+            "{where}: says no image size; open it with its recording", where=where
+        )
     left = projections[first]
     camera = Camera(left[:, :3], np.zeros(0), *size)
     if second not in projections:
@@ -49,9 +53,9 @@ def _projection(row: str, where: Path) -> Floats:
     try:
         projection = np.array([float(number) for number in row.split()]).reshape(3, 4)
     except ValueError as error:
-        raise CalibrationError(f"{where}: a projection is not 12 numbers") from error
+        raise CalibrationError("{where}: a projection is not 12 numbers", where=where) from error
     if not np.isfinite(projection).all() or projection[0, 0] == 0:
-        raise CalibrationError(f"{where}: a projection is not 12 finite numbers")
+        raise CalibrationError("{where}: a projection is not 12 finite numbers", where=where)
     return projection
 
 
@@ -62,4 +66,4 @@ def _size(text: str, where: Path) -> tuple[int, int] | None:
     try:
         return int(float(found[1])), int(float(found[2]))
     except (ValueError, OverflowError) as error:
-        raise CalibrationError(f"{where}: S_rect_02 is not a size in pixels") from error
+        raise CalibrationError("{where}: S_rect_02 is not a size in pixels", where=where) from error

@@ -47,8 +47,10 @@ def _matrix(values: Mapping[str, Any], name: str, where: Path) -> Floats:
     value = values.get(name)
     if not isinstance(value, np.ndarray):
         raise CalibrationError(
-            f"{where}: {name} is missing or no matrix; a calibration needs M1 D1 M2 D2 R T "
-            "(one camera: M1 D1)"
+            "{where}: {name} is missing or no matrix; a calibration needs M1 D1 M2 D2 R T (one "
+            "camera: M1 D1)",
+            where=where,
+            name=name,
         )
     return value
 
@@ -57,10 +59,12 @@ def _size(values: Mapping[str, Any], where: Path, size: tuple[int, int] | None) 
     if "image_width" not in values and "image_height" not in values:
         if size is not None:
             return size
-        raise CalibrationError(f"{where}: says no image size; add image_width and image_height")
+        raise CalibrationError(
+            "{where}: says no image size; add image_width and image_height", where=where
+        )
     try:
         return int(values["image_width"]), int(values["image_height"])
     except (KeyError, TypeError, ValueError, OverflowError) as error:
         raise CalibrationError(
-            f"{where}: image_width and image_height are not both whole numbers"
+            "{where}: image_width and image_height are not both whole numbers", where=where
         ) from error

@@ -207,8 +207,9 @@ class Rectification:
             covered = min(covered, float(inside.mean()))
         if covered < _LEAST_COVERED:
             raise CalibrationError(
-                f"calibration: only {covered:.0%} of the rectified image would be "
-                "covered; the stereo calibration is not usable, calibrate again"
+                "calibration: only {covered:.0%} of the rectified image would be covered; the "
+                "stereo calibration is not usable, calibrate again",
+                covered=covered,
             )
 
 

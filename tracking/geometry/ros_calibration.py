@@ -47,8 +47,10 @@ def _camera(where: Path, values: Mapping[str, Any], size: tuple[int, int] | None
     model = values.get("distortion_model", "")
     if model not in _MODELS:
         raise CalibrationError(
-            f"{where}: distortion model {str(model)[:40]} is not known; calibrate with plumb_bob "
-            "or rational_polynomial"
+            "{where}: distortion model {model} is not known; calibrate with plumb_bob or "
+            "rational_polynomial",
+            where=where,
+            model=str(model)[:40],
         )
     distortion = _matrix(values, "distortion_coefficients", None, where).ravel()
     try:
@@ -57,7 +59,7 @@ def _camera(where: Path, values: Mapping[str, Any], size: tuple[int, int] | None
         )  # fmt: skip
     except (KeyError, TypeError, ValueError, OverflowError) as error:
         raise CalibrationError(
-            f"{where}: image_width and image_height are not both whole numbers"
+            "{where}: image_width and image_height are not both whole numbers", where=where
         ) from error
     return Camera(_matrix(values, "camera_matrix", (3, 3), where), distortion, width, height)
 
@@ -65,7 +67,7 @@ def _camera(where: Path, values: Mapping[str, Any], size: tuple[int, int] | None
 def _offset_m(values: Mapping[str, Any], where: Path) -> float:
     projection = _matrix(values, "projection_matrix", (3, 4), where)
     if projection[0, 0] == 0:
-        raise CalibrationError(f"{where}: projection_matrix has no focal length")
+        raise CalibrationError("{where}: projection_matrix has no focal length", where=where)
     return float(projection[0, 3] / projection[0, 0])
 
 
@@ -81,6 +83,9 @@ def _matrix(
             raise ValueError(f"{found.shape[0]} x {found.shape[1]}")
     except (ValueError, TypeError, OverflowError) as error:
         raise CalibrationError(
-            f"{where}: {name} is not what camera_info has ({error}); calibrate again"
+            "{where}: {name} is not what camera_info has ({error}); calibrate again",
+            where=where,
+            name=name,
+            error=error,
         ) from error
     return found

@@ -58,8 +58,13 @@ class StereoCalibration:
         for side, camera in (("left", self.left), ("right", self.right)):
             if camera is not None and camera.size != size:
                 raise CalibrationError(
-                    f"calibration: made for {camera.width} x {camera.height} px ({side} camera), "
-                    f"the recording is {size[0]} x {size[1]}; give the calibration of this size"
+                    "calibration: made for {width} x {height} px ({side} camera), the "
+                    "recording is {width2} x {height2}; give the calibration of this size",
+                    width=camera.width,
+                    height=camera.height,
+                    side=side,
+                    width2=size[0],
+                    height2=size[1],
                 )
 
 
@@ -80,8 +85,8 @@ def _check_side_by_side(rotation: Floats, translation: Floats) -> None:
     centre = -rotation.T @ translation
     if not 1e-4 < np.linalg.norm(centre) < _WIDEST_BASELINE_M:
         raise CalibrationError(
-            f"calibration: the cameras stand {np.linalg.norm(centre):g} m apart; "
-            "lengths (T) are in metres"
+            "calibration: the cameras stand {distance:g} m apart; lengths (T) are in metres",
+            distance=np.linalg.norm(centre),
         )
     if centre[0] < abs(centre[1]) or centre[0] < abs(centre[2]):
         raise CalibrationError(

@@ -31,13 +31,15 @@ def check_report_folder(folder: Path, names: Iterable[str], kind: str) -> None:
         held = sorted(each.name for each in folder.iterdir())
     except OSError as error:
         reason = error.strerror or str(error)
-        raise OutputError(f"cannot use folder {folder}: {reason}; choose another") from error
+        raise OutputError(
+            "cannot use folder {folder}: {reason}; choose another", folder=folder, reason=reason
+        ) from error
     held = [each for each in held if not _is_left_over(each, known)]
     foreign = [each for each in held if each not in known]
     if foreign:
-        raise OutputError(_kept(folder, foreign[0]))
+        raise _kept(folder, foreign[0])
     if held and not (known[0] in held and is_page(_head(folder / known[0]), kind)):
-        raise OutputError(_kept(folder, held[0]))
+        raise _kept(folder, held[0])
 
 
 def write_report_folder(folder: Path, files: Mapping[str, str], kind: str) -> None:
@@ -59,7 +61,9 @@ def write_report_folder(folder: Path, files: Mapping[str, str], kind: str) -> No
     except OSError as error:
         _take_away(made)
         reason = error.strerror or str(error)
-        raise OutputError(f"cannot write in {folder}: {reason}; choose another") from error
+        raise OutputError(
+            "cannot write in {folder}: {reason}; choose another", folder=folder, reason=reason
+        ) from error
     except BaseException:
         _take_away(made)
         raise
@@ -72,7 +76,9 @@ def _make(folder: Path) -> list[Path]:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         reason = error.strerror or str(error)
-        raise OutputError(f"cannot make folder {folder}: {reason}; choose another") from error
+        raise OutputError(
+            "cannot make folder {folder}: {reason}; choose another", folder=folder, reason=reason
+        ) from error
     return missing
 
 
@@ -84,8 +90,12 @@ def _take_away(made: Iterable[Path]) -> None:
             return
 
 
-def _kept(folder: Path, name: str) -> str:
-    return f"{folder} holds {name}, which is no earlier report; choose an empty or a new folder"
+def _kept(folder: Path, name: str) -> OutputError:
+    return OutputError(
+        "{folder} holds {name}, which is no earlier report; choose an empty or a new folder",
+        folder=folder,
+        name=name,
+    )
 
 
 def _is_left_over(name: str, known: Iterable[str]) -> bool:

@@ -180,7 +180,8 @@ class StereoPerception:
         """Both cameras rectified, at the working scale."""
         if frame.right is None:
             raise RecordingError(
-                f"frame {frame.number}: there is no right camera; choose a tracker for one camera"
+                "frame {number}: there is no right camera; choose a tracker for one camera",
+                number=frame.number,
             )
         pair = (frame.left, frame.right)
         if not self._rectification.identity and all(_is_grey(image) for image in pair):
@@ -258,8 +259,11 @@ def _require_size(size: tuple[int, int], shrink: int, stereo: StereoSettings) ->
     least = shrink * least_side_px(stereo.window_px)
     if min(size) < least:
         raise RecordingError(
-            f"images of {size[0]} x {size[1]} px are too small to match two cameras, which needs "
-            f"{least} x {least}: choose a tracker for one camera"
+            "images of {width} x {height} px are too small to match two cameras, which needs "
+            "{least} x {least}: choose a tracker for one camera",
+            width=size[0],
+            height=size[1],
+            least=least,
         )
 
 

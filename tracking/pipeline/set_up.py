@@ -69,8 +69,10 @@ def require_sense(settings: Mapping[str, Any]) -> None:
     nearest, farthest = (settings.get(f"stereo.{which}_m") for which in ("nearest", "farthest"))
     if nearest is not None and farthest is not None and nearest >= farthest:
         raise SettingsError(
-            f"settings stereo.nearest_m={nearest:g} and stereo.farthest_m={farthest:g} leave "
-            "nothing between them: give a nearest_m that is less than farthest_m"
+            "settings stereo.nearest_m={nearest:g} and stereo.farthest_m={farthest:g} leave "
+            "nothing between them: give a nearest_m that is less than farthest_m",
+            nearest=nearest,
+            farthest=farthest,
         )
 
 

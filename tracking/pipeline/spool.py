@@ -140,8 +140,9 @@ def _usual_folder() -> Path:
 
 def _unreadable(why: OSError) -> OutputError:
     return OutputError(
-        f"the particles put aside cannot be read: {why.strerror}",
+        "the particles put aside cannot be read: {reason}",
         "check the disk and track again",
+        reason=why.strerror,
     )
 
 
@@ -149,6 +150,8 @@ def _refused(folder: Path, why: OSError) -> OutputError:
     full = why.errno in (errno.ENOSPC, errno.EDQUOT)
     reason = "too little space is left" if full else why.strerror or str(why)
     return OutputError(
-        f"{folder}: particles cannot be put aside while tracking: {reason}",
+        "{folder}: particles cannot be put aside while tracking: {reason}",
         "make room there, or track a shorter range",
+        folder=folder,
+        reason=reason,
     )

@@ -76,13 +76,18 @@ def _asked_frames(
     start, stop = frames or (first, recording.frame_count)
     if not 0 <= start < stop <= recording.frame_count:
         raise SettingsError(
-            f"frames {start}:{stop} are not in the recording: "
-            f"choose a range within 0:{recording.frame_count}"
+            "frames {start}:{stop} are not in the recording: choose a range within 0:{frame_count}",
+            start=start,
+            stop=stop,
+            frame_count=recording.frame_count,
         )
     if resume is not None and start != first:
         raise SettingsError(
-            f"frames {start}:{stop} do not begin at frame {first}, where to go on: "
-            f"choose {first}:{stop}"
+            "frames {start}:{stop} do not begin at frame {first}, where to go on: choose "
+            "{first}:{stop}",
+            start=start,
+            stop=stop,
+            first=first,
         )
     return start, stop
 

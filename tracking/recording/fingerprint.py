@@ -46,7 +46,9 @@ def fingerprint(source: str, files: Sequence[Path]) -> Fingerprint:
             digest.update(opened.read(_MIB))
     except OSError as error:
         raise RecordingError(
-            f"{error.filename}: cannot be read any more ({error.strerror}); put it back"
+            "{path}: cannot be read any more ({reason}); put it back",
+            path=error.filename,
+            reason=error.strerror,
         ) from error
     if len(files) > 1:
         digest.update(str(len(files)).encode())

@@ -86,8 +86,14 @@ class TwoSources:
     def __init__(self, left: PictureSource, right: PictureSource) -> None:
         if left.size != right.size:
             raise RecordingError(
-                f"the cameras differ in size: {left.name} is {left.size[0]} x {left.size[1]} px, "
-                f"{right.name} {right.size[0]} x {right.size[1]}; give two of one size"
+                "the cameras differ in size: {name} is {left_width} x {left_height} px, "
+                "{right_name} {right_width} x {right_height}; give two of one size",
+                name=left.name,
+                left_width=left.size[0],
+                left_height=left.size[1],
+                right_name=right.name,
+                right_width=right.size[0],
+                right_height=right.size[1],
             )
         pairing = pair_frames(left, right)
         self.sources: tuple[PictureSource, ...] = (left, right)
@@ -129,7 +135,12 @@ class SplitSource:
         self._beside = layout == "side-by-side"
         self._left_first = first == "left"
         if (width if self._beside else height) < 2:
-            raise RecordingError(f"{source.name}: {width} x {height} px cannot hold both cameras")
+            raise RecordingError(
+                "{name}: {width} x {height} px cannot hold both cameras",
+                name=source.name,
+                width=width,
+                height=height,
+            )
         self.sources: tuple[PictureSource, ...] = (source,)
         self.is_stereo = True
         self.frame_count = source.frame_count

@@ -51,7 +51,9 @@ class ImageSource:
 
     def __init__(self, files: Sequence[Path], name: str) -> None:
         if not files:
-            raise RecordingError(f"{name}: no images found; check the folder or the pattern")
+            raise RecordingError(
+                "{name}: no images found; check the folder or the pattern", name=name
+            )
         self.name = name
         self._files = tuple(files)
         self._size = self._usual_size()
@@ -105,13 +107,18 @@ class ImageSource:
         """One image; a broken one is shown as the last good one before it."""
         if not 0 <= number < self.frame_count:
             raise RecordingError(
-                f"{self.name}: frame {number} is not among 0 to {self.frame_count - 1}"
+                "{name}: frame {number} is not among 0 to {last}",
+                name=self.name,
+                number=number,
+                last=self.frame_count - 1,
             )
         for candidate in (*range(number, -1, -1), *range(number + 1, self.frame_count)):
             image = self._good(candidate)
             if image is not None:
                 return image
-        raise RecordingError(f"{self.name}: none of the images can be read; check the files")
+        raise RecordingError(
+            "{name}: none of the images can be read; check the files", name=self.name
+        )
 
     def pictures(self, start: int, stop: int) -> Iterator[Image]:
         """Images start to stop (half-open) in order."""
@@ -145,7 +152,12 @@ class ImageSource:
         sizes = Counter(image.shape[1::-1] for image in images if image is not None)
         if not sizes:
             why = _why_lost(self._files[0])
-            raise RecordingError(f"{self._files[0]}: {why}; check the files of {self.name}")
+            raise RecordingError(
+                "{path}: {why}; check the files of {name}",
+                path=self._files[0],
+                why=why,
+                name=self.name,
+            )
         width, height = sizes.most_common(1)[0][0]
         return width, height
 

@@ -21,7 +21,12 @@ def checked_fps(fps: float, where: str) -> float:
         RecordingError: no camera takes that many frames per second; NaN, too.
     """
     if not LEAST_FPS <= fps <= MOST_FPS:
-        raise RecordingError(f"{where} must be {LEAST_FPS} to {MOST_FPS} frames per second")
+        raise RecordingError(
+            "{where} must be {least_fps} to {most_fps} frames per second",
+            where=where,
+            least_fps=LEAST_FPS,
+            most_fps=MOST_FPS,
+        )
     return fps
 
 
@@ -34,7 +39,10 @@ def checked_ground(height_m: float, tilt_deg: float, roll_deg: float) -> Ground:
     ground = Ground(height_m, tilt_deg, roll_deg)
     if not LEAST_HEIGHT_M <= height_m <= MOST_HEIGHT_M:
         raise CalibrationError(
-            f"ground: height is {height_m:g} m; give the camera's height above the floor in "
-            f"metres, {LEAST_HEIGHT_M} to {MOST_HEIGHT_M}"
+            "ground: height is {height_m:g} m; give the camera's height above the floor in "
+            "metres, {least_height_m} to {most_height_m}",
+            height_m=height_m,
+            least_height_m=LEAST_HEIGHT_M,
+            most_height_m=MOST_HEIGHT_M,
         )
     return ground

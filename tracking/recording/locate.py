@@ -59,13 +59,13 @@ def locate(path: Path, options: OpenOptions) -> Located:
             _made_up(path, options.left.stem, options.left, options.right), options
         )
     if not path.exists():
-        raise RecordingError(f"{path}: no such recording; check the path")
+        raise RecordingError("{path}: no such recording; check the path", path=path)
     if path.is_dir():
         return _with_options(_in_folder(path), options)
     if path.name == MANIFEST_NAME:
         return _with_options(_in_folder(path.parent), options)
     if path.suffix.lower() in IMAGE_SUFFIXES:
-        raise RecordingError(f"{path}: a single image; open the folder it is in")
+        raise RecordingError("{path}: a single image; open the folder it is in", path=path)
     return _with_options(_made_up(path, path.stem, path, None), options)
 
 
@@ -118,8 +118,10 @@ def _in_folder(folder: Path) -> Located:
     if left is not None:
         return _made_up(folder, name, left, right)
     raise RecordingError(
-        f"{folder}: no recording in this folder; it needs a {MANIFEST_NAME}, images, or videos "
-        "called left and right"
+        "{folder}: no recording in this folder; it needs a {manifest}, images, or videos "
+        "called left and right",
+        folder=folder,
+        manifest=MANIFEST_NAME,
     )
 
 
@@ -159,7 +161,8 @@ def _with_options(found: Located, options: OpenOptions) -> Located:
         return found
     if changed.layout and changed.right:
         raise RecordingError(
-            f"{found.path}: has a source for each camera; leave out the layout of both in one"
+            "{path}: has a source for each camera; leave out the layout of both in one",
+            path=found.path,
         )
     text = format_manifest(changed)
     notes = () if options.fps else found.notes
@@ -219,8 +222,10 @@ def _only_sequence(folder: Path) -> Located | None:
             found = [place for place in sorted((half / "image_02").iterdir()) if _images_in(place)]
             if len(found) > 1:
                 raise RecordingError(
-                    f"{folder}: holds {len(found)} KITTI sequences; open one of them, "
-                    f"e.g. {found[0]}"
+                    "{folder}: holds {count} KITTI sequences; open one of them, e.g. {example}",
+                    folder=folder,
+                    count=len(found),
+                    example=found[0],
                 )
             return _kitti(found[0]) if found else None
     return None

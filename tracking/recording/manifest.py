@@ -79,14 +79,20 @@ def manifest_text(folder: Path) -> str:
     path = folder / MANIFEST_NAME
     try:
         if path.exists() and not path.is_file():  # a pipe would keep us waiting for ever
-            raise RecordingError(f"{path}: not a file; put the manifest there")
+            raise RecordingError("{path}: not a file; put the manifest there", path=path)
         if path.stat().st_size > _MAX_BYTES:
-            raise RecordingError(f"{path}: larger than {_MAX_BYTES // 1024} KiB; not a manifest")
+            raise RecordingError(
+                "{path}: larger than {size} KiB; not a manifest", path=path, size=_MAX_BYTES // 1024
+            )
         return path.read_text("utf-8-sig")
     except OSError as error:
-        raise RecordingError(f"{path}: cannot be read ({error.strerror}); check it") from error
+        raise RecordingError(
+            "{path}: cannot be read ({reason}); check it", path=path, reason=error.strerror
+        ) from error
     except UnicodeDecodeError as error:
-        raise RecordingError(f"{path}: not text in UTF-8; save it again as UTF-8") from error
+        raise RecordingError(
+            "{path}: not text in UTF-8; save it again as UTF-8", path=path
+        ) from error
 
 
 def parse_manifest(text: str, where: str, fallback_name: str) -> Manifest:
@@ -101,12 +107,15 @@ def parse_manifest(text: str, where: str, fallback_name: str) -> Manifest:
         content = tomllib.loads(text)
     except (tomllib.TOMLDecodeError, RecursionError, ValueError) as error:
         raise RecordingError(
-            f"{where}: not readable as TOML ({error}); correct it there"
+            "{where}: not readable as TOML ({error}); correct it there", where=where, error=error
         ) from error
     table = _Table(content, where)
     if table.get("format", int, FORMAT) != FORMAT:
         raise RecordingError(
-            f"{where}: format {content['format']} is not known, only {FORMAT}; update trackwright"
+            "{where}: format {said} is not known, only {known}; update trackwright",
+            where=where,
+            said=content["format"],
+            known=FORMAT,
         )
     left, right, layout, first = _sources(table)
     return Manifest(
@@ -180,7 +189,7 @@ class _Table:
 
     def error(self, key: str, problem: str) -> RecordingError:
         """What is wrong with a key."""
-        return RecordingError(f"{self.place(key)} {problem}")
+        return RecordingError("{place} {problem}", place=self.place(key), problem=problem)
 
     def place(self, key: str) -> str:
         """Where a key stands, for messages."""

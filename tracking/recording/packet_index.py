@@ -79,29 +79,36 @@ def open_video(where: str) -> tuple[InputContainer, VideoStream]:
     except (av.error.FFmpegError, OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or "unknown contents"
         raise RecordingError(
-            f"{where}: not a video that can be read ({reason}); give a video, a folder of images "
-            "or a folder with recording.toml"
+            "{where}: not a video that can be read ({reason}); give a video, a folder of "
+            "images or a folder with recording.toml",
+            where=where,
+            reason=reason,
         ) from error
     if not container.streams.video or container.format.name in ("hls", "concat", "dash", "sdp"):
         container.close()
-        raise RecordingError(f"{where}: holds no video of its own; give the video file")
+        raise RecordingError("{where}: holds no video of its own; give the video file", where=where)
     stream = container.streams.video[0]
     # PyAV leaves it None, against its own types, where it has no decoder.
     if getattr(stream, "codec_context", None) is None:
         container.close()
-        raise RecordingError(f"{where}: its encoding is not known; convert it to H.264")
+        raise RecordingError("{where}: its encoding is not known; convert it to H.264", where=where)
     if stream.codec_context.name in _TEXT_ART:
         container.close()
         raise RecordingError(
-            f"{where}: text, not a video; give a video, a folder of images or a folder with "
-            "recording.toml"
+            "{where}: text, not a video; give a video, a folder of images or a folder with "
+            "recording.toml",
+            where=where,
         )
     width, height = stream.codec_context.width, stream.codec_context.height
     if width * height > MOST_PIXELS:
         container.close()
         raise RecordingError(
-            f"{where}: has {width} x {height} px; videos of up to {MOST_PIXELS // 10**6} Mpx are "
-            "read; make it smaller"
+            "{where}: has {width} x {height} px; videos of up to {most_pixels} Mpx are read; "
+            "make it smaller",
+            where=where,
+            width=width,
+            height=height,
+            most_pixels=MOST_PIXELS // 10**6,
         )
     stream.codec_context.options = {"max_pixels": str(MOST_PIXELS)}  # of frames that say more
     # One thread keeps frames in step with packets, and leaves the other cores to other cameras.
@@ -134,7 +141,9 @@ def index_video(where: str) -> PacketIndex:
         time_base = float(stream.time_base or 1)
     keyframes = [i for i, packet in enumerate(packets) if packet.key]
     if not keyframes:
-        raise RecordingError(f"{where}: holds no image that can be decoded; record it again")
+        raise RecordingError(
+            "{where}: holds no image that can be decoded; record it again", where=where
+        )
     if trusted:
         shown = np.array([packet.pts for packet in packets], float)
         number, left_out = _ranked(shown, packets, keyframes[0])

@@ -29,8 +29,10 @@ def place_inside(folder: Path, named: str, allow_outside: bool) -> Path:
     inside = not absolute and ".." not in path.relative_to(folder).parts
     if not inside or not all(_lies_in(place, folder) for place in _places(path)):
         raise RecordingError(
-            f"{folder}: its manifest names {named!r} outside the folder; move the file inside, "
-            "or add --allow-outside where you trust the recording"
+            "{folder}: its manifest names {named!r} outside the folder; move the file inside, "
+            "or add --allow-outside where you trust the recording",
+            folder=folder,
+            named=named,
         )
     return path
 
@@ -76,7 +78,9 @@ def _fixed(pattern: Path) -> Path:
 def _matching(pattern: Path) -> list[Path]:
     fixed = _fixed(pattern)
     if not fixed.is_dir():
-        raise RecordingError(f"{pattern}: there is no folder {fixed}; check the path")
+        raise RecordingError(
+            "{pattern}: there is no folder {fixed}; check the path", pattern=pattern, fixed=fixed
+        )
     return [file for file in fixed.glob(pattern.relative_to(fixed).as_posix()) if file.is_file()]
 
 

@@ -143,7 +143,11 @@ class Recording:
         stop = self.frame_count if stop is None else stop
         if not 0 <= start <= stop <= self.frame_count:
             raise RecordingError(
-                f"{self.path}: frames {start} to {stop} are not within 0 to {self.frame_count}"
+                "{path}: frames {start} to {stop} are not within 0 to {frame_count}",
+                path=self.path,
+                start=start,
+                stop=stop,
+                frame_count=self.frame_count,
             )
         lag = lag if self.is_stereo else 0
         for number, (left, right) in enumerate(self._cameras.pairs(start, stop, lag), start):
@@ -165,7 +169,10 @@ class Recording:
     def _check(self, number: int) -> None:
         if not 0 <= number < self.frame_count:
             raise RecordingError(
-                f"{self.path}: there is no frame {number}, only 0 to {self.frame_count - 1}"
+                "{path}: there is no frame {number}, only 0 to {last}",
+                path=self.path,
+                number=number,
+                last=self.frame_count - 1,
             )
 
     def _first_frame_notes(self) -> tuple[str, ...]:
@@ -178,8 +185,9 @@ def _rate(located: Located, cameras: ImagePairs) -> float:
     fps = located.manifest.fps or cameras.sources[0].fps
     if not fps:
         raise RecordingError(
-            f"{located.path}: images do not say how fast they were taken; give fps in "
-            "recording.toml, or --fps"
+            "{path}: images do not say how fast they were taken; give fps in recording.toml, "
+            "or --fps",
+            path=located.path,
         )
     return fps
 

@@ -73,8 +73,13 @@ def _opened(located: Located, source: str, side: Side, allow_outside: bool) -> P
     if located.own and (lacking := _lacking(place)):
         instead = ", or leave [right] out for one camera" if side == "right" else ""
         raise RecordingError(
-            f"{located.folder / MANIFEST_NAME}: {_called(located, side)} is {lacking}: {place}",
-            f"put it there{instead}",
+            "{folder}: {called} is {lacking}: {place}",
+            "put it there{instead}",
+            folder=located.folder / MANIFEST_NAME,
+            called=_called(located, side),
+            lacking=lacking,
+            place=place,
+            instead=instead,
         )
     return open_pictures(place, source)
 

@@ -43,13 +43,15 @@ class VideoSource:
 
     def __init__(self, path: Path, name: str, recent_bytes: int = _RECENT_BYTES) -> None:
         if not path.is_file():
-            raise RecordingError(f"{path}: no such video; check the path")
+            raise RecordingError("{path}: no such video; check the path", path=path)
         self.name = name
         self._path = path
         self._recent_bytes = recent_bytes
         self._index: PacketIndex = index_video(str(path))
         if not self._index.frame_count:
-            raise RecordingError(f"{path}: holds no frame that can be decoded; record it again")
+            raise RecordingError(
+                "{path}: holds no frame that can be decoded; record it again", path=path
+            )
         container, stream = open_video(str(path))
         with container:
             self._promised = stream.frames
@@ -115,11 +117,14 @@ class VideoSource:
         """One frame; a broken one is shown as the last good one before it."""
         if not 0 <= number < self.frame_count:
             raise RecordingError(
-                f"{self._path}: frame {number} is not among 0 to {self.frame_count - 1}"
+                "{path}: frame {number} is not among 0 to {last}",
+                path=self._path,
+                number=number,
+                last=self.frame_count - 1,
             )
         with self._lock:
             if self._closed:
-                raise RecordingError(f"{self._path}: was closed; open it again")
+                raise RecordingError("{path}: was closed; open it again", path=self._path)
             frame = self._recent.get(number)
             if frame is None:
                 frame = self._found(number)
@@ -150,7 +155,9 @@ class VideoSource:
             if number >= 1:
                 break
         if size is None:
-            raise RecordingError(f"{self._path}: no frame can be decoded; record it again")
+            raise RecordingError(
+                "{path}: no frame can be decoded; record it again", path=self._path
+            )
         return size
 
     def _every(self, cursor: VideoCursor, start: int, stop: int) -> Iterator[av.VideoFrame]:
@@ -233,7 +240,9 @@ class VideoSource:
 
     def _only(self, frame: av.VideoFrame | None) -> av.VideoFrame:
         if frame is None:
-            raise RecordingError(f"{self._path}: no frame can be decoded; record it again")
+            raise RecordingError(
+                "{path}: no frame can be decoded; record it again", path=self._path
+            )
         return frame
 
 
@@ -263,8 +272,9 @@ def bgr(frame: av.VideoFrame, reformatter: VideoReformatter) -> Image:
         return np.asarray(converted.to_ndarray(), np.uint8)
     except (av.error.FFmpegError, ValueError) as error:
         raise RecordingError(
-            f"frame {frame.pts}: its pixels ({frame.format.name}) cannot be converted; convert "
-            "the video to H.264"
+            "frame {pts}: its pixels ({name}) cannot be converted; convert the video to H.264",
+            pts=frame.pts,
+            name=frame.format.name,
         ) from error
 
 

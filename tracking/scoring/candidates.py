@@ -42,9 +42,11 @@ def _refuse_overfull(truth: ScoringTable, frames: Frames) -> None:
     if len(down) and (down * across).max() > _MOST_OF_A_FRAME:
         fullest = int((down * across).argmax())
         raise FormatError(
-            f"frame {truth.frame[frames.truth[fullest]]} (from 0) has {down[fullest]:,} rows in "
-            f"the ground truth and {across[fullest]:,} in the result, too many to compare: check "
-            "both"
+            "frame {frame} (from 0) has {down:,} rows in the ground truth and {across:,} in "
+            "the result, too many to compare: check both",
+            frame=truth.frame[frames.truth[fullest]],
+            down=down[fullest],
+            across=across[fullest],
         )
 
 

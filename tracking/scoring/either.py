@@ -46,4 +46,6 @@ class EitherMatch:
         """Boxes or positions are asked for."""
         nowhere = np.isnan(table.box).any(axis=1) & np.isnan(table.position).any(axis=1)
         if len(table) and nowhere.all():
-            raise FormatError(f"the {side} has neither boxes nor floor positions to be matched by")
+            raise FormatError(
+                "the {side} has neither boxes nor floor positions to be matched by", side=side
+            )

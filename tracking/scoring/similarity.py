@@ -54,7 +54,9 @@ class BoxMatch:
 
     def __post_init__(self) -> None:
         if not 0 < self.threshold <= 1:
-            raise SettingsError(f"overlap {self.threshold} is not in 0 to 1; 0.5 is usual")
+            raise SettingsError(
+                "overlap {threshold} is not in 0 to 1; 0.5 is usual", threshold=self.threshold
+            )
 
     def measured(self, table: ScoringTable) -> Floats:
         """(5, n) left, right, top and bottom edges, and areas."""
@@ -79,7 +81,12 @@ class BoxMatch:
     def require(self, table: ScoringTable, side: str) -> None:
         """Boxes are asked for."""
         if not _any_known(table.box):
-            raise FormatError(f"the {side} has no boxes", "match by floor distance (--match floor)")
+            raise FormatError(
+                "the {side} has no boxes",
+                "match by floor distance",
+                option="--match floor",
+                side=side,
+            )
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,7 +102,9 @@ class FloorMatch:
 
     def __post_init__(self) -> None:
         if not 0 < self.radius_m < np.inf:
-            raise SettingsError(f"radius {self.radius_m} m is not above 0; 0.5 is usual")
+            raise SettingsError(
+                "radius {radius_m} m is not above 0; 0.5 is usual", radius_m=self.radius_m
+            )
 
     def measured(self, table: ScoringTable) -> Floats:
         """(4, n) as far along x as half of what another row may be away, then x and y."""
@@ -114,7 +123,12 @@ class FloorMatch:
     def require(self, table: ScoringTable, side: str) -> None:
         """Positions are asked for."""
         if not _any_known(table.position):
-            raise FormatError(f"the {side} has no floor positions", "match by boxes (--match box)")
+            raise FormatError(
+                "the {side} has no floor positions",
+                "match by boxes",
+                option="--match box",
+                side=side,
+            )
 
 
 def _any_known(values: Floats) -> bool:

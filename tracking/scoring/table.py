@@ -110,8 +110,9 @@ class ScoringTable:
             return
         first = twice[0]
         raise FormatError(
-            f"track {track[first]} stands twice in frame {frame[first]} (from 0); "
-            "remove one of its rows"
+            "track {track} stands twice in frame {frame} (from 0); remove one of its rows",
+            track=track[first],
+            frame=frame[first],
         )
 
     def _repeats(self) -> bool:

@@ -66,7 +66,9 @@ def check_backup(path: Path, number: int) -> None:
     count = len(find_backups(path))
     if not 1 <= number <= count:
         kept = f"there are {count}, 1 is the newest" if count else "none is kept yet"
-        raise SessionError(f"{path} has no backup {number} ({kept})")
+        raise SessionError(
+            "{path} has no backup {number} ({kept})", path=path, number=number, kept=kept
+        )
 
 
 def read_backup(path: Path, number: int) -> tuple[Path, Snapshot]:
@@ -81,7 +83,7 @@ def read_backup(path: Path, number: int) -> tuple[Path, Snapshot]:
     snapshot = session_reader.read_session(files[number - 1])
     if snapshot.newer:
         raise SessionError(
-            f"{files[number - 1]} was made by a newer trackwright; update to restore it"
+            "{files} was made by a newer trackwright; update to restore it", files=files[number - 1]
         )
     return files[number - 1], snapshot
 

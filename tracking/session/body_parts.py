@@ -87,19 +87,30 @@ def _in_place(session: Session, given: GivenLabel, boxes: Mapping[PartKey, Box])
     label = given.label
     if label.frame >= session.recording.frame_count:
         last = session.recording.frame_count - 1
-        raise FormatError(f"{given.place}: frame {label.frame}; the recording has 0 to {last}")
+        raise FormatError(
+            "{place}: frame {frame}; the recording has 0 to {last}",
+            place=given.place,
+            frame=label.frame,
+            last=last,
+        )
     if label.frame not in session.tracks.frames_of_track(label.track):
         raise FormatError(
-            f"{given.place}: track {label.track} is not there in frame {label.frame}; "
-            "correct or remove the row"
+            "{place}: track {track} is not there in frame {frame}; correct or remove the row",
+            place=given.place,
+            track=label.track,
+            frame=label.frame,
         )
     if given.has_box:
         return label
     box = boxes.get(label.key)
     if box is None:
         raise FormatError(
-            f"{given.place}: no {PART_NAMES[label.part]} of track {label.track} was tracked in "
-            f"frame {label.frame}; give left, top, width and height"
+            "{place}: no {part_names} of track {track} was tracked in frame {frame}; give "
+            "left, top, width and height",
+            place=given.place,
+            part_names=PART_NAMES[label.part],
+            track=label.track,
+            frame=label.frame,
         )
     return replace(label, box=box)
 

@@ -187,13 +187,17 @@ class Session(OnDisk):
         run = self._runs[number]
         if len(self.history):
             raise EditError(
-                f"run {number} cannot be begun with: the tracks have been edited; take from the "
-                "run what it says otherwise"
+                "run {number} cannot be begun with: the tracks have been edited; take from the "
+                "run what it says otherwise",
+                number=number,
             )
         if not self.covers_corrected(run):
             raise EditError(
-                f"run {number} cannot be begun with: it is of frames {run.frames[0]} to "
-                f"{run.frames[1] - 1} alone; take from the run what it says otherwise"
+                "run {number} cannot be begun with: it is of frames {first} to {last} alone; "
+                "take from the run what it says otherwise",
+                number=number,
+                first=run.frames[0],
+                last=run.frames[1] - 1,
             )
         self._edited.tracks, self._adopted, self.colours = self._table_of(run), number, {}
         self._content += 1
@@ -245,7 +249,9 @@ class Session(OnDisk):
             self._write(replace(self.begin_save(), most=UNLIMITED))
         found = [kept for kept in find_backups(path) if file_state(kept) == known]
         if known is None or not found:
-            raise SessionError(f"{path}: backup {number} was deleted meanwhile")
+            raise SessionError(
+                "{path}: backup {number} was deleted meanwhile", path=path, number=number
+            )
         file = found[0]
         stamps = next_stamps(older.stamps, self._stamps, store)
         recording = self._whereabouts.reference

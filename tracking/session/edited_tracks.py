@@ -23,7 +23,7 @@ class EditedTracks:
         """The entry undo or redo is about. Raises EditError where there is none."""
         entry = self.history.next_undo if act == "undo" else self.history.next_redo
         if entry is None:
-            raise EditError(f"nothing to {act}")
+            raise EditError("nothing to {act}", act=act)
         return entry
 
     def do(
@@ -59,7 +59,11 @@ class EditedTracks:
         """
         known = entry if act == "apply" else self.next(act)
         if known.id != (len(self.history) + 1 if act == "apply" else entry.id):
-            raise EditError(f"the journal is about edit {entry.id}, not about edit {known.id}")
+            raise EditError(
+                "the journal is about edit {edit}, not about edit {other}",
+                edit=entry.id,
+                other=known.id,
+            )
         self.do(act, known, known.change, _kept_already)
 
 

@@ -4,9 +4,6 @@ from __future__ import annotations
 
 from tracking.errors import SessionError
 
-NAME_ITS_PLACE = "name its place (--recording PATH)"
-"""What can be done about a missing recording on the command line."""
-
 
 class RecordingMissing(SessionError):  # noqa: N818 - reads as what it is, where it is caught
     """The recording a session was made from is not where it was.

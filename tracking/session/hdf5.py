@@ -25,13 +25,15 @@ def open_readonly(path: Path) -> Iterator[h5py.File]:
             yield file
     except FileNotFoundError as why:
         raise SessionError(
-            f"{path} is out of reach: it was moved or its disk has gone; put it back"
+            "{path} is out of reach: it was moved or its disk has gone; put it back", path=path
         ) from why
     except FAILURES as why:
         # What the library says of a file that is cut short tells its users nothing.
         reason = f" ({' '.join(str(why).split())})" if isinstance(why, ValueError) else ""
         raise SessionError(
-            f"{path}: the session file is damaged or cut short{reason}; restore a backup of it"
+            "{path}: the session file is damaged or cut short{reason}; restore a backup of it",
+            path=path,
+            reason=reason,
         ) from why
 
 

@@ -18,7 +18,9 @@ def new_ids(rows: Columns, known: TrackTable | None) -> dict[int, int]:
     highest = 0 if known is None else known.highest_track
     old = np.unique(rows["track"]).tolist()
     if highest + len(old) > LARGEST_NUMBER:
-        raise FormatError(f"there are no {len(old)} ids left for new tracks; keep the file's ids")
+        raise FormatError(
+            "there are no {count} ids left for new tracks; keep the file's ids", count=len(old)
+        )
     return {track: highest + 1 + at for at, track in enumerate(old)}
 
 

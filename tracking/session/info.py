@@ -81,7 +81,9 @@ def _told(path: Path) -> Iterator[h5py.File]:
         with open_readonly(path) as file:
             yield file
     except EditError as why:
-        raise SessionError(f"{path}: the session file is damaged: {why}") from why
+        raise SessionError(
+            "{path}: the session file is damaged: {why}", path=path, why=why
+        ) from why
 
 
 def _run(group: h5py.Group) -> dict[str, Any]:

@@ -63,7 +63,11 @@ def inspect(path: Path) -> tuple[int, int]:
             _check_table(datasets, where, table)
             if table.by_frame and f"{where}/start" not in datasets:
                 _, run, name = where.split("/")
-                raise Refused(f"does not say which {name} of run {run} belong to which frame")
+                raise Refused(
+                    "does not say which {name} of run {run} belong to which frame",
+                    name=name,
+                    run=run,
+                )
     return version
 
 
@@ -74,10 +78,10 @@ def _tables(file: h5py.File, datasets: Mapping[str, h5py.Dataset]) -> Iterator[t
         yield "samples", SAMPLES
     for name in ("recording/manifest", "recording/calibration"):
         if name not in datasets or datasets[name].ndim or datasets[name].dtype.kind != "O":
-            raise Refused(f"has no text at {name}")
+            raise Refused("has no text at {name}", name=name)
         go_on()
         if len(datasets[name].asstr(errors="replace")[()]) > _LONGEST_TEXT:
-            raise Refused(f"has more text at {name} than any recording")
+            raise Refused("has more text at {name} than any recording", name=name)
     go_on()
     runs = file.get("runs")
     if not isinstance(runs, h5py.Group) or set(runs) != {str(at) for at in range(len(runs))}:
@@ -100,15 +104,21 @@ def _check_table(datasets: Mapping[str, h5py.Dataset], where: str, table: Table)
     for name, dtype in table.columns_in({name for name in held if held[name] is not None}).items():
         dataset = held[name]
         if dataset is None:
-            raise Refused(f"has no column {name} in {where}")
+            raise Refused("has no column {name} in {where}", name=name, where=where)
         if dataset.ndim != 1 or dataset.dtype != dtype:
-            raise Refused(f"has {dataset.dtype} in column {name} of {where}, not {dtype}")
+            raise Refused(
+                "has {dtype} in column {name} of {where}, not {dtype2}",
+                dtype=dataset.dtype,
+                name=name,
+                where=where,
+                dtype2=dtype,
+            )
         lengths.add(len(dataset))
         if dtype == TEXT:
             go_on(len(dataset))
             dataset.asstr(errors="replace")[()]  # text lies in a heap: reading it is the check
     if len(lengths) > 1:
-        raise Refused(f"has columns of different lengths in {where}")
+        raise Refused("has columns of different lengths in {where}", where=where)
 
 
 if __name__ == "__main__":

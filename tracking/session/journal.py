@@ -78,7 +78,9 @@ class Journal:
         with self._limited(LONGEST_NAME):
             origins = self._base.execute("SELECT session, save FROM origin LIMIT 2").fetchall()
         if len(origins) > 1 or any(not isinstance(said, str) for row in origins for said in row):
-            raise SessionError(f"{self._path}: this is no journal of edits (its origin is damaged)")
+            raise SessionError(
+                "{path}: this is no journal of edits (its origin is damaged)", path=self._path
+            )
         self._origin: tuple[str, str] | None = origins[0] if origins else None
         self._bytes = self._used_bytes()
         self._read_numbers()
@@ -254,10 +256,11 @@ class Journal:
         Raises OutputError where it is not, SessionError where another program wrote into the file.
         """
         if self._origin is None:
-            raise SessionError(f"{self._path}: this journal of edits builds on no save")
+            raise SessionError("{path}: this journal of edits builds on no save", path=self._path)
         if self._last >= MOST_STEPS or self._bytes > FULL_BYTES:
             raise OutputError(
-                f"{self._path}: the journal of edits is full; save the session, then go on"
+                "{path}: the journal of edits is full; save the session, then go on",
+                path=self._path,
             )
         row = row_of(Step(self._last + 1, act, entry), self._checksum)
         used = text_bytes(row)
@@ -320,8 +323,9 @@ class Journal:
         """Raise SessionError where the file holds other steps than this program put there."""
         if self._tail() != self._expected():
             raise SessionError(
-                f"{self._path}: another program wrote into the journal of edits; "
-                "nothing was changed: try again"
+                "{path}: another program wrote into the journal of edits; nothing was changed: "
+                "try again",
+                path=self._path,
             )
 
     def _tail(self) -> tuple[object, object]:
@@ -366,11 +370,15 @@ def _check_files(path: Path) -> None:
     log, _ = (check_file(path.with_name(f"{path.name}{e}"), MOST_BYTES) for e in ("-wal", "-shm"))
     foreign = path.with_name(f"{path.name}{FOREIGN_ENDING}")
     if check_file(foreign) is not None:
-        raise SessionError(f"{foreign}: this is of another program; it is not a journal of edits")
+        raise SessionError(
+            "{foreign}: this is of another program; it is not a journal of edits", foreign=foreign
+        )
     state = check_file(path, MOST_BYTES)
     if state is None or (not state.st_size and log is not None and log.st_size):
         # SQLite would begin a new one, and take the log away.
-        raise SessionError(f"{path}: the journal of edits is gone; its log or count is still there")
+        raise SessionError(
+            "{path}: the journal of edits is gone; its log or count is still there", path=path
+        )
 
 
 def _make_file(path: Path, mode: int) -> None:
@@ -379,5 +387,6 @@ def _make_file(path: Path, mode: int) -> None:
         os.close(open_file(path, os.O_RDWR | os.O_CREAT | os.O_EXCL, mode))
     except FileExistsError as why:
         raise SessionError(
-            f"{path}: another program has begun a journal of edits; nothing was changed: try again"
+            "{path}: another program has begun a journal of edits; nothing was changed: try again",
+            path=path,
         ) from why

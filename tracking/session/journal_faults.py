@@ -41,9 +41,14 @@ def translate_errors(path: Path, what: str) -> Iterator[None]:
         yield
     except (sqlite3.Error, OSError, MemoryError) as why:
         if is_damage(why):
-            raise SessionError(f"{path}: this is no journal of edits ({why})") from why
+            raise SessionError(
+                "{path}: this is no journal of edits ({why})", path=path, why=why
+            ) from why
         said = "there is not enough memory" if isinstance(why, MemoryError) else why
         raise OutputError(
-            f"{path}: the journal of edits cannot be {what} ({said}); "
-            "make room or choose a folder you may write to"
+            "{path}: the journal of edits cannot be {what} ({said}); make room or choose a "
+            "folder you may write to",
+            path=path,
+            what=what,
+            said=said,
         ) from why

@@ -94,7 +94,9 @@ def open_checked(base: sqlite3.Connection, path: Path, limit: TimeLimit) -> str:
         _make_tables(base)
     elif lacking:
         if problem:
-            raise SessionError(f"{path}: the journal of edits is damaged ({problem})")
+            raise SessionError(
+                "{path}: the journal of edits is damaged ({problem})", path=path, problem=problem
+            )
         with limit.enforce(base, LONGEST_OLD_CELL):
             _bring_up_to_date(base, lacking)
     return problem
@@ -147,7 +149,9 @@ def _lacking(lines: list[tuple[object, ...]], path: Path) -> list[str]:
         }
         if said == expected and len(lines) == len(expected) and steps is not None:
             return names[known:]
-    raise SessionError(f"{path}: this is no journal of edits (it holds other tables than one)")
+    raise SessionError(
+        "{path}: this is no journal of edits (it holds other tables than one)", path=path
+    )
 
 
 def _definition(table: str, columns: Mapping[str, str]) -> str:
@@ -193,7 +197,9 @@ def _check_count(base: sqlite3.Connection, path: Path) -> None:
     further = base.execute("SELECT 1 FROM steps LIMIT 1 OFFSET ?", (MOST_STEPS,)).fetchone()
     if further is not None:
         raise SessionError(
-            f"{path}: this is no journal of edits (it has more than {MOST_STEPS} steps)"
+            "{path}: this is no journal of edits (it has more than {most} steps)",
+            path=path,
+            most=MOST_STEPS,
         )
 
 

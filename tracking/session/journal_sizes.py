@@ -36,8 +36,10 @@ def files_to_copy(main: Path) -> list[str]:
         return [ending for ending in endings if not ending or sizes[0] <= _MOST_COPIED]
     if sum(sizes) > _MOST_COPIED:
         raise SessionError(
-            f"{main}: the journal of edits has {sum(sizes) >> 20} MiB with its log, more than is "
-            "read without opening the session"
+            "{main}: the journal of edits has {size} MiB with its log, more than is read "
+            "without opening the session",
+            main=main,
+            size=sum(sizes) >> 20,
         )
     _check_header(main)
     if sizes[0] and _is_log(log):
@@ -53,7 +55,9 @@ def _size(file: Path) -> int | None:
         return None
     taken = getattr(state, "st_blocks", state.st_size) * _BLOCK_BYTES
     if state.st_size > _HOLED_BYTES and taken * _HOLED_TIMES < state.st_size:
-        raise UnsafeFileError(f"{file} has {state.st_size} bytes, almost all of them a hole")
+        raise UnsafeFileError(
+            "{file} has {size} bytes, almost all of them a hole", file=file, size=state.st_size
+        )
     return state.st_size
 
 
@@ -61,7 +65,9 @@ def _check_header(main: Path) -> None:
     header = _first_bytes(main, _HEADER_BYTES)
     page = int.from_bytes(header[16:18], "big")
     if len(header) < _HEADER_BYTES or not header.startswith(_MAGIC) or page & (page - 1):
-        raise SessionError(f"{main}: this is no journal of edits (file is not a database)")
+        raise SessionError(
+            "{main}: this is no journal of edits (file is not a database)", main=main
+        )
 
 
 def _check_tables(main: Path) -> None:

@@ -35,7 +35,9 @@ class OnDisk(SessionState):
                 f"{store.others_aside}"
             )
             self._findings.append(Finding(now(), self._without_folder(what)))
-            raise SessionError(f"{self._path}: {what}", "do it again to go on without them")
+            raise SessionError(
+                "{path}: {what}", "do it again to go on without them", path=self._path, what=what
+            )
 
     def _is_own_file(self) -> bool:
         """Whether the file under the session's name is what this session saved last."""
@@ -50,7 +52,9 @@ class OnDisk(SessionState):
         elif pending.store is self._store and pending.content >= self._base > self._saved >= 0:
             pending.written.result()
         else:
-            raise SessionError(f"{self._path} is being saved; edit again when that is done")
+            raise SessionError(
+                "{path} is being saved; edit again when that is done", path=self._path
+            )
 
     def _keep(self, act: Act, entry: Entry) -> None:
         """Put a step into the journal; a session that was never saved has none."""
@@ -108,7 +112,9 @@ class OnDisk(SessionState):
 
     def _refuse_read_only(self) -> None:
         if self.read_only:
-            raise SessionError(f"{self._path} is open for reading only; save it under another name")
+            raise SessionError(
+                "{path} is open for reading only; save it under another name", path=self._path
+            )
 
     def _let_go(self, *, keep_journal: bool) -> None:
         """Give the right to write the file back."""
@@ -150,7 +156,9 @@ class OnDisk(SessionState):
         One save at a time: raises SessionError while another one is on its way.
         """
         if self._pending is not None:
-            raise SessionError(f"{self._pending.path} is being saved; wait until that is done")
+            raise SessionError(
+                "{path} is being saved; wait until that is done", path=self._pending.path
+            )
         target = path if path is not None else self._path
         if target is None:
             raise SessionError("the session has no file yet; name one to save it in")

@@ -113,8 +113,10 @@ def _read(path: Path) -> ReadSession:
         note = f"{why.reason}: {MAY_MISS}"
     except OSError as why:
         raise OutputError(
-            f"{path}: the edits that wait in its journal cannot be read ({why.strerror or why})",
+            "{path}: the edits that wait in its journal cannot be read ({reason})",
             "make room in the folder for temporary files, then try again",
+            path=path,
+            reason=why.strerror or why,
         ) from why
     return ReadSession(snapshot, edited, made, (note,) if note else ())
 

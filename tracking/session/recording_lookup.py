@@ -10,8 +10,9 @@ from pathlib import Path, PurePosixPath
 from typing import TYPE_CHECKING
 
 from tracking.errors import RecordingError, TrackwrightError
-from tracking.session.errors import NAME_ITS_PLACE, RecordingMissing
+from tracking.session.errors import RecordingMissing
 from tracking.session.reference import RecordingReference, stays_inside
+from tracking.translation import Message, joined, msg
 
 if TYPE_CHECKING:
     from tracking.recording import Recording
@@ -61,15 +62,15 @@ def find_recording(
 
     Raises RecordingMissing, which says where it was and how to name its place.
     """
-    problems: list[str] = []
+    problems: list[Message] = []
     trusted = None if known is None else _plain(known)
     for place in _places(reference, session_folder, search, trusted, allow_outside):
-        failures: list[str] = []
+        failures: list[Message] = []
         for way in _ways(reference, place, allow_outside, place == trusted):
             try:
                 recording = way()
             except TrackwrightError as why:
-                failures.append(str(why))
+                failures.append(why.message)
                 continue
             if _is_it(reference, recording):
                 moved = _moved(reference, session_folder, search, place)
@@ -77,9 +78,9 @@ def find_recording(
                     recording, place, (*failures, *moved, *_changes(reference, recording))
                 )
             recording.close()
-            failures.append(f"what stands at {place} is another one")
+            failures.append(msg("what stands at {place} is another one", place=place))
         problems += failures
-    raise RecordingMissing(_missing(reference, problems), NAME_ITS_PLACE)
+    raise _missing(reference, problems).advising("name its place", option="--recording PATH")
 
 
 def _places(
@@ -201,17 +202,27 @@ def _changed_parts(then: str, now: str) -> Sequence[str]:
     return [name for name in names if getattr(before, name) != getattr(after, name)]
 
 
-def _missing(reference: RecordingReference, problems: Sequence[str]) -> str:
-    if reference.is_inside:
-        was = f"was at {reference.path}, beside the session"
-        problem = f"; {problems[0]}" if problems else ", and is gone"
-    else:
-        was = (
-            f"is at {reference.path}, outside the session's folder: for safety it is opened only "
-            "where you name it"
+def _missing(reference: RecordingReference, problems: Sequence[Message]) -> RecordingMissing:
+    if not reference.is_inside:
+        was = msg(
+            'recording "{name}" is at {path}, outside the session\'s folder: for safety it is '
+            "opened only where you name it",
+            name=reference.name,
+            path=reference.path,
         )
-        problem = f"; {problems[0]}" if problems else ""
-    return f'recording "{reference.name}" {was}{problem}'
+    elif problems:
+        was = msg(
+            'recording "{name}" was at {path}, beside the session',
+            name=reference.name,
+            path=reference.path,
+        )
+    else:
+        was = msg(
+            'recording "{name}" was at {path}, beside the session, and is gone',
+            name=reference.name,
+            path=reference.path,
+        )
+    return RecordingMissing(joined("; ", (was, *problems[:1])))
 
 
 def _name(reference: RecordingReference) -> str:

@@ -94,8 +94,11 @@ class StoredRun:
         rows = len(group["track"])
         if not len(start) or start[0] != 0 or start[-1] != rows or bool((np.diff(start) < 0).any()):
             raise SessionError(
-                f"{self.path}: the {table} of run {self.number} are not one frame's after "
-                "another's; the file is damaged"
+                "{path}: the {table} of run {number} are not one frame's after another's; the "
+                "file is damaged",
+                path=self.path,
+                table=table,
+                number=self.number,
             )
         name = f"runs/{self.number}/{table}"
         return Particles(
@@ -260,11 +263,17 @@ class Runs(Sequence[Run]):
         corrected tracks began as it, or where a file is being written that holds it.
         """
         if number != len(self._held) - 1:
-            raise EditError(f"run {number} is not the last one: later runs would be renumbered")
+            raise EditError(
+                "run {number} is not the last one: later runs would be renumbered", number=number
+            )
         if number == adopted:
-            raise EditError(f"run {number}: the corrected tracks began as it; it stays")
+            raise EditError(
+                "run {number}: the corrected tracks began as it; it stays", number=number
+            )
         if saving:
-            raise EditError(f"run {number} is being saved; delete it when that is done")
+            raise EditError(
+                "run {number} is being saved; delete it when that is done", number=number
+            )
         del self._held[number], self._serials[number]
         self._loaded.pop(number, None)
 

@@ -90,17 +90,24 @@ def check_version(path: Path) -> tuple[tuple[int, int], tuple[str, ...]]:
         is_folder, is_there = path.is_dir(), path.is_file()
     except OSError as why:  # its disk fails, or it may not be looked at
         raise SessionError(
-            f"{path}: the session cannot be looked at: {why.strerror or why}"
+            "{path}: the session cannot be looked at: {reason}",
+            path=path,
+            reason=why.strerror or why,
         ) from why
     if is_folder:
-        raise SessionError(f"{path}: this is a folder; name a session file")
+        raise SessionError("{path}: this is a folder; name a session file", path=path)
     if not is_there:
-        raise SessionError(f"{path}: there is no such session; check the path")
+        raise SessionError("{path}: there is no such session; check the path", path=path)
     if is_sealed(path):
         return VERSION, ()
     verdict = inspect_files([path])[0]
     if "refused" in verdict:
-        raise SessionError(f"{path}{verdict['refused']}{_way_out(path, verdict['refused'])}")
+        raise SessionError(
+            "{path}{why}{way_out}",
+            path=path,
+            why=verdict["refused"],
+            way_out=_way_out(path, verdict["refused"]),
+        )
     version = _version(verdict)
     damaged = _damage_of(path, version)
     return version, (tell_damage(damaged),) if damaged else ()
@@ -160,7 +167,9 @@ def _read_version_1(file: h5py.File, path: Path) -> Snapshot:
             unpacking.finish()
         table = TrackTable(columns, highest_track=int(tracks.attrs["highest_track"]))
     except EditError as why:
-        raise SessionError(f"{path}: the session file is damaged: {why}") from why
+        raise SessionError(
+            "{path}: the session file is damaged: {why}", path=path, why=why
+        ) from why
     adopted = int(tracks.attrs["run"])
     if adopted >= len(file["runs"]):
         raise ValueError(f"the tracks began as run {adopted}, which is not there")

@@ -175,7 +175,9 @@ def explain_file_errors(path: Path, failed: str = "the session was not saved") -
             errno.EROFS: "the disk is read-only; choose another folder",
             errno.ENOENT: "its folder does not exist; choose another",
         }.get(why.errno or 0, f"{why.strerror or why}; try another place")
-        raise OutputError(f"{path}: {failed}: {reason}") from why
+        raise OutputError(
+            "{path}: {failed}: {reason}", path=path, failed=failed, reason=reason
+        ) from why
 
 
 def _replace(new: Path, path: Path) -> None:

@@ -78,8 +78,9 @@ class Store:
             return True
         if not os.path.isfile(self._path):  # noqa: PTH113 - Path.is_file raises if locked
             raise OutputError(
-                f"{self._path} is out of reach: its folder has vanished or is locked. Nothing was "
-                "changed. Connect its disk again, put the folder back or unlock it, and go on"
+                "{path} is out of reach: its folder has vanished or is locked. Nothing was "
+                "changed. Connect its disk again, put the folder back or unlock it, and go on",
+                path=self._path,
             )
         if not self._lock.is_in_place:
             self._lock_again(is_own)
@@ -141,8 +142,9 @@ class Store:
         if not is_own():
             lock.release()
             raise SessionError(
-                f"{self._path} was changed by another program while it was out of reach; "
-                "save under another name"
+                "{path} was changed by another program while it was out of reach; save under "
+                "another name",
+                path=self._path,
             )
         self._lock.let_go()
         self._lock = lock
@@ -328,7 +330,11 @@ def _locked(path: Path) -> SessionLock:
             if not tries_left:
                 raise
     if not taken:
-        raise SessionError(f"{path}: the session is open in {lock.holder()}; close it there first")
+        raise SessionError(
+            "{path}: the session is open in {holder}; close it there first",
+            path=path,
+            holder=lock.holder(),
+        )
     return lock
 
 

@@ -213,6 +213,9 @@ def scenario_of(spec: SceneSpec, people: int, seed: int) -> Scenario:
     scenario = fixed() if fixed else _VARIED[spec.scenario](seed)
     if people != len(scenario.roles):
         raise SettingsError(
-            f"people is {people}; the scene {spec.name} is for {len(scenario.roles)}, leave it out"
+            "people is {people}; the scene {tracker} is for {count}, leave it out",
+            people=people,
+            tracker=spec.name,
+            count=len(scenario.roles),
         )
     return scenario

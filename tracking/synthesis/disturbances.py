@@ -37,7 +37,10 @@ class Disturbances:
             value = getattr(self, name)
             if value is not None and not 0 <= value <= _LATEST_S:
                 raise SettingsError(
-                    f"{name.removesuffix('_s')} is {value:g}; give 0 to {_LATEST_S:g} seconds"
+                    "{setting} is {value:g}; give 0 to {latest_s:g} seconds",
+                    setting=name.removesuffix("_s"),
+                    value=value,
+                    latest_s=_LATEST_S,
                 )
 
     def brightness(self, second: float) -> float:

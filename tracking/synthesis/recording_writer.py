@@ -92,14 +92,22 @@ def _spec_of(scene: str | SceneSpec) -> SceneSpec:
     if isinstance(scene, SceneSpec):
         return scene
     if scene not in SCENES:
-        raise SettingsError(f"there is no scene {scene!r}; choose one of {', '.join(SCENES)}")
+        raise SettingsError(
+            "there is no scene {scene!r}; choose one of {scenes}",
+            scene=scene,
+            scenes=", ".join(SCENES),
+        )
     return SCENES[scene]
 
 
 def check_seconds(seconds: float | None) -> None:
     """Raises `SettingsError` for a length no recording can have; None is the scene's own."""
     if seconds is not None and not 0 < seconds <= LONGEST_S:
-        raise SettingsError(f"seconds is {seconds:g}; give more than 0 and up to {LONGEST_S:g}")
+        raise SettingsError(
+            "seconds is {seconds:g}; give more than 0 and up to {longest_s:g}",
+            seconds=seconds,
+            longest_s=LONGEST_S,
+        )
 
 
 def _check(
@@ -107,20 +115,29 @@ def _check(
 ) -> None:
     check_seconds(seconds)
     if people is not None and not 0 <= people <= MOST_PEOPLE:
-        raise SettingsError(f"people is {people}; give 0 to {MOST_PEOPLE}")
+        raise SettingsError(
+            "people is {people}; give 0 to {most_people}", people=people, most_people=MOST_PEOPLE
+        )
     if not all(32 <= side <= 4096 and side % 2 == 0 for side in size):
-        raise SettingsError(f"size is {size[0]} x {size[1]}; give even numbers from 32 to 4096")
+        raise SettingsError(
+            "size is {width} x {height}; give even numbers from 32 to 4096",
+            width=size[0],
+            height=size[1],
+        )
     if not 1 <= fps <= 240:
-        raise SettingsError(f"fps is {fps:g}; give 1 to 240")
+        raise SettingsError("fps is {fps:g}; give 1 to 240", fps=fps)
     if cameras not in (1, 2):
-        raise SettingsError(f"cameras is {cameras}; give 1 or 2")
+        raise SettingsError("cameras is {cameras}; give 1 or 2", cameras=cameras)
 
 
 def _check_begin(spec: SceneSpec, seconds: float | None, disturbances: Disturbances) -> None:
     if seconds is None and disturbances.begin_s >= spec.seconds:
         raise SettingsError(
-            f"begin is {disturbances.begin_s:g}, but the scene {spec.name} lasts "
-            f"{spec.seconds:g} seconds; begin earlier or give seconds"
+            "begin is {begin_s:g}, but the scene {tracker} lasts {seconds:g} seconds; begin "
+            "earlier or give seconds",
+            begin_s=disturbances.begin_s,
+            tracker=spec.name,
+            seconds=spec.seconds,
         )
 
 

@@ -85,4 +85,6 @@ def _encoder() -> tuple[_Encoder, dict[str, str]]:
 
 def _failed(path: Path, error: OSError) -> OutputError:
     reason = error.strerror or str(error)
-    return OutputError(f"cannot write {path}: {reason}; choose another place or make room")
+    return OutputError(
+        "cannot write {path}: {reason}; choose another place or make room", path=path, reason=reason
+    )

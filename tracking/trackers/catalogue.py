@@ -168,7 +168,11 @@ def tracker_named(name: str) -> TrackerSpec:
     """The tracker of that name; raises `SettingsError` that says what there is."""
     if name in TRACKERS:
         return TRACKERS[name]
-    raise SettingsError(f"tracker {name} is unknown: available are {', '.join(TRACKERS)}")
+    raise SettingsError(
+        "tracker {name} is unknown: available are {trackers}",
+        name=name,
+        trackers=", ".join(TRACKERS),
+    )
 
 
 def best_tracker(recording: Recording) -> str:
@@ -221,19 +225,28 @@ def require(spec: TrackerSpec, recording: Recording) -> None:
     """
     if spec.needs_stereo and not recording.is_stereo:
         raise RecordingError(
-            f"recording {recording.name} has one camera: {spec.name} needs two; "
-            f"choose {best_tracker(recording)}"
+            "recording {name} has one camera: {tracker} needs two; choose {better}",
+            name=recording.name,
+            tracker=spec.name,
+            better=best_tracker(recording),
         )
     if spec.needs_calibration and recording.calibration is None:
         raise CalibrationError(
-            f"recording {recording.name} has no calibration: {spec.name} needs one{_WITHOUT}",
-            "name it under [calibration] in recording.toml (--calibration)",
+            "recording {name} has no calibration: {tracker} needs one{to_do}",
+            "name it under [calibration] in recording.toml",
+            option="--calibration",
+            name=recording.name,
+            tracker=spec.name,
+            to_do=_WITHOUT,
         )
     if spec.needs_calibration and recording.ground is None:
         raise CalibrationError(
-            f"recording {recording.name} does not say where the floor is, as {spec.name} needs it"
-            f"{_WITHOUT}",
-            "write height and tilt under [ground] in recording.toml (--height and --tilt)",
+            "recording {name} does not say where the floor is, as {tracker} needs it{to_do}",
+            "write height and tilt under [ground] in recording.toml",
+            option="--height and --tilt",
+            name=recording.name,
+            tracker=spec.name,
+            to_do=_WITHOUT,
         )
 
 
@@ -250,8 +263,13 @@ def parse_settings(spec: TrackerSpec, texts: Mapping[str, str]) -> Any:
             have = "has" if len(theirs) == 1 else "have"
             now = "" if present == name else f", whose name is {present} now"
             raise SettingsError(
-                f"{spec.name} has no setting {name}{now} ({', '.join(theirs)} {have} it): "
-                "choose such a tracker with --tracker, or leave the setting out"
+                "{tracker} has no setting {name}{now} ({trackers} {have} it): choose such a "
+                "tracker with --tracker, or leave the setting out",
+                tracker=spec.name,
+                name=name,
+                now=now,
+                trackers=", ".join(theirs),
+                have=have,
             )
     return settings_from_text(spec.settings_type, texts)
 

@@ -39,18 +39,36 @@ def check_part_label(label: PartLabel) -> None:
     _check_place(label.frame, label.track, first_track=1)
     what = f"part label of track {label.track} in frame {label.frame}"
     if not 0 <= label.part < PARTS:
-        raise EditError(f"{what}: part {label.part} is none; 0 head, 1 torso, 2 hip-leg")
+        raise EditError(
+            "{what}: part {part} is none; 0 head, 1 torso, 2 hip-leg", what=what, part=label.part
+        )
     left, top, width, height = label.box
     if not _is_near(left, top, width, height):
-        raise EditError(f"{what}: box {label.box} is no place; numbers within a billion are needed")
+        raise EditError(
+            "{what}: box {box} is no place; numbers within a billion are needed",
+            what=what,
+            box=label.box,
+        )
     if not (width > 0 and height > 0):
-        raise EditError(f"{what}: box {label.box} is none; a positive width and height are needed")
+        raise EditError(
+            "{what}: box {box} is none; a positive width and height are needed",
+            what=what,
+            box=label.box,
+        )
     if label.source not in PART_SOURCES:
-        raise EditError(f"{what}: source {label.source!r}; it is {', '.join(PART_SOURCES)}")
+        raise EditError(
+            "{what}: source {source!r}; it is {sources}",
+            what=what,
+            source=label.source,
+            sources=", ".join(PART_SOURCES),
+        )
     for field, text in (("author", label.author), ("reason", label.reason)):
         if len(text) > LONGEST_NAME or not text.isprintable():
             raise EditError(
-                f"{what}: its {field} is no line of text of at most {LONGEST_NAME} characters"
+                "{what}: its {field} is no line of text of at most {most} characters",
+                what=what,
+                field=field,
+                most=LONGEST_NAME,
             )
 
 
@@ -61,7 +79,11 @@ def check_verdict(verdict: Verdict) -> None:
         _check_place(verdict.frame, track, first_track=1)
     _check_place(verdict.frame, 0, first_track=0)
     if verdict.decision not in DECISIONS:
-        raise EditError(f"decision {verdict.decision!r}; it is one of {', '.join(DECISIONS)}")
+        raise EditError(
+            "decision {decision!r}; it is one of {decisions}",
+            decision=verdict.decision,
+            decisions=", ".join(DECISIONS),
+        )
 
 
 def check_occluder(occluder: Occluder) -> None:
@@ -75,7 +97,7 @@ def check_line(line: CountingLine) -> None:
     check_name(line.name, "a counting line")
     _check_corners((line.start, line.end), what)
     if line.start == line.end:
-        raise EditError(f"{what} has no length; draw it from one place to another")
+        raise EditError("{what} has no length; draw it from one place to another", what=what)
 
 
 def check_region(region: Region) -> None:
@@ -84,14 +106,18 @@ def check_region(region: Region) -> None:
     check_name(region.name, "a region")
     _check_polygon(region.polygon, what)
     if _edges_cross(np.asarray(region.polygon, float)):
-        raise EditError(f"{what}: its edges cross or touch; draw it without crossing them")
+        raise EditError(
+            "{what}: its edges cross or touch; draw it without crossing them", what=what
+        )
 
 
 def check_reviewed(seen: ReviewedRange) -> None:
     """Refuse an empty range and a track that cannot be."""
     if not 0 <= seen.start < seen.end <= LARGEST_NUMBER:
         raise EditError(
-            f"frames {seen.start} to {seen.end}: the range is empty or begins before frame 0"
+            "frames {start} to {end}: the range is empty or begins before frame 0",
+            start=seen.start,
+            end=seen.end,
         )
     _check_place(seen.start, seen.track, first_track=0)
 
@@ -99,30 +125,53 @@ def check_reviewed(seen: ReviewedRange) -> None:
 def check_name(name: str, what: str) -> None:
     """Refuse no name, and one nobody could read or a file could not hold."""
     if not name.strip():
-        raise EditError(f"{what} needs a name; type one")
+        raise EditError("{what} needs a name; type one", what=what)
     if len(name) > LONGEST_NAME:
-        raise EditError(f"{what}: a name of {len(name)} characters; at most {LONGEST_NAME}")
+        raise EditError(
+            "{what}: a name of {count} characters; at most {most}",
+            what=what,
+            count=len(name),
+            most=LONGEST_NAME,
+        )
 
 
 def _check_place(frame: int, track: int, first_track: int) -> None:
     if not first_track <= track <= LARGEST_NUMBER:
-        raise EditError(f"track {track} in a label: ids are {first_track} to {LARGEST_NUMBER}")
+        raise EditError(
+            "track {track} in a label: ids are {first_track} to {largest}",
+            track=track,
+            first_track=first_track,
+            largest=LARGEST_NUMBER,
+        )
     if not 0 <= frame <= LARGEST_NUMBER:
-        raise EditError(f"frame {frame} in a label: frames are 0 to {LARGEST_NUMBER}")
+        raise EditError(
+            "frame {frame} in a label: frames are 0 to {largest}",
+            frame=frame,
+            largest=LARGEST_NUMBER,
+        )
 
 
 def _check_polygon(polygon: Sequence[Point], what: str) -> None:
     if len(polygon) < 3:
-        raise EditError(f"{what}: a polygon of three or more corners is needed")
+        raise EditError("{what}: a polygon of three or more corners is needed", what=what)
     if len(polygon) > MOST_CORNERS:
-        raise EditError(f"{what} has {len(polygon)} corners; draw it with at most {MOST_CORNERS}")
+        raise EditError(
+            "{what} has {count} corners; draw it with at most {most}",
+            what=what,
+            count=len(polygon),
+            most=MOST_CORNERS,
+        )
     _check_corners(polygon, what)
 
 
 def _check_corners(corners: Sequence[Point], what: str) -> None:
     for corner in corners:
         if len(corner) != 2 or not _is_near(*corner):
-            raise EditError(f"{what}: corner {corner} is no place; two finite numbers are needed")
+            raise EditError(
+                "{what}: corner {corner} is no place; two finite numbers are needed",
+                what=what,
+                corner=corner,
+            )
 
 
 def _is_near(*numbers: float) -> bool:

@@ -47,7 +47,11 @@ class TrackTable:
         Raises EditError for columns that are no table (see `checked_columns`, `check_tracks`).
         """
         if not 0 <= highest_track <= LARGEST_NUMBER:
-            raise EditError(f"highest track {highest_track}: ids are 1 to {LARGEST_NUMBER}")
+            raise EditError(
+                "highest track {highest_track}: ids are 1 to {largest}",
+                highest_track=highest_track,
+                largest=LARGEST_NUMBER,
+            )
         given: dict[str, ArrayLike] = dict(empty(CORRECTED_COLUMNS) if columns is None else columns)
         if "source" not in given and "frame" in given:
             given["source"] = np.full(len(np.asarray(given["frame"])), Source.TRACKER, np.uint8)
@@ -302,7 +306,9 @@ def _read_only(array: NDArray[Any]) -> NDArray[Any]:
 def next_track(table: TrackTable) -> int:
     """The id of a new track: one more than the highest ever used. EditError where none is left."""
     if table.highest_track >= LARGEST_NUMBER:
-        raise EditError(f"no id above {LARGEST_NUMBER} is left for a new track; use a known one")
+        raise EditError(
+            "no id above {largest} is left for a new track; use a known one", largest=LARGEST_NUMBER
+        )
     return table.highest_track + 1
 
 
@@ -314,4 +320,4 @@ def check_known(table: TrackTable, *tracks: int) -> None:
             span = (
                 f"there are {len(known)}, from {known[0]} to {known[-1]}" if known else "no tracks"
             )
-            raise EditError(f"track {track} is not in the table ({span})")
+            raise EditError("track {track} is not in the table ({span})", track=track, span=span)

@@ -45,12 +45,18 @@ class Rewriting:
             places = np.searchsorted(frames, wanted)
             there = places < len(frames)
             if not (bool(there.all()) and np.array_equal(frames[places], wanted)):
-                raise EditError(f"track {track} has no row in one of the frames to change")
+                raise EditError(
+                    "track {track} has no row in one of the frames to change", track=track
+                )
             self._leave(track, places)
             found = read(slots[places])
             for name in CORRECTED_COLUMNS:
                 if found[name].tobytes() != rows[name][chosen].tobytes():
-                    raise EditError(f"track {track}: {name} is not what the edit was planned on")
+                    raise EditError(
+                        "track {track}: {name} is not what the edit was planned on",
+                        track=track,
+                        name=name,
+                    )
             self._gone.append(slots[places])
 
     def move(self, moves: NDArray[np.int64]) -> None:
@@ -59,9 +65,18 @@ class Rewriting:
             slots, frames = self._of(source)
             inside = between(frames, start, end)
             if source == target or target < 1 or inside.start == inside.stop:
-                raise EditError(f"track {source} has nothing to give in frames {start} to {end}")
+                raise EditError(
+                    "track {source} has nothing to give in frames {start} to {end}",
+                    source=source,
+                    start=start,
+                    end=end,
+                )
             if target > LARGEST_NUMBER:
-                raise EditError(f"track {target}: ids go up to {LARGEST_NUMBER}; choose another")
+                raise EditError(
+                    "track {target}: ids go up to {largest}; choose another",
+                    target=target,
+                    largest=LARGEST_NUMBER,
+                )
             self._leave(source, np.arange(inside.start, inside.stop))
             self._arrive(target, slots[inside], frames[inside])
             self._receiving.append((target, start, end, inside.stop - inside.start))
@@ -78,7 +93,12 @@ class Rewriting:
         for target, start, end, count in self._receiving:
             inside = between(self.kept[target][1], start, end)
             if inside.stop - inside.start != count:
-                raise EditError(f"track {target} has rows of its own in frames {start} to {end}")
+                raise EditError(
+                    "track {target} has rows of its own in frames {start} to {end}",
+                    target=target,
+                    start=start,
+                    end=end,
+                )
 
     def arriving(self) -> Iterator[tuple[int, Slots]]:
         """Track and slots that now belong to it."""
@@ -98,7 +118,7 @@ class Rewriting:
     def _leave(self, track: int, places: NDArray[np.int64]) -> None:
         stays = self._stays.setdefault(track, np.ones(len(self._of(track)[0]), np.bool_))
         if not bool(stays[places].all()) or not is_sorted_strictly(places):
-            raise EditError(f"track {track}: the edit names the same row twice")
+            raise EditError("track {track}: the edit names the same row twice", track=track)
         stays[places] = False
 
     def _arrive(self, track: int, slots: Slots, frames: Frames) -> None:
@@ -118,7 +138,9 @@ class Rewriting:
             slots, frames = slots[order], frames[order]
         if not is_sorted_strictly(frames):
             twice = int(frames[np.argmax(frames[1:] == frames[:-1])])
-            raise EditError(f"track {track} would stand twice in frame {twice}")
+            raise EditError(
+                "track {track} would stand twice in frame {frame}", track=track, frame=twice
+            )
         return slots, frames
 
 

@@ -25,11 +25,18 @@ def checked_columns(
     """
     missing = [name for name in types if name not in columns]
     if missing:
-        raise EditError(f"{what}: column {missing[0]} is missing; needed are {', '.join(types)}")
+        raise EditError(
+            "{what}: column {column} is missing; needed are {types}",
+            what=what,
+            column=missing[0],
+            types=", ".join(types),
+        )
     checked = {name: _column(columns[name], types[name], name, what) for name in types}
     lengths = {name: len(column) for name, column in checked.items()}
     if len(set(lengths.values())) > 1:
-        raise EditError(f"{what}: the columns have different lengths: {lengths}")
+        raise EditError(
+            "{what}: the columns have different lengths: {lengths}", what=what, lengths=lengths
+        )
     return checked
 
 
@@ -37,10 +44,18 @@ def _column(values: ArrayLike, dtype: np.dtype[Any], name: str, what: str) -> ND
     array = np.asarray(values)
     if array.ndim != 1:
         raise EditError(
-            f"{what}: column {name} has shape {array.shape}; one number a row is needed"
+            "{what}: column {name} has shape {shape}; one number a row is needed",
+            what=what,
+            name=name,
+            shape=array.shape,
         )
     if array.dtype.kind not in "iufb":
-        raise EditError(f"{what}: column {name} holds {array.dtype}; numbers are needed")
+        raise EditError(
+            "{what}: column {name} holds {dtype}; numbers are needed",
+            what=what,
+            name=name,
+            dtype=array.dtype,
+        )
     if dtype.kind in "iu" and array.dtype != dtype:
         _refuse_what_does_not_fit(array, dtype, name, what)
     return array.astype(dtype, copy=False)
@@ -50,10 +65,20 @@ def _refuse_what_does_not_fit(
     array: NDArray[Any], dtype: np.dtype[Any], name: str, what: str
 ) -> None:
     if array.dtype.kind == "f" and not bool(np.all(np.isfinite(array) & (array % 1 == 0))):
-        raise EditError(f"{what}: column {name} holds NaN or fractions; whole numbers are needed")
+        raise EditError(
+            "{what}: column {name} holds NaN or fractions; whole numbers are needed",
+            what=what,
+            name=name,
+        )
     limits = np.iinfo(dtype)
     if len(array) and (array.min() < limits.min or array.max() > limits.max):
-        raise EditError(f"{what}: column {name} holds numbers beyond {limits.min}..{limits.max}")
+        raise EditError(
+            "{what}: column {name} holds numbers beyond {least}..{most}",
+            what=what,
+            name=name,
+            least=limits.min,
+            most=limits.max,
+        )
 
 
 def check_tracks(columns: Columns, what: str = "table") -> None:
@@ -62,11 +87,22 @@ def check_tracks(columns: Columns, what: str = "table") -> None:
     if not len(frame):
         return
     if int(frame.min()) < 0:
-        raise EditError(f"{what}: frame {int(frame.min())} is negative; frames count from 0")
+        raise EditError(
+            "{what}: frame {frame} is negative; frames count from 0",
+            what=what,
+            frame=int(frame.min()),
+        )
     if int(frame.max()) >= LARGEST_NUMBER:
-        raise EditError(f"{what}: frame {LARGEST_NUMBER}; frames go up to {LARGEST_NUMBER - 1}")
+        raise EditError(
+            "{what}: frame {largest}; frames go up to {last}",
+            what=what,
+            largest=LARGEST_NUMBER,
+            last=LARGEST_NUMBER - 1,
+        )
     if int(track.min()) < 1:
-        raise EditError(f"{what}: track id {int(track.min())}; ids are positive")
+        raise EditError(
+            "{what}: track id {track}; ids are positive", what=what, track=int(track.min())
+        )
     later = frame[1:] > frame[:-1]
     same = frame[1:] == frame[:-1]
     wrong = ~(later | (same & (track[1:] > track[:-1])))
@@ -74,8 +110,17 @@ def check_tracks(columns: Columns, what: str = "table") -> None:
         return
     row = int(np.argmax(wrong)) + 1
     if same[row - 1] and track[row] == track[row - 1]:
-        raise EditError(f"{what}: track {track[row]} stands twice in frame {frame[row]}")
-    raise EditError(f"{what}: row {row} is out of order; rows are sorted by frame, then track")
+        raise EditError(
+            "{what}: track {track} stands twice in frame {frame}",
+            what=what,
+            track=track[row],
+            frame=frame[row],
+        )
+    raise EditError(
+        "{what}: row {row} is out of order; rows are sorted by frame, then track",
+        what=what,
+        row=row,
+    )
 
 
 def is_sorted_strictly(numbers: NDArray[Any]) -> bool:

@@ -50,16 +50,21 @@ def read_table(path: Path, table: TruthTable) -> tuple[Rows, Floats]:
         size = path.stat().st_size
         if size > MOST_BYTES:
             raise FormatError(
-                f"{path} has {size >> 20} MB, tables of truth are read up to {MOST_BYTES >> 20}; "
-                "give a shorter recording"
+                "{path} has {size} MB, tables of truth are read up to {limit}; give a shorter "
+                "recording",
+                path=path,
+                size=size >> 20,
+                limit=MOST_BYTES >> 20,
             )
         with path.open(encoding="utf-8-sig", newline="") as stream:
             whole, others = _numbers(path, stream, table)
     except OSError as error:
-        raise FormatError(f"cannot read {path}: {error.strerror}; check the path") from error
+        raise FormatError(
+            "cannot read {path}: {reason}; check the path", path=path, reason=error.strerror
+        ) from error
     except (UnicodeDecodeError, csv.Error) as error:
         raise FormatError(
-            f"{path} is no table of truth: it is not text; render the recording again"
+            "{path} is no table of truth: it is not text; render the recording again", path=path
         ) from error
     line, keys = whole[:, 0], whole[:, 1 : table.keys + 1]
     order = np.lexsort((line, *keys.T[::-1]))
@@ -73,8 +78,11 @@ def _check_once(path: Path, table: TruthTable, line: Rows, keys: Rows) -> None:
     if len(again):
         first = again[np.argmin(line[again + 1])]
         raise FormatError(
-            f"{path}, line {line[first + 1]}: line {line[first]} gives {table.once}; "
-            "remove one of them"
+            "{path}, line {line}: line {earlier} gives {once}; remove one of them",
+            path=path,
+            line=line[first + 1],
+            earlier=line[first],
+            once=table.once,
         )
 
 
@@ -82,7 +90,9 @@ def _numbers(path: Path, stream: Iterable[str], table: TruthTable) -> tuple[Rows
     """Line and whole numbers of each row, and its other numbers."""
     lines = csv.reader(stream)
     if tuple(next(lines, ())) != table.header:
-        raise FormatError(f"{path}, line 1: the columns are not {','.join(table.header)}")
+        raise FormatError(
+            "{path}, line 1: the columns are not {header}", path=path, header=",".join(table.header)
+        )
     whole, others, rows = array("q"), array("d"), 0
     for line in lines:
         try:
@@ -93,7 +103,12 @@ def _numbers(path: Path, stream: Iterable[str], table: TruthTable) -> tuple[Rows
         except (ValueError, KeyError, OverflowError) as error:
             said = ",".join(line)[:60]
             raise FormatError(
-                f"{path}, line {lines.line_num}: {said!r} is no {table.what} ({error})"
+                "{path}, line {line}: {said!r} is no {what} ({error})",
+                path=path,
+                line=lines.line_num,
+                said=said,
+                what=table.what,
+                error=error,
             ) from error
         others.extend(more)
         rows += 1

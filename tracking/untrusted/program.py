@@ -2,7 +2,7 @@
 
 Such a program takes file names and prints one line of JSON a file, as soon as it is found:
 {"version": [major, minor]} (or what else such a program tells of a file that may be read), or
-{"refused": why, "held": what} in words that follow the file's name.
+{"refused": why, "held": what}, a message that follows the file's name.
 """
 
 from __future__ import annotations
@@ -17,12 +17,14 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
+from tracking.message_data import message_data, message_from
+from tracking.translation import joined, msg
 from tracking.untrusted.patience import begin, memory_for
 from tracking.untrusted.walk import Refused
 
 MEMORY_BYTES = 4 << 30
 SECONDS = 10
-DAMAGED = " is damaged or cut short"
+DAMAGED = joined(" ", ("", msg("is damaged or cut short")))
 """Why a file is refused of which nothing better is known."""
 
 
@@ -47,7 +49,10 @@ def say_verdicts(inspect: Callable[[Path], object], told: str = "version") -> No
     for name in sys.argv[1:]:
         limit(memory_for(Path(name), MEMORY_BYTES))
         begin()
-        print(json.dumps(verdict_by(inspect, Path(name), told)), flush=True)
+        verdict = verdict_by(inspect, Path(name), told)
+        if "refused" in verdict:
+            verdict["refused"] = message_data(verdict["refused"])
+        print(json.dumps(verdict), flush=True)
 
 
 def verdict_by(
@@ -57,7 +62,7 @@ def verdict_by(
     try:
         return {told: inspect(path)}
     except Refused as why:
-        return {"refused": f" {why}", "held": why.held}
+        return {"refused": joined(" ", ("", why)), "held": why.held}
     except Exception:  # what the library says of a damaged file tells its users nothing
         return {"refused": DAMAGED}
 
@@ -88,7 +93,8 @@ def verdicts_of(program: str, name: str, paths: Sequence[Path]) -> list[dict[str
     while len(verdicts) < len(paths):
         verdicts += _looked_over(program, paths[len(verdicts) :])
         if len(verdicts) < len(paths):
-            verdicts.append({"refused": f": the {name} file is damaged: it cannot be read safely"})
+            why = msg("the {name} file is damaged: it cannot be read safely", name=name)
+            verdicts.append({"refused": joined(": ", ("", why))})
     return verdicts
 
 
@@ -111,7 +117,10 @@ def _looked_over(program: str, paths: Sequence[Path]) -> list[dict[str, Any]]:
     verdicts = []
     for line in said.splitlines():
         try:
-            verdicts.append(json.loads(line))
+            verdict = json.loads(line)
+            if "refused" in verdict:
+                verdict["refused"] = message_from(verdict["refused"])
+            verdicts.append(verdict)
         except ValueError:  # it ended within the line
             break
     return verdicts

@@ -15,6 +15,7 @@ from typing import Any
 import h5py
 import numpy as np
 
+from tracking.translation import msg
 from tracking.untrusted.patience import go_on
 
 _DEEPEST = 8
@@ -51,9 +52,15 @@ class Refused(Exception):  # noqa: N818 - a verdict, told to whoever asked
         held: what the file says it is, as `Kind.format`; "" where that is not known.
     """
 
-    def __init__(self, why: str, held: str = "") -> None:
-        super().__init__(why if len(why) <= _LONGEST_WHY else f"{why[: _LONGEST_WHY - 1]}…")
+    def __init__(self, why: str, held: str = "", /, **values: object) -> None:
+        """Why is a template with {named} places for the values."""
+        message = msg(why, **values)
+        super().__init__(message.cut_by(_cut) if len(message) > _LONGEST_WHY else message)
         self.held = held[:_TOLD]
+
+
+def _cut(why: str) -> str:
+    return why if len(why) <= _LONGEST_WHY else f"{why[: _LONGEST_WHY - 1]}…"
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,7 +93,9 @@ def check_signature(path: Path, kind: Kind) -> None:
     with path.open("rb") as raw:
         start = raw.read(len(SIGNATURE))
     if start != SIGNATURE:
-        raise Refused(f"is {'not an HDF5 file' if start else 'empty'}; {kind.choose}")
+        raise Refused(
+            "is {what}; {choose}", what="not an HDF5 file" if start else "empty", choose=kind.choose
+        )
 
 
 def version_of(file: h5py.File, kind: Kind) -> tuple[int, int]:
@@ -95,23 +104,37 @@ def version_of(file: h5py.File, kind: Kind) -> tuple[int, int]:
     held = str(file.attrs.get("format", ""))
     if held in _OURS and held != kind.format:
         what, instead = _OURS[held]
-        raise Refused(f"is a trackwright {what}, no {kind.name}; {instead}, or {kind.choose}", held)
+        raise Refused(
+            "is a trackwright {what}, no {name}; {instead}, or {choose}",
+            held,
+            what=what,
+            name=kind.name,
+            instead=instead,
+            choose=kind.choose,
+        )
     if held != kind.format:
         raise Refused(
-            f"is HDF5, but of another program: it is no trackwright {kind.name}; {kind.choose}"
+            "is HDF5, but of another program: it is no trackwright {name}; {choose}",
+            name=kind.name,
+            choose=kind.choose,
         )
     said = str(file.attrs.get("format_version"))
     try:
         major, minor = (int(part) for part in said.split("."))
     except ValueError:
         raise Refused(
-            f"names {said[:_TOLD]!r} as its format version, not like 1.0; {kind.choose}", held
+            "names {said!r} as its format version, not like 1.0; {choose}",
+            held,
+            said=said[:_TOLD],
+            choose=kind.choose,
         ) from None
     said = said[:_TOLD]
     if major > kind.version[0]:
-        raise Refused(f"has format {said}, made by a newer trackwright; update to open it", held)
+        raise Refused(
+            "has format {said}, made by a newer trackwright; update to open it", held, said=said
+        )
     if major < 1:
-        raise Refused(f"has format {said}, which never was", held)
+        raise Refused("has format {said}, which never was", held, said=said)
     return major, minor
 
 
@@ -158,7 +181,7 @@ class Walk:
             if not isinstance(node, h5py.Group) or name not in node:
                 return None
             if not isinstance(node.get(name, getlink=True), h5py.HardLink):
-                raise Refused(f"has a link to somewhere else at {where}")
+                raise Refused("has a link to somewhere else at {where}", where=where)
             node = node[name]
         if not isinstance(node, h5py.Dataset):
             return None
@@ -167,25 +190,25 @@ class Walk:
 
     def _group(self, group: h5py.Group, path: str, depth: int) -> None:
         if depth > _DEEPEST:
-            raise Refused(f"has groups nested deeper than any {self._kind.name}")
+            raise Refused("has groups nested deeper than any {name}", name=self._kind.name)
         if len(group) > _MOST_OBJECTS:
-            raise Refused(f"holds more objects than any {self._kind.name}")
+            raise Refused("holds more objects than any {name}", name=self._kind.name)
         check_attributes(group, self._kind)
         for name in group:
             go_on()
             self._objects += 1
             if self._objects > _MOST_OBJECTS:
-                raise Refused(f"holds more objects than any {self._kind.name}")
+                raise Refused("holds more objects than any {name}", name=self._kind.name)
             where = f"{path}/{name}".lstrip("/")
             if not isinstance(group.get(name, getlink=True), h5py.HardLink):
-                raise Refused(f"has a link to somewhere else at {where}")
+                raise Refused("has a link to somewhere else at {where}", where=where)
             node = group[name]
             if isinstance(node, h5py.Group):
                 self._group(node, where, depth + 1)
             elif isinstance(node, h5py.Dataset):
                 self._dataset(node, where)
             else:
-                raise Refused(f"has something at {where} that is no table")
+                raise Refused("has something at {where} that is no table", where=where)
 
     def _dataset(self, dataset: h5py.Dataset, where: str) -> None:
         check_attributes(dataset, self._kind)
@@ -197,34 +220,47 @@ class Walk:
         """Refuse what lies elsewhere, is packed in unknown ways, or unpacks to more than it can."""
         layout = dataset.id.get_create_plist()
         if dataset.is_virtual or layout.get_external_count():
-            raise Refused(f"keeps {where} in other files")
+            raise Refused("keeps {where} in other files", where=where)
         for at in range(layout.get_nfilters()):
             if layout.get_filter(at)[0] not in _FILTERS:
-                raise Refused(f"packs {where} with a filter of its own")
+                raise Refused("packs {where} with a filter of its own", where=where)
         if dataset.chunks and np.prod(dataset.chunks) * dataset.dtype.itemsize > _LARGEST_CHUNK:
-            raise Refused(f"packs {where} in pieces larger than any {self._kind.name}'s")
+            raise Refused(
+                "packs {where} in pieces larger than any {name}'s",
+                where=where,
+                name=self._kind.name,
+            )
         stored = dataset.id.get_storage_size()
         self._stored += stored
         if self._stored > self._file_bytes:
             raise Refused("says it stores more than the file holds")
         unpacked = dataset.size * dataset.dtype.itemsize
         if unpacked > stored * _BEST_RATIO:
-            raise Refused(f"says {where} has {dataset.size} rows, which {stored} bytes cannot hold")
+            raise Refused(
+                "says {where} has {count} rows, which {stored} bytes cannot hold",
+                where=where,
+                count=dataset.size,
+                stored=stored,
+            )
         self._unpacked += 0 if self._kind.free(where) else unpacked
         if self._unpacked > self._kind.most_bytes:
-            raise Refused(f"holds more data than any {self._kind.name}")
+            raise Refused("holds more data than any {name}", name=self._kind.name)
 
     def _check_type(self, dataset: h5py.Dataset, where: str) -> None:
         dtype = dataset.dtype
         if dtype.kind == "O":
             if h5py.check_string_dtype(dtype) is None:
-                raise Refused(f"keeps references or lists in {where}")
+                raise Refused("keeps references or lists in {where}", where=where)
         elif dtype.kind not in "iufb" and (
             self._kind.compound is None or dtype != self._kind.compound
         ):
-            raise Refused(f"keeps {dtype} in {where}; numbers or text are expected")
+            raise Refused(
+                "keeps {dtype} in {where}; numbers or text are expected", dtype=dtype, where=where
+            )
         if dataset.ndim > self._kind.dimensions:
-            raise Refused(f"has a table of {dataset.ndim} dimensions at {where}")
+            raise Refused(
+                "has a table of {ndim} dimensions at {where}", ndim=dataset.ndim, where=where
+            )
 
 
 def attribute_of(node: h5py.Group | h5py.Dataset, name: str) -> Any:
@@ -235,7 +271,8 @@ def attribute_of(node: h5py.Group | h5py.Dataset, name: str) -> Any:
     text = h5py.check_string_dtype(attribute.dtype) is not None
     if not (text or attribute.dtype.kind in "iufb") or not _is_small(node, name):
         raise Refused(
-            f"has an attribute {name[:_TOLD]!r} that is neither numbers nor text, or too large"
+            "has an attribute {name!r} that is neither numbers nor text, or too large",
+            name=name[:_TOLD],
         )
     return node.attrs[name]
 
@@ -243,13 +280,17 @@ def attribute_of(node: h5py.Group | h5py.Dataset, name: str) -> Any:
 def check_attributes(node: h5py.Group | h5py.Dataset, kind: Kind) -> None:
     """Refuse attributes that are many, large, or neither numbers nor text."""
     if len(node.attrs) > _MOST_ATTRIBUTES:
-        raise Refused(f"has more attributes than any {kind.name}")
+        raise Refused("has more attributes than any {name}", name=kind.name)
     for name in node.attrs:
         attribute = node.attrs.get_id(name)
         held = attribute.dtype.kind
         text = held == "O" and h5py.check_string_dtype(attribute.dtype) is not None
         if not (text or held in "iufb") or not _is_small(node, name):
-            raise Refused(f"has an attribute {name[:_TOLD]!r} like no {kind.name}'s")
+            raise Refused(
+                "has an attribute {name!r} like no {kind_name}'s",
+                name=name[:_TOLD],
+                kind_name=kind.name,
+            )
 
 
 def _is_small(node: h5py.Group | h5py.Dataset, name: str) -> bool:

@@ -300,7 +300,7 @@ class Document:
             EditError: a later edit stands on it, or a tracker's people are shown.
         """
         if self.session is None:
-            raise EditError(tr("Nothing to undo: there is no session yet"))
+            raise EditError("Nothing to undo: there is no session yet")
         self.refuse_while_live()
         change = self.session.undo_alone(edit).change
         return self._shown(change, change)
@@ -347,12 +347,12 @@ class Document:
     def refuse_while_live(self) -> None:
         """Raises EditError while the tracks of a tracker at work are shown."""
         if self.session is not None and self.in_the_way:
-            raise EditError(tr("Not changed: {why}", why=self.in_the_way))
+            raise EditError("Not changed: {why}", why=self.in_the_way)
 
     def refuse_at_work(self) -> None:
         """Raises EditError while a tracker is at work, whoever is shown."""
         if self._track_source.at_work:
-            raise EditError(tr("Not changed: stop tracking first"))
+            raise EditError("Not changed: stop tracking first")
 
     def _take_changed(self, change: Change) -> None:
         """Tell of the tracks that the change touched."""

@@ -183,7 +183,9 @@ def copy_newest_backup(path: Path) -> Path | None:
     try:
         copy_file(older[0], copy)
     except OSError as error:
-        raise OutputError(f"{copy} cannot be written: {error.strerror}") from error
+        raise OutputError(
+            "{copy} cannot be written: {reason}", copy=copy, reason=error.strerror
+        ) from error
     return copy
 
 

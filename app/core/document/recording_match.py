@@ -20,8 +20,9 @@ def refuse_other_recording(one: RecordingReference, other: RecordingReference, n
     there = [(part.size_bytes, part.sha256) for part in other.sources], other.frame_count
     if here != there:
         raise SessionError(
-            f"{named} is of another recording ({_difference(one, other)}); "
-            "choose a session of the same one"
+            "{named} is of another recording ({difference}); choose a session of the same one",
+            named=named,
+            difference=_difference(one, other),
         )
 
 

@@ -12,7 +12,6 @@ from app.core.editing.edit_spec import EditCommand, EditSpec
 from app.core.editing.frame_bounds import frame_bounds
 from app.core.editing.gap_places import gap_near
 from app.core.editing.keyframe_stretch import stretch_between_keyframes
-from app.core.i18n import tr
 from app.core.tracks.edit_context import EditContext
 from app.core.tracks.recording_geometry import box_of
 from tracking.editing import (
@@ -42,7 +41,7 @@ _HOWS: Final[Mapping[Way, How]] = {Way.LINEAR: "linear", Way.FLOOR: "floor"}
 
 def _draw(flow: EditFlow, on: EditContext) -> Change:
     if flow.box is None:
-        raise EditError(tr("Draw the box: drag from one of its corners to the opposite one"))
+        raise EditError("Draw the box: drag from one of its corners to the opposite one")
     view, fps = on.geometry.view, on.geometry.fps
     if not flow.track:
         return plan_new_track(on.table, flow.cut, flow.box, view=view)
@@ -61,7 +60,7 @@ def _move(flow: EditFlow, on: EditContext) -> Change:
     row = on.table.of_track(flow.track, flow.cut, flow.cut + 1)
     made = len(row["frame"]) and row["source"][0] == Source.PERSON
     if flow.box is None or (made and box_of(row) == flow.box):
-        raise EditError(tr("Move the box with the arrow keys, or drag it or its handles"))
+        raise EditError("Move the box with the arrow keys, or drag it or its handles")
     geometry = on.geometry
     return plan_move_box(
         on.table, flow.track, flow.cut, flow.box, view=geometry.view, fps=geometry.fps
@@ -70,11 +69,9 @@ def _move(flow: EditFlow, on: EditContext) -> Change:
 
 def _drag(flow: EditFlow, on: EditContext) -> Change:
     if on.geometry.view is None:
-        raise EditError(tr("The recording does not state where the floor is: move the box instead"))
+        raise EditError("The recording does not state where the floor is: move the box instead")
     if flow.place is None:
-        raise EditError(
-            tr("Move the person with the arrow keys, or drag them in the overhead view")
-        )
+        raise EditError("Move the person with the arrow keys, or drag them in the overhead view")
     view, fps = on.geometry.view, on.geometry.fps
     return plan_drag(on.table, flow.track, flow.cut, flow.place, view, fps=fps)
 
@@ -92,8 +89,9 @@ def _interpolate(flow: EditFlow, on: EditContext) -> Change:
 def _fill(flow: EditFlow, on: EditContext) -> Change:
     frame, geometry = gap_near(on.table, flow.track, flow.cut), on.geometry
     if frame is None:
-        said = tr("Track {track} has no gap between its first and last frame", track=flow.track)
-        raise EditError(said)
+        raise EditError(
+            "Track {track} has no gap between its first and last frame", track=flow.track
+        )
     how = _HOWS[flow.way]
     return plan_fill_gap(on.table, flow.track, frame, how, view=geometry.view, fps=geometry.fps)
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from app.core.editing.flow import EditFlow
-from app.core.i18n import tr
 from app.core.tracks.edit_context import EditContext
 from tracking.editing import Change, rows_beyond_the_log, with_parts_carried
 from tracking.errors import EditError
@@ -16,7 +15,7 @@ def plan_of(flow: EditFlow, on: EditContext) -> Change:
         EditError: the edit does not apply to the tracks as they are.
     """
     if flow.needs_other:
-        raise EditError(tr("The other person is not picked yet: click on them"))
+        raise EditError("The other person is not picked yet: click on them")
     change = with_parts_carried(flow.spec.plan(flow, on), on.labels)
     refuse_too_large(change)
     return change
@@ -27,9 +26,7 @@ def refuse_too_large(change: Change) -> None:
     rows = rows_beyond_the_log(change)
     if rows:
         raise EditError(
-            tr(
-                "{n} boxes at once are more than the history can keep: "
-                "choose a shorter range of frames, or fewer people at a time",
-                n=f"{rows:,}",
-            )
+            "{n} boxes at once are more than the history can keep: "
+            "choose a shorter range of frames, or fewer people at a time",
+            n=f"{rows:,}",
         )

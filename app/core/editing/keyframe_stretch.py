@@ -23,12 +23,10 @@ def stretch_between_keyframes(table: TrackTable, track: int, frame: int) -> tupl
     if not 0 < after < len(keys):
         missing = tr("before") if after == 0 else tr("after")
         raise EditError(
-            tr(
-                "Track {track} has no keyframe {missing} frame {frame}: draw or move a box there, "
-                "or choose a range",
-                track=track,
-                missing=missing,
-                frame=frame,
-            )
+            "Track {track} has no keyframe {missing} frame {frame}: draw or move a box there, "
+            "or choose a range",
+            track=track,
+            missing=missing,
+            frame=frame,
         )
     return int(keys[after - 1]), int(keys[after]) + 1

@@ -12,6 +12,7 @@ import numpy as np
 
 import tracking.errors
 from tracking.errors import TrackwrightError
+from tracking.message_data import message_data, message_from
 from tracking.trackers import ASSOCIATION_COLUMNS, StepResult
 from tracking.tracks import (
     DETECTION_COLUMNS,
@@ -103,19 +104,24 @@ def unpacked_steps(payload: bytes) -> tuple[StepResult, ...]:
 
 def packed_notes(notes: Sequence[str]) -> bytes:
     """What the user should be told of the tracking, as bytes."""
-    return json.dumps(list(notes)).encode()
+    return json.dumps([message_data(note) for note in notes]).encode()
 
 
 def unpacked_notes(payload: bytes) -> tuple[str, ...]:
     """What `packed_notes` packed."""
-    return tuple(json.loads(payload))
+    return tuple(map(message_from, json.loads(payload)))
 
 
 def packed_error(error: Exception, trace: str) -> bytes:
     """An error as bytes: one of ours with its kind, any other one as a bug with its trace."""
-    said = {"error": "", "message": trace, "to_do": ""}
+    said: dict[str, Any] = {"error": "", "trace": trace}
     if isinstance(error, TrackwrightError):
-        said = {"error": type(error).__name__, "message": error.reason, "to_do": error.to_do}
+        said = {
+            "error": type(error).__name__,
+            "reason": message_data(error.reason),
+            "to_do": message_data(error.to_do),
+            "option": error.option,
+        }
     return json.dumps(said).encode()
 
 
@@ -123,9 +129,11 @@ def unpacked_error(payload: bytes) -> Exception:
     """The error again."""
     said = json.loads(payload)
     if not said["error"]:
-        return TrackerBug.of(said["message"])
+        return TrackerBug.of(said["trace"])
     kind = getattr(tracking.errors, said["error"], TrackwrightError)
-    error: Exception = kind(said["message"], said["to_do"])
+    error: Exception = kind(
+        message_from(said["reason"]), message_from(said["to_do"]), option=said["option"]
+    )
     return error
 
 

@@ -107,8 +107,10 @@ class TrackerProcess:
     def _check_death(self, child: subprocess.Popen[bytes]) -> None:
         if not self._stopping.is_set():
             raise TrackwrightError(
-                f"the tracker {self._request.tracker} ended by itself (status {child.wait()}), "
-                "perhaps for want of memory; track a shorter range, or again"
+                "the tracker {tracker} ended by itself (status {status}), perhaps for want of "
+                "memory; track a shorter range, or again",
+                tracker=self._request.tracker,
+                status=child.wait(),
             )
 
     def _end(self, child: subprocess.Popen[bytes]) -> None:

@@ -52,7 +52,9 @@ def read_other(path: Path, own: Session, snapshot: TrackTable, report: Progress)
         CancelledError: by `report`.
     """
     if own.path is not None and path.resolve() == own.path.resolve():
-        raise SessionError(f"{path.name} is the open session itself; choose another person's")
+        raise SessionError(
+            "{name} is the open session itself; choose another person's", name=path.name
+        )
     report(0, _STEPS)
     with closing(Session.open(path)) as session:
         refuse_other_recording(own.recording, session.recording, path.name)

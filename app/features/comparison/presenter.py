@@ -206,7 +206,7 @@ class Comparison:
 
     def _chosen(self) -> list[Difference]:
         if self._found is None or not self._ticked:
-            raise EditError(tr("Nothing is ticked: tick the differences to take"))
+            raise EditError("Nothing is ticked: tick the differences to take")
         return [self._found.differences[number] for number in sorted(self._ticked)]
 
     def _plan_stretch(self, number: int, stretch: Difference) -> Change:

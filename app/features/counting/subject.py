@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from app.core.document.track_sources import Load, Version
+from app.core.i18n import tr
 from tracking.counting import (
     CountingLine,
     Counts,
@@ -134,5 +135,5 @@ def _why_not(
     try:
         check_countable(columns, lines, regions)
     except CountingError as error:
-        return str(error)
+        return tr(error.message)
     return ""

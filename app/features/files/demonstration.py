@@ -51,5 +51,9 @@ class Demonstration:
         try:
             open_recording(self.recording).close()
         except TrackwrightError as error:
-            raise OutputError(f"{error}; remove {self.recording} and it is made anew") from error
+            raise OutputError(
+                "{error}; remove {recording} and it is made anew",
+                error=error,
+                recording=self.recording,
+            ) from error
         return self.recording

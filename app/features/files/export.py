@@ -78,13 +78,15 @@ def refuse_to_lose(path: Path) -> None:
         OutputError: there is one of that name.
     """
     if path.is_file() and (what := why_protected(path)) and not is_own(path):
-        raise OutputError(f"{path} is {what} and would be lost; choose another name")
+        raise OutputError(
+            "{path} is {what} and would be lost; choose another name", path=path, what=what
+        )
     if path.is_file() and begins_as_hdf5(path):
         try:
             check_file(path)
         except SessionError:
             return  # other tools' HDF5, which the user agreed to replace
-        raise OutputError(f"{path} is a session and would be lost; choose another name")
+        raise OutputError("{path} is a session and would be lost; choose another name", path=path)
 
 
 def _began_as_import(session: Session) -> bool:
@@ -95,6 +97,9 @@ def _began_as_import(session: Session) -> bool:
 def _run(session: Session, number: int) -> Run:
     if number >= len(session.runs):
         raise SessionError(
-            f"{session.path} has {len(session.runs)} runs, counted from 0; no run {number}"
+            "{path} has {count} runs, counted from 0; no run {number}",
+            path=session.path,
+            count=len(session.runs),
+            number=number,
         )
     return session.runs[number]

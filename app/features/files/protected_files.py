@@ -8,6 +8,7 @@ from pathlib import Path
 from tracking.errors import RecordingError
 from tracking.recording import MANIFEST_NAME, TRUTH_NAME, read_manifest
 from tracking.recording.images import IMAGE_SUFFIXES
+from tracking.translation import Message, msg
 from tracking.truth import TRUE_PARTS, VISIBILITY
 
 _BY_NAME = frozenset((MANIFEST_NAME, TRUTH_NAME, TRUE_PARTS, VISIBILITY))
@@ -17,16 +18,16 @@ _BESIDE_SESSIONS = ".trackwright"
 """Of folders that begin with a dot: lock, journal and backups of a session."""
 
 
-def why_protected(path: Path) -> str:
+def why_protected(path: Path) -> Message:
     """What a file is that must not be replaced, as a sentence needs it; "" where it may be."""
     place = Path(os.path.realpath(path))
     parent = place.parent
     if parent.name.startswith(".") and parent.name.endswith(_BESIDE_SESSIONS):
-        return "a file that a session keeps beside it"
+        return msg("a file that a session keeps beside it")
     for folder in list(place.parents)[:_FOLDERS_ABOVE]:
         if (folder / MANIFEST_NAME).is_file() and _is_of(folder, place):
-            return f"part of the recording {folder.name}"
-    return ""
+            return msg("part of the recording {name}", name=folder.name)
+    return Message()
 
 
 def _is_of(folder: Path, place: Path) -> bool:

@@ -93,7 +93,11 @@ def read_tracks(
     """
     named = known or format_of(path)
     if named.read is None:
-        raise FormatError(f"{path} is {named.title}, which is only written; choose another file")
+        raise FormatError(
+            "{path} is {title}, which is only written; choose another file",
+            path=path,
+            title=named.title,
+        )
     imported = named.read(path, filmed, report)
     return ReadFile(path, named, imported, filmed, ImportOrigin.of(path, named.name))
 

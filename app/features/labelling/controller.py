@@ -239,8 +239,8 @@ class LabelController(Controller):
     def _refuse(self, error: TrackwrightError) -> None:
         """Tell why not: of a part in the panel, for as long as it is true; else as any error."""
         if self.tool is Tool.PARTS:
-            self._refused = (str(error), self._here)
-            self.said.emit(str(error))
+            self._refused = (tr(error.message), self._here)
+            self.said.emit(tr(error.message))
         else:
             self.failed.emit(error)
         self.changed.emit()

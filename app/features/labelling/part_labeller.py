@@ -101,27 +101,25 @@ class PartLabeller:
         there = self.parts(frame).get(self.choice.part)
         if there is None:
             raise EditError(
-                tr("{track} has no box in frame {frame}: draw one", track=self._track, frame=frame)
+                "{track} has no box in frame {frame}: draw one", track=self._track, frame=frame
             )
         return [there[0]]
 
     def _in_range(self) -> list[PartLabel]:
         marked, session = self._document.correcting.marked, self._document.session
         if marked is None:
-            raise EditError(tr("No range is set: [ sets its start, ] its end"))
+            raise EditError("No range is set: [ sets its start, ] its end")
         found: list[PartLabel] = []
         if session is not None and self._track:
             person = (self._track, self.choice.part)
             found = parts_over(session.labels, session.tracks, self._run, person, marked)
         if not found:
             raise EditError(
-                tr(
-                    "{track} has no {part} in frames {first} to {last}: set another range",
-                    track=self._track,
-                    part=part_name(self.choice.part),
-                    first=marked[0],
-                    last=marked[1] - 1,
-                )
+                "{track} has no {part} in frames {first} to {last}: set another range",
+                track=self._track,
+                part=part_name(self.choice.part),
+                first=marked[0],
+                last=marked[1] - 1,
             )
         return found
 

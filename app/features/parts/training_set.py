@@ -118,14 +118,15 @@ def source_at(path: Path, *, from_truth: bool = False, allow_outside: bool = Fal
     if exported is not None:
         if from_truth:
             raise TrainingError(
-                f"{path} holds samples: ground truth belongs to sessions; leave --from-truth out"
+                "{path} holds samples: ground truth belongs to sessions; leave --from-truth out",
+                path=path,
             )
         return Source(path.name, path, exported, "")
     with closing(Session.look_into(path)) as session:
         run = session.corrected_run
         if run is None or not len(run.parts.get("frame", ())):
             raise TrainingError(
-                f"{path}: its tracks have no body parts; track it with three-part first"
+                "{path}: its tracks have no body parts; track it with three-part first", path=path
             )
         if not from_truth:
             seen, title = session.recording, f"{session.recording.name} ({path.name})"
@@ -145,7 +146,9 @@ def _true_source(path: Path, run: Run, recording: Recording, footage: str) -> So
     """Labels of the run as it was made, by the truth beside its recording; who each track is."""
     truth = recording.folder / TRUE_PARTS
     if not truth.is_file():
-        raise TrainingError(f"{path}: beside its recording is no {TRUE_PARTS}; label by hand")
+        raise TrainingError(
+            "{path}: beside its recording is no {file}; label by hand", path=path, file=TRUE_PARTS
+        )
     true, fps = read_true_parts(truth), recording.fps
     labels = labels_from_truth(true, run.parts, fps)
     people = people_followed(true, run.parts, fps)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from app.core.i18n import tr
 from tracking.editing import Change, plan_label_part
 from tracking.errors import EditError
 from tracking.failure import labels_from_truth
@@ -30,11 +29,11 @@ def plan_truth_labels(
     path = truth_path(recording)
     if path is None or run is None or not len(run.parts["frame"]):
         raise EditError(
-            tr("{name} has no ground truth of parts, or no parts were tracked", name=recording.name)
+            "{name} has no ground truth of parts, or no parts were tracked", name=recording.name
         )
     parts = parts_by_now(table, run, table.track_ids)
     known = labels_from_truth(read_true_parts(path), parts, recording.fps)
     new = [label for label in known if label.key not in labels.parts]
     if not new:
-        raise EditError(tr("All tracked parts that are in the ground truth are labelled already"))
+        raise EditError("All tracked parts that are in the ground truth are labelled already")
     return plan_label_part(labels, new)

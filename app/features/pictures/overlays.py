@@ -48,8 +48,9 @@ class OverlayPainter:
         rectification, ground = recording.rectification, recording.ground
         if rectification is None or ground is None or recording.view is None:
             raise CalibrationError(
-                f"{recording.name}: foreground and disparity need two calibrated cameras and the "
-                "floor; add [calibration] and [ground] to recording.toml"
+                "{name}: foreground and disparity need two calibrated cameras and the floor; "
+                "add [calibration] and [ground] to recording.toml",
+                name=recording.name,
             )
         settings = _settings(run)
         self._recording = recording

@@ -36,8 +36,9 @@ class RampPainter:
     def __init__(self, recording: Recording, run: MadeBy | None = None) -> None:
         if recording.view is None:
             raise CalibrationError(
-                f"{recording.name}: the ramp image needs a calibrated camera and the floor; add "
-                "[calibration] and [ground] to recording.toml"
+                "{name}: the ramp image needs a calibrated camera and the floor; add "
+                "[calibration] and [ground] to recording.toml",
+                name=recording.name,
             )
         settings = settings_of(run, "spheroid", SpheroidSettings)
         self._recording = recording

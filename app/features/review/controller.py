@@ -30,6 +30,7 @@ from tracking.errors import TrackwrightError
 from tracking.review import ReviewItem, ReviewItemKey
 from tracking.session import Session
 from tracking.tracks import Labels, Run, TrackTable
+from tracking.translation import message_of
 
 
 class ReviewController(Controller):
@@ -165,7 +166,7 @@ class ReviewController(Controller):
             self.changed.emit()
 
     def _tell_problem(self, error: Exception) -> None:
-        self._problem = str(error)
+        self._problem = tr(message_of(error))
         self._show()
         self.failed.emit(error)
 

@@ -230,7 +230,7 @@ def _why_not(name: str, recording: Recording) -> str:
     try:
         require(TRACKERS[name], recording)
     except TrackwrightError as error:
-        return str(error)
+        return tr(error.message)
     return ""
 
 

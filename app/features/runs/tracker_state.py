@@ -35,7 +35,7 @@ class TrackerWords:
         try:
             self.best, self.why_not = best_tracker(recording), ""
         except TrackwrightError as error:
-            self.best, self.why_not = "", str(error)
+            self.best, self.why_not = "", tr(error.message)
 
     def propose_tracker(self, session: Session | None, *, in_parts: bool) -> str:
         """The tracker to track again with: that of the corrected tracks, else the best.

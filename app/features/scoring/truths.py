@@ -124,7 +124,7 @@ def _of_file(source: TruthSource, found: Measurable) -> Truth:
         notes.append(f"{left_out}: {first.place}: {first.reason}")
     if found.bad_count and not len(found.columns["frame"]):
         raise FormatError(
-            f"{source.path} has no rows that can be read; choose another ground truth"
+            "{path} has no rows that can be read; choose another ground truth", path=source.path
         )
     return _truth(source, found.columns, tuple(notes), dont_cares=found.dont_cares)
 
@@ -164,4 +164,6 @@ def refuse_own(path: Path, own: Session) -> None:
         SessionError: the file is the open session.
     """
     if own.path is not None and path.resolve() == own.path.resolve():
-        raise SessionError(f"{path.name} is the open session itself; choose another ground truth")
+        raise SessionError(
+            "{name} is the open session itself; choose another ground truth", name=path.name
+        )

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import gettext
 import re
 from collections.abc import Iterator
 
@@ -20,6 +19,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.shell import application
+from tests.pseudo import TRANSLATED, Pseudo
 from tracking.trackers import TRACKERS
 from tracking.translation import use_catalogue
 
@@ -28,21 +28,10 @@ _DIALOGS = (
     "edit.commands",
 )
 _PANELS = ("view.counting", "view.score", "view.curves", "labels.parts")
-_TRANSLATED = "\u27e6"
 _WORD = re.compile(r"[A-Za-z]{3,}")
 _DATA = frozenset({"HOTA", "IDF1", "MOTA", "MOTP", "trackwright"})
 _OF_QT = frozenset({"Cancel", "Close", "Save", "OK", "Scroll Left", "Scroll Right"})
 """What Qt translates by files of its own."""
-
-
-class Pseudo(gettext.NullTranslations):
-    """Puts every text in brackets."""
-
-    def gettext(self, message: str) -> str:
-        return f"{_TRANSLATED}{message}\u27e7"
-
-    def ngettext(self, one: str, many: str, n: int) -> str:
-        return self.gettext(one if n == 1 else many)
 
 
 @pytest.fixture
@@ -93,7 +82,7 @@ def untranslated(window: QWidget, known: set[str]) -> set[str]:
     for widget in (window, *window.findChildren(QWidget)):
         for text in texts_of(widget):
             words = set(_WORD.findall(text.replace("&", "")))
-            if words - _DATA and _TRANSLATED not in text and text not in known | _OF_QT:
+            if words - _DATA and TRANSLATED not in text and text not in known | _OF_QT:
                 found.add(text)
     return found
 

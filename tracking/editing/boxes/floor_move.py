@@ -49,7 +49,9 @@ def plan_drag(
     """
     row = standing_row(table, track, frame)
     if not np.isfinite(position_m).all():
-        raise EditError(f"place {position_m} is none; x and y in metres are needed")
+        raise EditError(
+            "place {position_m} is none; x and y in metres are needed", position_m=position_m
+        )
     boxes, places = boxes_of(row), places_of(row)
     heights = body_heights(view, places, boxes)
     if not np.isfinite(places).all():
@@ -58,7 +60,9 @@ def plan_drag(
     box = move_bodies(view, there, heights, np.nan_to_num(fits(view, places, heights, boxes)))[0]
     if not (np.isfinite(box).all() and (box[2:] > 0).all()):
         x, y = position_m
-        raise EditError(f"place {x:.2f}, {y:.2f} m lies behind the camera; drag to one before it")
+        raise EditError(
+            "place {x:.2f}, {y:.2f} m lies behind the camera; drag to one before it", x=x, y=y
+        )
     for name, value in zip((*SIDES, "x", "y"), (*box, *there[0]), strict=True):
         row[name][0] = value
     vouch_for(row)

@@ -43,7 +43,11 @@ def plan_fill_gap(
     check_known(table, track)
     gap = next((gap for gap in gaps_of(table, track) if gap[0] <= frame < gap[1]), None)
     if gap is None:
-        raise EditError(f"frame {frame} lies in no gap of track {track}; go to one first")
+        raise EditError(
+            "frame {frame} lies in no gap of track {track}; go to one first",
+            frame=frame,
+            track=track,
+        )
     text = f"Fill the gap of {track} {scope_text(*gap)}"
     rows = _filling(table, track, [gap], Way(how, view, fps))
     return Change("fill", text, gap[0], State(), State(rows=rows), Scope(*gap))
@@ -72,7 +76,9 @@ def plan_fill_gaps(
     rows = stack_rows(parts)
     if not filled:
         raise EditError(
-            f"{tracks_text(chosen)}: no gap of up to {frames_text(longest)}; allow longer ones"
+            "{who}: no gap of up to {frames}; allow longer ones",
+            who=tracks_text(chosen),
+            frames=frames_text(longest),
         )
     gaps_text = "the gap" if len(filled) == 1 else f"{len(filled)} gaps"
     text = f"Fill {gaps_text} of {tracks_text(chosen)} of up to {frames_text(longest)}"

@@ -50,7 +50,9 @@ class Way:
 
     def __post_init__(self) -> None:
         if self.how not in (None, "linear", "floor"):
-            raise EditError(f"interpolation {self.how!r} is none; choose 'linear' or 'floor'")
+            raise EditError(
+                "interpolation {how!r} is none; choose 'linear' or 'floor'", how=self.how
+            )
         if self.how == "floor" and self.view is None:
             raise EditError(
                 "interpolation along the floor needs a calibrated recording with its floor; "
@@ -142,8 +144,10 @@ def _known_places(ends: Columns, places: Floats, view: View) -> Floats:
     if lost.any():
         frame = ends["frame"][int(np.argmax(lost))]
         raise EditError(
-            f"track {ends['track'][0]}: no floor is seen below its box in frame {frame}; "
-            "interpolate linearly instead"
+            "track {track}: no floor is seen below its box in frame {frame}; interpolate "
+            "linearly instead",
+            track=ends["track"][0],
+            frame=frame,
         )
     return places
 

@@ -70,16 +70,24 @@ def plan_thin(
     old = table.of_track(track, start, end)
     if len(old["frame"]) < 3:
         raise EditError(
-            f"track {track} has fewer than three boxes {scope_text(start, end)}; nothing to thin"
+            "track {track} has fewer than three boxes {where}; nothing to thin",
+            track=track,
+            where=scope_text(start, end),
         )
     if not (tolerance_px > 0 and tolerance_m > 0):
-        raise EditError(f"tolerances of {tolerance_px} px and {tolerance_m} m: both are above 0")
+        raise EditError(
+            "tolerances of {tolerance_px} px and {tolerance_m} m: both are above 0",
+            tolerance_px=tolerance_px,
+            tolerance_m=tolerance_m,
+        )
     way = Way(how, view, fps)
     keys = _kept(old, way, (tolerance_px, tolerance_m))
     new = _thinned(old, keys, way)
     before, after = compare_windows(old, new)
     if keys.all() or not len(after["frame"]):
-        raise EditError(f"track {track}: no row can be left out; allow a larger tolerance")
+        raise EditError(
+            "track {track}: no row can be left out; allow a larger tolerance", track=track
+        )
     count = len(old["frame"])
     text = f"Thin {track} {scope_text(start, end)} to {int(keys.sum())} keyframes of {count} boxes"
     frame, scope = int(old["frame"][0]), Scope(start, end)

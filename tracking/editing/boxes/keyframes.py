@@ -54,7 +54,11 @@ def key_row_change(
     track, frame = int(row["track"][0]), int(row["frame"][0])
     there = table.of_track(track, frame, frame + 1)
     if len(there["frame"]) and not rows_differ(there, row).any():
-        raise EditError(f"track {track} is already so in frame {frame}; nothing to change")
+        raise EditError(
+            "track {track} is already so in frame {frame}; nothing to change",
+            track=track,
+            frame=frame,
+        )
     old = rows_around(table, track, frame)
     new = reinterpolate(old, with_row(old, row), way)
     scope = Scope(frame, frame + 1)
@@ -79,7 +83,9 @@ def plan_add_keyframe(table: TrackTable, track: int, frame: int) -> Change:
     new = select_rows(old, slice(None))
     vouch_for(new)
     if old["source"][0] == Source.PERSON:
-        raise EditError(f"frame {frame} is a keyframe of track {track} already")
+        raise EditError(
+            "frame {frame} is a keyframe of track {track} already", frame=frame, track=track
+        )
     text = f"Make frame {frame} a keyframe of {track}"
     scope = Scope(frame, frame + 1)
     return Change("keyframe", text, frame, State(rows=old), State(rows=new), scope)
@@ -100,7 +106,11 @@ def plan_delete_keyframe(
     hung between it and its other side. Raises EditError where the frame is no keyframe.
     """
     if standing_row(table, track, frame)["source"][0] != Source.PERSON:
-        raise EditError(f"frame {frame} is no keyframe of track {track}; nothing to delete")
+        raise EditError(
+            "frame {frame} is no keyframe of track {track}; nothing to delete",
+            frame=frame,
+            track=track,
+        )
     old = rows_around(table, track, frame)
     text = f"Delete the keyframe of {track} in frame {frame}"
     if _held_on_both_sides(old, frame):
@@ -145,7 +155,11 @@ def plan_interpolate(
     way, where = Way(how, view, fps), scope_text(first, stop)
     before, after = compare_windows(between, interpolate_between(ends, frames, way, between))
     if not len(after["frame"]):
-        raise EditError(f"track {track} is interpolated so already {where}; nothing to change")
+        raise EditError(
+            "track {track} is interpolated so already {where}; nothing to change",
+            track=track,
+            where=where,
+        )
     text = f"Interpolate {track} {where}, {_way_text(way)}between {len(ends['frame'])} keyframes"
     scope = Scope(first, stop)
     return Change("interpolate", text, first, State(rows=before), State(rows=after), scope)
@@ -157,11 +171,13 @@ def _frames_between(ends: Columns, what: str) -> NDArray[np.int32]:
     what: the track and where, for messages. Raises EditError where there is no such frame.
     """
     if len(ends["frame"]) < 2:
-        raise EditError(f"{what}: fewer than two boxes; interpolation needs one at each end")
+        raise EditError(
+            "{what}: fewer than two boxes; interpolation needs one at each end", what=what
+        )
     first, last = int(ends["frame"][0]), int(ends["frame"][-1])
     frames = np.setdiff1d(np.arange(first, last + 1, dtype=np.int32), ends["frame"])
     if not len(frames):
-        raise EditError(f"{what}: every frame is a keyframe; nothing lies between")
+        raise EditError("{what}: every frame is a keyframe; nothing lies between", what=what)
     return frames
 
 
@@ -174,7 +190,11 @@ def standing_row(table: TrackTable, track: int, frame: int) -> Rows:
     check_known(table, track)
     row = table.of_track(track, frame, frame + 1)
     if not len(row["frame"]):
-        raise EditError(f"track {track} does not stand in frame {frame}; draw a box there instead")
+        raise EditError(
+            "track {track} does not stand in frame {frame}; draw a box there instead",
+            track=track,
+            frame=frame,
+        )
     return row
 
 

@@ -68,8 +68,9 @@ def plan_delete_tracks(
     touched = [track for track, rows in parts.items() if len(rows["frame"])]
     if not touched:
         raise EditError(
-            f"{tracks_text(chosen)}: no rows to delete {scope_text(start, end)}; "
-            "choose another range"
+            "{who}: no rows to delete {where}; choose another range",
+            who=tracks_text(chosen),
+            where=scope_text(start, end),
         )
     who = tracks_text(touched)
     rows = stack_rows(parts.values())
@@ -144,13 +145,19 @@ def plan_draw_box(
             above the highest ever used.
     """
     if frame < 0:
-        raise EditError(f"frame {frame} is negative; frames count from 0")
+        raise EditError("frame {frame} is negative; frames count from 0", frame=frame)
     owner = next_track(table) if track is None else track
     check_id(table, owner)
     if frame >= LARGEST_NUMBER:
-        raise EditError(f"frame {frame}: frames go up to {LARGEST_NUMBER - 1}")
+        raise EditError(
+            "frame {frame}: frames go up to {last}", frame=frame, last=LARGEST_NUMBER - 1
+        )
     if len(table.of_track(owner, frame, frame + 1)["frame"]):
-        raise EditError(f"track {owner} stands in frame {frame} already; move its box instead")
+        raise EditError(
+            "track {owner} stands in frame {frame} already; move its box instead",
+            owner=owner,
+            frame=frame,
+        )
     _check_box(box)
     if position is None and view is not None:
         position = body_position(view, box)
@@ -204,13 +211,15 @@ def _drawn(track: int, frame: int) -> Rows:
 
 def _check_box(box: Box) -> None:
     if not (len(box) == 4 and np.isfinite(box).all() and box[2] > 0 and box[3] > 0):
-        raise EditError(f"box {box} is none; left, top and a positive width and height are needed")
+        raise EditError(
+            "box {box} is none; left, top and a positive width and height are needed", box=box
+        )
 
 
 def _place(row: Rows, box: Box, place: Place) -> None:
     """Write a person's box and place into a single row; NaN: the place is unknown."""
     if np.isinf(place).any():
-        raise EditError(f"place {place} is none; x and y in metres are needed")
+        raise EditError("place {place} is none; x and y in metres are needed", place=place)
     for name, value in zip((*SIDES, "x", "y"), (*box, *place), strict=True):
         row[name][0] = value
     vouch_for(row)
@@ -233,12 +242,16 @@ def plan_mark_occluded(
     rows = stack_rows(table.of_track(track, start, end) for track in chosen)
     who, where = tracks_text(chosen), scope_text(start, end)
     if not len(rows["frame"]):
-        raise EditError(f"{who}: no rows to mark {where}; choose another range")
+        raise EditError(
+            "{who}: no rows to mark {where}; choose another range", who=who, where=where
+        )
     wanted = np.float32(0.0 if occluded else 1.0)
     old = select_rows(rows, rows["visibility"] != wanted)
     state = "occluded" if occluded else "visible"
     if not len(old["frame"]):
-        raise EditError(f"{who}: marked as {state} {where} already")
+        raise EditError(
+            "{who}: marked as {state} {where} already", who=who, state=state, where=where
+        )
     new = select_rows(old, slice(None))
     new["visibility"][:] = wanted
     text = f"Mark {who} as {state} {where}"

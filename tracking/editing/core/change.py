@@ -97,5 +97,5 @@ def apply_change(table: TrackTable, labels: Labels, change: Change) -> Labels:
 def _moves(change: Change) -> Stretches:
     before, after = change.before.stretches, change.after.stretches
     if before.shape != after.shape or not np.array_equal(before[:, 1:], after[:, 1:]):
-        raise EditError(f"{change.text}: the two sides name different ranges of frames")
+        raise EditError("{text}: the two sides name different ranges of frames", text=change.text)
     return np.column_stack([before[:, 0], after[:, 0], before[:, 1:]])

@@ -75,7 +75,9 @@ def _tracks_relabelled(
         raise EditError("the two sides of the edit name different tracks")
     for track, label in before.items():
         if labels.of_track(track) != label:
-            raise EditError(f"track {track}: its label is not what the edit was planned on")
+            raise EditError(
+                "track {track}: its label is not what the edit was planned on", track=track
+            )
     changed = labels
     for track, label in after.items():
         changed = changed.with_track(track, label)
@@ -94,12 +96,12 @@ def _exchanged(
     for label in leaving:
         at = bisect_left(changed, label)
         if at == len(changed) or changed[at] != label:
-            raise EditError(f"the {what} are not what the edit was planned on")
+            raise EditError("the {what} are not what the edit was planned on", what=what)
         del changed[at]
     for label in coming:
         at = bisect_left(changed, label)
         if at < len(changed) and changed[at] == label:
-            raise EditError(f"the {what} are not what the edit was planned on")
+            raise EditError("the {what} are not what the edit was planned on", what=what)
         changed.insert(at, label)
     return tuple(changed)
 
@@ -137,4 +139,4 @@ def _check_planned(
     wrong = len(leaving) != len(out) or len(coming) != len(into)
     wrong = wrong or any(found(label.key) != label for label in out)
     if wrong or any(found(key) is not None for key in coming - leaving):
-        raise EditError(f"a {what} is not what the edit was planned on")
+        raise EditError("a {what} is not what the edit was planned on", what=what)

@@ -44,7 +44,9 @@ class Scope:
         found = _SCOPE.fullmatch(text)
         scope = found and cls(int(found[1]), int(found[2]) if found[2] else None)
         if not scope or not scope.start < (scope.end or LARGEST_NUMBER + 1) <= LARGEST_NUMBER + 1:
-            raise EditError(f"an edit in the log was made for {text!r}, which are no frames")
+            raise EditError(
+                "an edit in the log was made for {text!r}, which are no frames", text=text
+            )
         return scope
 
 
@@ -73,7 +75,11 @@ def frames_text(count: int) -> str:
 def check_scope(start: int, end: int | None) -> None:
     """Raise EditError for a range that is empty or begins before frame 0; end None: no end."""
     if start < 0 or (end is not None and end <= start):
-        raise EditError(f"frames {start} to {end}: the range is empty or begins before frame 0")
+        raise EditError(
+            "frames {start} to {end}: the range is empty or begins before frame 0",
+            start=start,
+            end=end,
+        )
 
 
 def check_tracks(table: TrackTable, tracks: Iterable[int]) -> tuple[int, ...]:
@@ -91,9 +97,16 @@ def check_id(table: TrackTable, track: int) -> None:
     New tracks are numbered on from the highest id: one slip of a finger would use up all the rest.
     """
     if not 1 <= track <= LARGEST_NUMBER:
-        raise EditError(f"track {track}: ids are 1 to {LARGEST_NUMBER}; choose one of those")
+        raise EditError(
+            "track {track}: ids are 1 to {largest}; choose one of those",
+            track=track,
+            largest=LARGEST_NUMBER,
+        )
     if track > table.highest_track + FARTHEST_NEW:
         raise EditError(
-            f"track {track} is far above {table.highest_track}, the highest id so far; "
-            f"choose one up to {table.highest_track + FARTHEST_NEW}"
+            "track {track} is far above {highest}, the highest id so far; choose one up to "
+            "{farthest}",
+            track=track,
+            highest=table.highest_track,
+            farthest=table.highest_track + FARTHEST_NEW,
         )

@@ -86,7 +86,7 @@ def propose_swap_frames(
     """
     check_known(table, a, b)
     if a == b:
-        raise EditError(f"track {a} cannot be swapped with itself; choose two different tracks")
+        raise EditError("track {a} cannot be swapped with itself; choose two different tracks", a=a)
     both = np.intersect1d(table.frames_of_track(a), table.frames_of_track(b), assume_unique=True)
     courses, frames = _meeting(table, a, b, near)
     if not (len(both) and len(frames)):

@@ -18,12 +18,15 @@ def plan_swap(table: TrackTable, a: int, b: int, start: int, end: int | None = N
     """
     check_known(table, a, b)
     if a == b:
-        raise EditError(f"swap of track {a} with itself; choose two different tracks")
+        raise EditError("swap of track {a} with itself; choose two different tracks", a=a)
     stop = _stop(table, start, end, a, b)
     both = [_stretch(table, track, start, stop) for track in (a, b)]
     if not any(len(part) for part in both):
         raise EditError(
-            f"neither track {a} nor {b} stands {scope_text(start, end)}; choose other frames"
+            "neither track {a} nor {b} stands {where}; choose other frames",
+            a=a,
+            b=b,
+            where=scope_text(start, end),
         )
     before = np.concatenate(both)
     after = before.copy()
@@ -42,7 +45,11 @@ def plan_split(table: TrackTable, track: int, frame: int) -> Change:
     start, end = table.frame_range(track)
     if not start < frame < end:
         raise EditError(
-            f"track {track} stands in frames {start} to {end - 1}; it cannot be split at {frame}"
+            "track {track} stands in frames {start} to {end}; it cannot be split at {frame}",
+            track=track,
+            start=start,
+            end=end - 1,
+            frame=frame,
         )
     new = next_track(table)
     before = _stretch(table, track, frame, end)
@@ -62,18 +69,23 @@ def plan_reassign(
     check_known(table, track)
     check_id(table, to)
     if track == to:
-        raise EditError(f"track {track} cannot be given to itself; choose another id")
+        raise EditError("track {track} cannot be given to itself; choose another id", track=track)
     stop = _stop(table, start, end, track)
     moving = _within(table.frames_of_track(track), start, stop)
     if not len(moving):
         raise EditError(
-            f"track {track} does not stand {scope_text(start, end)}; choose other frames"
+            "track {track} does not stand {where}; choose other frames",
+            track=track,
+            where=scope_text(start, end),
         )
     staying = table.frames_of_track(to)
     both = np.intersect1d(moving, staying, assume_unique=True)
     if len(both):
         raise EditError(
-            f"tracks {track} and {to} both stand in frame {both[0]}; merge or swap them instead"
+            "tracks {track} and {to} both stand in frame {frame}; merge or swap them instead",
+            track=track,
+            to=to,
+            frame=both[0],
         )
     before = stretches_of(track, moving, staying)
     text = f"Give {track} to {to} {scope_text(start, end)}"

@@ -74,12 +74,16 @@ def _check(table: TrackTable, tracks: tuple[int, ...], keep: Keep) -> None:
     """Raise EditError where these, the one that stays first, cannot be merged so."""
     check_known(table, *tracks)
     if len(tracks) < 2:
-        raise EditError(f"nothing to merge into track {tracks[0]}; choose at least one more track")
+        raise EditError(
+            "nothing to merge into track {track}; choose at least one more track", track=tracks[0]
+        )
     for track in tracks:
         if tracks.count(track) > 1:
-            raise EditError(f"merge of track {track} with itself; choose different tracks")
+            raise EditError(
+                "merge of track {track} with itself; choose different tracks", track=track
+            )
     if keep not in ("first", "second", "surer"):
-        raise EditError(f"merge: keep is {keep!r}; it is 'first', 'second' or 'surer'")
+        raise EditError("merge: keep is {keep!r}; it is 'first', 'second' or 'surer'", keep=keep)
 
 
 def _given_up(

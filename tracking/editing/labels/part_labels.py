@@ -45,7 +45,12 @@ def plan_unlabel_part(labels: Labels, *keys: PartKey) -> Change:
     for frame, track, part in dict.fromkeys(keys):
         label = labels.parts.get((frame, track, part))
         if label is None:
-            raise EditError(f"part {part} of track {track} has no label in frame {frame}")
+            raise EditError(
+                "part {part} of track {track} has no label in frame {frame}",
+                part=part,
+                track=track,
+                frame=frame,
+            )
         gone.append(label)
     if not gone:
         raise EditError("no part is named; choose one that has a label")

@@ -43,12 +43,18 @@ def plan_mark_reviewed(
     asked = _ranges(tracks, start, end)
     marked = asked if table is None else _with_rows(asked, table)
     if not marked:
-        raise EditError(f"{_who(asked)}: no boxes {scope_text(start, end)}; choose other frames")
+        raise EditError(
+            "{who}: no boxes {where}; choose other frames",
+            who=_who(asked),
+            where=scope_text(start, end),
+        )
     start, end = min(seen.start for seen in marked), max(seen.end for seen in marked)
     new = _joined([*labels.reviewed, *marked])
     who = _who(marked)
     if new == labels.reviewed:
-        raise EditError(f"{who}: marked as reviewed already {scope_text(start, end)}")
+        raise EditError(
+            "{who}: marked as reviewed already {where}", who=who, where=scope_text(start, end)
+        )
     text = f"Mark {who} as reviewed {scope_text(start, end)}"
     return _change("reviewed", text, Scope(start, end), labels.reviewed, new)
 
@@ -75,7 +81,7 @@ def plan_unmark_reviewed(
             seen.track == 0 and seen.start < end and start < seen.end for seen in labels.reviewed
         )
         why = "marked for all tracks together; unmark all" if together else "not marked as reviewed"
-        raise EditError(f"{who}: {why} {scope_text(start, end)}")
+        raise EditError("{who}: {why} {where}", who=who, why=why, where=scope_text(start, end))
     text = f"Unmark {who} as reviewed {scope_text(start, end)}"
     return _change("unreviewed", text, Scope(start, end), labels.reviewed, tuple(new))
 
@@ -111,8 +117,11 @@ def _verdicts(labels: Labels, verdict: Verdict) -> tuple[LabelState, LabelState]
     old = labels.verdicts.get(verdict.key)
     if old == verdict:
         raise EditError(
-            f"the {verdict.kind} of {_listed(verdict.tracks)} in frame {verdict.frame} "
-            f"is {verdict.decision} already"
+            "the {kind} of {tracks} in frame {frame} is {decision} already",
+            kind=verdict.kind,
+            tracks=_listed(verdict.tracks),
+            frame=verdict.frame,
+            decision=verdict.decision,
         )
     return LabelState(verdicts=() if old is None else (old,)), LabelState(verdicts=(verdict,))
 

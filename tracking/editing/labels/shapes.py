@@ -79,11 +79,15 @@ def _exchange(
         check(item)
         check_name(item.name, f"the {what}")
         if names.count(item.name) > 1:
-            raise EditError(f"two {what}s are called {item.name!r}; give each a name of its own")
+            raise EditError(
+                "two {what}s are called {name!r}; give each a name of its own",
+                what=what,
+                name=item.name,
+            )
     out = tuple(sorted(set(present) - set(new)))
     into = tuple(sorted(set(new) - set(present)))
     if not (out or into):
-        raise EditError(f"the {what}s are what they were; nothing to change")
+        raise EditError("the {what}s are what they were; nothing to change", what=what)
     return out, into
 
 

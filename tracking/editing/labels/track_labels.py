@@ -42,7 +42,7 @@ def plan_set_attribute(
     """Set one of a track's own fields; None takes it away."""
     key = writable(key).strip()
     if not key:
-        raise EditError(f"track {track}: an attribute needs a name")
+        raise EditError("track {track}: an attribute needs a name", track=track)
     _check_length(key, LONGEST_KEY, f"track {track}: an attribute's name")
     _check_length(value or "", LONGEST_VALUE, f"track {track}: an attribute's value")
     attributes = dict(labels.of_track(track).attributes)
@@ -68,15 +68,20 @@ def writable(text: str) -> str:
     try:
         text.encode()
     except UnicodeEncodeError:
-        raise EditError(f"{text!r} holds half a character; type it anew") from None
+        raise EditError("{text!r} holds half a character; type it anew", text=text) from None
     if "\0" in text:
-        raise EditError(f"{text!r} holds a zero character; leave it out")
+        raise EditError("{text!r} holds a zero character; leave it out", text=text)
     return text
 
 
 def _check_length(text: str, longest: int, what: str) -> None:
     if len(text) > longest:
-        raise EditError(f"{what} of {len(text)} characters; write at most {longest}")
+        raise EditError(
+            "{what} of {count} characters; write at most {longest}",
+            what=what,
+            count=len(text),
+            longest=longest,
+        )
 
 
 def _relabel(
@@ -90,7 +95,9 @@ def _relabel(
     check_known(table, track)
     old = labels.of_track(track)
     if label == old:
-        raise EditError(f"track {track}: nothing to change, its label says that already")
+        raise EditError(
+            "track {track}: nothing to change, its label says that already", track=track
+        )
     kind, text = kind_and_text
     where = table.frame_range(track)[0] if frame is None else frame
     before = State(labels=LabelState({track: old}))

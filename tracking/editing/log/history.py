@@ -17,6 +17,7 @@ from tracking.editing.log.touch_index import TouchIndex
 from tracking.editing.log.traces import Trace, parts_at_its_frame
 from tracking.errors import EditError
 from tracking.tracks import Labels, TrackLabel
+from tracking.translation import Message, msg
 
 UNDO = "undo"
 """The kind of a change that takes one old edit back."""
@@ -126,7 +127,11 @@ class History:
     def entry(self, number: int) -> Entry:
         """The entry with that id. Raises EditError where there is none."""
         if not 1 <= number <= len(self._entries):
-            raise EditError(f"there is no edit {number}; the log has {len(self._entries)}")
+            raise EditError(
+                "there is no edit {number}; the log has {count}",
+                number=number,
+                count=len(self._entries),
+            )
         return self._entries[number - 1]
 
     @property
@@ -180,19 +185,27 @@ class History:
         """
         entry = self.entry(number)
         if entry.undone:
-            return f"edit {number} is undone already"
+            return msg("edit {number} is undone already", number=number)
         if taker := self.taken_back_by(number):
-            return f"edit {number} is undone already, by edit {taker}"
+            return msg(
+                "edit {number} is undone already, by edit {taker}", number=number, taker=taker
+            )
         try:
             standing = self._standing_on(number)
         except EditError as why:  # a damaged line of the log
-            return str(why)
+            return why.message
         if not standing:
-            return ""
+            return Message()
         last = self._entries[standing[-1] - 1]
         others = len(standing) - 1
-        first = "undo that first" if not others else f"undo that first, then {others} more"
-        return f'"{last.text}" (edit {last.id}) was made on top of it: {first}'
+        return msg(
+            '"{text}" (edit {edit}) was made on top of it: undo that first, then {others} more'
+            if others
+            else '"{text}" (edit {edit}) was made on top of it: undo that first',
+            text=last.text,
+            edit=last.id,
+            others=others,
+        )
 
     def _standing_on(self, number: int) -> list[int]:
         """The later edits that touch what an edit touched, ascending.
@@ -243,7 +256,7 @@ class History:
         change: the entry's, where it is at hand.
         """
         if entry.id != len(self._entries) + 1 or entry.undone:
-            raise EditError(f"edit {entry.id} is not the next of the log")
+            raise EditError("edit {edit} is not the next of the log", edit=entry.id)
         # What may take much memory is first: where it does not suffice, nothing has changed.
         boxes = footprint_of(entry.change if change is None else change)
         abandoned = [(at, replace(self._entries[at], abandoned=True)) for at in self._undone]

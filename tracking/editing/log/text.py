@@ -91,13 +91,16 @@ def _plain(value: object) -> Any:
     """A number of NumPy's as Python's own, as a caller's arrays give them."""
     if isinstance(value, np.generic):
         return value.item()
-    raise EditError(f"an edit holds {value!r}, which the log cannot keep; give numbers and text")
+    raise EditError(
+        "an edit holds {value!r}, which the log cannot keep; give numbers and text", value=value
+    )
 
 
 def _too_large(rows: int) -> EditError:
     return EditError(
-        f"an edit of {rows} rows is larger than the history can keep; "
-        "make it in shorter ranges of frames or with fewer tracks at once"
+        "an edit of {rows} rows is larger than the history can keep; make it in shorter ranges "
+        "of frames or with fewer tracks at once",
+        rows=rows,
     )
 
 
@@ -120,7 +123,7 @@ def _read(text: str) -> State:
         rows = _rows_from_json(parts["rows"]) if "rows" in parts else no_rows()
         return State(stretches, rows, labels_from_json(parts.get("labels", {})))
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError, OverflowError) as why:
-        raise EditError(f"an edit in the log cannot be read: {why}") from why
+        raise EditError("an edit in the log cannot be read: {why}", why=why) from why
 
 
 def stretches_in_text(text: str) -> list[tuple[int, int, int]]:
@@ -129,7 +132,7 @@ def stretches_in_text(text: str) -> list[tuple[int, int, int]]:
     try:
         return [(int(track), int(start), int(end)) for track, start, end in given]
     except (ValueError, TypeError, OverflowError) as why:
-        raise EditError(f"an edit in the log cannot be read: {why}") from why
+        raise EditError("an edit in the log cannot be read: {why}", why=why) from why
 
 
 def cells_in_text(text: str) -> NDArray[np.int64]:
@@ -143,7 +146,7 @@ def cells_in_text(text: str) -> NDArray[np.int64]:
     try:
         count, plain = _plain_rows(parts["rows"])
     except (ValueError, KeyError, TypeError, AttributeError) as why:
-        raise EditError(f"an edit in the log cannot be read: {why}") from why
+        raise EditError("an edit in the log cannot be read: {why}", why=why) from why
     # The first two columns.
     frame, track = np.frombuffer(plain, "<i4", 2 * count).reshape(2, count).astype(np.int64)
     return row_keys(track, frame)
@@ -152,11 +155,13 @@ def cells_in_text(text: str) -> NDArray[np.int64]:
 def _parts_of(text: str) -> dict[str, Any]:
     """A state's text as JSON. Raises EditError where it is none, or absurdly large."""
     if len(text) > LARGEST_TEXT:
-        raise EditError(f"an edit of {len(text)} characters is larger than any real one")
+        raise EditError(
+            "an edit of {count} characters is larger than any real one", count=len(text)
+        )
     try:
         parts = json.loads(text)
     except (ValueError, RecursionError) as why:
-        raise EditError(f"an edit in the log cannot be read: {why}") from why
+        raise EditError("an edit in the log cannot be read: {why}", why=why) from why
     if not isinstance(parts, dict):
         raise EditError("an edit in the log cannot be read: it is no JSON object")
     return parts
@@ -192,7 +197,7 @@ def _plain_rows(parts: Mapping[str, Any]) -> tuple[int, bytes]:
     """How many rows there are, and the bytes of their columns one after the other."""
     count = int(parts["count"])
     if not 0 <= count <= LARGEST_ROWS:
-        raise EditError(f"an edit of {count} rows is larger than any real one")
+        raise EditError("an edit of {count} rows is larger than any real one", count=count)
     return count, _inflated(str(parts["columns"]), count * _ROW_BYTES)
 
 
@@ -202,9 +207,9 @@ def _inflated(packed: str, size: int) -> bytes:
     try:
         plain = inflater.decompress(base64.b64decode(packed, validate=True), size + 1)
     except (binascii.Error, zlib.error) as why:
-        raise EditError(f"the rows of an edit in the log are damaged: {why}") from why
+        raise EditError("the rows of an edit in the log are damaged: {why}", why=why) from why
     if len(plain) != size or not inflater.eof:
-        raise EditError(f"the rows of an edit in the log are damaged: not {size} bytes")
+        raise EditError("the rows of an edit in the log are damaged: not {size} bytes", size=size)
     return plain
 
 

@@ -127,8 +127,12 @@ def _range(run: Run, frames: tuple[int, int] | None) -> tuple[int, int]:
     first, stop = max(start, run.frames[0]), min(end, run.frames[1])
     if first >= stop:
         raise EditError(
-            f"frames {start} to {end - 1} are not in the run, which is over frames "
-            f"{run.frames[0]} to {run.frames[1] - 1}; choose a range within"
+            "frames {start} to {end} are not in the run, which is over frames {first} to "
+            "{last}; choose a range within",
+            start=start,
+            end=end - 1,
+            first=run.frames[0],
+            last=run.frames[1] - 1,
         )
     return first, stop
 

@@ -59,7 +59,9 @@ def plan_take(
     before = select_rows(found.corrected, taken.leaves)
     before, after = _without_same(before, select_rows(found.found, taken.enters))
     if not len(before["frame"]) and not len(after["frame"]):
-        raise EditError(f"nothing to take {_where(found, table)}: {_why(found)}")
+        raise EditError(
+            "nothing to take {where}: {why}", where=_where(found, table), why=_why(found)
+        )
     touched = np.union1d(before["track"], after["track"]).tolist()
     again = "as tracked again by" if run.known_tracks else "from the run of"
     text = f"Take {tracks_text(touched)} {_where(found, table)}, {again} {run.tracker}"

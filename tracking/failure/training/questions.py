@@ -67,8 +67,12 @@ def questions_of(samples: Samples) -> list[Question]:
     short = [why for question in asked if (why := shortage(question))]
     if short:
         raise TrainingError(
-            f"{'; '.join(short)}: add labels or sessions until each has at least "
-            f"{LEAST_SAMPLES} of {LEAST_PEOPLE} people or more{_where_losses_are(asked)}"
+            "{short}: add labels or sessions until each has at least {least} of {people} "
+            "people or more{where_losses_are}",
+            short="; ".join(short),
+            least=LEAST_SAMPLES,
+            people=LEAST_PEOPLE,
+            where_losses_are=_where_losses_are(asked),
         )
     return asked if shortage(several) else [*asked, several]
 

@@ -28,8 +28,11 @@ def read_part_truth(folder: Path, frames: int, size_px: tuple[int, int]) -> Part
     true = read_true_parts(place)
     if len(true.frame) and int(true.frame[-1]) >= frames:
         raise FormatError(
-            f"{place}: frame {true.frame[-1]}; the recording has 0 to {frames - 1}; "
-            "use the ground truth of this recording"
+            "{place}: frame {frame}; the recording has 0 to {frames}; use the ground truth of "
+            "this recording",
+            place=place,
+            frame=true.frame[-1],
+            frames=frames - 1,
         )
     corners = corners_of_boxes(true.box)
     frame, person, parts = by_person(true.frame, true.person, true.part, corners)

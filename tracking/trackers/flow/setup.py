@@ -17,8 +17,9 @@ def build_flow(
     """Perception and tracker; raises `CalibrationError` where the floor is not known."""
     if recording.view is None:
         raise CalibrationError(
-            f"recording {recording.name}: flow needs the camera's calibration and height over the "
-            "floor; without them three-part can still track people, in pixels"
+            "recording {name}: flow needs the camera's calibration and height over the floor; "
+            "without them three-part can still track people, in pixels",
+            name=recording.name,
         )
     perception = FlowPerception(recording.fps, settings.foreground)
     return perception, FlowTracker(recording.view, recording.fps, settings)

@@ -63,7 +63,9 @@ class Resume:
         Raises `SettingsError` for a frame that has none before it.
         """
         if frame < 1:
-            raise SettingsError(f"frame {frame}: nothing stands before it; track from the start")
+            raise SettingsError(
+                "frame {frame}: nothing stands before it; track from the start", frame=frame
+            )
         rows = _rows_before(table, frame, fps)
         first = max(0, frame - max(1, round(learn_s * fps)))
         colour_frames = np.union1d(np.arange(first, frame), _earlier_frames(rows, first))

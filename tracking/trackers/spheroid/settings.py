@@ -190,10 +190,15 @@ class SpheroidSettings:
         occluders_from(self.occluders)
         if not self.min_height_m <= self.initial_height_m <= self.max_height_m:
             raise SettingsError(
-                f"initial_height_m: {self.initial_height_m} is not between min_height_m, "
-                f"{self.min_height_m}, and max_height_m, {self.max_height_m}; change one"
+                "initial_height_m: {initial_height_m} is not between min_height_m, "
+                "{min_height_m}, and max_height_m, {max_height_m}; change one",
+                initial_height_m=self.initial_height_m,
+                min_height_m=self.min_height_m,
+                max_height_m=self.max_height_m,
             )
         if self.ramp.low >= self.ramp.high:
             raise SettingsError(
-                f"ramp.low: {self.ramp.low} is not below ramp.high, {self.ramp.high}; lower it"
+                "ramp.low: {low} is not below ramp.high, {high}; lower it",
+                low=self.ramp.low,
+                high=self.ramp.high,
             )

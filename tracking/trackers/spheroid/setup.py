@@ -26,9 +26,9 @@ def build_spheroid(
     view = recording.view
     if view is None:
         raise CalibrationError(
-            f"recording {recording.name}: spheroids stand on a floor that is known; add "
-            "[calibration] and [ground] to recording.toml, or choose three-part, which works in "
-            "pixels"
+            "recording {name}: spheroids stand on a floor that is known; add [calibration] and "
+            "[ground] to recording.toml, or choose three-part, which works in pixels",
+            name=recording.name,
         )
     perception = SpheroidPerception(recording.fps, view, settings.foreground, settings.ramp)
     hidden = _hidden(occluders_from(settings.occluders), perception.flat)

@@ -48,8 +48,9 @@ def perception_and_view(
     rectification, ground, view = recording.rectification, recording.ground, recording.view
     if rectification is None or ground is None or view is None:
         raise CalibrationError(
-            f"recording {recording.name}: stereo trackers need two calibrated cameras and the "
-            "floor; add [calibration] and [ground] to recording.toml"
+            "recording {name}: stereo trackers need two calibrated cameras and the floor; add "
+            "[calibration] and [ground] to recording.toml",
+            name=recording.name,
         )
     perception = StereoPerception(
         rectification,

@@ -164,8 +164,10 @@ class WholeBodySettings:
         occluders_from(self.occluders)
         if self.min_particles > self.max_particles:
             raise SettingsError(
-                f"min_particles: {self.min_particles} is more than max_particles, "
-                f"{self.max_particles}; raise that one or lower this one"
+                "min_particles: {min_particles} is more than max_particles, {max_particles}; "
+                "raise that one or lower this one",
+                min_particles=self.min_particles,
+                max_particles=self.max_particles,
             )
 
     @property
