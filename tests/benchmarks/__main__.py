@@ -12,20 +12,16 @@ from tests.benchmarks.command import one_core, telling
 from tests.benchmarks.tables import table
 
 GROUPS = {
-    "pipeline": "pipeline",
-    "filter": "filter",
-    "trackers": "tracker_peers.comparison",
-    "scoring": "scorers",
-    "session": "session",
-    "timeline": "timeline",
-    "window": "window",
-    "parts": "parts.speed",
-    "spheroid": "spheroid.speed",
-    "flow": "flow.speed",
-    "formats": "formats",
-    "memory": "memory",
+    "pipeline": "pipeline.measure",
+    "filter": "filter.measure",
+    "scoring": "scorers.measure",
+    "session": "session.measure",
+    "window": "window.measure",
+    "parts": "pipeline.parts",
+    "spheroid": "pipeline.spheroid",
+    "flow": "pipeline.flow",
 }
-"""The module that measures each group."""
+"""The function that measures each group."""
 
 
 def main() -> None:
@@ -43,7 +39,8 @@ def main() -> None:
     one_core()
     figures: dict[str, Any] = {}
     for group in [asked.only] if asked.only else GROUPS:
-        measure = import_module(f"tests.benchmarks.{GROUPS[group]}").measure
+        module, _, name = GROUPS[group].partition(".")
+        measure = getattr(import_module(f"tests.benchmarks.{module}"), name)
         with telling(group):
             figures[group] = measure()
         if not asked.json:

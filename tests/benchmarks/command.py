@@ -27,7 +27,6 @@ class Options:
         only: the sections.
         clips: where rendered clips are kept; None: the user's cache.
         data: folder of real recordings.
-        pictures: where pictures of real footage are put, if they are asked for.
     """
 
     report: bool = False
@@ -35,7 +34,6 @@ class Options:
     only: tuple[str, ...] = ()
     clips: Path | None = None
     data: Path = _REAL
-    pictures: Path | None = None
 
 
 def parser_of(module: str, description: str | None) -> argparse.ArgumentParser:
@@ -51,10 +49,8 @@ def parser_of(module: str, description: str | None) -> argparse.ArgumentParser:
     )
 
 
-def page_options(
-    subject: str, description: str, sections: Sequence[str], *, pictures: bool
-) -> Options:
-    """Read the command line of a subject's page; pictures: some can be made of real footage."""
+def page_options(subject: str, description: str, sections: Sequence[str]) -> Options:
+    """Read the command line of a subject's page."""
     parser = parser_of(subject, description)
     page = f"docs/results/{subject}.md"
     parser.add_argument("--report", action="store_true", help=f"measure and write {page}")
@@ -62,8 +58,6 @@ def page_options(
     parser.add_argument("--only", nargs="+", choices=sections, help="these sections")
     parser.add_argument("--clips", type=Path, help="where clips are kept, not the user's cache")
     parser.add_argument("--data", type=Path, default=real_data(), help="folder of real recordings")
-    if pictures:
-        parser.add_argument("--pictures", type=Path, help="where pictures of real footage are put")
     asked = vars(parser.parse_args())
     return Options(**{**asked, "only": tuple(asked["only"] or sections)})
 

@@ -5,18 +5,13 @@ from __future__ import annotations
 import sys
 import time
 from collections.abc import Sequence
-from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
-sys.path.append(str(Path(__file__).parents[1] / "trackers"))
-
-from people_on_a_floor import Walker, observations, straight, view
-
 from tests.benchmarks.tracker_peers.comparison import chosen_settings
+from tests.peers.follow import SEEN
 from tests.peers.followers import STONESOUP_GNN
-from tests.peers.peer_runs import SEEN
 from tracking.filtering import (
     associate,
     bhattacharyya_distance,
@@ -25,15 +20,11 @@ from tracking.filtering import (
     weigh,
     weighted_mean,
 )
-from tracking.trackers.joint import JointSettings
-from tracking.trackers.joint.tracker import JointTracker
 
 _PEOPLE, _PARTICLES = 15, 700
 _NUMBERS_OF_PEOPLE = (1, 5, 15, 50)
 _NUMBERS_OF_PARTICLES = (100, 350, 700, 1400, 2800)
-_TRACKER_PARTICLES = 500
 _FRAMES, _WARM = 200, 40
-_TRACKER_FRAMES, _TRACKER_WARM = 80, 20
 _ELAPSED_S, _BINS = 0.05, 64
 _SPREAD_M, _SIGMA_M, _GATE_M, _COST_LIMIT = 0.06, 0.15, 0.9, 2.0
 _NOISE_M = 0.06
@@ -47,7 +38,7 @@ def filter_ms(people: int, particles: int) -> float:
     Predict, cost of all pairs from distance and colour, the assignment with the least total,
     weigh and estimate, resample: what [Kawashita2014] section 3 has, for all people at once.
     Left out is what the default tracker does beyond these: who is hidden, new, lost or shares a
-    region, what looks and noise are learnt, boxes and the run's columns (see `tracker_ms`).
+    region, what looks and noise are learnt, boxes and the run's columns.
     """
     random = np.random.default_rng(people)
     start, velocity, colour = _walkers(people, random)
@@ -112,28 +103,6 @@ def _usual_ms(taken_s: NDArray[np.float64] | Sequence[float]) -> float:
     return float(1000.0 * np.median(taken_s[_WARM:]))
 
 
-def tracker_ms(people: int) -> float:
-    """The median time of a whole step of the default tracker with so many people, nothing left out.
-
-    The run's columns are made, particles among them; detections come ready made.
-    """
-    random = np.random.default_rng(people)
-    starts = random.uniform((-2.0, 4.0), (2.0, 9.0), (people, 2))
-    speeds = random.uniform(-0.2, 0.2, (people, 2))
-    walkers = [
-        Walker(straight(at, speed, _TRACKER_FRAMES), k % 16)
-        for k, (at, speed) in enumerate(zip(starts, speeds, strict=True))
-    ]
-    settings = JointSettings(particles=_TRACKER_PARTICLES, birth_distance_m=0.0)
-    tracker = JointTracker(view(), settings, seed=0)
-    taken = []
-    for observation in observations(walkers):
-        begun = time.process_time()
-        tracker.step(observation)
-        taken.append(1000.0 * (time.process_time() - begun))
-    return float(np.median(taken[_TRACKER_WARM:]))
-
-
 def straightness(numbers: Sequence[int], times_ms: Sequence[float]) -> tuple[float, float]:
     """The straight line through times of so many: its slope, and the worst distance from it.
 
@@ -145,34 +114,24 @@ def straightness(numbers: Sequence[int], times_ms: Sequence[float]) -> tuple[flo
 
 
 def measure() -> dict[str, float | None]:
-    """The filter alone, the whole tracker step, and how both grow with people and particles.
+    """The filter alone, and how its time grows with people and particles.
 
-    `ms`: the filter step alone, 15 people of 700 particles, association included. `ms_N_people`:
-    the same for N people; `ms_N_particles`: 15 people of N particles; `tracker_ms_N_people`: the
-    whole step of `stereo-joint`, 500 particles each, run columns made. `us_per_...`: slopes of
-    straight lines through those, and `..._off_the_line` how far the farthest is from its line, as
-    a share of the longest time. `vs_stonesoup`: `ms` over the time of Stone Soup's GNN tracker
-    for the same detections, both the median of the same frames; None where it is not installed.
+    `ms`: the filter step, 15 people of 700 particles, association included. `ms_N_people`: the
+    same for N people; `ms_N_particles`: 15 people of N particles. `us_per_...`: slopes of straight
+    lines through those, and `..._off_the_line` how far the farthest is from its line, as a share of
+    the longest time. `vs_stonesoup`: `ms` over the time of Stone Soup's GNN tracker for the same
+    detections, both the median of the same frames; None where it is not installed.
     """
     by_people = {n: filter_ms(n, _PARTICLES) for n in _NUMBERS_OF_PEOPLE}
     by_particles = {n: filter_ms(_PEOPLE, n) for n in _NUMBERS_OF_PARTICLES}
     theirs = stonesoup_ms(_PEOPLE)
-    by_tracked = {n: tracker_ms(n) for n in _NUMBERS_OF_PEOPLE}
-    return {
-        "ms": by_people[_PEOPLE],
-        **_grown("", "people", by_people),
-        **_grown("", "particles", by_particles),
-        **_grown("tracker_", "people", by_tracked),
-        "vs_stonesoup": None if theirs is None else by_people[_PEOPLE] / theirs,
-    }
-
-
-def _grown(prefix: str, what: str, times_ms: dict[int, float]) -> dict[str, float | None]:
-    """Figures of how times grow with a number of something."""
-    slope, off = straightness(list(times_ms), list(times_ms.values()))
-    each = {"people": "us_per_person", "particles": "us_per_particle"}[what]
-    return {
-        **{f"{prefix}ms_{n}_{what}": ms for n, ms in times_ms.items()},
-        f"{prefix}{each}": 1000.0 * slope,
-        f"{prefix}{what}_off_the_line": off,
-    }
+    figures: dict[str, float | None] = {"ms": by_people[_PEOPLE]}
+    for each, what, times_ms in (
+        ("person", "people", by_people),
+        ("particle", "particles", by_particles),
+    ):
+        slope, off = straightness(list(times_ms), list(times_ms.values()))
+        figures |= {f"ms_{n}_{what}": ms for n, ms in times_ms.items()}
+        figures |= {f"us_per_{each}": 1000.0 * slope, f"{what}_off_the_line": off}
+    figures["vs_stonesoup"] = None if theirs is None else by_people[_PEOPLE] / theirs
+    return figures

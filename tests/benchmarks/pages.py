@@ -76,7 +76,6 @@ class Page:
         pictures: by section a name and what gives a picture (rows, columns, 3) BGR of what was
             measured, kept beside the page; None: there is nothing to show.
         diagrams: by section a name and what draws its kept figures as SVG, anew with each page.
-        footage: makes pictures of the real recordings in one folder in another one, and gives them.
         folder: of the page.
     """
 
@@ -88,7 +87,6 @@ class Page:
         default_factory=dict
     )
     diagrams: Mapping[str, tuple[str, Callable[[Any], str]]] = field(default_factory=dict)
-    footage: Callable[[Path, Path], Iterable[Path]] | None = None
     folder: Path = DOCS / "results"
 
     def figures(self) -> dict[str, Any]:
@@ -137,12 +135,8 @@ class Page:
     def main(self) -> None:
         """Read the command line, measure, and print or write."""
         one_core()
-        options = page_options(
-            self.subject, self.about, tuple(self.measures), pictures=self.footage is not None
-        )
-        if self.footage is not None and options.pictures is not None:
-            print(*self.footage(options.data, options.pictures), sep="\n")
-        elif options.rewrite:
+        options = page_options(self.subject, self.about, tuple(self.measures))
+        if options.rewrite:
             self.write()
         else:
             self._measure(options)

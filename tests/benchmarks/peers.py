@@ -1,7 +1,8 @@
 """What others would do for a frame, timed on the same frames as the pipeline, on one thread.
 
-`Primitives` are the library calls that the pipeline cannot do without, and nothing else; `Obvious`
-is the way that comes to mind first. Each tells how long its parts took, decoding aside.
+`Primitives` and `OneCamera` are the library calls that a pipeline cannot do without, and nothing
+else; `Obvious` is the way that comes to mind first. Each tells how long its parts took, decoding
+aside.
 """
 
 from __future__ import annotations
@@ -28,6 +29,7 @@ _DISPARITIES = 64
 _LEAST_REGION_PX = 150
 """Smaller regions are specks; people of these scenes have several times as many pixels."""
 _BINS = (16, 4)
+_POINTS = 300
 _WINDOW_PX = 9
 _ELAPSED_S, _SPREAD_M, _SIGMA_M, _GATE_M = 0.05, 0.06, 0.15, 0.9
 """Of the particle filters."""
@@ -42,6 +44,10 @@ class Timed:
 
     def __init__(self) -> None:
         self.spent_s: dict[str, float] = {}
+
+    def __call__(self, frame: StereoFrame, people: int) -> object:
+        """One frame, in which so many people are followed."""
+        raise NotImplementedError
 
     def _timed(self, part: str, work: Callable[..., T], *given: Any) -> T:
         begun = time.process_time()
@@ -91,6 +97,39 @@ class Primitives(Timed):
             _rows_halved(cv2.cvtColor(image[cut], cv2.COLOR_BGR2GRAY)) for image in images
         )
         return self._matcher.compute(left, right)
+
+
+class OneCamera(Timed):
+    """The bare primitives with one camera: MOG2 of its picture, and corners where they are needed.
+
+    Args:
+        corners: 300 points are followed from frame to frame, and found anew where they are lost.
+    """
+
+    def __init__(self, recording: Recording, *, corners: bool) -> None:
+        super().__init__()
+        del recording
+        self._model = cv2.createBackgroundSubtractorMOG2(detectShadows=False)
+        self._corners, self._points = corners, np.empty((0, 1, 2), np.float32)
+        self._before: Picture | None = None
+
+    def __call__(self, frame: StereoFrame, people: int) -> object:
+        """One frame; how many people are in view is no matter here."""
+        del people
+        self.spent_s = {}
+        mask = self._timed("subtraction", self._model.apply, frame.left)
+        return self._timed("corners", self._follow, frame.left, mask) if self._corners else mask
+
+    def _follow(self, image: Picture, mask: Picture) -> None:
+        grey = np.asarray(cv2.cvtColor(image, cv2.COLOR_BGR2GRAY), np.uint8)
+        if self._before is not None and len(self._points):
+            moved, found, _ = cv2.calcOpticalFlowPyrLK(self._before, grey, self._points, None)
+            self._points = moved[found.ravel() == 1]
+        if missing := _POINTS - len(self._points):
+            more = cv2.goodFeaturesToTrack(grey, missing, 0.01, 5.0, mask=mask)
+            if more is not None:
+                self._points = np.concatenate((self._points, more))
+        self._before = grey
 
 
 class Obvious(Timed):

@@ -1,30 +1,63 @@
-"""How fast the whole stereo pipeline is on one core: decoded frames in, stored particles out."""
+"""How fast trackers are on one core: decoded frames in, stored particles out."""
 
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 
 import cv2
 import numpy as np
 
 from tests.benchmarks.clips import Clip, folder_of
-from tests.benchmarks.peers import Obvious, Primitives
+from tests.benchmarks.peers import Obvious, OneCamera, Primitives, Timed
 from tracking.pipeline import Tracking, track
-from tracking.recording import StereoFrame, open_recording
+from tracking.recording import Recording, StereoFrame, open_recording
 
-CLIP = Clip("square", 1, 12.0, 16)
-"""A scene of sixteen people, of whom fifteen or all are in view in the frames that count."""
 PARTICLES = 500
 """Of each person: what the default tracker has, too."""
-_IN_VIEW = range(14, 17)
+
+
+@dataclass(frozen=True, slots=True)
+class Speed:
+    """What is timed.
+
+    Attributes:
+        clip: a rendered scene.
+        tracker: None: the default one.
+        people: only frames in which so many are followed count.
+        peers: what others would do for a frame, by name; made for a recording.
+    """
+
+    clip: Clip
+    tracker: str | None
+    people: range
+    peers: Mapping[str, Callable[[Recording], Timed]]
+
+
+_ONE_CAMERA = {"primitives": partial(OneCamera, corners=False)}
+PIPELINE = Speed(
+    Clip("square", 1, 12.0, 16),
+    None,
+    range(14, 17),
+    {"primitives": Primitives, "obvious": partial(Obvious, particles=PARTICLES)},
+)
+"""Sixteen people, of whom fifteen or all are in view in the frames that count."""
+SPHEROID = Speed(Clip("plaza", 5101, 12.0, 20, cameras=1), "spheroid", range(8, 13), _ONE_CAMERA)
+PARTS = Speed(Clip("walkway", 4101, cameras=1), "three-part", range(5, 6), _ONE_CAMERA)
+FLOW = Speed(
+    Clip("lane", 5101, 20.0),
+    "flow",
+    range(4, 30),
+    {"primitives": partial(OneCamera, corners=True)},
+)
 
 
 def recording() -> Path:
-    """The benchmark's recording, kept in the user's cache."""
-    return folder_of(CLIP)
+    """The recording of the stereo pipeline's benchmark, kept in the user's cache."""
+    return folder_of(PIPELINE.clip)
 
 
 @dataclass(slots=True)
@@ -43,27 +76,46 @@ class _Spent:
         return float(np.mean(np.array(self.ms[part])[counted]))
 
 
-def measure() -> dict[str, float | None]:
+def measure(what: Speed = PIPELINE) -> dict[str, float | None]:
     """Frames a second of processor time, and milliseconds of it a frame and a part.
 
-    The tracker is the default one. Only frames with about fifteen tracked people count. The time
-    is the whole process's, with one thread in OpenCV, so that other work on the machine does not
-    count; ours is shared out among the stages by their share of the clock. `vs_primitives` and
-    `vs_obvious` are our time over theirs (see `peers`): below 1 we are quicker. The three take
-    turns at each frame, so that a machine that is now faster, now slower, is so for all of them.
+    Only frames with about so many tracked people count: fifteen with two cameras, ten with
+    spheroids, five with body parts. The time is the whole process's, with one thread in OpenCV, so
+    that other work on the machine does not count; ours is shared out among the stages by their
+    share of the clock. `vs_primitives` and `vs_obvious` are our time over theirs (see `peers`):
+    below 1 we are quicker. All take turns at each frame, so that a machine that is now faster, now
+    slower, is so for all of them.
     """
     cv2.setNumThreads(1)
     ours, people = _Spent(), []
-    primitives, obvious = _Spent(), _Spent()
-    with open_recording(recording()) as opened, track(opened) as tracking:
-        bare, first_idea = Primitives(opened), Obvious(opened, PARTICLES)
-        bare_frames, obvious_frames = opened.frames(), opened.frames()
+    with (
+        open_recording(folder_of(what.clip)) as opened,
+        track(opened, what.tracker) as tracking,
+    ):
+        peers = {
+            name: (make(opened), opened.frames(), _Spent()) for name, make in what.peers.items()
+        }
         for seen in _steps(tracking, ours):
             people.append(seen)
-            _look(bare, bare_frames, seen, primitives)
-            _look(first_idea, obvious_frames, seen, obvious)
-    counted = [k for k, seen in enumerate(people) if k and seen in _IN_VIEW]
-    return _figures(ours, primitives, obvious, counted, people)
+            for peer in peers.values():
+                _look(*peer, seen)
+    counted = [k for k, seen in enumerate(people) if k and seen in what.people]
+    return _figures(ours, {name: spent for name, (_, _, spent) in peers.items()}, counted, people)
+
+
+def spheroid() -> dict[str, float | None]:
+    """Frames a second and `vs_primitives` of `spheroid`, ten people in view; see `pipeline`."""
+    return measure(SPHEROID)
+
+
+def flow() -> dict[str, float | None]:
+    """Frames a second and `vs_primitives` of `flow` in a crowded passage; see `pipeline`."""
+    return measure(FLOW)
+
+
+def parts() -> dict[str, float | None]:
+    """Frames a second and `vs_primitives` of `three-part`, five people in view; see `pipeline`."""
+    return measure(PARTS)
 
 
 def _steps(tracking: Tracking, spent: _Spent) -> Iterator[int]:
@@ -75,15 +127,13 @@ def _steps(tracking: Tracking, spent: _Spent) -> Iterator[int]:
         if result is None:
             return
         clock = {name: tracking.stage_s[name] - before.get(name, 0.0) for name in before}
-        scale = taken / sum(clock.values())
         stages = ("decode", "perception", "tracker")
+        scale = taken / max(sum(clock[name] for name in stages), 1e-9)
         spent.add(frame=taken, **{name: scale * clock[name] for name in stages})
         yield len(result.tracks["track"])
 
 
-def _look(
-    work: Primitives | Obvious, frames: Iterator[StereoFrame], people: int, spent: _Spent
-) -> None:
+def _look(work: Timed, frames: Iterator[StereoFrame], spent: _Spent, people: int) -> None:
     """A peer's turn at the next frame, decoded by its own decoder."""
     begun = time.process_time()
     frame = next(frames)
@@ -93,17 +143,17 @@ def _look(
 
 
 def _figures(
-    ours: _Spent, primitives: _Spent, obvious: _Spent, counted: list[int], people: list[int]
+    ours: _Spent, peers: Mapping[str, _Spent], counted: list[int], people: list[int]
 ) -> dict[str, float | None]:
     """The table: ours, the ratios, and what the peers' parts took."""
     frame_ms = ours.mean("frame", counted)
-    return {
+    told: dict[str, float | None] = {
         "fps": 1000.0 / frame_ms,
         "people": float(np.mean(np.array(people)[counted])),
-        "frame_ms": frame_ms,
+        "cpu_ms": frame_ms,
         **{f"{part}_ms": ours.mean(part, counted) for part in ours.ms if part != "frame"},
-        "vs_primitives": frame_ms / primitives.mean("frame", counted),
-        "vs_obvious": frame_ms / obvious.mean("frame", counted),
-        **{f"primitives_{part}_ms": primitives.mean(part, counted) for part in primitives.ms},
-        **{f"obvious_{part}_ms": obvious.mean(part, counted) for part in obvious.ms},
     }
+    for name, spent in peers.items():
+        told[f"vs_{name}"] = frame_ms / spent.mean("frame", counted)
+        told |= {f"{name}_{part}_ms": spent.mean(part, counted) for part in spent.ms}
+    return told

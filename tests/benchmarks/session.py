@@ -6,9 +6,10 @@ import os
 import tempfile
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import closing
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any
 from unittest.mock import patch
@@ -19,6 +20,7 @@ from numpy.typing import NDArray
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication
 
+from app.core.document.edit_history import EditMarks
 from app.core.tracks.frame_state import FrameState
 from app.core.tracks.session_tracks import SessionTracks
 from app.features.timeline.panel import TimelineView
@@ -26,10 +28,11 @@ from app.features.timeline.presenter import TimelinePresenter
 from tests.benchmarks.command import tell
 from tests.benchmarks.large_sessions import NoPictures, crowd
 from tests.benchmarks.timing import Peak, clock_ms
-from tracking.editing import plan_swap
+from tracking.editing import Change, plan_delete, plan_swap
 from tracking.session import Session, session_reader
 
-_EDITS, _OPENINGS = 20, 9
+_EDITS, _OPENINGS, _GESTURES = 20, 9, 40
+_FPS = 30.0
 _BEAT_S = 0.002
 
 
@@ -58,7 +61,8 @@ def measure() -> dict[str, float]:
     `open_unknown_ms`: the same where the file comes from elsewhere and is checked by a program of
     its own first. `open_vs_raw`, `open_unknown_vs_raw`: these over reading the same columns of the
     same file with h5py alone, each the median of several, in turn. `picture_ms`: from there to the
-    painted timeline, with the run.
+    painted timeline of 1600 x 420, with the run; `timeline_..._ms`: the median from a gesture in it
+    until all is painted again, offscreen in software.
     `swap_ms`, `undo_ms`: planned, in the journal on the disk and done; `_max` of twenty; of them
     `first_swap_ms` is the first, soon after opening.
     `save_ms`: all of a save; `save_begin_ms`, `save_end_ms`: what of it the window waits for, and
@@ -83,7 +87,8 @@ def _figures(size: Size, folder: Path) -> dict[str, float]:
     figures["file_mb"] = path.stat().st_size / 1e6
     figures |= _openings(path)
     with closing(Session.open(path)) as session, Peak() as peak:
-        figures["picture_ms"], _ = clock_ms(lambda: _first_picture(session, size))
+        figures["picture_ms"], shown = clock_ms(lambda: ShownTimeline(session, size))
+        figures |= _gestures(shown, size)
         figures |= _edits(session, size)
         figures["edits_peak_mb"] = peak.grown_mb()
         figures |= _save(session)
@@ -128,13 +133,74 @@ def _read_raw(path: Path) -> list[NDArray[Any]]:
         return [column[()] for column in file["tracks"].values()]
 
 
-def _first_picture(session: Session, size: Size) -> None:
-    tracks = SessionTracks(session.tracks, session.runs[0])
-    presenter, view = TimelinePresenter(size.frames, 30.0), TimelineView()
-    presenter.take(tracks, {})
-    view.resize(1600, 420)
-    view.show_scene(presenter.scene(0, FrameState(0, tracks), (), None))
-    view.render(QImage(view.size(), QImage.Format.Format_RGB32))
+class ShownTimeline:
+    """The timeline over a session, as the window puts it together; painted once."""
+
+    def __init__(self, session: Session, size: Size) -> None:
+        self.session, self.frame = session, size.frames // 2
+        self._tracks = SessionTracks(session.tracks, session.runs[0])
+        self._presenter, self._marks = TimelinePresenter(size.frames, _FPS), EditMarks()
+        self._presenter.take(self._tracks, {})
+        self.view = TimelineView()
+        self.view.resize(1600, 420)
+        self._image = QImage(self.view.size(), QImage.Format.Format_RGB32)
+        self.paint()
+
+    def paint(self) -> None:
+        """Show and paint what there is to see by now."""
+        state = FrameState(self.frame, self._tracks)
+        self.view.show_scene(self._presenter.scene(self.frame, state, (), None))
+        self.view.render(self._image)
+
+    def edit(self, change: Change) -> None:
+        """Apply an edit."""
+        self.session.apply(change)
+        self._take(change)
+
+    def undo(self) -> None:
+        """Undo the last one."""
+        self._take(self.session.undo().change.inverse)
+
+    def _take(self, change: Change) -> None:
+        frames = change.before.rows["frame"], change.after.rows["frame"]
+        marks = self._marks.of(self.session.history)
+        self._presenter.take_changed(change.tracks, self._tracks, frames, marks)
+
+
+def _gestures(shown: ShownTimeline, size: Size) -> dict[str, float]:
+    """Median ms of each gesture, painted."""
+    area, table = shown.view.area, shown.session.tracks
+    tracks = np.random.default_rng(3102).permutation(size.tracks)[: 2 * _GESTURES] + 1
+    pairs = tracks[: len(tracks) // 2 * 2].reshape(-1, 2).tolist()
+    widths = np.geomspace(size.frames, 60 * _FPS, _GESTURES).astype(int).tolist()
+    middles = {a: int(np.median(table.frames_of_track(a))) for a, _ in pairs}
+
+    def go(frame: int) -> None:
+        shown.frame = frame
+
+    gestures: dict[str, list[Callable[[], object]]] = {
+        "playhead": [partial(go, shown.frame + n) for n in range(_GESTURES)],
+        "scroll": [partial(area.scroll_bar.setValue, 20 * n) for n in range(_GESTURES)],
+        "zoom": [partial(_zoom, shown, width) for width in widths],
+        "pan": [partial(area.stretch.pan, 0.3)] * _GESTURES,
+        "swap": [lambda a=a, b=b: shown.edit(plan_swap(table, a, b, middles[a])) for a, b in pairs],
+        "undo": [shown.undo] * len(pairs),
+        "delete": [lambda a=a: shown.edit(plan_delete(table, a)) for a, _ in pairs[:_EDITS]],
+    }
+    figures = {}
+    for name, several in gestures.items():
+        taken = [
+            clock_ms(lambda gesture=gesture: (gesture(), shown.paint()))[0] for gesture in several
+        ]
+        figures[f"timeline_{name}_ms"] = float(np.median(taken))
+    for _ in gestures["delete"]:
+        shown.undo()
+    return figures
+
+
+def _zoom(shown: ShownTimeline, frames: int) -> None:
+    area = shown.view.area
+    area.stretch.show(area.axis.around(shown.frame, frames))
 
 
 def _edits(session: Session, size: Size) -> dict[str, float]:

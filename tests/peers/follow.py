@@ -1,10 +1,47 @@
-"""Trackers of others over detections, each in its own environment; see `peer_runs.main`.
+"""Trackers of others over detections, each in its own environment: `follow.py GIVEN TOLD ASKED`.
 
-Each is a function of its settings and the frames a second; its library is imported when it starts.
+GIVEN holds clips, {name: (frames, frames a second, (n, 8) by `SEEN`, sorted by frame)}; ASKED is a
+list of a tracker's name and its settings; TOLD gets what each makes of the clips. Each tracker is a
+function of its settings and the frames a second; its library is imported when it starts.
 """
 
+import json
+import sys
+import time
+from pathlib import Path
+
 import numpy as np
-from peer_runs import main
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+from sequences import by_frame, read_tables, write_tables
+
+SEEN = ("frame", "left", "top", "width", "height", "x", "y", "merged")
+"""Of a detection; frames and pixels from 0, metres on the floor; 1 where a region may be several
+people's."""
+FOLLOWED = ("frame", "track", "x", "y")
+"""Of a row that a tracker gives."""
+
+
+def follow(start, seen, frames, fps, settings):
+    """One tracker over one clip: rows and the seconds of processor time that each frame took.
+
+    What it takes to set the tracker up is left out.
+
+    Args:
+        start: (settings, frames a second) -> a function that takes a frame's number and its
+            detections (k, 8) and gives pairs of an id, anything hashable, and a place (x, y).
+    """
+    if not settings["with_merged"]:
+        seen = seen[seen[:, 7] == 0]
+    numbers, rows, taken = {}, [], []
+    step = start(settings, fps)
+    for frame, given in enumerate(by_frame(seen, frames)):
+        begun = time.process_time()
+        for name, (x, y) in step(frame, given):
+            rows.append((frame, numbers.setdefault(name, len(numbers) + 1), float(x), float(y)))
+        taken.append(time.process_time() - begun)
+    return np.array(rows).reshape(-1, len(FOLLOWED)), np.array(taken)
 
 
 def norfair(settings, fps):
@@ -151,4 +188,12 @@ STARTS = {
 }
 
 if __name__ == "__main__":
-    main(STARTS)
+    clips = read_tables(sys.argv[1])
+    results = [
+        {
+            name: follow(STARTS[tracker], seen, frames, fps, settings)
+            for name, (frames, fps, seen) in clips.items()
+        }
+        for tracker, settings in json.loads(sys.argv[3])
+    ]
+    write_tables(sys.argv[2], results)

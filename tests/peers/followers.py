@@ -15,10 +15,10 @@ from tests.peers.environments import MOTPY, NORFAIR, STONESOUP, TRACKERS, Peer
 from tests.peers.sequences import read_tables, write_tables
 
 Seen = tuple[int, float, NDArray[Any]]
-"""Frames, frames a second, and (n, 8) detections; see `peer_runs.SEEN`."""
+"""Frames, frames a second, and (n, 8) detections; by `follow.SEEN`."""
 
 Followed = tuple[NDArray[Any], NDArray[Any]]
-"""(n, 4) rows by `peer_runs.FOLLOWED`, and (frames,) seconds of processor time."""
+"""(n, 4) rows by `follow.FOLLOWED`, and (frames,) seconds of processor time."""
 
 Settings = Mapping[str, Any]
 

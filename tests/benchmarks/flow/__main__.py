@@ -12,8 +12,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from tests.benchmarks.clips import Clip
-from tests.benchmarks.flow.counts import STRETCH_S, count_real_footage, count_scenes
-from tests.benchmarks.flow.speed import measure as speed
+from tests.benchmarks.flow.counts import STRETCH_S, count_scenes
 from tests.benchmarks.pages import Figures, Page
 from tracking.counting import PAPER_STEP_S
 from tracking.pages import Panel, svg
@@ -46,8 +45,6 @@ PAGE = Page(
     about=__doc__ or "",
     measures={
         "scenes": lambda asked: count_scenes(REPORTED if asked.report else TUNED, asked.clips),
-        "real": lambda asked: count_real_footage(asked.data),
-        "speed": lambda _: dict(speed()),
     },
     words={
         "paper": (("lane", 963, 1057), ("two-way", 865, 801)),  # [Yoneji2013] table 2

@@ -14,7 +14,6 @@ from tests.benchmarks.runner import Case, run_of
 from tracking.counting import (
     PAPER_STEP_S,
     Hits,
-    Passages,
     compare_passages,
     occupancy,
     passages,
@@ -33,18 +32,6 @@ _JITTER_M = 0.2
 """Who sways over a line has not passed."""
 _NEAR_M, _FAR_M = 5.0, 9.0
 _LINES_M = (5.5, 7.0, 8.5)
-
-OVERHEAD = "overhead-real"
-BY_EYE = ((20, 110, False), (180, 320, True), (380, 470, False), (480, 570, False))
-"""First frame, last frame, from left to right: the passages in the overhead recording."""
-_BELOW = CountingLine("below the camera", (0.0, -3.0), (0.0, 3.0))
-"""Forward is from left to right."""
-_PETS = "pets-s2l1-real"
-_PETS_LINES = (
-    CountingLine("along", (3.0, 11.0), (3.0, 36.0)),
-    CountingLine("across", (12.5, 25.0), (-9.5, 25.0)),
-)
-_PETS_REGION = Region("middle", ((-2.0, 20.0), (8.0, 20.0), (8.0, 30.0), (-2.0, 30.0)))
 
 Table = Mapping[str, NDArray[Any]]
 
@@ -121,43 +108,3 @@ def hits_of(tracks: Table, truth: Table, fps: float, lines: Sequence[CountingLin
     """Passages found over all lines."""
     found, happened = (passages(table, fps, lines, jitter_m=_JITTER_M) for table in (tracks, truth))
     return compare_passages(found, happened)
-
-
-def count_real_footage(data: Path) -> dict[str, Any]:
-    """What is counted in the real recordings that are there."""
-    found: dict[str, Any] = {}
-    if (data / OVERHEAD / "recording.toml").is_file():
-        cases = (OURS, Case("stereo-direction"))
-        found["overhead"] = [_overhead(data / OVERHEAD, case) for case in cases]
-    if (data / _PETS / "truth.txt").is_file():
-        truth = read_mot(data / _PETS / "truth.txt")
-        found["pets"] = [_counts(data / _PETS, truth, _PETS_LINES, _PETS_REGION)]
-    return found
-
-
-def _overhead(folder: Path, case: Case) -> dict[str, Any]:
-    fps, _ = _length(folder)
-    found = passages(run_of(folder, case).tracks, fps, [_BELOW], jitter_m=_JITTER_M)
-    return {
-        "tracker": case.tracker,
-        "happened": len(BY_EYE),
-        "found": len(found),
-        "hit": hits_by_eye(found),
-        "passages": [
-            (int(frame), bool(ahead))
-            for frame, ahead in zip(found.frame, found.forward, strict=True)
-        ],
-    }
-
-
-def hits_by_eye(found: Passages, seen: Sequence[tuple[int, int, bool]] = BY_EYE) -> int:
-    """How many passages seen by eye were found in their time and direction; each found one once."""
-    free = np.ones(len(found), bool)
-    hit = 0
-    for first, last, rightward in seen:
-        fits = free & (found.frame >= first) & (found.frame <= last)
-        fits &= found.forward == rightward
-        if fits.any():
-            free[int(np.argmax(fits))] = False
-            hit += 1
-    return hit

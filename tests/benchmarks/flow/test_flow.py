@@ -10,13 +10,10 @@ import pytest
 from tests.benchmarks.clips import Columns
 from tests.benchmarks.flow.__main__ import PAGE, REPORTED, SCENES, TUNED, counts_picture
 from tests.benchmarks.flow.counts import (
-    BY_EYE,
-    hits_by_eye,
     hits_of,
     people_inside,
     where_counted,
 )
-from tracking.counting import Passages
 
 FPS = 10.0
 
@@ -57,19 +54,6 @@ def test_a_passage_counted_too_late_is_no_hit() -> None:
     lines, _ = where_counted(SCENES[0])
     hits = hits_of(_walks({1: 15}), _walks({1: 0}), FPS, lines)
     assert (hits.happened, hits.found, hits.hit) == (3, 3, 0)
-
-
-def _passages(*said: tuple[int, bool]) -> Passages:
-    frame, forward = (np.array(column) for column in zip(*said, strict=True))
-    none = np.zeros(len(said), np.int64)
-    places = np.zeros((len(said), 2))
-    return Passages(none, none + 1, frame, frame / 30.0, forward.astype(bool), places, none)
-
-
-def test_passages_seen_by_eye_are_hit_once_each_in_their_time_and_direction() -> None:
-    right = _passages(*(((first + last) // 2, ahead) for first, last, ahead in BY_EYE))
-    assert hits_by_eye(right) == 4
-    assert hits_by_eye(_passages((60, True), (250, True), (250, True))) == 1
 
 
 def _row(counted: int, hit: int) -> dict[str, Any]:

@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 
 from tests.benchmarks.clips import truth_table
-from tests.benchmarks.flow.counts import OVERHEAD, hits_of
+from tests.benchmarks.flow.counts import hits_of
+from tests.benchmarks.footage.overhead import OVERHEAD, PASSAGES, passages_found
 from tests.benchmarks.footage.recordings import BY_EYE, Footage, counting_line
 from tests.benchmarks.runner import KeptRun
-from tests.benchmarks.stereo.measures import passages_by_eye
 from tracking.errors import FormatError
 from tracking.formats import read_mot
 from tracking.scoring import BoxMatch, EitherMatch, FloorMatch, ScoringTable, examine, score_of
@@ -25,7 +25,6 @@ _BY_EYE_OVERLAP = 0.4
 """Boxes drawn by eye are rough."""
 _NEAR_M, _NOBODY_SHARE, _LEAST_S = 1.0, 0.2, 0.5
 """A track of half a second is of nobody if a fifth of it is within a metre of anybody."""
-_COVERED = 0.5
 _SCORES = ("MOTA", "IDF1", "HOTA", "id_switches", "people_kept", "people_detected")
 _RATES = ("misses", "false_positives")
 
@@ -43,7 +42,7 @@ def figures_of(footage: Footage, kept: KeptRun) -> Figures:
     elif footage.name in BY_EYE:
         found["walkers"] = _walkers(footage, tracks)
     elif footage.name == OVERHEAD:
-        found["walkers"] = _passers(tracks)
+        found["walkers"] = {"of": len(PASSAGES), "found": passages_found(tracks)}
     return found
 
 
@@ -123,10 +122,3 @@ def _walkers(footage: Footage, tracks: Columns) -> Figures:
         return {"of": len(drawn), "found": 0}
     matched = examine(ScoringTable.from_columns(columns), result, BoxMatch(_BY_EYE_OVERLAP)).matched
     return {"of": len(drawn), "found": len(matched)}
-
-
-def _passers(tracks: Columns) -> Figures:
-    """How many of the passages told by eye one track covers by half."""
-    passers = passages_by_eye(tracks)["passages"]
-    found = sum(one["covered"] >= _COVERED * one["frames"] for one in passers)
-    return {"of": len(passers), "found": found}

@@ -12,6 +12,7 @@ from tests.benchmarks.footage.ablation import worth_of
 from tests.benchmarks.footage.failures import save_worst_frame
 from tests.benchmarks.footage.measures import box_figures, figures_of
 from tests.benchmarks.footage.mechanisms import MECHANISMS
+from tests.benchmarks.footage.overhead import passages_found
 from tests.benchmarks.footage.recordings import BY_EYE, OTHER_RENDERER, REAL, Footage
 from tests.benchmarks.footage.table import cell, changes, table
 from tests.benchmarks.runner import Case, KeptRun, replacing
@@ -95,6 +96,13 @@ def test_the_worst_frame_is_shown(rendered: Footage, tmp_path: Path) -> None:
     assert path is not None
     assert path.name == "lobby-1-worse-11.jpg"
     assert path.stat().st_size > 1000
+
+
+def test_a_passage_told_by_eye_is_found_where_one_track_covers_half_of_it() -> None:
+    spans = ((1, 60, 111), (2, 180, 321), (3, 380, 400), (4, 400, 420), (5, 480, 571))
+    frames = np.concatenate([np.arange(start, end) for _, start, end in spans])
+    tracks = np.concatenate([np.full(end - start, track) for track, start, end in spans])
+    assert passages_found({"frame": frames, "track": tracks}) == 3
 
 
 def test_changes_name_what_fell_first() -> None:

@@ -3,39 +3,31 @@
 Without --report: the figures on the scenes for choosing settings, printed as the page would have
 them. With it: on the scenes reported, kept one by one in docs/results/parts.json, and the page made
 of them. --rewrite only makes the page and its diagrams anew. Real footage is looked for where
---data or TRACKWRIGHT_DATA says; --pictures draws parts into a few of its frames, into a folder of
-yours.
+--data or TRACKWRIGHT_DATA says.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from tests.benchmarks.clips import folder_of
 from tests.benchmarks.command import Options
-from tests.benchmarks.pages import Figures, Page, Picture, save_jpeg
+from tests.benchmarks.pages import Figures, Page, Picture
 from tests.benchmarks.parts import clips
 from tests.benchmarks.parts.cases import ADJUSTED, PLAIN, WHOLE
 from tests.benchmarks.parts.equalisation import measure as equalisation
 from tests.benchmarks.parts.measures import crouching, detector, rates
-from tests.benchmarks.parts.real import folders_in
 from tests.benchmarks.parts.real import measure as real
-from tests.benchmarks.parts.speed import measure as speed
 from tests.benchmarks.pictures import body_parts
 from tracking.pages import Panel, svg
-from tracking.recording import open_recording
 from tracking.scoring.parts import margin
 
 AT_FRAME = 105
 _SUBJECTS = ("head", "torso", "hip-leg", "person")
 _FEWEST = 10  # a rate of fewer people is not drawn
 _SHOWN_ROWS = 360  # nobody stands farther down
-_SHOWN_SHARES = (0.3, 0.5, 0.7)
-"""Of a real recording's length: which frames are shown."""
 
 
 def _detector(options: Options) -> dict[str, Any]:
@@ -81,18 +73,6 @@ def _picture(_: Any, options: Options) -> Picture:
     return body_parts(folder, (ADJUSTED, PLAIN), (150, 190), _SHOWN_ROWS)
 
 
-def _footage(data: Path, shown: Path) -> Iterator[Path]:
-    """Pictures of the real recordings that are there, with parts drawn, into a folder.
-
-    They show people in footage of others, so they are for looking at and not for the repository.
-    """
-    for folder in folders_in(data):
-        with open_recording(folder) as recording:
-            frames = [round(recording.frame_count * share) for share in _SHOWN_SHARES]
-        save_jpeg(shown / f"{folder.name}.jpg", body_parts(folder, (ADJUSTED, PLAIN), frames))
-        yield shown / f"{folder.name}.jpg"
-
-
 PAGE = Page(
     subject="parts",
     about=__doc__ or "",
@@ -104,7 +84,6 @@ PAGE = Page(
         "equalisation": lambda asked: equalisation(clips.REPORTED if asked.report else clips.TUNED),
         "detector": _detector,
         "real": lambda asked: real(asked.data),
-        "speed": lambda _: dict(speed()),
     },
     words={
         "frame": AT_FRAME,
@@ -118,7 +97,6 @@ PAGE = Page(
     },
     pictures={"rates": ("walkway", _picture)},
     diagrams={"rates": ("rates", rates_picture), "detector": ("detector-roc", roc_picture)},
-    footage=_footage,
 )
 
 if __name__ == "__main__":

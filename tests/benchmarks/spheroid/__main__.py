@@ -16,15 +16,11 @@ from tests.benchmarks.pages import Figures, Page, Picture
 from tests.benchmarks.pictures import side_by_side, spheroids
 from tests.benchmarks.spheroid.measures import (
     LONGEST_S,
-    RADIUS_M,
-    beside_two_cameras,
-    real_footage,
     robustness,
     situations,
     standing,
     walking,
 )
-from tests.benchmarks.spheroid.speed import measure as speed
 from tests.benchmarks.tables import met
 from tracking.synthesis import Disturbances
 from tracking.synthesis.marks import MARKS_M
@@ -36,7 +32,6 @@ REPORTED = (5201, 5202)
 SECONDS = 12.0
 """Of the clips that are not scenarios."""
 SITUATIONS = tuple(f"situation-{number}" for number in range(1, 16))
-PLACES = ("lobby", "plaza", "square", "pillars", "ceiling", "corridor")
 _DISTURBED = {
     "begins with people": Disturbances(begin_s=8.0),
     "light goes out": Disturbances(dimmed_s=6.0),
@@ -68,11 +63,6 @@ def _marks(options: Options) -> dict[str, Any]:
         "pairs": standing(pairs, options.clips),
         "walking": walking(walks, options.clips),
     }
-
-
-def _places(options: Options) -> dict[str, Any]:
-    clips = [Clip(name, _seeds(options)[0], SECONDS) for name in PLACES]
-    return {"seconds": SECONDS, "rows": beside_two_cameras(clips, options.clips)}
 
 
 def _robustness(options: Options) -> dict[str, Any]:
@@ -114,16 +104,12 @@ PAGE = Page(
     measures={
         "marks": _marks,
         "situations": lambda asked: situations(clips_of(SITUATIONS, asked), asked.clips),
-        "real": lambda asked: real_footage(asked.data),
-        "places": _places,
         "robustness": _robustness,
-        "speed": lambda _: dict(speed()),
     },
     words={
         "spots": tuple(_SPOTS),
         "walks": (10, 7, 15, 7, 7, 11, 5, 9, 4),
         "goals_cm": {"standing": 5, "walking": 5, "pairs": 8},
-        "radius_m": RADIUS_M,
         "longest_s": LONGEST_S,
         "verdict": verdict,
         "added": added,

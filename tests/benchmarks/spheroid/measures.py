@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from tests.benchmarks.clips import Clip, Columns, floor_truth, folder_of, moments, truth_table
 from tests.benchmarks.runner import Case, run_of
 from tracking.formats import read_mot
-from tracking.scoring import FloorMatch, Score, ScoringTable, score
+from tracking.scoring import FloorMatch, ScoringTable, score
 from tracking.scoring.clear_matches import clear_matches
 from tracking.scoring.comparison import compare
 from tracking.synthesis.marks import MARKS_M
@@ -22,8 +22,6 @@ Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
 
 OURS = Case("spheroid")
-ONE_CAMERA = (OURS, Case("three-part"))
-REAL = "pets-s2l1-real"
 RADIUS_M = 1.0
 """Within which rows match where trackers are compared."""
 LONGEST_S = 5.0
@@ -196,38 +194,6 @@ def mix_ups(followed: Followed) -> dict[str, int]:
     return {"swapped": swapped, "renamed": renamed, "missed": missed}
 
 
-def beside_two_cameras(clips: Sequence[Clip], kept: Path | None = None) -> list[dict[str, Any]]:
-    """Scores of each scene with one camera, and with both, on the same truth."""
-    cases = (*ONE_CAMERA, Case("stereo-direction"))
-    return [scored(clip.scene, folder_of(clip, kept), case) for clip in clips for case in cases]
-
-
-def real_footage(data: Path) -> list[dict[str, Any]]:
-    """Scores of the real recording, of trackers that one camera is enough for; if it is there."""
-    folder = data / REAL
-    there = (folder / "truth.txt").is_file()
-    return [scored(REAL, folder, case) for case in ONE_CAMERA] if there else []
-
-
-def scored(name: str, folder: Path, case: Case) -> dict[str, Any]:
-    """The figures of a case's score by floor distance; none where it says no floor positions."""
-    result = ScoringTable.from_columns(run_of(folder, case).tracks)
-    nowhere = len(result) and not np.isfinite(result.position).any()
-    figures = {} if nowhere else told(score(truth_table(folder), result, FloorMatch(RADIUS_M)))
-    return {"recording": name, "tracker": case.tracker, **figures}
-
-
-def told(result: Score) -> dict[str, Any]:
-    """The figures of a score that are reported."""
-    figures = result.as_json()
-    return {
-        **{name: figures[name] for name in ("MOTA", "IDF1", "HOTA", "id_switches")},
-        "error_cm": 100 * figures["position_error_m"]["mean"],
-        "kept": figures["people_kept"],
-        "detected": figures["people_detected"],
-    }
-
-
 def robustness(clips: Sequence[Clip], kept: Path | None = None) -> list[dict[str, Any]]:
     """Scores and ghosts of clips in which something is out of the ordinary."""
     return [_robust(clip, folder_of(clip, kept)) for clip in clips]
@@ -239,8 +205,7 @@ def _robust(clip: Clip, folder: Path) -> dict[str, Any]:
     alone_s = ghosts_s(read_mot(folder / "truth.txt"), run.tracks, clip.fps)
     return {
         "recording": clip.name,
-        "tracker": OURS.tracker,
-        **told(result),
+        **{name: result.as_json()[name] for name in ("MOTA", "IDF1")},
         "ghosts": int((alone_s > LONGEST_S).sum()),
         "longest_s": float(alone_s.max(initial=0.0)),
         "notes": list(run.notes),

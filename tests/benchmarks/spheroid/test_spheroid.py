@@ -96,8 +96,3 @@ def test_situations_of_several_seeds_are_added_and_easy_swaps_are_told() -> None
     page = PAGE.sections({"situations": rows})["situations"]
     assert "rated up to 3: 2 tracks swapped there" in page
     assert "nobody swapped there" in PAGE.sections({"situations": rows[:1]})["situations"]
-
-
-def test_a_tracker_without_floor_positions_gets_a_row_that_says_so() -> None:
-    page = PAGE.sections({"real": [{"recording": "pets", "tracker": "three-part"}]})["real"]
-    assert "| pets | three-part | says no floor positions |" in page

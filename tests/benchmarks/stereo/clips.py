@@ -40,10 +40,6 @@ REPORTED = _clips(6101, _NEEDED)
 """No setting is chosen on these, but each change is measured on them: fresh ones tell more."""
 
 FIRST_FRESH = 6306
-FRESH_ROUNDS = 2
-"""The second half of each scene's fresh clips was added once the figures of the first were known,
-as they were too few, with nothing of the trackers changed: both rounds are told. 1: all at once."""
-
 FRESH = _clips(FIRST_FRESH, {scene: 4 * number for scene, number in _NEEDED.items()})
 """Four times as many: of some eighty people the share kept differs by three in a hundred and more
 with other seeds.

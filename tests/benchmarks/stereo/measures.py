@@ -1,16 +1,16 @@
-"""How well the stereo trackers do, as plain figures: scores, who is kept, who is not and why."""
+"""How well the stereo trackers do, as plain figures: scores, and who is kept."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import asdict
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tests.benchmarks.clips import Clip, folder_of
-from tests.benchmarks.flow.counts import BY_EYE, OVERHEAD
 from tests.benchmarks.runner import KeptRun, run_of, runs_over
 from tests.benchmarks.spheroid.measures import ghosts_s
 from tests.benchmarks.stereo.clips import (
@@ -22,11 +22,12 @@ from tests.benchmarks.stereo.clips import (
     dimmed,
     sound,
 )
-from tests.benchmarks.stereo.reasons import VISIBLE_S, NotKept, matches_of, not_kept
 from tests.benchmarks.stereo.troubles import TROUBLES, troubled
-from tests.benchmarks.stereo.truth import Truth, truth_of, visible_for
+from tracking.formats import read_mot
+from tracking.recording import open_recording
 from tracking.scoring import (
     BoxMatch,
+    Examination,
     FloorMatch,
     Score,
     ScoringTable,
@@ -38,20 +39,72 @@ from tracking.scoring import (
 )
 from tracking.scoring.papers import detected_and_kept
 from tracking.tracks import Columns
+from tracking.truth.true_parts import VISIBILITY, read_visibility
 
 Figures = dict[str, Any]
 
 FLOOR_M = 0.5
 """Within which rows match where boxes do not count."""
-LONGEST = 10
-"""Frames: in real footage no track beside those of the passers may be longer."""
 _BY_BOX = BoxMatch(0.5)
-_KINDS = ("detected", "kept", "detected_by_place", "kept_by_place", "not_kept")
+_SEEN = 0.3
+"""Share of a person from which on it counts: less is a don't-care in truth.txt."""
+_VISIBLE_S = 1.0
+"""Who is seen so long without a break should be detected."""
+_KINDS = ("detected", "kept", "detected_by_place", "kept_by_place")
 """Of people; "by place" where only tracks count that stand nearer to them than to anybody else."""
 _SCORES = (
     *("tracking_accuracy", "MOTA", "IDF1", "HOTA", "id_switches"),
     *("people_kept", "people_detected", "misses", "false_positives", "truth_rows"),
 )
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Truth:
+    """What is true of a rendered clip.
+
+    Attributes:
+        columns: of truth.txt, sorted by frame.
+        fps: frames a second.
+        visible: who is seen, at least three tenths of them, for a second without a break.
+    """
+
+    columns: Columns
+    fps: float
+    visible: frozenset[int]
+
+    @property
+    def table(self) -> ScoringTable:
+        """As it is scored, with don't-cares."""
+        return ScoringTable.from_columns(dict(self.columns), dont_cares=True)
+
+
+def truth_of(folder: Path) -> Truth:
+    """The truth beside a rendered recording."""
+    with open_recording(folder) as recording:
+        fps = recording.fps
+    columns = read_mot(folder / "truth.txt")
+    order = np.lexsort((columns["track"], columns["frame"]))
+    columns = {name: column[order] for name, column in columns.items()}
+    seen = read_visibility(folder / VISIBILITY)
+    enough = seen.share >= _SEEN
+    visible = visible_for(seen.frame[enough], seen.person[enough], round(_VISIBLE_S * fps))
+    return Truth(columns, fps, visible)
+
+
+def visible_for(frame: NDArray[Any], person: NDArray[Any], least: int) -> frozenset[int]:
+    """Who is in so many consecutive frames.
+
+    Args:
+        frame, person: (n,) rows in which somebody is seen well enough.
+        least: frames.
+    """
+    found = set()
+    for one in np.unique(person).tolist():
+        frames = np.unique(frame[person == one])
+        ends = np.concatenate(([-1], np.flatnonzero(np.diff(frames) > 1), [len(frames) - 1]))
+        if np.diff(ends).max() >= least:
+            found.add(one)
+    return frozenset(found)
 
 
 def figures_of(score: Score) -> Figures:
@@ -101,7 +154,7 @@ def _over_clips(runs: Sequence[tuple[Score, KeptRun]]) -> Figures:
 
 
 def tables(clips: OfScene, kept: Path | None = None) -> Figures:
-    """Of each scene of the papers, by column: who is detected, who is kept, why the others not."""
+    """Of each scene of the papers, by column: who is detected, and who is kept."""
     return {
         scene: _columns(scene, several, kept) for scene, several in clips.items() if scene in PAPERS
     }
@@ -121,41 +174,35 @@ def _columns(scene: str, clips: Sequence[Clip], kept: Path | None) -> Figures:
 def _add(column: Figures, truth: Truth, tracks: Columns, clip: str) -> None:
     """One clip's people; each is named by clip and id."""
     examined = examine(truth.table, ScoringTable.from_columns(tracks), _BY_BOX)
-    by_place = examined.matched.some(matches_of(truth, examined).right)
+    by_place = examined.matched.some(stand_there(truth.columns, examined))
     people = np.unique(examined.comparison.truth.track)
-    for matched, kinds in ((examined.matched, _KINDS[:2]), (by_place, _KINDS[2:4])):
+    for matched, kinds in ((examined.matched, _KINDS[:2]), (by_place, _KINDS[2:])):
         flags = detected_and_kept(examined.comparison, matched)
         for kind, flag in zip(kinds, flags, strict=True):
             column[kind] += [f"{clip}/{person}" for person in people[flag]]
-    column["not_kept"] += [told(one, clip) for one in not_kept(truth, tracks)]
 
 
-def told(one: NotKept, clip: str) -> Figures:
-    """Somebody who was not kept, as plain values."""
-    values = asdict(one)
-    context = values.pop("context")
-    own = {**values, "tracks": list(one.tracks), **context}
-    return {"name": f"{clip}/{one.person}", "clip": clip, **own}
+def stand_there(truth: Columns, examined: Examination) -> NDArray[np.bool_]:
+    """(k,) whether each matched track stands nearer to its person than to anybody else.
 
-
-def lost(clips: OfScene, kept: Path | None = None) -> dict[str, list[Figures]]:
-    """Of each scene: everybody our tracker did not keep."""
-    return {
-        scene: [one for clip in several for one in _lost(folder_of(clip, kept))]
-        for scene, several in clips.items()
-    }
-
-
-def _lost(folder: Path) -> list[Figures]:
-    return [told(one, folder.name) for one in not_kept(truth_of(folder), _our_tracks(folder))]
-
-
-def _our_tracks(folder: Path) -> Columns:
-    return run_of(folder, OURS).tracks
+    Args:
+        truth: everybody of whom anything is seen, sorted by frame.
+        examined: what was matched.
+    """
+    rows, own = examined.matched.rows, examined.comparison.truth
+    place = examined.comparison.result.position[rows.result]
+    right = np.ones(len(place), bool)
+    for number, row in enumerate(rows.truth.tolist()):
+        start, end = np.searchsorted(truth["frame"], (own.frame[row], own.frame[row] + 1))
+        away = np.hypot(
+            *(truth[axis][start:end] - at for axis, at in zip("xy", place[number], strict=True))
+        )
+        right[number] = truth["track"][start + int(np.argmin(away))] == own.track[row]
+    return right
 
 
 def goals(clips: OfScene, kept: Path | None = None) -> Figures:
-    """Of each scene: how well our tracker does, and who is not kept."""
+    """Of each scene: how well our tracker does."""
     return {
         scene: _scored([folder_of(clip, kept) for clip in several])
         for scene, several in clips.items()
@@ -165,19 +212,16 @@ def goals(clips: OfScene, kept: Path | None = None) -> Figures:
 def _scored(folders: Sequence[Path]) -> Figures:
     scores, by_floor, visible, detected = [], [], 0, 0
     for place in folders:
-        truth, tracks = truth_of(place), ScoringTable.from_columns(_our_tracks(place))
+        truth, tracks = truth_of(place), ScoringTable.from_columns(run_of(place, OURS).tracks)
         examined = examine(truth.table, tracks, _BY_BOX)
         scores.append(score_of(examined))
         by_floor.append(score(truth.table, tracks, FloorMatch(FLOOR_M)))
-        seen = visible_for(truth, VISIBLE_S)
         found = {one.person for one in per_person_of(examined) if one.followed.detected}
-        visible, detected = visible + len(seen), detected + len(seen & found)
-    figures = [figures_of(one) for one in scores]
+        visible += len(truth.visible)
+        detected += len(truth.visible & found)
     return {
         **figures_of(combined(scores)),
         "by_floor": figures_of(combined(by_floor)),
-        "kept_by_clip": [one["people_kept"] for one in figures],
-        "detected_by_clip": [one["people_detected"] for one in figures],
         "visible": visible,
         "visible_detected": detected,
         "clips": [place.name for place in folders],
@@ -186,71 +230,16 @@ def _scored(folders: Sequence[Path]) -> Figures:
 
 def robustness(clips: OfScene, kept: Path | None = None) -> list[Figures]:
     """Scores of clips with troubled cameras, and for how long a track stood where nobody was."""
-    return [
-        {"what": what, "clip": clip.scene, **_robust(folder)}
-        for what, clip, folder in _troubled_clips(clips, kept)
-    ]
-
-
-def _troubled_clips(clips: OfScene, kept: Path | None) -> Iterator[tuple[str, Clip, Path]]:
-    for clip in dimmed(clips):
-        yield "part of the light goes out", clip, folder_of(clip, kept)
+    found = [("part of the light goes out", clip, folder_of(clip, kept)) for clip in dimmed(clips)]
     for clip in sound(clips):
         folder = folder_of(clip, kept)
-        yield "nothing", clip, folder
-        for trouble in TROUBLES:
-            yield trouble.name, clip, troubled(folder, trouble)
+        found.append(("nothing", clip, folder))
+        found += [(one.name, clip, troubled(folder, one)) for one in TROUBLES]
+    return [{"what": what, "clip": clip.scene, **_robust(folder)} for what, clip, folder in found]
 
 
 def _robust(folder: Path) -> Figures:
-    truth, tracks = truth_of(folder), _our_tracks(folder)
+    truth, tracks = truth_of(folder), run_of(folder, OURS).tracks
     result = score(truth.table, ScoringTable.from_columns(tracks), _BY_BOX)
-    alone_s = ghosts_s(truth.columns, dict(tracks), truth.fps)
+    alone_s = ghosts_s(dict(truth.columns), tracks, truth.fps)
     return {**figures_of(result), "alone_s": float(alone_s.max(initial=0.0))}
-
-
-def real_footage(data: Path) -> Figures:
-    """Who was followed in each passage of the overhead recording; empty where it is not there."""
-    folder = data / OVERHEAD
-    there = (folder / "recording.toml").is_file()
-    return passages_by_eye(_our_tracks(folder)) if there else {}
-
-
-def passages_by_eye(tracks: Columns) -> Figures:
-    """Who passed: of each passage the track that covers most of its frames.
-
-    Returns:
-        passages: by passage its frames, by eye, the id of the passer, how many frames of the
-            passage it covers, how many went by before it began and after it ended.
-        extra: every other track longer than `LONGEST` frames.
-        short: how many others there are.
-    """
-    own = {
-        int(track): tracks["frame"][tracks["track"] == track]
-        for track in np.unique(tracks["track"])
-    }
-    passers = [_passer(own, first, last, ahead) for first, last, ahead in BY_EYE]
-    others = {
-        track: frames for track, frames in own.items() if track not in {p["track"] for p in passers}
-    }
-    long = {track: frames for track, frames in others.items() if len(frames) > LONGEST}
-    return {
-        "passages": passers,
-        "extra": [_stretch(track, frames) for track, frames in long.items()],
-        "short": len(others) - len(long),
-    }
-
-
-def _passer(own: dict[int, Any], first: int, last: int, ahead: bool) -> Figures:
-    within = {t: int(((f >= first) & (f <= last)).sum()) for t, f in own.items()}
-    track = max(within, key=lambda t: within[t], default=0)
-    row = {"first": first, "last": last, "to_the_right": ahead, "frames": last - first + 1}
-    if not within.get(track):
-        return {**row, "track": 0, "covered": 0, "before": 0, "after": 0}
-    found = _stretch(track, own[track])
-    before, after = max(0, found["began"] - first), max(0, last - found["ended"])
-    return {**row, **found, "covered": within[track], "before": before, "after": after}
-
-
-def _stretch(track: int, frames: Any) -> dict[str, int]:
-    return {"track": track, "began": int(frames[0]), "ended": int(frames[-1])}

@@ -40,7 +40,7 @@ class SeenClip:
 
     @property
     def seen(self) -> NDArray[np.float64]:
-        """(n, 8) detections as the trackers of others get them; see `tests.peers.peer_runs`."""
+        """(n, 8) detections as the trackers of others get them; see `tests.peers.follow`."""
         return np.concatenate([_rows(one) for one in self.observations])
 
     @property

@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from tests.benchmarks.tracker_peers import comparison, parameter_search
+from tests.benchmarks.tracker_peers import comparison
 from tests.benchmarks.tracker_peers.crossings import FPS, WALKERS, crossing_clip
 from tests.benchmarks.tracker_peers.detections import SeenClip
 from tests.peers import environments
+from tests.peers.follow import follow
 from tests.peers.followers import FOLLOWERS
-from tests.peers.peer_runs import follow, read_followed, write_followed
+from tests.peers.sequences import read_tables, write_tables
 
 FRAMES = 60
 
@@ -22,31 +25,21 @@ def clip(tmp_path_factory: pytest.TempPathFactory) -> SeenClip:
     return crossing_clip(tmp_path_factory.mktemp("crossing"), seed=1, frames=FRAMES)
 
 
-@pytest.fixture
-def nobody_installed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(environments, "KEPT", tmp_path)
-
-
 def exact(clip: SeenClip) -> np.ndarray:
     """Rows right where everybody is, under their own numbers."""
     truth = clip.truth
     return np.column_stack((truth.frame, truth.track, truth.position))
 
 
-def test_the_same_seed_gives_the_same_walkers(clip: SeenClip, tmp_path: Path) -> None:
-    again = crossing_clip(tmp_path, seed=1, frames=FRAMES)
-    assert np.array_equal(again.seen, clip.seen)
-    for one, other in zip(again.observations, clip.observations, strict=True):
-        assert np.array_equal(one.people.middle, other.people.middle)
-    assert not np.array_equal(crossing_clip(tmp_path, 2, FRAMES).seen[:20], clip.seen[:20])
-
-
-def test_detections_are_as_far_off_as_is_said(clip: SeenClip) -> None:
+def test_detections_are_as_far_off_as_is_said_and_the_same_for_a_seed(
+    clip: SeenClip, tmp_path: Path
+) -> None:
     nearest = [
         np.hypot(*(clip.truth.position[clip.truth.frame == row[0]] - row[5:7]).T).min()
         for row in clip.seen
     ]
     assert np.median(nearest) == pytest.approx(0.06 * np.sqrt(2 * np.log(2)), rel=0.1)
+    assert np.array_equal(crossing_clip(tmp_path, seed=1, frames=FRAMES).seen, clip.seen)
 
 
 def test_without_colours_only_places_tell_people_apart(clip: SeenClip) -> None:
@@ -57,18 +50,15 @@ def test_without_colours_only_places_tell_people_apart(clip: SeenClip) -> None:
         assert np.isnan(one.people.clothes).all()
 
 
-def test_whoever_is_right_everywhere_has_no_switch(clip: SeenClip) -> None:
-    figures = comparison.figures_of([clip], {clip.name: (exact(clip), np.full(FRAMES, 0.005))})
-    assert (figures.id_switches, figures.idf1, figures.kept) == (0, 1.0, WALKERS)
-    assert figures.ms == pytest.approx(5.0)
-
-
 def test_two_who_change_numbers_are_two_switches(clip: SeenClip) -> None:
-    found = exact(clip)
+    found, times = exact(clip), np.full(FRAMES, 0.005)
+    right = comparison.figures_of([clip], {clip.name: (found.copy(), times)})
+    assert (right["id_switches"], right["idf1"], right["kept"]) == (0, 1.0, WALKERS)
+    assert right["ms"] == pytest.approx(5.0)
     late = found[:, 0] >= FRAMES / 2
     found[late, 1] = np.select([found[late, 1] == 1, found[late, 1] == 2], [2, 1], found[late, 1])
-    figures = comparison.figures_of([clip], {clip.name: (found, np.zeros(FRAMES))})
-    assert (figures.id_switches, figures.kept) == (2, WALKERS - 2)
+    wrong = comparison.figures_of([clip], {clip.name: (found, times)})
+    assert (wrong["id_switches"], wrong["kept"]) == (2, WALKERS - 2)
 
 
 def test_a_tracker_gets_each_frame_once_and_its_names_become_numbers() -> None:
@@ -89,49 +79,39 @@ def test_a_tracker_gets_each_frame_once_and_its_names_become_numbers() -> None:
     assert len(taken_s) == 3
 
 
-def test_what_trackers_made_comes_back_as_it_was(tmp_path: Path) -> None:
-    rows_, taken_s = np.arange(8.0).reshape(2, 4), np.array([1.5, 0.5])
-    told = [{"a": (rows_, taken_s)}, {"a": (np.empty((0, 4)), np.array([0.25]))}]
-    write_followed(tmp_path / "told.npz", told)
-    again = read_followed(tmp_path / "told.npz")
-    assert [one["a"][1].tolist() for one in again] == [[1.5, 0.5], [0.25]]
-    assert np.array_equal(again[0]["a"][0], told[0]["a"][0])
-    assert again[1]["a"][0].shape == (0, 4)
+def test_trackers_nobody_asks_for_need_not_be_installed(tmp_path: Path) -> None:
+    given, told = tmp_path / "given.npz", tmp_path / "told.npz"
+    write_tables(given, {"clip": (2, 10.0, np.zeros((0, 8)))})
+    script = environments.HERE / "follow.py"
+    subprocess.run([sys.executable, script, given, told, "[]"], check=True)
+    assert read_tables(told) == []
 
 
-@pytest.mark.usefixtures("nobody_installed")
-def test_every_tracker_has_its_row_and_who_is_missing_is_told(clip: SeenClip) -> None:
+def test_every_tracker_has_its_row_and_who_is_missing_is_told(
+    clip: SeenClip, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(environments, "KEPT", tmp_path)
     found = comparison.compared_on([clip], "crossing", ["stereo-direction"])
     ours, peers = found[:4], found[4:]
-    assert {(row.colour, row.finished) for row in ours} == {(a, b) for a in (0, 1) for b in (0, 1)}
-    assert all(row.figures is not None and row.figures.idf1 > 0.9 for row in ours)
-    assert [row.tracker for row in peers] == [one.name for one in FOLLOWERS]
-    assert all(row.figures is None for row in peers)
+    assert {(r["colour"], r["finished"]) for r in ours} == {(a, b) for a in (0, 1) for b in (0, 1)}
+    assert all(row["figures"]["idf1"] > 0.9 for row in ours)
+    assert [row["tracker"] for row in peers] == [one.name for one in FOLLOWERS]
     for row, follower in zip(peers, FOLLOWERS, strict=True):
-        assert row.absent.endswith(f"-m tests.peers {follower.peer.name}")
+        assert row["figures"] is None
+        assert row["absent"].endswith(f"-m tests.peers {follower.peer.name}")
 
 
 def test_a_peer_that_fails_is_a_row_that_says_so(
     clip: SeenClip, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def failing(*_: object) -> str:
-        raise RuntimeError("norfair_follows.py failed: first\nMemoryError")
+        raise RuntimeError("follow.py failed: first\nMemoryError")
 
     monkeypatch.setattr(environments.Peer, "installed", True)
     monkeypatch.setattr(environments.Peer, "run", failing)
     found = comparison.compared_on([clip], "crossing", [])
-    assert [row.figures for row in found] == [None] * len(FOLLOWERS)
-    assert found[0].absent == "norfair failed: MemoryError"
-
-
-@pytest.mark.parametrize("kind", ["crossing", "rendered"])
-def test_the_settings_of_all_peers_were_chosen_from_their_ranges(kind: str) -> None:
-    chosen = comparison.chosen_settings(kind)
-    assert set(chosen) == {one.name for one in FOLLOWERS}
-    for tracker, settings in chosen.items():
-        ranges = parameter_search.RANGES[tracker]
-        assert set(settings) == set(ranges)
-        assert all(value in ranges[name] for name, value in settings.items())
+    assert [row["figures"] for row in found] == [None] * len(FOLLOWERS)
+    assert found[0]["absent"] == "norfair failed: MemoryError"
 
 
 @pytest.mark.skipif(not environments.NORFAIR.installed, reason=environments.NORFAIR.absent)
@@ -139,4 +119,4 @@ def test_a_peer_that_is_installed_follows_the_walkers(clip: SeenClip) -> None:
     norfair = next(one for one in FOLLOWERS if one.name == "norfair")
     settings = comparison.chosen_settings("crossing")["norfair"]
     (told,) = norfair.follow({clip.name: (FRAMES, FPS, clip.seen)}, [settings])
-    assert comparison.figures_of([clip], told).idf1 > 0.8
+    assert comparison.figures_of([clip], told)["idf1"] > 0.8
