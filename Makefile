@@ -5,7 +5,7 @@ BIN := $(VENV)/bin
 STAMP := $(VENV)/.ready
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
-.PHONY: help demo test format bench footage ablation results results-parts results-stereo results-spheroid results-flow detector kills power-cuts failed-calls two-programs mutants hostile soak long memory interrupts model peers scorers interchange pictures messages lock clean
+.PHONY: help demo test format bench footage ablation results results-parts results-stereo results-spheroid results-flow detector kills power-cuts failed-calls two-programs mutants hostile soak long memory model peers scorers interchange pictures messages lock clean
 .DEFAULT_GOAL := help
 
 help: ## what can be made
@@ -52,11 +52,10 @@ results: results-parts results-stereo results-spheroid results-flow ## docs/resu
 results-parts: $(STAMP) ## docs/results/parts.md: body parts on scenes no setting was chosen on (half an hour)
 	$(BIN)/python -m tests.benchmarks.parts --report
 
-results-stereo: $(STAMP) ## docs/results/stereo.md: both papers' tables, goals, other trackers, what goes wrong (five hours; after make peers)
+results-stereo: $(STAMP) ## docs/results/stereo.md: both papers' tables, goals, other trackers (five hours; after make peers)
 	$(BIN)/python -m tests.benchmarks.stereo --report
-	$(BIN)/python -m tests.benchmarks.stereo.overview
 
-results-spheroid: $(STAMP) ## docs/results/spheroid.md: marks, hard situations, places, real footage (half an hour)
+results-spheroid: $(STAMP) ## docs/results/spheroid.md: marks, hard situations, disturbances (half an hour)
 	$(BIN)/python -m tests.benchmarks.spheroid --report
 
 results-flow: $(STAMP) ## docs/results/flow.md: counted passages and sums (half an hour)
@@ -91,9 +90,6 @@ long: $(STAMP) ## track 100,000 frames and watch the memory: below 1 GiB (half a
 
 memory: $(STAMP) ## open and close a session 200 times in the window: memory must not grow (20 minutes)
 	QT_QPA_PLATFORM=offscreen $(BIN)/python -m tests.sweeps.open_close
-
-interrupts: $(STAMP) ## interrupt the window 100 times at random moments (half an hour)
-	$(BIN)/python -m tests.sweeps.interrupts
 
 model: $(STAMP) ## sessions against a plain list of states, 10,000 runs of 50 steps (two hours)
 	$(BIN)/python -m tests.sweeps.model
