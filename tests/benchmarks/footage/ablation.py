@@ -27,7 +27,7 @@ from tests.benchmarks.command import one_core, parser_of, real_data, telling
 from tests.benchmarks.footage.measures import Figures, figures_of
 from tests.benchmarks.footage.mechanism import Mechanism
 from tests.benchmarks.footage.mechanisms import MECHANISMS
-from tests.benchmarks.footage.recordings import Footage, all_footage
+from tests.benchmarks.footage.recordings import REAL, Footage, all_footage
 from tests.benchmarks.pages import DOCS, template
 from tests.benchmarks.runner import Case, KeptRun, replacing, runs_over, sources
 from tracking.people import Observation
@@ -42,8 +42,9 @@ FIGURES = DOCS / "results" / "ablation.json"
 PAGE = DOCS / "results" / "ablation.md"
 SEEDS = (11, 12)
 """Not those of the bench."""
-FRAMES = {"steps": 80, "finishing": 200}
-"""Of each recording, from the first, by group of mechanisms: those of steps take a run each."""
+FRAMES = {"steps": (80, 300), "finishing": (200, 300)}
+"""Of each recording, real or rendered, from the first, by group of mechanisms: those of steps take
+a run each. Rendered scenes are empty at first."""
 FOOTAGE = (
     *("towncentre-real", "pets-s2l1-real", "tud-campus-real", "overhead-real"),
     *("rendered-corridor", "rendered-lobby", "rendered-ceiling"),
@@ -109,7 +110,7 @@ def measure(tracker: str, mechanisms: Mechanisms, footage: Sequence[Footage], as
     """Scores by mechanism and recording, one a seed; None is the tracker with all of them."""
     found: Found = {}
     for recording in footage:
-        for mechanism, case in _cases(tracker, mechanisms, asked):
+        for mechanism, case in _cases(tracker, mechanisms, recording, asked):
             run = runs_over(recording.folder, [case])[case]
             _add(found, mechanism, recording, run)
     return found
@@ -121,7 +122,7 @@ def measure_together(
     """The same of mechanisms of finishing, and of a stereo tracker's steps: seen, stepped once."""
     found: Found = {}
     for recording in footage:
-        cases = _cases(tracker, mechanisms, asked)
+        cases = _cases(tracker, mechanisms, recording, asked)
         with telling(f"{recording.name} by {tracker}"), recording.open() as opened:
             steps = _steps_over(opened, sorted({*map(_stepped, cases)}, key=repr))
             for mechanism, case in cases:
@@ -147,10 +148,11 @@ def _add(found: Found, mechanism: Mechanism | None, recording: Footage, run: Kep
     found.setdefault(name, {}).setdefault(recording.name, []).append(scores)
 
 
-def _cases(tracker: str, mechanisms: Mechanisms, asked: Any) -> list[tuple[Mechanism | None, Case]]:
-    return [
-        (one, _case(tracker, one, seed, asked.frames)) for seed in asked.seeds for one in mechanisms
-    ]
+def _cases(
+    tracker: str, mechanisms: Mechanisms, recording: Footage, asked: Any
+) -> list[tuple[Mechanism | None, Case]]:
+    frames = asked.frames[recording.kind != REAL]
+    return [(one, _case(tracker, one, seed, frames)) for seed in asked.seeds for one in mechanisms]
 
 
 def _stepped(one: tuple[Mechanism | None, Case]) -> Case:
@@ -264,9 +266,9 @@ def _keep(asked: Any, found: Found) -> None:
     """Keep figures beside those of the same group, unless these are of other frames."""
     kept, tracker = figures(), asked.tracker
     frames = kept.setdefault("frames", {}).setdefault(tracker, {})
-    if frames.get(asked.group) != asked.frames:
+    if frames.get(asked.group) != [*asked.frames]:
         kept.setdefault(tracker, {}).pop(asked.group, None)
-    frames[asked.group] = asked.frames
+    frames[asked.group] = [*asked.frames]
     kept.setdefault(tracker, {}).setdefault(asked.group, {}).update(found)
     kept["sources"] = {**kept.get("sources", {}), tracker: sources()[:16]}
     FIGURES.write_text(json.dumps(kept, indent=1) + "\n", encoding="utf-8")
@@ -313,7 +315,9 @@ def _options() -> argparse.Namespace:
     parser.add_argument("--only", nargs="+", metavar="MECHANISM", help="these, by their names")
     parser.add_argument("--footage", nargs="+", default=FOOTAGE, metavar="NAME")
     parser.add_argument("--seeds", nargs="+", type=int, default=SEEDS)
-    parser.add_argument("--frames", type=int, help=f"of each recording: {FRAMES}")
+    parser.add_argument(
+        "--frames", type=int, nargs=2, metavar="N", help=f"of real and rendered ones: {FRAMES}"
+    )
     parser.add_argument("--data", type=Path, default=real_data(), help="folder of recordings")
     parser.add_argument("--report", action="store_true", help="keep the figures, write the page")
     parser.add_argument("--rewrite", action="store_true", help="only write the page")
