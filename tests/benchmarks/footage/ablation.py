@@ -62,6 +62,10 @@ SCORES = ("MOTA", "IDF1", "box MOTA", "box HOTA")
 """What mechanisms are judged by: on the floor, in boxes where nothing is known of it; in boxes."""
 
 
+_DIGITS = 5
+"""Of scores that are kept."""
+
+
 def scores_of(figures: Figures) -> Scores:
     """Of one run; where people are only marked by eye, the share of them found is every score."""
     boxes = figures.get("boxes")
@@ -70,7 +74,8 @@ def scores_of(figures: Figures) -> Scores:
         return dict.fromkeys(SCORES, walkers["found"] / walkers["of"])
     best = figures.get("floor") or boxes
     both = ((best, "MOTA"), (best, "IDF1"), (boxes, "MOTA"), (boxes, "HOTA"))
-    return {name: its[key] or 0.0 for name, (its, key) in zip(SCORES, both, strict=True)}
+    named = zip(SCORES, both, strict=True)
+    return {name: round(its[key] or 0.0, _DIGITS) for name, (its, key) in named}
 
 
 @dataclass(frozen=True, slots=True)
@@ -271,7 +276,7 @@ def _keep(asked: Any, found: Found) -> None:
     frames[asked.group] = [*asked.frames]
     kept.setdefault(tracker, {}).setdefault(asked.group, {}).update(found)
     kept["sources"] = {**kept.get("sources", {}), tracker: sources()[:16]}
-    FIGURES.write_text(json.dumps(kept, indent=1) + "\n", encoding="utf-8")
+    FIGURES.write_text(json.dumps(kept, separators=(",", ":")) + "\n", encoding="utf-8")
 
 
 def write_page() -> None:
