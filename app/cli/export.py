@@ -39,7 +39,8 @@ from tracking.formats.samples_layout import HDF5_FORMAT
 from tracking.formats.track_format import Write
 from tracking.geometry import View
 from tracking.session import RecordingMissing, Session, session_samples
-from tracking.translation import msg, tr
+from tracking.trackers import body_part_tracker
+from tracking.translation import Message, msg, tr
 
 _PARTS = ("samples", "labels")
 """What is exported of body parts, beside the formats of tracks."""
@@ -167,12 +168,15 @@ def _view(session: Session) -> View | None:
         return None
 
 
-def _what_first(session: Session) -> str:
+def _what_first(session: Session) -> Message:
     """What to do before there are samples."""
     run = session.corrected_run
     if run is None or not len(run.parts["frame"]):
-        return "its tracks have no body parts: track it with three-part, then label them"
-    return "label tracked body parts first"
+        return msg(
+            "its tracks have no body parts: track it with {tracker}, then label them",
+            tracker=body_part_tracker(),
+        )
+    return msg("label tracked body parts first")
 
 
 def _export_parts(request: ExportRequest, *, as_json: bool) -> None:

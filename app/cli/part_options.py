@@ -10,7 +10,12 @@ from app.cli.option_groups import Order
 from app.cli.sessions import open_session
 from tracking.errors import SessionError, SettingsError
 from tracking.failure import load_detector
-from tracking.trackers import TrackerSpec, occluders_as_setting, settings_fields
+from tracking.trackers import (
+    TrackerSpec,
+    body_part_tracker,
+    occluders_as_setting,
+    settings_fields,
+)
 
 
 def settings_texts(spec: TrackerSpec, order: Order) -> tuple[str, ...]:
@@ -26,9 +31,10 @@ def settings_texts(spec: TrackerSpec, order: Order) -> tuple[str, ...]:
     given = {"detector": order.detector, "occluders": order.occluders}
     for name in (name for name, value in given.items() if value is not None and name not in known):
         raise SettingsError(
-            "tracker {tracker} knows no {name}: leave --{name} out or choose three-part",
+            "tracker {tracker} knows no {name}: leave --{name} out or choose {able}",
             tracker=spec.name,
             name=name,
+            able=body_part_tracker(),
         )
     texts += [f"{name}={value}" for name, value in _named(order)]
     return tuple(texts)

@@ -6,14 +6,17 @@ from tracking.trackers.catalogue import (
     TRACKERS,
     TrackerSpec,
     best_tracker,
+    body_part_tracker,
     changed_settings,
     detector_of,
     parse_settings,
     present_settings,
     require,
     tracker_named,
+    tracker_with,
 )
 from tracking.trackers.shared.occluders import occluders_as_setting
+from tracking.trackers.shared.overlays import Bodies, RampSource, TrackerOverlays
 from tracking.trackers.shared.protocol import ASSOCIATION_COLUMNS, Perception, StepResult, Tracker
 from tracking.trackers.shared.resumption import Resume
 from tracking.trackers.shared.run_smoother import smooth_run
@@ -21,15 +24,19 @@ from tracking.trackers.shared.run_smoother import smooth_run
 __all__ = [
     "ASSOCIATION_COLUMNS",
     "TRACKERS",
+    "Bodies",
     "Observation",
     "Overlays",
     "Perception",
+    "RampSource",
     "Resume",
     "SettingField",
     "StepResult",
     "Tracker",
+    "TrackerOverlays",
     "TrackerSpec",
     "best_tracker",
+    "body_part_tracker",
     "changed_settings",
     "detector_of",
     "occluders_as_setting",
@@ -41,4 +48,5 @@ __all__ = [
     "settings_values",
     "smooth_run",
     "tracker_named",
+    "tracker_with",
 ]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Any
 
@@ -17,13 +17,14 @@ from tracking.settings import (
     settings_values,
     with_present_names,
 )
-from tracking.trackers.flow import FlowSettings, build_flow
+from tracking.trackers.flow import FLOW_OVERLAYS, FlowSettings, build_flow
 from tracking.trackers.flow import finish_run as flow_finished
 from tracking.trackers.joint import JointSettings, build_joint
 from tracking.trackers.linking import link_run
+from tracking.trackers.shared.overlays import TrackerOverlays
 from tracking.trackers.shared.protocol import Perception, Tracker
 from tracking.trackers.shared.run_smoother import smooth_run
-from tracking.trackers.spheroid import SpheroidSettings, build_spheroid
+from tracking.trackers.spheroid import SPHEROID_OVERLAYS, SpheroidSettings, build_spheroid
 from tracking.trackers.spheroid import finish_run as spheroid_finished
 from tracking.trackers.stereo import colour as stereo_colour
 from tracking.trackers.stereo import direction as stereo_direction
@@ -60,6 +61,8 @@ class TrackerSpec:
             name; "" for none.
         finish: (run, camera, frames a second, rows that stand fast) -> the run looked over from
             both ends, where its settings say `smooth`; see `smooth_run`.
+        overlays: what a view can draw of its work.
+        body_parts: its runs hold body parts, which can be labelled to train a failure detector.
     """
 
     name: str
@@ -71,7 +74,11 @@ class TrackerSpec:
     build: Callable[[Recording, Any, int], tuple[Perception, Tracker]]
     detector: Callable[[Mapping[str, Any]], str] = _no_detector
     finish: Callable[[Run, View, float, Columns | None], Run] = smooth_run
+    overlays: TrackerOverlays = field(default_factory=TrackerOverlays)
+    body_parts: bool = False
 
+
+_TWO_CAMERAS = TrackerOverlays(subtraction=True)
 
 _BUILT = (
     TrackerSpec(
@@ -83,6 +90,7 @@ _BUILT = (
         settings_type=JointSettings,
         build=build_joint,
         finish=link_run,
+        overlays=_TWO_CAMERAS,
     ),
     TrackerSpec(
         name="stereo-direction",
@@ -93,6 +101,7 @@ _BUILT = (
         settings_type=stereo_direction.StereoDirectionSettings,
         build=stereo_direction.build,
         finish=stereo_finished,
+        overlays=_TWO_CAMERAS,
     ),
     TrackerSpec(
         name="stereo-colour",
@@ -103,6 +112,7 @@ _BUILT = (
         settings_type=stereo_colour.StereoColourSettings,
         build=stereo_colour.build,
         finish=stereo_finished,
+        overlays=_TWO_CAMERAS,
     ),
     TrackerSpec(
         name="spheroid",
@@ -113,6 +123,7 @@ _BUILT = (
         settings_type=SpheroidSettings,
         build=build_spheroid,
         finish=spheroid_finished,
+        overlays=SPHEROID_OVERLAYS,
     ),
     TrackerSpec(
         name="three-part",
@@ -124,6 +135,7 @@ _BUILT = (
         build=build_three_part,
         detector=detector_fingerprint,
         finish=three_part_finished,
+        body_parts=True,
     ),
     TrackerSpec(
         name="three-part-joint",
@@ -135,6 +147,7 @@ _BUILT = (
         build=build_three_part_joint,
         detector=detector_fingerprint,
         finish=three_part_finished,
+        body_parts=True,
     ),
     TrackerSpec(
         name="whole-body",
@@ -154,6 +167,7 @@ _BUILT = (
         settings_type=FlowSettings,
         build=build_flow,
         finish=flow_finished,
+        overlays=FLOW_OVERLAYS,
     ),
 )
 
@@ -181,6 +195,22 @@ def best_tracker(recording: Recording) -> str:
     if recording.is_stereo and measured:
         return "stereo-joint"
     return "three-part" if recording.view is None else "spheroid"
+
+
+def tracker_with(able: Callable[[TrackerSpec], object], preferred: str = "") -> TrackerSpec:
+    """The preferred tracker where it is able to do something, else the best one that is.
+
+    Raises LookupError where none is.
+    """
+    for name in (preferred, *TRACKERS):
+        if name in TRACKERS and able(TRACKERS[name]):
+            return TRACKERS[name]
+    raise LookupError("no tracker of the catalogue can do this")
+
+
+def body_part_tracker() -> str:
+    """The name of the best tracker that follows body parts."""
+    return tracker_with(lambda spec: spec.body_parts).name
 
 
 def detector_of(name: str, settings: Mapping[str, Any]) -> str:

@@ -67,7 +67,7 @@ class Run:
     Every table has all its columns, also where it has no rows.
 
     Attributes:
-        tracker: name in the catalogue, e.g. "stereo-direction".
+        tracker: name in the catalogue.
         settings: the settings in force, as plain JSON values.
         seed: of the random numbers.
         frames: half-open range of frames that were tracked.

@@ -2,14 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any, Protocol, TypeVar
 
 from tracking.errors import SettingsError
-from tracking.trackers import settings_from, settings_values, tracker_named
+from tracking.trackers import (
+    TrackerOverlays,
+    TrackerSpec,
+    settings_from,
+    settings_values,
+    tracker_named,
+    tracker_with,
+)
 
-Settings = TypeVar("Settings")
+Overlay = TypeVar("Overlay")
 
 
 class MadeBy(Protocol):
@@ -42,13 +49,26 @@ class AtWork:
         return cls(tracker, settings_values(usual() if settings is None else settings))
 
 
-def settings_of(run: MadeBy | None, tracker: str, kind: type[Settings]) -> Settings:
+def overlay_of(
+    run: MadeBy | None, kind: Callable[[TrackerOverlays], Overlay | None]
+) -> tuple[Overlay, Any]:
+    """What draws a kind of overlay, and the settings it is drawn with.
+
+    Those of the run, where its tracker has such an overlay; else of the best tracker that has one,
+    with its usual settings.
+    """
+    spec = tracker_with(lambda one: kind(one.overlays), run.tracker if run is not None else "")
+    overlay = kind(spec.overlays)
+    assert overlay is not None
+    return overlay, settings_of(run, spec)
+
+
+def settings_of(run: MadeBy | None, spec: TrackerSpec) -> Any:
     """Those of a run of the tracker; the usual ones of any other run, or where there is none."""
-    if run is None or run.tracker != tracker:
-        return kind()
+    usual = spec.settings_type()
+    if run is None or run.tracker != spec.name:
+        return usual
     try:
-        found = settings_from(kind, run.settings)
+        return settings_from(spec.settings_type, run.settings)
     except SettingsError:
-        return kind()  # made by another version, whose settings were others
-    assert isinstance(found, kind)
-    return found
+        return usual  # made by another version, whose settings were others

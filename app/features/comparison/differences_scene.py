@@ -39,7 +39,7 @@ class Side:
     """One of the two versions that are compared.
 
     Attributes:
-        title: e.g. "run 2 (stereo-direction)". short: e.g. "run 2".
+        title: of a run its number and its tracker. short: e.g. "run 2".
         can_give: stretches can be taken from it.
     """
 

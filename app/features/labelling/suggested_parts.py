@@ -6,7 +6,7 @@ from app.core.colours.palette import NOBODY
 from app.core.document.detector_choice import DetectorChoice
 from app.core.i18n import time_text
 from app.core.scenes.labels import SuggestedPart
-from app.core.scenes.part_names import part_name
+from app.core.scenes.part_names import no_parts, part_name
 from tracking.errors import EditError
 from tracking.failure import Suggestion, suggest
 from tracking.session.provenance import parts_by_now
@@ -26,7 +26,7 @@ def suggestions_for(
     Raises EditError where no parts were tracked, FormatError where the detector is gone.
     """
     if run is None or not len(run.parts["frame"]):
-        raise EditError("No parts were tracked: track with three-part (Ctrl+T) first")
+        raise EditError(no_parts())
     parts = parts_by_now(table, run, table.track_ids)
     found = suggest(parts, fps, choice.load(), labels.parts)
     return tuple(_suggested(one, labels, fps, choice.name_in_text) for one in found)

@@ -9,6 +9,7 @@ from app.core.commands.conditions import editable, session
 from app.core.commands.view_state import ViewState, toggle, view_command
 from app.core.i18n import tr
 from app.features.parts.controller import PartsController
+from tracking.trackers import body_part_tracker
 
 
 class PartsApp(ViewState, Protocol):
@@ -25,7 +26,9 @@ def tracked(app: PartsApp) -> str:
         return session(app)
     if app.parts.presenter.tracked_elsewhere:
         return tr("the run being corrected has no parts: correct one that has (Ctrl+R)")
-    return tr("no parts were tracked: track with three-part (Ctrl+T) first")
+    return tr(
+        "no parts were tracked: track with {tracker} (Ctrl+T) first", tracker=body_part_tracker()
+    )
 
 
 def labelled(app: PartsApp) -> str:

@@ -12,7 +12,7 @@ from app.core.drawing.surfaces import PictureSurface
 from app.core.i18n import tr
 from app.core.playback.playback import Playback
 from app.core.scenes.labels import PictureLabels, SuggestedPart
-from app.core.scenes.part_names import part_name
+from app.core.scenes.part_names import no_parts, part_name
 from app.core.scenes.pictured_parts import PicturedParts
 from app.core.tracks.frame_state import FrameState, ViewOptions
 from app.features.parts.panel import CurvesPanel
@@ -128,13 +128,13 @@ class PartsController(Controller):
         """Say why nothing is seen: no parts, or nobody selected for what is one person's."""
         number = self._playback.number
         if not (self.presenter.any_tracked or len(self._document.tracks.parts(number)["part"])):
-            self.said.emit(tr("No parts were tracked: track with three-part (Ctrl+T) first"))
+            self.said.emit(tr(no_parts()))
         elif for_one and not self._document.selection:
             self.said.emit(tr("Click a person to see the particles of their parts"))
 
     def _no_failure(self, step: int) -> str:
         if not self.presenter.any_tracked:
-            return tr("No parts were tracked: track with three-part (Ctrl+T) first")
+            return tr(no_parts())
         if step > 0:
             return tr("No part of anybody fails after this frame")
         return tr("No part of anybody fails before this frame")

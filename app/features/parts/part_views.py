@@ -14,6 +14,7 @@ from app.core.scenes.pictured_parts import PartBox, PicturedParts
 from app.core.tracks.frame_state import FrameState
 from app.core.tracks.particle_weights import relative_weights
 from app.features.parts.scene import CurvesScene
+from tracking.trackers import body_part_tracker
 from tracking.tracks import PART_NAMES, Box, Columns
 
 
@@ -104,8 +105,9 @@ def curves_scene(
 def _nothing(state: FrameState, some: bool) -> str:
     if state.selected or some:
         return tr(
-            "No parts were tracked of this person: track with three-part (Ctrl+T) to see head, "
-            "torso and hip-leg here."
+            "No parts were tracked of this person: track with {tracker} (Ctrl+T) to see head, "
+            "torso and hip-leg here.",
+            tracker=body_part_tracker(),
         )
     return tr("Click a person to see their parts over time.")
 

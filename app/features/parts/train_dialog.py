@@ -35,6 +35,7 @@ from app.features.parts.training_settings import (
     TrainingSettings,
     counts_of,
 )
+from tracking.trackers import body_part_tracker
 
 _TAUGHT = N_("Sessions and samples (*.h5 *.csv)")
 _ROWS = 4
@@ -187,11 +188,12 @@ class TrainDialog(QDialog):
         self._end("" if len(source.samples) else self._no_samples(source))
 
     def _no_samples(self, source: Source) -> str:
-        said = tr(
-            "{0} holds no labels of tracked parts: label some (Alt+6) in a session tracked with "
-            "three-part"
+        return tr(
+            "{session} holds no labels of tracked parts: label some (Alt+6) in a session tracked "
+            "with {tracker}",
+            session=source.title,
+            tracker=body_part_tracker(),
         )
-        return said.format(source.title)
 
     def _end(self, told: str) -> None:
         if self._job is not None:

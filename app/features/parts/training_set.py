@@ -29,6 +29,7 @@ from tracking.session import (
     places_of,
     samples_with_boxes,
 )
+from tracking.trackers import body_part_tracker
 from tracking.tracks import Box, Labels, Run, TrackTable
 from tracking.truth import TRUE_PARTS, read_true_parts
 
@@ -126,7 +127,9 @@ def source_at(path: Path, *, from_truth: bool = False, allow_outside: bool = Fal
         run = session.corrected_run
         if run is None or not len(run.parts.get("frame", ())):
             raise TrainingError(
-                "{path}: its tracks have no body parts; track it with three-part first", path=path
+                "{path}: its tracks have no body parts; track it with {tracker} first",
+                path=path,
+                tracker=body_part_tracker(),
             )
         if not from_truth:
             seen, title = session.recording, f"{session.recording.name} ({path.name})"

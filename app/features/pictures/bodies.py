@@ -12,11 +12,10 @@ from numpy.typing import NDArray
 from app.core.i18n import tr
 from app.core.scenes import Colour, LegendEntry
 from app.core.tracks.frame_state import FrameState, ViewOptions
-from app.core.tracks.made_by import MadeBy, settings_of
+from app.core.tracks.made_by import MadeBy, overlay_of, settings_of
 from app.core.tracks.particle_weights import relative_weights
 from tracking.geometry import View
-from tracking.trackers.flow import FlowSettings, kernel_rectangles
-from tracking.trackers.spheroid import SpheroidSettings, outlines, region_of_evaluation
+from tracking.trackers import TRACKERS, Bodies, tracker_with
 from tracking.tracks import Columns
 
 Rgba = NDArray[np.uint8]
@@ -84,11 +83,10 @@ class BodyPainter:
             rows = rows[particles["track"] == state.selected]
         if len(rows) > _MOST_OUTLINES:
             rows = rows[np.argsort(weights[rows], kind="stable")[-_MOST_OUTLINES:]]
-        settings = settings_of(state.run, "spheroid", SpheroidSettings)
         tracks = particles["track"][rows]
-        tall = _heights(state, tracks, settings)
         xy = np.column_stack((particles["x"][rows], particles["y"][rows])).astype(np.float64)
-        drawn = outlines(view, xy, tall, settings.radius_m, _POINTS)
+        draw, settings = overlay_of(state.run, lambda overlays: overlays.outlines)
+        drawn = draw(view, settings, Bodies(xy, _heights(state, tracks)), _POINTS)
         _stroke(below, drawn, state.colours.of_all(tracks), weights[rows])
 
     def _paint_region(self, view: View, state: FrameState, below: Rgba) -> None:
@@ -103,17 +101,10 @@ class BodyPainter:
         others = known & ~own
         if not own.any():
             return
-        settings = settings_of(state.run, "spheroid", SpheroidSettings)
-        tall = _heights(state, rows["track"], settings)
-        region = region_of_evaluation(
-            view,
-            xy[own][0],
-            float(tall[own][0]),
-            xy[others],
-            tall[others],
-            settings.radius_m,
-            scale=settings.region_scale,
-        )
+        tall = _heights(state, rows["track"])
+        person, rest = (Bodies(xy[some], tall[some]) for some in (own, others))
+        overlay, settings = overlay_of(state.run, lambda overlays: overlays.evaluation)
+        region = overlay.draw(view, settings, person, rest)
         inside = np.zeros(below.shape[:2], np.uint8)
         cv2.fillPoly(inside, _fixed(region.outline[None]), 255, cv2.LINE_8, _SUBPIXEL)
         for masked in _fixed(region.masked):
@@ -127,14 +118,12 @@ class BodyPainter:
 
         A run that holds tracklets gathers so only those that are nobody's yet.
         """
-        clusters = settings_of(state.run, "flow", FlowSettings).clusters
         rows = state.tracks.of_frame(state.frame)
         own = rows["track"] == state.selected
         if not own.any():
             return
-        middle = np.array([[rows["x"][own][0], rows["y"][own][0], clusters.centre_m]])
-        pixel = view.pixel_from_world(middle)
-        corners = kernel_rectangles(view, pixel, clusters)
+        draw, settings = overlay_of(state.run, lambda overlays: overlays.kernel)
+        corners = draw(view, settings, np.array([[rows["x"][own][0], rows["y"][own][0]]], float))
         if not np.isfinite(corners).all():
             return
         white = _ink((255, 255, 255), _STRONGEST)
@@ -167,41 +156,58 @@ def why_nothing(state: FrameState, name: str) -> str:
     """What to do where something that was asked for is not seen in the frame; "": it is."""
     tracks, frame = state.tracks, state.frame
     if name == "tracklets" and not len(tracks.tracklets(frame)["track"]):
-        return tr("No points are tracked here: track with flow (Ctrl+T) to see tracklets")
-    if name == "outlines" and not len(tracks.particles(frame)["track"]):
-        return tr("No hypotheses here: track with spheroid, or two cameras (Ctrl+T), to see them")
-    if name == "evaluation" and not _has_regions(state.run):
         return tr(
-            "No region of evaluation here: only spheroid with its setting 'paper' has one; track "
-            "with that (Ctrl+T) to see it"
+            "No points are tracked here: track with {tracker} (Ctrl+T) to see tracklets",
+            tracker=tracker_with(lambda spec: spec.overlays.tracklets).name,
         )
+    if name == "outlines" and not len(tracks.particles(frame)["track"]):
+        return tr(
+            "No hypotheses here: track with {tracker}, or two cameras (Ctrl+T), to see them",
+            tracker=tracker_with(lambda spec: spec.overlays.outlines).name,
+        )
+    if name == "evaluation" and not _has_regions(state.run):
+        return _no_regions()
     if name == "evaluation" and not state.selected:
         return tr("Click a person to see the region in which their hypotheses are evaluated")
     return ""
 
 
+def _no_regions() -> str:
+    """Which tracker has regions of evaluation."""
+    spec = tracker_with(lambda one: one.overlays.evaluation)
+    assert spec.overlays.evaluation is not None
+    return tr(
+        "No region of evaluation here: only {tracker} with its setting '{setting}' has one; track "
+        "with that (Ctrl+T) to see it",
+        tracker=spec.name,
+        setting=spec.overlays.evaluation.setting,
+    )
+
+
 def _has_regions(run: MadeBy | None) -> bool:
     """Whether a run's hypotheses were judged in regions of evaluation: as published."""
-    if run is None or run.tracker != "spheroid":
+    spec = TRACKERS.get(run.tracker) if run is not None else None
+    if spec is None or spec.overlays.evaluation is None:
         return False
-    return settings_of(run, "spheroid", SpheroidSettings).paper
+    return bool(getattr(settings_of(run, spec), spec.overlays.evaluation.setting))
 
 
 def _has_kernels(state: FrameState) -> bool:
     """Whether tracklets are gathered by mean shift here."""
     if state.run is None:
         return bool(len(state.tracks.tracklets(state.frame)["track"]))
-    return state.run.tracker == "flow"
+    spec = TRACKERS.get(state.run.tracker)
+    return spec is not None and spec.overlays.kernel is not None
 
 
-def _heights(state: FrameState, tracks: NDArray[np.int32], settings: SpheroidSettings) -> Floats:
-    """(n,) m of the bodies of tracks (n,): as estimated, else as newcomers'."""
+def _heights(state: FrameState, tracks: NDArray[np.int32]) -> Floats:
+    """(n,) m of the bodies of tracks (n,) as estimated; NaN: not estimated."""
     rows = state.tracks.signals(state.frame)
     known = np.isfinite(rows["height_m"])
     estimated = dict(
         zip(rows["track"][known].tolist(), rows["height_m"][known].tolist(), strict=True)
     )
-    return np.array([estimated.get(track, settings.newcomer_m) for track in tracks.tolist()])
+    return np.array([estimated.get(track, np.nan) for track in tracks.tolist()])
 
 
 def _paint_tracklets(state: FrameState, below: Rgba) -> None:

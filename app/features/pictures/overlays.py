@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import cv2
 import numpy as np
 from numpy.typing import NDArray
@@ -12,13 +10,12 @@ from app.core.colours.colour_scales import VIRIDIS
 from app.core.i18n import tr
 from app.core.scenes import Colour, LegendEntry
 from app.core.tracks.frame_state import Kinds
-from app.core.tracks.made_by import MadeBy
-from tracking.errors import CalibrationError, SettingsError
+from app.core.tracks.made_by import MadeBy, overlay_of
+from tracking.errors import CalibrationError
 from tracking.geometry import Rectification
 from tracking.people import Overlays, StereoPerception
 from tracking.pipeline import background_samples
 from tracking.recording import Recording, StereoFrame
-from tracking.trackers import TRACKERS, settings_from
 
 Rgba = NDArray[np.uint8]
 Floats = NDArray[np.float64]
@@ -52,7 +49,7 @@ class OverlayPainter:
                 "add [calibration] and [ground] to recording.toml",
                 name=recording.name,
             )
-        settings = _settings(run)
+        _, settings = overlay_of(run, lambda overlays: overlays.subtraction or None)
         self._recording = recording
         self._rectification = rectification
         self._perception = StereoPerception(
@@ -140,15 +137,3 @@ def disparity_scale(recording: Recording, rectification: Rectification) -> tuple
     disparity = rectification.disparity_from_world(standing)
     usable = disparity[np.isfinite(disparity) & (disparity > rectification.disparity_offset_px)]
     return (float(usable.min()), float(usable.max())) if len(usable) else (0.0, 64.0)
-
-
-def _settings(run: MadeBy | None) -> Any:
-    """The settings of a run, where they are those of a stereo tracker; else the usual ones."""
-    usual = TRACKERS["stereo-joint"].settings_type
-    if run is None or run.tracker not in TRACKERS:
-        return usual()
-    try:
-        settings = settings_from(TRACKERS[run.tracker].settings_type, run.settings)
-    except SettingsError:
-        return usual()  # made by another version, whose settings were others
-    return settings if hasattr(settings, "stereo") else usual()

@@ -9,11 +9,10 @@ from app.core.colours.colour_scales import INFERNO
 from app.core.i18n import tr
 from app.core.scenes import LegendEntry
 from app.core.tracks.frame_state import Kinds
-from app.core.tracks.made_by import MadeBy, settings_of
+from app.core.tracks.made_by import MadeBy, overlay_of
 from tracking.errors import CalibrationError
 from tracking.pipeline import background_samples
 from tracking.recording import Recording, StereoFrame
-from tracking.trackers.spheroid import SpheroidPerception, SpheroidSettings, ramp_picture
 
 Rgba = NDArray[np.uint8]
 
@@ -27,7 +26,7 @@ class RampPainter:
 
     Args:
         recording: calibrated, with a floor.
-        run: whose settings are taken, where it is of spheroids.
+        run: whose settings are taken, where its tracker works with a ramp.
 
     Raises:
         CalibrationError: the recording has no calibration or no floor.
@@ -40,11 +39,9 @@ class RampPainter:
                 "[calibration] and [ground] to recording.toml",
                 name=recording.name,
             )
-        settings = settings_of(run, "spheroid", SpheroidSettings)
+        build, settings = overlay_of(run, lambda overlays: overlays.ramp)
         self._recording = recording
-        self._perception = SpheroidPerception(
-            recording.fps, recording.view, settings.foreground, settings.ramp
-        )
+        self._source = build(recording.fps, recording.view, settings)
         self._learnt = False
 
     def paint(self, frame: StereoFrame, kinds: Kinds) -> Rgba:  # noqa: ARG002 - as all painters
@@ -56,9 +53,9 @@ class RampPainter:
             RecordingError: a frame cannot be read.
         """
         if not self._learnt:
-            self._perception.learn(background_samples(self._recording))
+            self._source.learn(background_samples(self._recording))
             self._learnt = True
-        grey = ramp_picture(self._perception, frame)
+        grey = self._source.ramp_picture(frame)
         painted = np.empty((*grey.shape, 4), np.uint8)
         painted[..., :3] = INFERNO.table[grey]
         painted[..., 3] = _OPACITY

@@ -9,9 +9,7 @@ from app.core.i18n import strip_full_stop, tr
 from tracking.errors import TrackwrightError
 from tracking.recording import Recording
 from tracking.session import Session
-from tracking.trackers import TRACKERS, best_tracker, settings_fields
-
-_IN_PARTS = "three-part"
+from tracking.trackers import TRACKERS, best_tracker, body_part_tracker, settings_fields
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,7 +42,8 @@ class TrackerWords:
         """
         run = session.corrected_run if session is not None else None
         name = run.tracker if run is not None and run.tracker in TRACKERS else self.best
-        return _IN_PARTS if in_parts and self.best and not _uses_detector(name) else name
+        takes_detector = not in_parts or not self.best or _uses_detector(name)
+        return name if takes_detector else body_part_tracker()
 
     def describe_work(self, name: str, status: str) -> TrackerState:
         """While a tracker is at work."""

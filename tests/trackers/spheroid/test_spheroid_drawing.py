@@ -6,7 +6,7 @@ import numpy as np
 from people_of_one_colour import Body, built, frames_of, standing, view
 
 from tracking.geometry import FlatView
-from tracking.trackers.spheroid import outlines, ramp_picture, region_of_evaluation
+from tracking.trackers.spheroid import outlines, region_of_evaluation
 
 
 def test_outlines_are_drawn_through_the_lens() -> None:
@@ -38,7 +38,7 @@ def test_the_ramp_picture_shows_people_in_recorded_pixels() -> None:
     seen_by = view(3.6, 90.0, (-0.25, 0.06, 0.0, 0.0, 0.0))
     frame = frames_of(seen_by, [Body(standing((0.8, 0.3), 1))])[0]
     perception, _ = built(seen_by)
-    shown = ramp_picture(perception, frame)
+    shown = perception.ramp_picture(frame)
     assert shown.shape == frame.left.shape[:2]
     centre = outlines(seen_by, np.array([[0.8, 0.3]]), 1.72)[0].mean(axis=0)
     u, v = np.rint(centre).astype(int)

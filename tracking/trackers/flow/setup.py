@@ -18,7 +18,7 @@ def build_flow(
     if recording.view is None:
         raise CalibrationError(
             "recording {name}: flow needs the camera's calibration and height over the floor; "
-            "without them three-part can still track people, in pixels",
+            "choose a tracker that works in pixels",
             name=recording.name,
         )
     perception = FlowPerception(recording.fps, settings.foreground)

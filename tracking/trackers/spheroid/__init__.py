@@ -2,9 +2,8 @@
 
 from tracking.trackers.spheroid.finisher import finish_run
 from tracking.trackers.spheroid.overlays import (
-    RegionOfEvaluation,
+    SPHEROID_OVERLAYS,
     outlines,
-    ramp_picture,
     region_of_evaluation,
 )
 from tracking.trackers.spheroid.perception import SpheroidPerception
@@ -12,12 +11,11 @@ from tracking.trackers.spheroid.settings import SpheroidSettings
 from tracking.trackers.spheroid.setup import build_spheroid
 
 __all__ = [
-    "RegionOfEvaluation",
+    "SPHEROID_OVERLAYS",
     "SpheroidPerception",
     "SpheroidSettings",
     "build_spheroid",
     "finish_run",
     "outlines",
-    "ramp_picture",
     "region_of_evaluation",
 ]

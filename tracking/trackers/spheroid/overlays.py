@@ -1,15 +1,19 @@
-"""What the window draws of the spheroid tracker: outlines, the region of evaluation, the ramp."""
+"""What a view can draw of the spheroid tracker: outlines, the region of evaluation, the ramp."""
 
 from __future__ import annotations
-
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tracking.geometry import FlatView, View, standing_ellipses
-from tracking.recording.frame import StereoFrame
+from tracking.trackers.shared.overlays import (
+    Bodies,
+    EvaluationOverlay,
+    RegionOfEvaluation,
+    TrackerOverlays,
+)
 from tracking.trackers.spheroid.perception import SpheroidPerception
+from tracking.trackers.spheroid.settings import SpheroidSettings
 
 Floats = NDArray[np.float64]
 
@@ -17,19 +21,6 @@ USUAL_RADIUS_M = 0.25
 """Minor semi-axes of a person's spheroid ([Waechter2013] 3.2.1)."""
 REGION_SCALE = 2.0
 """Of the region of evaluation, in sizes of the person's spheroid."""
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class RegionOfEvaluation:
-    """Where one person's hypotheses are judged.
-
-    Attributes:
-        outline: (points, 2) px of the left picture as recorded; what lies inside counts.
-        masked: (others, points, 2) px; what lies inside of these does not.
-    """
-
-    outline: Floats
-    masked: Floats
 
 
 def outlines(
@@ -83,10 +74,33 @@ def region_of_evaluation(
     return RegionOfEvaluation(outline, masked)
 
 
-def ramp_picture(perception: SpheroidPerception, frame: StereoFrame) -> NDArray[np.uint8]:
-    """(height, width) uint8: the ramp B times 255, in px of the left picture as recorded.
+def _outlines(view: View, settings: SpheroidSettings, bodies: Bodies, points: int) -> Floats:
+    return outlines(view, bodies.xy, _heights(bodies, settings), settings.radius_m, points)
 
-    Args:
-        perception: one that has learnt its background; frames come in any order.
-    """
-    return perception.ramp_picture(frame)
+
+def _region(
+    view: View, settings: SpheroidSettings, person: Bodies, others: Bodies
+) -> RegionOfEvaluation:
+    return region_of_evaluation(
+        view,
+        person.xy[0],
+        float(_heights(person, settings)[0]),
+        others.xy,
+        _heights(others, settings),
+        settings.radius_m,
+        scale=settings.region_scale,
+    )
+
+
+def _heights(bodies: Bodies, settings: SpheroidSettings) -> Floats:
+    """(n,) m: as estimated, else a newcomer's."""
+    return np.where(np.isfinite(bodies.height_m), bodies.height_m, settings.newcomer_m)
+
+
+def _ramp(fps: float, view: View, settings: SpheroidSettings) -> SpheroidPerception:
+    return SpheroidPerception(fps, view, settings.foreground, settings.ramp)
+
+
+SPHEROID_OVERLAYS = TrackerOverlays(
+    outlines=_outlines, evaluation=EvaluationOverlay("paper", _region), ramp=_ramp
+)

@@ -27,7 +27,7 @@ def build_spheroid(
     if view is None:
         raise CalibrationError(
             "recording {name}: spheroids stand on a floor that is known; add [calibration] and "
-            "[ground] to recording.toml, or choose three-part, which works in pixels",
+            "[ground] to recording.toml, or choose a tracker that works in pixels",
             name=recording.name,
         )
     perception = SpheroidPerception(recording.fps, view, settings.foreground, settings.ramp)
