@@ -26,14 +26,12 @@ class Options:
         rewrite: measure nothing, write the page from what was measured.
         only: the sections.
         clips: where rendered clips are kept; None: the user's cache.
-        data: folder of real recordings.
     """
 
     report: bool = False
     rewrite: bool = False
     only: tuple[str, ...] = ()
     clips: Path | None = None
-    data: Path = _REAL
 
 
 def parser_of(module: str, description: str | None) -> argparse.ArgumentParser:
@@ -57,7 +55,6 @@ def page_options(subject: str, description: str, sections: Sequence[str]) -> Opt
     parser.add_argument("--rewrite", action="store_true", help="write it from what was measured")
     parser.add_argument("--only", nargs="+", choices=sections, help="these sections")
     parser.add_argument("--clips", type=Path, help="where clips are kept, not the user's cache")
-    parser.add_argument("--data", type=Path, default=real_data(), help="folder of real recordings")
     asked = vars(parser.parse_args())
     return Options(**{**asked, "only": tuple(asked["only"] or sections)})
 

@@ -1,4 +1,4 @@
-"""Sessions as long as a day, made up: no pictures, everybody walks."""
+"""Runs and sessions made up, as long as a day: no images, everybody walks."""
 
 from __future__ import annotations
 
@@ -101,7 +101,7 @@ def _cloud(frames: int, each: int, rng: np.random.Generator) -> Particles:
     values = {
         "track": np.ones(rows, np.int32),
         "x": rng.normal(0, 0.2, rows).astype(np.float32),
-        "y": rng.normal(0, 0.2, rows).astype(np.float32),
+        "y": rng.normal(6, 0.2, rows).astype(np.float32),
         "weight": np.full(rows, 1 / each, np.float32),
     }
     return Particles(np.arange(frames + 1, dtype=np.int64) * each, values)

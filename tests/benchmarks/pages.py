@@ -73,8 +73,6 @@ class Page:
         about: the command's help.
         measures: what gives a section's figures, in the order in which they are measured.
         words: what the template is given beside the figures.
-        pictures: by section a name and what gives a picture (rows, columns, 3) BGR of what was
-            measured, kept beside the page; None: there is nothing to show.
         diagrams: by section a name and what draws its kept figures as SVG, anew with each page.
         folder: of the page.
     """
@@ -83,9 +81,6 @@ class Page:
     about: str
     measures: Mapping[str, Callable[[Options], Any]]
     words: Mapping[str, Any] = field(default_factory=dict)
-    pictures: Mapping[str, tuple[str, Callable[[Any, Options], Picture | None]]] = field(
-        default_factory=dict
-    )
     diagrams: Mapping[str, tuple[str, Callable[[Any], str]]] = field(default_factory=dict)
     folder: Path = DOCS / "results"
 
@@ -146,17 +141,10 @@ class Page:
             with telling(f"{self.subject}, {name}"):
                 found = self.measures[name](options)
             if options.report:
-                self._report(name, found, options)
+                self.keep(name, found)
+                self.write()
             else:
                 print(self.sections({name: json.loads(json.dumps(found))})[name], flush=True)
-
-    def _report(self, name: str, found: Any, options: Options) -> None:
-        self.keep(name, found)
-        title, take = self.pictures.get(name, ("", None))
-        picture = take(found, options) if take is not None else None
-        if picture is not None:
-            save_jpeg(self.folder / f"{self.subject}-{title}.jpg", picture)
-        self.write()
 
 
 def _older(states: Mapping[str, str], sections: Iterable[str]) -> Iterator[str]:

@@ -89,7 +89,7 @@ def _round(sequence: Path, peers: list[Peer]) -> tuple[Run, dict[str, Run]]:
     ours = _ours(sequence)
     theirs: dict[str, Run] = {}
     for peer in peers:
-        told: Run = json.loads(peer.run(f"{peer.name}_timed.py", sequence).splitlines()[-1])
+        told: Run = peer.told("timed.py", peer.name, sequence)
         apart = max(abs(told[name] - ours[name]) for name in ("IDF1", "HOTA"))
         if apart > _SAME:
             raise RuntimeError(f"{peer.name} measures something else: {told}, we {ours}")
@@ -98,10 +98,8 @@ def _round(sequence: Path, peers: list[Peer]) -> tuple[Run, dict[str, Run]]:
 
 
 def _ours(sequence: Path) -> Run:
-    command = [sys.executable, "-m", "tests.peers.ours_timed", sequence]
+    command = [sys.executable, HERE / "timed.py", "ours", sequence]
     one_thread = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
-    ended = subprocess.run(
-        command, cwd=HERE.parents[1], env=os.environ | one_thread, capture_output=True, check=True
-    )
+    ended = subprocess.run(command, env=os.environ | one_thread, capture_output=True, check=True)
     told: Run = json.loads(ended.stdout)
     return told

@@ -10,19 +10,12 @@ _UNITS = {
     "share": "share",
     "us_per_person": "\u00b5s a person",
     "us_per_particle": "\u00b5s a particle",
-    "bytes": "bytes",
-    "rows_s": "rows/s",
     "fps": "frames/s",
-    "idf1": "share",
-    "hota": "share",
-    "linear_r2": "of 1",
-    "error_m": "m",
-    "id_switches": "switches",
     "mb": "MB",
     "ms": "ms",
 }
 """By whole words of the name; the first of them counts."""
-_COUNTS = ("people", "particles", "frames", "rows", "tracklets")
+_COUNTS = ("people", "particles", "frames", "rows")
 """Last words of names of figures that count something."""
 
 

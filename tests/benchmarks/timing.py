@@ -25,16 +25,6 @@ class Stopwatch:
         self.total_s += time.process_time() - self._began_s
 
 
-def least_ms(work: Callable[[], object], rounds: int) -> float:
-    """Milliseconds of the processor, the least of several rounds: others use the machine too."""
-    taken = []
-    for _ in range(rounds):
-        with Stopwatch() as watch:
-            work()
-        taken.append(watch.total_s)
-    return 1000.0 * min(taken)
-
-
 def clock_ms(work: Callable[[], Done]) -> tuple[float, Done]:
     """Milliseconds of the clock, and what came of it."""
     begun_s = time.perf_counter()

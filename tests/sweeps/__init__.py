@@ -1,1 +1,1 @@
-"""Long searches for what breaks: not part of `make test`, see `make sweeps`."""
+"""Long searches for what breaks: not part of `make test`, see `make help`."""

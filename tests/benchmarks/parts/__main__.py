@@ -2,8 +2,7 @@
 
 Without --report: the figures on the scenes for choosing settings, printed as the page would have
 them. With it: on the scenes reported, kept one by one in docs/results/parts.json, and the page made
-of them. --rewrite only makes the page and its diagrams anew. Real footage is looked for where
---data or TRACKWRIGHT_DATA says.
+of them. --rewrite only makes the page and its diagrams anew.
 """
 
 from __future__ import annotations
@@ -12,22 +11,17 @@ from typing import Any
 
 import numpy as np
 
-from tests.benchmarks.clips import folder_of
 from tests.benchmarks.command import Options
-from tests.benchmarks.pages import Figures, Page, Picture
+from tests.benchmarks.pages import Figures, Page
 from tests.benchmarks.parts import clips
 from tests.benchmarks.parts.cases import ADJUSTED, PLAIN, WHOLE
-from tests.benchmarks.parts.equalisation import measure as equalisation
 from tests.benchmarks.parts.measures import crouching, detector, rates
-from tests.benchmarks.parts.real import measure as real
-from tests.benchmarks.pictures import body_parts
 from tracking.pages import Panel, svg
 from tracking.scoring.parts import margin
 
 AT_FRAME = 105
 _SUBJECTS = ("head", "torso", "hip-leg", "person")
 _FEWEST = 10  # a rate of fewer people is not drawn
-_SHOWN_ROWS = 360  # nobody stands farther down
 
 
 def _detector(options: Options) -> dict[str, Any]:
@@ -68,11 +62,6 @@ def roc_picture(figures: Figures) -> str:
     return svg(panels)
 
 
-def _picture(_: Any, options: Options) -> Picture:
-    folder = folder_of(clips.REPORTED[0], options.clips)
-    return body_parts(folder, (ADJUSTED, PLAIN), (150, 190), _SHOWN_ROWS)
-
-
 PAGE = Page(
     subject="parts",
     about=__doc__ or "",
@@ -81,9 +70,7 @@ PAGE = Page(
         "crouching": lambda asked: crouching(
             clips.REPORTED_CROUCHING if asked.report else clips.TUNED_CROUCHING, asked.clips
         ),
-        "equalisation": lambda asked: equalisation(clips.REPORTED if asked.report else clips.TUNED),
         "detector": _detector,
-        "real": lambda asked: real(asked.data),
     },
     words={
         "frame": AT_FRAME,
@@ -95,7 +82,6 @@ PAGE = Page(
         "goals": dict(zip(_SUBJECTS, (97, 92, 95, 98), strict=True)),
         "margin": margin,
     },
-    pictures={"rates": ("walkway", _picture)},
     diagrams={"rates": ("rates", rates_picture), "detector": ("detector-roc", roc_picture)},
 )
 

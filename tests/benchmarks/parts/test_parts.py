@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -21,7 +20,6 @@ from tests.benchmarks.parts.clips import (
 )
 from tests.benchmarks.parts.detector import resized
 from tests.benchmarks.parts.measures import cast_of, stoops_in
-from tests.benchmarks.parts.real import RECORDINGS, folders_in, kept_parts, truth_of_boxes
 from tracking.failure import SAMPLE_COLUMNS, Samples
 from tracking.scoring.parts import Judged
 
@@ -64,27 +62,7 @@ def test_goals_are_said_to_be_met_or_by_how_much_they_are_missed() -> None:
     page = PAGE.text({"rates": rates})
     assert "| head | 97 | 98.0 | met | +8.0 | short by 7.0 |" in page
     assert "| with adjustment, paper | 95 | 83 | 91 | 95 | 72 at the start |" in page
-    assert "Real footage" not in page
-
-
-def test_zones_of_a_true_box_stand_for_its_parts() -> None:
-    values = {"frame": 3, "track": 8, "left": 10.0, "top": 20.0, "width": 30.0, "height": 100.0}
-    truth = truth_of_boxes({name: np.array([value]) for name, value in values.items()}, (200, 200))
-    assert truth.parts.tolist() == [
-        [[10.0, 20.0, 40.0, 45.0], [10.0, 30.0, 40.0, 80.0], [10.0, 60.0, 40.0, 120.0]]
-    ]
-    assert truth.people.tolist() == [[10.0, 20.0, 40.0, 120.0]]
-    assert (truth.frame.tolist(), truth.visibility.tolist()) == ([3], [1.0])
-
-
-def test_parts_are_kept_by_who_has_all_three_at_the_end_and_nearly_always() -> None:
-    good = np.ones((120, 3), bool)
-    late, lost = good.copy(), good.copy()
-    late[:30, 0] = lost[90:, 2] = False
-    kept = kept_parts([_judged(good), _judged(late), _judged(lost), _judged(good[:50])])
-    assert (kept["people"], kept["in_view"]) == (4, 3)
-    assert (kept["at_end"], kept["throughout"]) == (3, 2)
-    assert kept["parts"] == [4, 4, 3]
+    assert "crouch" not in page
 
 
 def test_a_stoop_counts_for_people_judged_before_and_after_it() -> None:
@@ -114,12 +92,3 @@ def test_one_person_s_samples_are_resized_alike() -> None:
     assert len(np.unique(sizes[:3])) == len(np.unique(sizes[3:])) == 1
     assert sizes[0, 0] != sizes[3, 0]
     assert 0.4 <= sizes.min() <= sizes.max() <= 2.5
-
-
-def test_real_footage_that_is_not_there_is_told(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    (tmp_path / RECORDINGS[0]).mkdir()
-    (tmp_path / RECORDINGS[0] / "truth.txt").touch()
-    assert [folder.name for folder in folders_in(tmp_path)] == [RECORDINGS[0]]
-    assert f"no real footage {RECORDINGS[1]}" in capsys.readouterr().err

@@ -12,8 +12,7 @@ from typing import Any
 
 from tests.benchmarks.clips import Clip
 from tests.benchmarks.command import Options
-from tests.benchmarks.pages import Figures, Page, Picture
-from tests.benchmarks.pictures import side_by_side, spheroids
+from tests.benchmarks.pages import Figures, Page
 from tests.benchmarks.spheroid.measures import (
     LONGEST_S,
     robustness,
@@ -37,7 +36,6 @@ _DISTURBED = {
     "light goes out": Disturbances(dimmed_s=6.0),
     "camera knocked": Disturbances(bumped_s=6.0),
 }
-_SHOWN = (("situation-7", 4.0), ("situation-7", 5.5), ("situation-12", 6.0))
 _SPOTS = zip(
     MARKS_M, (5, 11, 8, 13, 7, 8, 10, 10, 5, 10), (8, 16, 8, 31, 13, 8, 26, 5, 18, 5), strict=True
 )
@@ -76,11 +74,6 @@ def _robustness(options: Options) -> dict[str, Any]:
     }
 
 
-def _picture(_: Any, options: Options) -> Picture:
-    shown = [(Clip(scene, REPORTED[0]), second) for scene, second in _SHOWN]
-    return side_by_side([spheroids(clip, second, options.clips) for clip, second in shown])
-
-
 def verdict(row: Figures, goal_cm: float) -> str:
     """Whether an error is small enough; one of few frames says nothing of those who are lost."""
     if row["mean_cm"] is None:
@@ -114,7 +107,6 @@ PAGE = Page(
         "verdict": verdict,
         "added": added,
     },
-    pictures={"situations": ("situations", _picture)},
 )
 
 if __name__ == "__main__":
