@@ -6,32 +6,14 @@ import argparse
 import os
 import sys
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
 from pathlib import Path
 
 import cv2
 
 _REAL = Path(__file__).parents[3] / "shared" / "data"
 _THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS")
-
-
-@dataclass(frozen=True, slots=True)
-class Options:
-    """What a benchmark with a page is asked.
-
-    Attributes:
-        report: measure the clips reported and write the page; else those for choosing settings.
-        rewrite: measure nothing, write the page from what was measured.
-        only: the sections.
-        clips: where rendered clips are kept; None: the user's cache.
-    """
-
-    report: bool = False
-    rewrite: bool = False
-    only: tuple[str, ...] = ()
-    clips: Path | None = None
 
 
 def parser_of(module: str, description: str | None) -> argparse.ArgumentParser:
@@ -45,18 +27,6 @@ def parser_of(module: str, description: str | None) -> argparse.ArgumentParser:
         description=description,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-
-
-def page_options(subject: str, description: str, sections: Sequence[str]) -> Options:
-    """Read the command line of a subject's page."""
-    parser = parser_of(subject, description)
-    page = f"docs/results/{subject}.md"
-    parser.add_argument("--report", action="store_true", help=f"measure and write {page}")
-    parser.add_argument("--rewrite", action="store_true", help="write it from what was measured")
-    parser.add_argument("--only", nargs="+", choices=sections, help="these sections")
-    parser.add_argument("--clips", type=Path, help="where clips are kept, not the user's cache")
-    asked = vars(parser.parse_args())
-    return Options(**{**asked, "only": tuple(asked["only"] or sections)})
 
 
 def real_data() -> Path:

@@ -18,7 +18,7 @@ import numpy as np
 from jinja2 import Environment, FileSystemLoader, StrictUndefined, Template
 from numpy.typing import NDArray
 
-from tests.benchmarks.command import Options, one_core, page_options, telling
+from tests.benchmarks.command import one_core, parser_of, telling
 from tests.benchmarks.intervals import interval_text
 from tests.benchmarks.runner import sources
 from tests.benchmarks.tables import met
@@ -71,7 +71,8 @@ class Page:
     Attributes:
         subject: names the page, its figures and pictures in docs/results, and its command.
         about: the command's help.
-        measures: what gives a section's figures, in the order in which they are measured.
+        measures: what gives a section's figures, in the order in which they are measured: of the
+            clips that are reported, or else of those for choosing settings.
         words: what the template is given beside the figures.
         diagrams: by section a name and what draws its kept figures as SVG, anew with each page.
         folder: of the page.
@@ -79,7 +80,7 @@ class Page:
 
     subject: str
     about: str
-    measures: Mapping[str, Callable[[Options], Any]]
+    measures: Mapping[str, Callable[[bool], Any]]
     words: Mapping[str, Any] = field(default_factory=dict)
     diagrams: Mapping[str, tuple[str, Callable[[Any], str]]] = field(default_factory=dict)
     folder: Path = DOCS / "results"
@@ -130,17 +131,18 @@ class Page:
     def main(self) -> None:
         """Read the command line, measure, and print or write."""
         one_core()
-        options = page_options(self.subject, self.about, tuple(self.measures))
-        if options.rewrite:
+        parser, page = parser_of(self.subject, self.about), f"docs/results/{self.subject}.md"
+        parser.add_argument("--report", action="store_true", help=f"measure and write {page}")
+        parser.add_argument("--rewrite", action="store_true", help="only write it anew")
+        parser.add_argument("--only", nargs="+", choices=self.measures, help="these sections")
+        asked = parser.parse_args()
+        if asked.rewrite:
             self.write()
-        else:
-            self._measure(options)
-
-    def _measure(self, options: Options) -> None:
-        for name in options.only:
+            return
+        for name in asked.only or self.measures:
             with telling(f"{self.subject}, {name}"):
-                found = self.measures[name](options)
-            if options.report:
+                found = self.measures[name](asked.report)
+            if asked.report:
                 self.keep(name, found)
                 self.write()
             else:

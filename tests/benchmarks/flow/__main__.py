@@ -1,4 +1,4 @@
-"""Flow: `python -m tests.benchmarks.flow [--report] [--only SECTION ...] [--clips DIR]`.
+"""Flow: `python -m tests.benchmarks.flow [--report] [--only SECTION ...]`.
 
 Without --report: the figures on the clips for choosing settings, printed as the page would have
 them. With it: on the clips reported, kept one by one in docs/results/flow.json, and the page made
@@ -44,7 +44,7 @@ PAGE = Page(
     subject="flow",
     about=__doc__ or "",
     measures={
-        "scenes": lambda asked: count_scenes(REPORTED if asked.report else TUNED, asked.clips),
+        "scenes": lambda report: count_scenes(REPORTED if report else TUNED),
     },
     words={
         "paper": (("lane", 963, 1057), ("two-way", 865, 801)),  # [Yoneji2013] table 2

@@ -46,9 +46,9 @@ def where_counted(scene: str) -> tuple[tuple[CountingLine, ...], Region]:
     return lines, Region("passage", corners)
 
 
-def count_scenes(clips: Sequence[Clip], kept: Path | None = None) -> list[dict[str, Any]]:
+def count_scenes(clips: Sequence[Clip]) -> list[dict[str, Any]]:
     """Sums and hits of each scene."""
-    return [_count_scene(clip, folder_of(clip, kept)) for clip in clips]
+    return [_count_scene(clip, folder_of(clip)) for clip in clips]
 
 
 def _count_scene(clip: Clip, folder: Path) -> dict[str, Any]:

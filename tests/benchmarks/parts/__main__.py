@@ -1,4 +1,4 @@
-"""Body parts: `python -m tests.benchmarks.parts [--report] [--only SECTION ...] [--clips DIR]`.
+"""Body parts: `python -m tests.benchmarks.parts [--report] [--only SECTION ...]`.
 
 Without --report: the figures on the scenes for choosing settings, printed as the page would have
 them. With it: on the scenes reported, kept one by one in docs/results/parts.json, and the page made
@@ -11,7 +11,6 @@ from typing import Any
 
 import numpy as np
 
-from tests.benchmarks.command import Options
 from tests.benchmarks.pages import Figures, Page
 from tests.benchmarks.parts import clips
 from tests.benchmarks.parts.cases import ADJUSTED, PLAIN, WHOLE
@@ -24,9 +23,9 @@ _SUBJECTS = ("head", "torso", "hip-leg", "person")
 _FEWEST = 10  # a rate of fewer people is not drawn
 
 
-def _detector(options: Options) -> dict[str, Any]:
+def _detector(report: bool) -> dict[str, Any]:
     reported = (*clips.REPORTED, *clips.REPORTED_CROUCHING, *clips.REPORTED_ELSEWHERE)
-    return detector(reported if options.report else clips.CHECKED, options.clips)
+    return detector(reported if report else clips.CHECKED)
 
 
 def rates_picture(figures: Figures) -> str:
@@ -66,9 +65,9 @@ PAGE = Page(
     subject="parts",
     about=__doc__ or "",
     measures={
-        "rates": lambda asked: rates(clips.REPORTED if asked.report else clips.TUNED, asked.clips),
-        "crouching": lambda asked: crouching(
-            clips.REPORTED_CROUCHING if asked.report else clips.TUNED_CROUCHING, asked.clips
+        "rates": lambda report: rates(clips.REPORTED if report else clips.TUNED),
+        "crouching": lambda report: crouching(
+            clips.REPORTED_CROUCHING if report else clips.TUNED_CROUCHING
         ),
         "detector": _detector,
     },

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 from tests.benchmarks.clips import Clip, folder_of
 from tests.benchmarks.runner import Case, run_of
 from tracking.recording import open_recording
@@ -35,9 +33,9 @@ def rectangles(run: Run, case: Case) -> TrackedParts:
     return tracked_people(run.tracks) if case == WHOLE else tracked_parts(run.parts)
 
 
-def judged_clip(clip: Clip, case: Case, kept: Path | None = None) -> list[Judged]:
+def judged_clip(clip: Clip, case: Case) -> list[Judged]:
     """Everybody of a clip, as the case tracks them."""
-    folder = folder_of(clip, kept)
+    folder = folder_of(clip)
     with open_recording(folder) as recording:
         truth = read_part_truth(folder, recording.frame_count, recording.size)
     return judge(truth, rectangles(run_of(folder, case).run, case), clip.fps)

@@ -41,19 +41,18 @@ def main() -> None:
     parser = parser_of("parts.detector", __doc__)
     shipped = Path(next(iter(resources.__path__))) / BUILT_IN
     parser.add_argument("--out", type=Path, default=shipped, help="the detector's file")
-    parser.add_argument("--clips", type=Path, help="where clips are kept, not the user's cache")
     asked = parser.parse_args()
     random = np.random.default_rng(SEED)
-    samples = resized(samples_of_clips(TRAINED, asked.clips), random)
+    samples = resized(samples_of_clips(TRAINED), random)
     tell(f"samples off and on, by part: {samples.counts().tolist()}")
     detector = train(samples, TrainingPlan(), random=random).detector
     save_detector(asked.out, detector)
     print(f"{asked.out}: {detector.fingerprint}")
 
 
-def samples_of_clips(clips: Sequence[Clip], kept: Path | None = None) -> Samples:
+def samples_of_clips(clips: Sequence[Clip]) -> Samples:
     """What the tracker that adjusts nothing said of parts, and whether the truth says so."""
-    return joined(_samples_of_clip(clip, folder_of(clip, kept)) for clip in clips)
+    return joined(_samples_of_clip(clip, folder_of(clip)) for clip in clips)
 
 
 def _samples_of_clip(clip: Clip, folder: Path) -> Samples:

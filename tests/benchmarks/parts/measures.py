@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -29,10 +28,10 @@ _SHARES = (0.01, 0.02, 0.05)
 _GRID = np.linspace(0.0, 0.2, 81)
 
 
-def rates(clips: Sequence[Clip], kept: Path | None = None) -> Figures:
+def rates(clips: Sequence[Clip]) -> Figures:
     """Curves of each case over all people of the clips."""
     curves = {
-        case.name: _curves([one for clip in clips for one in judged_clip(clip, case, kept)])
+        case.name: _curves([one for clip in clips for one in judged_clip(clip, case)])
         for case in CASES
     }
     return {"clips": [title_of(clip) for clip in clips], "variants": curves}
@@ -68,10 +67,10 @@ class Stoop:
     recovered_s: float
 
 
-def crouching(clips: Sequence[Clip], kept: Path | None = None) -> Figures:
+def crouching(clips: Sequence[Clip]) -> Figures:
     """People who go down and stand up again, with the trackers of parts."""
     stoops = {
-        case.name: [one for clip in clips for one in stoops_in(clip, judged_clip(clip, case, kept))]
+        case.name: [one for clip in clips for one in stoops_in(clip, judged_clip(clip, case))]
         for case in (ADJUSTED, PLAIN, JOINT)
     }
     told = {name: _stoops(several) for name, several in stoops.items()}
@@ -130,10 +129,10 @@ def _spans(there: np.ndarray) -> list[tuple[int, int]]:
     return list(zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True))
 
 
-def detector(clips: Sequence[Clip], kept: Path | None = None) -> Figures:
+def detector(clips: Sequence[Clip]) -> Figures:
     """The built-in detector: people held out in training, and scenes never trained on."""
     shipped = built_in_detector()
-    new = samples_of_clips(clips, kept)
+    new = samples_of_clips(clips)
     unseen = _machine_curves(shipped, new)
     thresholds = [*shipped.thresholds.tolist(), shipped.several_threshold]
     machines = {

@@ -1,4 +1,4 @@
-"""Spheroids: `python -m tests.benchmarks.spheroid [--report] [--only SECTION ...] [--clips DIR]`.
+"""Spheroids: `python -m tests.benchmarks.spheroid [--report] [--only SECTION ...]`.
 
 Without --report: the figures on the clips for choosing settings, printed as the page would have
 them. With it: on the clips reported, kept one by one in docs/results/spheroid.json, and the page
@@ -11,7 +11,6 @@ from collections.abc import Sequence
 from typing import Any
 
 from tests.benchmarks.clips import Clip
-from tests.benchmarks.command import Options
 from tests.benchmarks.pages import Figures, Page
 from tests.benchmarks.spheroid.measures import (
     LONGEST_S,
@@ -42,33 +41,32 @@ _SPOTS = zip(
 _COUNTED = ("people", "swapped", "renamed", "missed")
 
 
-def clips_of(scenes: Sequence[str], options: Options) -> tuple[Clip, ...]:
+def clips_of(scenes: Sequence[str], report: bool) -> tuple[Clip, ...]:
     """Scenarios with the seeds asked for."""
-    return tuple(Clip(scene, seed) for seed in _seeds(options) for scene in scenes)
+    return tuple(Clip(scene, seed) for seed in _seeds(report) for scene in scenes)
 
 
-def _seeds(options: Options) -> tuple[int, ...]:
-    return REPORTED if options.report else TUNED
+def _seeds(report: bool) -> tuple[int, ...]:
+    return REPORTED if report else TUNED
 
 
-def _marks(options: Options) -> dict[str, Any]:
+def _marks(report: bool) -> dict[str, Any]:
     alone, pairs, walks = (
-        clips_of([scene], options) for scene in ("marks", "marks-pairs", "marks-walking")
+        clips_of([scene], report) for scene in ("marks", "marks-pairs", "marks-walking")
     )
     return {
         "clips": len(alone),
-        "standing": standing(alone, options.clips),
-        "pairs": standing(pairs, options.clips),
-        "walking": walking(walks, options.clips),
+        "standing": standing(alone),
+        "pairs": standing(pairs),
+        "walking": walking(walks),
     }
 
 
-def _robustness(options: Options) -> dict[str, Any]:
-    seed = _seeds(options)[0]
+def _robustness(report: bool) -> dict[str, Any]:
+    seed = _seeds(report)[0]
     return {
         name: robustness(
             [Clip(s, seed, SECONDS, cameras=1, disturbances=what) for s in ("ceiling", "plaza")],
-            options.clips,
         )
         for name, what in _DISTURBED.items()
     }
@@ -96,7 +94,7 @@ PAGE = Page(
     about=__doc__ or "",
     measures={
         "marks": _marks,
-        "situations": lambda asked: situations(clips_of(SITUATIONS, asked), asked.clips),
+        "situations": lambda report: situations(clips_of(SITUATIONS, report)),
         "robustness": _robustness,
     },
     words={

@@ -88,15 +88,15 @@ def _floor_table(columns: Mapping[str, NDArray[np.generic]]) -> ScoringTable:
     return ScoringTable.from_columns({**boxes, **named})
 
 
-def standing(clips: Sequence[Clip], kept: Path | None = None) -> dict[str, Any]:
+def standing(clips: Sequence[Clip]) -> dict[str, Any]:
     """Error on each mark: mean and deviation in cm, share of frames that are followed."""
-    found = _by_name(clips, "stands", kept)
+    found = _by_name(clips, "stands")
     return {name: errors_cm(rows) for name, rows in found.items()} | {"all": _all(found)}
 
 
-def walking(clips: Sequence[Clip], kept: Path | None = None) -> dict[str, Any]:
+def walking(clips: Sequence[Clip]) -> dict[str, Any]:
     """The same of each straight line, and the distance across it, as the paper measured."""
-    found = _by_name(clips, "walks", kept)
+    found = _by_name(clips, "walks")
     lines = {
         name: {**errors_cm(rows), "across_cm": _mean_cm(_across(rows, name))}
         for name, rows in found.items()
@@ -104,10 +104,10 @@ def walking(clips: Sequence[Clip], kept: Path | None = None) -> dict[str, Any]:
     return lines | {"all": _all(found)}
 
 
-def _by_name(clips: Sequence[Clip], kind: str, kept: Path | None) -> dict[str, list[Followed]]:
+def _by_name(clips: Sequence[Clip], kind: str) -> dict[str, list[Followed]]:
     found: dict[str, list[Followed]] = {}
     for clip in clips:
-        folder = folder_of(clip, kept)
+        folder = folder_of(clip)
         followed = follow(floor_truth(folder), run_of(folder, OURS).tracks, _SPOT_RADIUS_M)
         for moment in moments(folder):
             if moment.kind == kind:
@@ -145,9 +145,9 @@ def _across(several: Sequence[Followed], name: str) -> Floats:
     return np.abs((found - start) @ np.array([-along[1], along[0]]))
 
 
-def situations(clips: Sequence[Clip], kept: Path | None = None) -> list[dict[str, Any]]:
+def situations(clips: Sequence[Clip]) -> list[dict[str, Any]]:
     """What happened in each hard situation, by difficulty ([Waechter2013] table 3)."""
-    rows = [_situation(clip, folder_of(clip, kept)) for clip in clips]
+    rows = [_situation(clip, folder_of(clip)) for clip in clips]
     return sorted(rows, key=lambda row: (row["difficulty"], row["scene"], row["seed"]))
 
 
@@ -194,9 +194,9 @@ def mix_ups(followed: Followed) -> dict[str, int]:
     return {"swapped": swapped, "renamed": renamed, "missed": missed}
 
 
-def robustness(clips: Sequence[Clip], kept: Path | None = None) -> list[dict[str, Any]]:
+def robustness(clips: Sequence[Clip]) -> list[dict[str, Any]]:
     """Scores and ghosts of clips in which something is out of the ordinary."""
-    return [_robust(clip, folder_of(clip, kept)) for clip in clips]
+    return [_robust(clip, folder_of(clip)) for clip in clips]
 
 
 def _robust(clip: Clip, folder: Path) -> dict[str, Any]:

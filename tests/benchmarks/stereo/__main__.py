@@ -3,8 +3,7 @@
 Without --report: the figures on the clips for choosing settings, printed as the page would have
 them; fresh clips are left alone. With it: on the clips reported, goals and trackers on fresh ones,
 kept one by one in docs/results/stereo.json, and the page made of them. --rewrite only makes the
-page anew. Clips are kept in the user's cache, or where --clips says; clips that are there are taken
-as they are.
+page anew. Clips are kept in the user's cache.
 """
 
 from __future__ import annotations
@@ -12,7 +11,6 @@ from __future__ import annotations
 from typing import Any
 
 from tests.benchmarks.clips import folder_of
-from tests.benchmarks.command import Options
 from tests.benchmarks.intervals import interval, same_share
 from tests.benchmarks.pages import Figures, Page
 from tests.benchmarks.stereo import clips, measures
@@ -39,24 +37,24 @@ _BESIDE_OTHERS = ("stereo-joint", "stereo-direction")
 _SCENES_BESIDE_OTHERS = ("lobby", "plaza", "square")
 
 
-def _often(options: Options) -> clips.OfScene:
-    return clips.REPORTED if options.report else clips.TUNED
+def _often(report: bool) -> clips.OfScene:
+    return clips.REPORTED if report else clips.TUNED
 
 
-def _goals(options: Options) -> dict[str, Any]:
+def _goals(report: bool) -> dict[str, Any]:
     """Of clips nobody has looked at, and of those that are measured after each change."""
-    fresh = clips.FRESH if options.report else {}
+    fresh = clips.FRESH if report else {}
     return {
-        "fresh": measures.goals(fresh, options.clips),
-        "often": measures.goals(_often(options), options.clips),
+        "fresh": measures.goals(fresh),
+        "often": measures.goals(_often(report)),
     }
 
 
-def _peers(options: Options) -> dict[str, Any]:
+def _peers(report: bool) -> dict[str, Any]:
     """Everybody over crossing walkers, and over one clip each of some scenes."""
-    seeds = REPORTED_SEEDS if options.report else CHOOSING_SEEDS[:1]
-    chosen = [_often(options)[scene][0] for scene in _SCENES_BESIDE_OTHERS]
-    seen = [rendered_clip(folder_of(clip, options.clips)) for clip in chosen]
+    seeds = REPORTED_SEEDS if report else CHOOSING_SEEDS[:1]
+    chosen = [_often(report)[scene][0] for scene in _SCENES_BESIDE_OTHERS]
+    seen = [rendered_clip(folder_of(clip)) for clip in chosen]
     return {
         "crossing": compared(seeds, _BESIDE_OTHERS),
         "rendered": compared_on(seen, "rendered", _BESIDE_OTHERS),
@@ -78,12 +76,10 @@ PAGE = Page(
     subject="stereo",
     about=__doc__ or "",
     measures={
-        "tables": lambda asked: measures.tables(_often(asked), asked.clips),
-        "trackers": lambda asked: measures.trackers(
-            clips.FRESH if asked.report else clips.TUNED, asked.clips
-        ),
+        "tables": lambda report: measures.tables(_often(report)),
+        "trackers": lambda report: measures.trackers(clips.FRESH if report else clips.TUNED),
         "goals": _goals,
-        "robustness": lambda asked: measures.robustness(_often(asked), asked.clips),
+        "robustness": lambda report: measures.robustness(_often(report)),
         "peers": _peers,
     },
     words={

@@ -114,10 +114,10 @@ def figures_of(score: Score) -> Figures:
     return {**told, "error_m": figures["position_error_m"]["mean"]}
 
 
-def trackers(clips: OfScene, kept: Path | None = None) -> Figures:
+def trackers(clips: OfScene) -> Figures:
     """Each tracker's figures as it comes, over everything and by scene."""
     found = {
-        scene: [_scored_runs(folder_of(clip, kept)) for clip in several]
+        scene: [_scored_runs(folder_of(clip)) for clip in several]
         for scene, several in clips.items()
     }
     return {
@@ -153,18 +153,16 @@ def _over_clips(runs: Sequence[tuple[Score, KeptRun]]) -> Figures:
     }
 
 
-def tables(clips: OfScene, kept: Path | None = None) -> Figures:
+def tables(clips: OfScene) -> Figures:
     """Of each scene of the papers, by column: who is detected, and who is kept."""
-    return {
-        scene: _columns(scene, several, kept) for scene, several in clips.items() if scene in PAPERS
-    }
+    return {scene: _columns(scene, several) for scene, several in clips.items() if scene in PAPERS}
 
 
-def _columns(scene: str, clips: Sequence[Clip], kept: Path | None) -> Figures:
+def _columns(scene: str, clips: Sequence[Clip]) -> Figures:
     columns = columns_of(scene)
     found: Figures = {name: {kind: [] for kind in _KINDS} for name in columns}
     for clip in clips:
-        folder = folder_of(clip, kept)
+        folder = folder_of(clip)
         truth, runs = truth_of(folder), runs_over(folder, list(columns.values()))
         for name, case in columns.items():
             _add(found[name], truth, runs[case].tracks, folder.name)
@@ -201,11 +199,10 @@ def stand_there(truth: Columns, examined: Examination) -> NDArray[np.bool_]:
     return right
 
 
-def goals(clips: OfScene, kept: Path | None = None) -> Figures:
+def goals(clips: OfScene) -> Figures:
     """Of each scene: how well our tracker does."""
     return {
-        scene: _scored([folder_of(clip, kept) for clip in several])
-        for scene, several in clips.items()
+        scene: _scored([folder_of(clip) for clip in several]) for scene, several in clips.items()
     }
 
 
@@ -228,11 +225,11 @@ def _scored(folders: Sequence[Path]) -> Figures:
     }
 
 
-def robustness(clips: OfScene, kept: Path | None = None) -> list[Figures]:
+def robustness(clips: OfScene) -> list[Figures]:
     """Scores of clips with troubled cameras, and for how long a track stood where nobody was."""
-    found = [("part of the light goes out", clip, folder_of(clip, kept)) for clip in dimmed(clips)]
+    found = [("part of the light goes out", clip, folder_of(clip)) for clip in dimmed(clips)]
     for clip in sound(clips):
-        folder = folder_of(clip, kept)
+        folder = folder_of(clip)
         found.append(("nothing", clip, folder))
         found += [(one.name, clip, troubled(folder, one)) for one in TROUBLES]
     return [{"what": what, "clip": clip.scene, **_robust(folder)} for what, clip, folder in found]

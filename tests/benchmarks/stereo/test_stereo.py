@@ -58,15 +58,16 @@ def test_trackers_and_goals_are_measured_and_written(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(runner, "clips_cache", lambda: tmp_path)
+    monkeypatch.setattr(measures, "folder_of", lambda clip: tmp_path / clip.name)
     clip, late = Clip("lobby", 1), Disturbances(begin_s=8.0)
     render_recording(
         tmp_path / clip.name, "lobby", 1.0, 3, 6001, size=(320, 240), disturbances=late
     )
     clips = {"lobby": (clip,)}
-    trackers = json.loads(json.dumps(measures.trackers(clips, tmp_path)))
+    trackers = json.loads(json.dumps(measures.trackers(clips)))
     assert trackers["clips"] == [clip.name]
     assert trackers["all"] == trackers["scenes"]["lobby"]
-    goals = measures.goals(clips, tmp_path)
+    goals = measures.goals(clips)
     assert goals["lobby"]["IDF1"] == trackers["all"]["stereo-joint"]["IDF1"]
     page = PAGE.text({"trackers": trackers, "goals": {"fresh": goals, "often": goals}})
     assert "Fisher's exact test" in page
