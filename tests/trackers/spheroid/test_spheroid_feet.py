@@ -11,7 +11,13 @@ from tracking.geometry import FlatView, ellipses_of, standing_ellipses
 from tracking.trackers.spheroid.births import find_candidates
 from tracking.trackers.spheroid.feet import feet_of, feet_parts, feet_scores
 from tracking.trackers.spheroid.floor_cells import FloorCells
-from tracking.trackers.spheroid.hypothesis_scores import JudgedFrame, count_covering
+from tracking.trackers.spheroid.hypothesis_scores import (
+    LINES,
+    JudgedFrame,
+    count_covering,
+    windows_of,
+)
+from tracking.trackers.spheroid.weights import _BALANCE, _gains
 
 FLAT = FlatView(view(2.5, 20.0))
 ALONG = np.arange(3.4, 7.0, 0.1)
@@ -75,3 +81,22 @@ def test_new_people_begin_where_their_legs_end() -> None:
     (without, *_) = find_candidates(ramp, everywhere, cells, np.zeros((0, 2)))
     assert abs(place[1] - 5.0) < 0.35
     assert abs(place[1] - 5.0) < abs(without[1] - 5.0)
+
+
+@pytest.mark.parametrize("away_m", [4.5, 5.5])
+def test_a_gap_between_legs_makes_nobody_smaller_and_farther_away(away_m: float) -> None:
+    """Of hypotheses with their heads at one place, the one that stands there is the best."""
+    ramp = _seen((0.0, away_m))
+    tall = 2.5 - (2.5 - 1.72) * ALONG / away_m
+    axes = np.column_stack((np.zeros(len(ALONG)), ALONG))
+    seen = standing_ellipses(FLAT.projection, axes[None], tall[None], 0.25)
+    own = standing_ellipses(FLAT.projection, np.array([[0.0, away_m]]), np.array([1.72]), 0.25)
+    judged = JudgedFrame(ramp, np.ones(ramp.shape, bool), count_covering(ramp.shape, own))
+    windows = windows_of(judged, seen, own, LINES)
+    balance = np.array([_BALANCE])
+    with_legs, as_body = (
+        ALONG[_gains(windows, seen, own, balance, np.array([legs])).argmax()]
+        for legs in (True, False)
+    )
+    assert abs(with_legs - away_m) < 0.5
+    assert as_body > with_legs

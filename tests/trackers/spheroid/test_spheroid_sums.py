@@ -120,3 +120,6 @@ def test_people_far_apart_are_summed_in_windows_of_their_own() -> None:
         body = _inside(own[k : k + 1])
         assert found.area[k, 0] == body.sum()
         assert np.isclose(found.ramp[k, 0], ramp[body].sum() / 255.0)
+        low = body & (np.arange(SHAPE[0])[:, None] > own.v[k])
+        assert found.low_area[k, 0] == low.sum()
+        assert np.isclose(found.low_ramp[k, 0], ramp[low].sum() / 255.0)

@@ -45,10 +45,13 @@ class Inside:
 
     Attributes:
         ramp: sum of B. area: number of pixels that count.
+        low_ramp, low_area: the same below the centre alone.
     """
 
     ramp: Floats
     area: Floats
+    low_ramp: Floats
+    low_area: Floats
 
 
 def window(
@@ -87,14 +90,16 @@ def sums_inside(windows: Sequence[Window], outlines: Ellipses) -> Inside:
         windows: (people). outlines: (people, hypotheses).
     """
     if 0 in outlines.shape or not any(one.sums.size for one in windows):
-        return Inside(np.zeros(outlines.shape), np.zeros(outlines.shape))  # nobody is in sight
+        none = np.zeros(outlines.shape)  # nobody is in sight
+        return Inside(none, none, none, none)
     flat = np.concatenate([one.sums.ravel() for one in windows])
     lines = _lines(windows, outlines)
-    total = np.concatenate(
-        [_look_up(flat, lines[:, k : k + _BLOCK]) for k in range(0, lines.shape[1], _BLOCK)]
-    ).reshape(outlines.shape)
-    grey = total & ((1 << _COUNTED) - 1)
-    return Inside(grey / 255.0, (total >> _COUNTED).astype(np.float64))
+    blocks = range(0, lines.shape[1], _BLOCK)
+    totals = np.concatenate([_look_up(flat, lines[:, k : k + _BLOCK]) for k in blocks], axis=1)
+    totals = totals.reshape(2, *outlines.shape)
+    ramp = (totals & ((1 << _COUNTED) - 1)) / 255.0
+    area = (totals >> _COUNTED).astype(np.float64)
+    return Inside(ramp[0], area[0], ramp[1], area[1])
 
 
 def _lines(windows: Sequence[Window], outlines: Ellipses) -> Floats:
@@ -132,12 +137,12 @@ def _measures(windows: Sequence[Window]) -> Whole:
 
 
 def _look_up(flat: Whole, lines: Floats) -> Whole:
-    """(n,) packed sums in silhouettes, two look-ups a line.
+    """(2, n) packed sums in silhouettes, and below their centres; two look-ups a line.
 
     Args:
         flat: all running sums. lines: (9, n) of `_lines`.
     """
-    _, _, rows, cut, _, _, _, start, width = lines
+    begin, rise, rows, cut, _, _, _, start, width = lines
     count = np.arange(int(max(rows.max(), 1)))
     places = start.astype(np.int64)[:, None] + count * (width.astype(np.int64)[:, None] + 1)
     low, high = _ends(lines, count)
@@ -147,7 +152,9 @@ def _look_up(flat: Whole, lines: Floats) -> Whole:
         np.copyto(high, low, where=count >= rows[:, None])
     found = np.take(flat, high, mode="clip")
     found -= np.take(flat, low, mode="clip")
-    return np.asarray(found.sum(axis=1))
+    whole = found.sum(axis=1)
+    found[begin[:, None] + rise[:, None] * count <= 0.0] = 0
+    return np.stack([whole, found.sum(axis=1)])
 
 
 def _ends(lines: Floats, count: NDArray[np.intp]) -> tuple[NDArray[np.intp], NDArray[np.intp]]:

@@ -72,7 +72,8 @@ class SpheroidTracker:
           hardly tell near hypotheses apart;
         - other people are masked out where they are expected now, not where they were;
         - body heights are estimated: a fixed one errs by a share of the distance;
-        - feet say how far away people are who are seen from the side (see `feet`);
+        - feet say how far away people are who are seen from the side (see `feet`), and the lower
+          half of a silhouette is taken for legs, which leave a gap (see `weights`);
         - spheroids of people who walk are ahead of where they stand, as bodies lean;
         - colours of the body, looked up at a few places, weigh hypotheses too, so that people who
           meet keep their identities; little of those who are seen steeply;

@@ -19,13 +19,18 @@ Flags = NDArray[np.bool_]
 _BALANCE, _CUT_BALANCE = 0.45, 0.3
 """B from which on a pixel speaks for a hypothesis, below against; and of people whose heads are out
 of the picture: legs fill but half of a spheroid's width."""
+_LEGS_BALANCE, _LEGS_WEIGHT = 0.22, 0.57
+"""The same of the lower half of people seen from the side, and how much a pixel counts there beside
+one of the upper half. Bodies fill 0.9 of their upper half, legs half of the lower one, and 0.05 of
+what is empty is foreground: the logarithms of the likelihood ratios of a pixel, log(p / q) where it
+is foreground and log((1 - p) / (1 - q)) where not, follow from that, as does `_BALANCE`."""
 _STEEP_BALANCE, _STEEP_CUT_BALANCE = 0.35, 0.27
 """The same seen steeply: feet and head, the ends of a body, are narrower there than a spheroid's,
 and what these leave empty would push it outwards and make it short."""
 _HIDDEN_CUT_BALANCE = 0.1
 """The same seen steeply with the near side hidden, too: what a spheroid leaves empty at its sides
 would push it outwards, and nothing that is seen holds it."""
-_HEIGHT_SD_M = 0.15
+_HEIGHT_SD_M = 0.3
 """Of the body heights of people: how unlikely it is that one is far from the usual."""
 _LEAN_S = 0.05
 """Who walks leans ahead: seconds of walking by which the body's axis is before where he stands."""
@@ -83,7 +88,7 @@ def judge_and_weigh(
     else:
         windows = windows_of(judged, seen, own, LINES)
         balance = _balances(people, own, flat, short, steep)
-        log_weight = _gains(windows, seen, own, balance)
+        log_weight = _gains(windows, seen, own, balance, ~short & ~steep)
         rows = np.flatnonzero(~steep)
         log_weight[rows] += _feet_gains(people, judged, own, axes, rows, flat, settings)
         log_weight -= 0.5 * ((tall - settings.initial_height_m) / _HEIGHT_SD_M) ** 2
@@ -113,17 +118,29 @@ def _score(
         return np.log(judge(windows, seen, region).scores()), windows
 
 
-def _gains(windows: list[Window], seen: Ellipses, own: Ellipses, balance: Floats) -> Floats:
+def _gains(
+    windows: list[Window], seen: Ellipses, own: Ellipses, balance: Floats, with_legs: Flags
+) -> Floats:
     """(people, N) logarithms of weights: what speaks for hypotheses less what speaks against.
 
     Where we differ from [Waechter2013] eq. 2: C hardly tells near hypotheses apart, and foreground
     of people not followed yet, anywhere in the region, makes all alike. Here a pixel in the
     silhouette counts by how far its B lies above or below a balance: the logarithm of a likelihood
     ratio. What is outside of the silhouettes is the same for all hypotheses and cancels out.
+
+    Args:
+        balance: (people,) B from which on a pixel speaks for them.
+        with_legs: (people,) whose lower halves are legs, which leave a gap: taken for a body, what
+            is empty between them would draw spheroids up, to somebody smaller and farther away.
     """
     inside = sums_inside(windows, seen)
     area = np.maximum(np.nan_to_num(own.areas(), nan=1.0), 1.0)
-    return _SHARPNESS * (inside.ramp - balance[:, None] * inside.area) / area[:, None]
+    level = balance[:, None]
+    gain = inside.ramp - level * inside.area
+    legs = _LEGS_WEIGHT * (inside.low_ramp - _LEGS_BALANCE * inside.low_area)
+    as_body = inside.low_ramp - level * inside.low_area
+    gain += np.where(with_legs[:, None], legs - as_body, 0.0)
+    return _SHARPNESS * gain / area[:, None]
 
 
 def _feet_gains(
