@@ -12,7 +12,7 @@ import typer
 
 from app.cli.commands import program
 from app.cli.failure import MISUSED, run_reporting_errors
-from app.cli.output import escape_what_stdout_lacks, say
+from app.cli.output import escape_what_stdout_lacks, name_stdout_in_errors, say
 from app.cli.sessions import print_notes
 from app.core.interrupts import end_at_once
 from tracking.translation import use_language
@@ -37,6 +37,7 @@ def main() -> None:
     # Our own notes tell of broken pictures; OpenCV's warnings would stand amid them.
     os.environ.setdefault(_OPENCV_LOG, "SILENT")
     escape_what_stdout_lacks()
+    name_stdout_in_errors()
     use_language()
     # A polite request to end leaves no more behind than Ctrl+C does.
     signal.signal(signal.SIGTERM, signal.default_int_handler)

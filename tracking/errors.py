@@ -31,7 +31,10 @@ _TO_DO = {
     errno.EIO: N_("check the disk, and bring a copy of what is on it"),
     errno.EMFILE: N_("close other programs and try again"),
 }
-_OF_NO_FILE = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EROFS, errno.EIO, errno.EMFILE)
+_OF_NO_FILE = (
+    *(errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EROFS, errno.EIO, errno.EMFILE),
+    *(errno.EACCES, errno.EPERM),
+)
 """What the system says of writing without naming the file, and is no mistake of the program."""
 
 

@@ -61,13 +61,9 @@ def _flush() -> None:
     """Have all output written. Raises OutputError where the system refuses."""
     try:
         sys.stdout.flush()
-    except BrokenPipeError:
-        raise
-    except OSError as error:
+    except OutputError:
         _drop_stdout()
-        raise OutputError(
-            "cannot write to stdout: {reason}", "make room", reason=error.strerror
-        ) from error
+        raise
 
 
 def _drop_stdout() -> None:

@@ -6,6 +6,7 @@ the one place that prints.
 
 from __future__ import annotations
 
+import errno
 import io
 import json
 import os
@@ -20,8 +21,9 @@ from typing import Any
 
 import typer
 
+from tracking.errors import OutputError
 from tracking.progress import Progress
-from tracking.translation import Message
+from tracking.translation import N_, Message
 
 STDOUT = Path("-")
 """Stands for stdout where a command asks for a file of text to make."""
@@ -42,6 +44,41 @@ def escape_what_stdout_lacks() -> None:
             setattr(sys, name, Path(os.devnull).open("w", encoding="utf-8"))  # noqa: SIM115
         elif isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="backslashreplace")
+
+
+def name_stdout_in_errors() -> None:
+    """Have whatever the system says of writing to stdout raised as an OutputError about it.
+
+    Its own errors name no file, and so look like mistakes of the program. That nobody reads any
+    more stays a BrokenPipeError.
+    """
+    stream = sys.stdout
+    if isinstance(stream, io.TextIOWrapper) and stream is sys.__stdout__:  # which is not closed
+        sys.stdout = io.TextIOWrapper(
+            io.BufferedWriter(_Stdout(stream.fileno(), "w", closefd=False)),
+            stream.encoding,
+            stream.errors,
+            line_buffering=stream.line_buffering,
+            write_through=stream.write_through,
+        )
+
+
+class _Stdout(io.FileIO):
+    """The file behind stdout, under every buffer: what is printed by whatever way goes through."""
+
+    def write(self, data: Any) -> Any:
+        """Raises OutputError where the system refuses, BrokenPipeError where nobody reads."""
+        try:
+            return super().write(data)
+        except BrokenPipeError:
+            raise
+        except OSError as error:
+            full = error.errno in (errno.ENOSPC, errno.EDQUOT)
+            raise OutputError(
+                "cannot write to stdout: {reason}",
+                N_("make room") if full else N_("send it to another file or program"),
+                reason=error.strerror,
+            ) from error
 
 
 def escape_controls(text: object) -> str:

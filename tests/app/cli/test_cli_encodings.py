@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import fcntl
 import json
 import os
 import subprocess
 import sys
+from collections.abc import Callable
 from contextlib import closing
 from pathlib import Path
 
@@ -93,3 +95,40 @@ def test_a_closed_stdout_and_a_full_one_are_no_bug(named: Path) -> None:
         assert done.returncode == status, done.stderr
         assert b"bug" not in done.stderr
         assert done.stderr.count(b"\n") == status, done.stderr
+
+
+def sealed() -> int:
+    """A file that nobody may write to any more, though it is open for writing."""
+    descriptor = os.memfd_create("sealed", os.MFD_ALLOW_SEALING)
+    fcntl.fcntl(descriptor, fcntl.F_ADD_SEALS, fcntl.F_SEAL_WRITE | fcntl.F_SEAL_GROW)
+    return descriptor
+
+
+def read_only() -> int:
+    return os.open(os.devnull, os.O_RDONLY)
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="sealed files")
+@pytest.mark.parametrize("unbuffered", ["", "1"])
+@pytest.mark.parametrize(
+    ("stdout", "why"),
+    [(sealed, "Operation not permitted"), (read_only, "Bad file descriptor")],
+)
+def test_a_stdout_that_may_not_be_written_is_told_in_one_line(
+    stdout: Callable[[], int], why: str, unbuffered: str
+) -> None:
+    descriptor = stdout()
+    try:
+        done = subprocess.run(
+            [sys.executable, "-m", "app", "--help"],
+            cwd=CHECKOUT,
+            env={**os.environ, "PYTHONUNBUFFERED": unbuffered},
+            stdout=descriptor,
+            stderr=subprocess.PIPE,
+            text=True,
+            timeout=120,
+        )
+    finally:
+        os.close(descriptor)
+    line = f"trackwright: cannot write to stdout: {why}; send it to another file or program\n"
+    assert (done.returncode, done.stderr) == (1, line)

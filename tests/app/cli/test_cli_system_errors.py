@@ -167,6 +167,14 @@ def run_code(before: list[str], code: str, every: list[list[str]], home: Path) -
             "cannot go on: No space left on device; make room",
         ),
         (
+            PermissionError(13, "Permission denied"),
+            "cannot go on: Permission denied; choose another place, or have its owner let you",
+        ),
+        (
+            PermissionError(1, "Operation not permitted"),
+            "cannot go on: Operation not permitted; choose another place, or have its ",
+        ),
+        (
             OSError(5, "Input/output error", b"disk\xff"),
             "cannot use disk\\udcff: Input/output error",
         ),
