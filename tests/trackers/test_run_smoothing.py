@@ -104,7 +104,7 @@ def test_the_run_itself_its_particles_and_detections_are_not_touched():
 def test_a_run_as_published_stays_as_it_was_live(name: str):
     run = replace(run_of(astray(walk(), slice(40, 60))), tracker=name)
     published = replace(run, settings={"smooth": True, "paper": True})
-    finish = tracker_named(name).finish
+    finish = tracker_named(name).finisher.finish
     assert finish(published, VIEW, FPS, None) is published
     assert places(finish(run, VIEW, FPS, None)) == pytest.approx(places(run_of(walk())), abs=0.005)
 

@@ -154,7 +154,7 @@ class KeptSteps:
         if not finish or not settings.get("smooth") or recording.view is None:
             return run
         given = resume.last(_TIED_S) if resume is not None else None
-        finisher = tracker_named(tracker).finish
+        finisher = tracker_named(tracker).finisher.finish
         return finish_with_ticks(
             finisher, run, recording.view, recording.fps, given, Ticks.of(recording)
         )
@@ -212,7 +212,7 @@ def run_of_steps(
     """The steps of a tracker, in order from frame `start` on, as one immutable run.
 
     `settings` are plain values by their dotted names. With `smooth` among them, the tracks take
-    into account what came later (see `TrackerSpec.finish`); the steps stay as they were.
+    into account what came later (see `TrackerSpec.finisher`); the steps stay as they were.
     `resume`: what the tracker went on from, if it did; the smoothed tracks begin there.
     """
     kept = KeptSteps(first=start)

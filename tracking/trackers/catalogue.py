@@ -8,7 +8,6 @@ from types import MappingProxyType
 from typing import Any
 
 from tracking.errors import CalibrationError, RecordingError, SettingsError
-from tracking.geometry import View
 from tracking.recording import Recording
 from tracking.settings import (
     former_names,
@@ -17,18 +16,20 @@ from tracking.settings import (
     settings_values,
     with_present_names,
 )
-from tracking.trackers.flow import FLOW_OVERLAYS, FlowSettings, build_flow
-from tracking.trackers.flow import finish_run as flow_finished
+from tracking.trackers.flow import (
+    FLOW_OVERLAYS,
+    FlowSettings,
+    build_flow,
+    extend_trajectories,
+    link_walkers,
+)
 from tracking.trackers.joint import JointSettings, build_joint
-from tracking.trackers.linking import link_run
+from tracking.trackers.linking import Finisher, Published, link_tracks
 from tracking.trackers.shared.overlays import TrackerOverlays
 from tracking.trackers.shared.protocol import Perception, Tracker
-from tracking.trackers.shared.run_smoother import smooth_run
 from tracking.trackers.spheroid import SPHEROID_OVERLAYS, SpheroidSettings, build_spheroid
-from tracking.trackers.spheroid import finish_run as spheroid_finished
 from tracking.trackers.stereo import colour as stereo_colour
 from tracking.trackers.stereo import direction as stereo_direction
-from tracking.trackers.stereo.paper import finish_run as stereo_finished
 from tracking.trackers.three_part import (
     ThreePartSettings,
     WholeBodySettings,
@@ -37,9 +38,6 @@ from tracking.trackers.three_part import (
     build_whole_body,
     detector_fingerprint,
 )
-from tracking.trackers.three_part import finish_run as three_part_finished
-from tracking.tracks.columns import Columns
-from tracking.tracks.run import Run
 
 
 def _no_detector(settings: Mapping[str, Any]) -> str:  # noqa: ARG001 - of trackers that use one
@@ -59,8 +57,7 @@ class TrackerSpec:
         build: (recording, settings, seed) -> perception and tracker, both at their start.
         detector: (settings by their dotted names) -> fingerprint of the failure detector they
             name; "" for none.
-        finish: (run, camera, frames a second, rows that stand fast) -> the run looked over from
-            both ends, where its settings say `smooth`; see `smooth_run`.
+        finisher: how a run is looked over from both ends, where its settings say `smooth`.
         overlays: what a view can draw of its work.
         body_parts: its runs hold body parts, which can be labelled to train a failure detector.
     """
@@ -73,12 +70,20 @@ class TrackerSpec:
     settings_type: type
     build: Callable[[Recording, Any, int], tuple[Perception, Tracker]]
     detector: Callable[[Mapping[str, Any]], str] = _no_detector
-    finish: Callable[[Run, View, float, Columns | None], Run] = smooth_run
+    finisher: Finisher = field(default_factory=Finisher)
     overlays: TrackerOverlays = field(default_factory=TrackerOverlays)
     body_parts: bool = False
 
 
 _TWO_CAMERAS = TrackerOverlays(subtraction=True)
+
+_FLOW_PATH_MEMORY_S = 0.25
+"""Places seen by one camera err for longer than those of two do: more of them make a path."""
+_LIVE_IF_PAPER = Finisher(published=Published((("paper", True),), smoothed=False))
+_THREE_PART = Finisher(
+    relabel=link_tracks,
+    published=Published((("adjust", False), ("reidentify", False)), smoothed=False),
+)
 
 _BUILT = (
     TrackerSpec(
@@ -89,7 +94,7 @@ _BUILT = (
         needs_calibration=True,
         settings_type=JointSettings,
         build=build_joint,
-        finish=link_run,
+        finisher=Finisher(relabel=link_tracks),
         overlays=_TWO_CAMERAS,
     ),
     TrackerSpec(
@@ -100,7 +105,7 @@ _BUILT = (
         needs_calibration=True,
         settings_type=stereo_direction.StereoDirectionSettings,
         build=stereo_direction.build,
-        finish=stereo_finished,
+        finisher=_LIVE_IF_PAPER,
         overlays=_TWO_CAMERAS,
     ),
     TrackerSpec(
@@ -111,7 +116,7 @@ _BUILT = (
         needs_calibration=True,
         settings_type=stereo_colour.StereoColourSettings,
         build=stereo_colour.build,
-        finish=stereo_finished,
+        finisher=_LIVE_IF_PAPER,
         overlays=_TWO_CAMERAS,
     ),
     TrackerSpec(
@@ -122,7 +127,7 @@ _BUILT = (
         needs_calibration=True,
         settings_type=SpheroidSettings,
         build=build_spheroid,
-        finish=spheroid_finished,
+        finisher=Finisher(relabel=link_tracks, published=Published((("paper", True),))),
         overlays=SPHEROID_OVERLAYS,
     ),
     TrackerSpec(
@@ -134,7 +139,7 @@ _BUILT = (
         settings_type=ThreePartSettings,
         build=build_three_part,
         detector=detector_fingerprint,
-        finish=three_part_finished,
+        finisher=_THREE_PART,
         body_parts=True,
     ),
     TrackerSpec(
@@ -146,7 +151,7 @@ _BUILT = (
         settings_type=ThreePartSettings,
         build=build_three_part_joint,
         detector=detector_fingerprint,
-        finish=three_part_finished,
+        finisher=_THREE_PART,
         body_parts=True,
     ),
     TrackerSpec(
@@ -166,7 +171,12 @@ _BUILT = (
         needs_calibration=True,
         settings_type=FlowSettings,
         build=build_flow,
-        finish=flow_finished,
+        finisher=Finisher(
+            relabel=link_walkers,
+            path_memory_s=_FLOW_PATH_MEMORY_S,
+            extend=extend_trajectories,
+            published=Published((("persistent_points", False),)),
+        ),
         overlays=FLOW_OVERLAYS,
     ),
 )

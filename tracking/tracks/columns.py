@@ -142,6 +142,16 @@ def typed(values: Columns, columns: Types) -> dict[str, NDArray[Any]]:
     return {name: np.ascontiguousarray(values[name], dtype) for name, dtype in columns.items()}
 
 
+def merged_rows(*tables: Columns) -> tuple[dict[str, NDArray[Any]], NDArray[np.intp]]:
+    """The rows of tables with the columns of the first, sorted by frame, then track.
+
+    Returns them, and for each the row it was, counted through one table after the other.
+    """
+    whole = {name: np.concatenate([table[name] for table in tables]) for name in tables[0]}
+    order = np.lexsort((whole["track"], whole["frame"]))
+    return {name: column[order] for name, column in whole.items()}, order
+
+
 def box_columns(box: NDArray[np.float64]) -> Columns:
     """`left, top, width, height` of boxes (n, 4)."""
     return dict(zip(("left", "top", "width", "height"), box.T, strict=True))

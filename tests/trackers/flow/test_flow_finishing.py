@@ -11,8 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.trackers.flow.flow_scenes import FPS, view_of
-from tracking.trackers import smooth_run
-from tracking.trackers.flow import finish_run
+from tracking.trackers import smooth_run, tracker_named
 from tracking.trackers.flow.pieces import join_pieces
 from tracking.tracks.columns import (
     ASSOCIATION_COLUMNS,
@@ -25,6 +24,7 @@ from tracking.tracks.columns import (
 )
 from tracking.tracks.run import Particles, Run
 
+finish_run = tracker_named("flow").finisher.finish
 VIEW = view_of(2.2, 20.0)
 FRAMES = 100
 

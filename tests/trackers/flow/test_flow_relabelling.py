@@ -7,7 +7,7 @@ import pytest
 
 from tests.trackers.flow.flow_scenes import FPS
 from tests.trackers.flow.tracklet_runs import FRAMES, VIEW, Walker, run_with
-from tracking.trackers.flow import finish_run
+from tracking.trackers import tracker_named
 from tracking.trackers.flow.bundles import Trajectory, gather_bundle
 from tracking.trackers.flow.chains import link_chains
 from tracking.trackers.flow.floor import Floor
@@ -110,7 +110,8 @@ def test_a_track_off_all_ways_before_and_after_a_while_is_told_without_a_hole() 
 
 def test_a_finished_run_has_every_row_once_and_is_the_same_each_time() -> None:
     run = run_with((COMING, GOING), ((1, 0, range(5, 35)), (1, 1, range(35, 75))))
-    found, again = finish_run(run, VIEW, FPS).tracks, finish_run(run, VIEW, FPS).tracks
+    finish = tracker_named("flow").finisher.finish
+    found, again = (finish(run, VIEW, FPS).tracks for _ in range(2))
     keys = list(zip(found["frame"], found["track"], strict=True))
     assert keys == sorted(set(keys))
     assert all(np.array_equal(found[name], again[name], equal_nan=True) for name in found)

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.geometry import Camera, Ground, View
+from tracking.trackers.linking import Finisher, link_tracks
 from tracking.tracks import (
     ASSOCIATION_COLUMNS,
     CLOTHES,
@@ -32,6 +33,9 @@ VIEW = View(
     ),
     Ground(4.0, 40.0),
 )
+
+link_run = Finisher(relabel=link_tracks).finish
+"""What trackers that link do with a finished run."""
 
 
 def straight(start: Sequence[float], end: Sequence[float], frames: int) -> NDArray[np.float64]:

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from linked_runs import FPS, VIEW, Stretch, id_near, ids_at, run_of, straight
+from linked_runs import FPS, VIEW, Stretch, id_near, ids_at, link_run, run_of, straight
 from numpy.typing import NDArray
 
-from tracking.trackers.linking import link_run
 from tracking.trackers.linking.borders import birth_costs, death_costs
 from tracking.trackers.linking.seen_rows import find_seen_rows, is_track_start
 from tracking.trackers.linking.tracklets import cut_tracklets

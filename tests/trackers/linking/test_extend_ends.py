@@ -8,8 +8,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.trackers.linking.linked_runs import FPS, VIEW, Stretch, ids_at, run_of, straight
-from tracking.trackers.linking import link_run
+from tests.trackers.linking.linked_runs import (
+    FPS,
+    VIEW,
+    Stretch,
+    ids_at,
+    link_run,
+    run_of,
+    straight,
+)
 from tracking.tracks import Columns, Run
 
 WAY = straight((-1.5, 6), (1.5, 6), 80)

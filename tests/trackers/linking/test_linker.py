@@ -6,9 +6,20 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from linked_runs import BLUE, FPS, RED, VIEW, Stretch, corrected, id_near, ids_at, run_of, straight
+from linked_runs import (
+    BLUE,
+    FPS,
+    RED,
+    VIEW,
+    Stretch,
+    corrected,
+    id_near,
+    ids_at,
+    link_run,
+    run_of,
+    straight,
+)
 
-from tracking.trackers.linking import link_run
 from tracking.tracks import Run
 
 A, B = straight((-2, 6), (2, 6.5), 120), straight((2, 6), (-2, 6.5), 120)

@@ -6,10 +6,10 @@ import tracemalloc
 
 import numpy as np
 import pytest
-from linked_runs import BLUE, FPS, RED, VIEW, Stretch, run_of, straight
+from linked_runs import BLUE, FPS, RED, VIEW, Stretch, link_run, run_of, straight
 from scipy.optimize import linear_sum_assignment
 
-from tracking.trackers.linking import candidates, link_run
+from tracking.trackers.linking import candidates
 from tracking.trackers.linking.link_selection import _cheapest
 from tracking.trackers.linking.links import Links
 

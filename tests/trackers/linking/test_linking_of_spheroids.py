@@ -18,5 +18,5 @@ def test_who_is_lost_for_a_moment_keeps_the_id_but_not_in_runs_as_published(
 ) -> None:
     run = run_of(Stretch(1, 0, WAY[:55]), Stretch(2, 65, WAY[65:]), frames=120)
     run = replace(run, tracker="spheroid", settings={"smooth": True, "paper": paper})
-    finished = tracker_named("spheroid").finish(run, VIEW, FPS, None)
+    finished = tracker_named("spheroid").finisher.finish(run, VIEW, FPS, None)
     assert set(finished.tracks["track"].tolist()) == people

@@ -13,7 +13,7 @@ from tracking.pipeline.ticks import Ticks, finish_with_ticks
 from tracking.trackers import tracker_named
 from tracking.tracks import Columns, Particles, Run
 
-FINISH = tracker_named("stereo-joint").finish
+FINISH = tracker_named("stereo-joint").finisher.finish
 LINE = straight((-3, 6), (4, 6.5), 140)
 """1 m/s, by the clock."""
 TABLES = ("tracks", "detections", "associations", "signals")

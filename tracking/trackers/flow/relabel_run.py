@@ -12,10 +12,19 @@ from tracking.geometry import View
 from tracking.trackers.flow.bundles import Trajectory
 from tracking.trackers.flow.chains import TrackletChains, link_chains
 from tracking.trackers.flow.floor import Floor, sight_axes
+from tracking.trackers.flow.pieces import join_pieces
+from tracking.trackers.flow.predicted_rows import fill_gaps
 from tracking.trackers.flow.result import BODY_WIDTH_M, CHEST_M, PLENTY, shown_share
 from tracking.trackers.flow.silhouettes import USUAL_HEIGHT_M
 from tracking.trackers.flow.trajectory_selection import TrajectorySelector, WalkerTrajectory
-from tracking.tracks.columns import DETECTION_COLUMNS, TRACK_COLUMNS, Columns, box_columns, typed
+from tracking.tracks.columns import (
+    DETECTION_COLUMNS,
+    TRACK_COLUMNS,
+    Columns,
+    box_columns,
+    merged_rows,
+    typed,
+)
 from tracking.tracks.row_keys import row_keys
 from tracking.tracks.run import Particles, Run
 
@@ -31,6 +40,25 @@ tracklets."""
 _NEAR_ACROSS_M, _NEAR_ALONG = 0.5, 0.2
 """So near to a trajectory, across the sight and along it, as a share of the distance, is who walks
 it."""
+
+
+def link_walkers(
+    run: Run,
+    view: View,
+    fps: float,
+    given: Columns | None = None,  # noqa: ARG001 - of every relabelling; tracklets say who is who
+) -> Run:
+    """The run with one track for each person, who walks straight where a track has no rows.
+
+    Beyond [Yoneji2013], which counts frame by frame: people are those whose trajectories explain
+    the tracklets over all their time, see `relabel_run`, and pieces that lead from one to the other
+    are one track. Rows that were added count as predicted.
+
+    Args:
+        view: the camera. fps: frames a second.
+    """
+    run = join_pieces(relabel_run(run, view, fps), fps)
+    return replace(run, tracks=fill_gaps(run.tracks, view, fps))
 
 
 def relabel_run(run: Run, view: View, fps: float) -> Run:
@@ -171,9 +199,7 @@ def _concatenate(relabelled: Columns, tracks: Columns, off: Sequence[tuple[int, 
     for name, rows in off:
         part = {column: values[rows] for column, values in tracks.items()}
         parts.append({**part, "track": np.full_like(part["track"], name)})
-    both = {column: np.concatenate([part[column] for part in parts]) for column in relabelled}
-    order = np.lexsort((both["track"], both["frame"]))
-    return {column: values[order] for column, values in both.items()}
+    return merged_rows(*parts)[0]
 
 
 def _is_off(tracks: Columns, rows: Rows, relabelled: Columns) -> NDArray[np.bool_]:

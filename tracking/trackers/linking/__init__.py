@@ -10,6 +10,7 @@ Where no source stands beside a constant, it was chosen on rendered clips: tunin
 which number is not recorded.
 """
 
-from tracking.trackers.linking.linker import link_run
+from tracking.trackers.linking.finisher import Finisher, Published
+from tracking.trackers.linking.linker import link_tracks
 
-__all__ = ["link_run"]
+__all__ = ["Finisher", "Published", "link_tracks"]

@@ -13,7 +13,7 @@ from tracking.geometry import View
 from tracking.trackers.linking.gap_rows import expect_visibility
 from tracking.trackers.linking.seen_rows import SIDES, Flags, Floats, may_have_walked
 from tracking.tracks.boxes import overlaps
-from tracking.tracks.columns import TRACK_COLUMNS, Columns, typed
+from tracking.tracks.columns import TRACK_COLUMNS, Columns, merged_rows, typed
 from tracking.tracks.run import Run
 
 Rows = NDArray[np.intp]
@@ -112,9 +112,7 @@ def _add_rows(run: Run, row: Rows, detection: Rows, view: View) -> Run:
     for name in ("frame", "x", "y", *SIDES):
         added[name] = seen[name][detection]
     added = dict(typed(added, TRACK_COLUMNS))
-    whole = {name: np.concatenate((tracks[name], added[name])) for name in TRACK_COLUMNS}
-    order = np.lexsort((whole["track"], whole["frame"]))
-    whole = {name: column[order] for name, column in whole.items()}
+    whole, order = merged_rows(tracks, added)
     expect_visibility(whole, order >= len(tracks["frame"]), view)
     track = seen["track"].copy()
     track[detection] = added["track"]
@@ -134,13 +132,12 @@ def _has_all(signals: Columns, tracks: Columns) -> bool:
 
 def _add_unknown(columns: Columns, added: Columns) -> Columns:
     """The columns with rows of people who were added, of whom nothing else is known."""
-    count, whole = len(added["frame"]), {}
-    for name, column in columns.items():
-        known = name in ("frame", "track")
-        more = added[name] if known else np.full(count, np.nan)
-        whole[name] = np.concatenate((column, more.astype(column.dtype)))
-    order = np.lexsort((whole["track"], whole["frame"]))
-    return {name: column[order] for name, column in whole.items()}
+    unknown = np.full(len(added["frame"]), np.nan)
+    more = {
+        name: (added[name] if name in ("frame", "track") else unknown).astype(column.dtype)
+        for name, column in columns.items()
+    }
+    return merged_rows(columns, more)[0]
 
 
 def _places(columns: Columns, rows: Rows) -> Floats:

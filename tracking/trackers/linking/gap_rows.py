@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from tracking.geometry import View
 from tracking.trackers.linking.seen_rows import SIDES, Floats
 from tracking.trackers.stereo.boxes import visibility
-from tracking.tracks.columns import TRACK_COLUMNS, Columns, typed
+from tracking.tracks.columns import TRACK_COLUMNS, Columns, merged_rows, typed
 
 Rows = NDArray[np.intp]
 
@@ -31,10 +31,8 @@ def fill_gaps(tracks: Columns, signals: Columns, view: View, fps: float) -> tupl
     order = order[tracks["track"][order] > 0]
     old = {name: column[order] for name, column in tracks.items()}
     added, before = _between(old, round(_SURE_S * fps))
-    whole = {name: np.concatenate((old[name], added[name])) for name in TRACK_COLUMNS}
-    sort = np.lexsort((whole["track"], whole["frame"]))
-    whole = {name: column[sort] for name, column in whole.items()}
-    is_new = np.append(np.zeros(len(order), bool), np.ones(len(before), bool))[sort]
+    whole, sort = merged_rows(old, added)
+    is_new = sort >= len(order)
     expect_visibility(whole, is_new, view)
     if len(signals["frame"]) != len(tracks["frame"]):
         return whole, signals
@@ -51,12 +49,8 @@ def _between(tracks: Columns, longest: int) -> tuple[dict[str, NDArray[Any]], Ro
     Args:
         longest: where more are missing, none is added.
     """
-    step = np.diff(tracks["frame"].astype(np.int64))
-    short = (np.diff(tracks["track"]) == 0) & (step - 1 <= longest)
-    missing = np.where(short, step - 1, 0)
-    before = np.repeat(np.arange(len(missing)), missing)
-    nth = np.arange(len(before)) - np.repeat(np.cumsum(missing) - missing, missing) + 1
-    share = nth / (missing[before] + 1)
+    before, nth, steps = missing_frames(tracks["frame"], tracks["track"], longest)
+    share = nth / steps
     values = {name: tracks[name][before] for name in TRACK_COLUMNS}
     for name in ("x", "y", *SIDES, "vx", "vy"):
         values[name] = values[name] + share * (tracks[name][before + 1] - values[name])
@@ -64,6 +58,24 @@ def _between(tracks: Columns, longest: int) -> tuple[dict[str, NDArray[Any]], Ro
     values["confidence"] = np.zeros(len(before))
     values["predicted"] = np.ones(len(before), bool)
     return typed(values, TRACK_COLUMNS), before
+
+
+def missing_frames(
+    frame: NDArray[np.int32], track: NDArray[np.int32], longest: int | None = None
+) -> tuple[Rows, Rows, Rows]:
+    """(k,) the frames that tracks leave out: the row before each, how far behind it, of how far.
+
+    Args:
+        frame, track: (n,) sorted by track and frame. longest: a gap of more frames is left;
+            None: none is.
+    """
+    step = np.diff(frame.astype(np.int64))
+    missing = np.where(np.diff(track) == 0, step - 1, 0)
+    if longest is not None:
+        missing[missing > longest] = 0
+    before = np.repeat(np.arange(len(missing)), missing)
+    nth = np.arange(len(before)) - np.repeat(np.cumsum(missing) - missing, missing) + 1
+    return before, nth, missing[before] + 1
 
 
 def expect_visibility(tracks: Columns, is_new: NDArray[np.bool_], view: View) -> None:

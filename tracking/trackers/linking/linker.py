@@ -1,4 +1,4 @@
-"""A finished run with one id for each person's whole stay."""
+"""The tracks of a finished run linked: one id for each person's whole stay."""
 
 from __future__ import annotations
 
@@ -17,13 +17,12 @@ from tracking.trackers.linking.link_selection import least_rows, number_people, 
 from tracking.trackers.linking.run_ids import rename_tracks
 from tracking.trackers.linking.seen_rows import Integers, SeenRows, find_seen_rows
 from tracking.trackers.linking.tracklets import Tracklets, cut_tracklets
-from tracking.trackers.shared.run_smoother import smooth_run
 from tracking.tracks.columns import CLOTHES, Columns
 from tracking.tracks.run import Run
 
 
-def link_run(run: Run, view: View, fps: float, given: Columns | None = None) -> Run:
-    """The run with one id for each person, smoothed from both ends; see `smooth_run`.
+def link_tracks(run: Run, view: View, fps: float, given: Columns | None = None) -> Run:
+    """The run with one id for each person.
 
     Trackers decide frame by frame, and where two people meet or somebody is lost they may go on
     with the wrong one. Of a recording it is known what came later: tracks are cut where it is
@@ -39,10 +38,10 @@ def link_run(run: Run, view: View, fps: float, given: Columns | None = None) -> 
             go on from there.
     """
     row, name = _find_ids(run, view, fps, given)
-    if len(row):
-        free = run.detections["track"] == 0
-        run = extend_ends(rename_tracks(run, row, name, view, fps), free, view, fps)
-    return smooth_run(run, view, fps, given)
+    if not len(row):
+        return run
+    free = run.detections["track"] == 0
+    return extend_ends(rename_tracks(run, row, name, view, fps), free, view, fps)
 
 
 def _find_ids(

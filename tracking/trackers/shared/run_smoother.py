@@ -19,7 +19,7 @@ Floats = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 Rows = NDArray[np.intp]
 
-_PATH_MEMORY_S = 0.14
+PATH_MEMORY_S = 0.14
 """Constant velocity disturbed by 0.5 m²/s³, measured 20 times a second."""
 _OUTLINE_MEMORY_S = 0.45
 """About a step: longer, and a turning body is followed late; shorter, and two seen as one are."""
@@ -86,7 +86,7 @@ def smooth_run(
     fps: float,
     given: Columns | None = None,
     *,
-    memory_s: float = _PATH_MEMORY_S,
+    memory_s: float = PATH_MEMORY_S,
 ) -> Run:
     """The run with what was seen later taken into account; particles and matches stay.
 

@@ -1,6 +1,5 @@
 """Spheroids in the floor plane: people of one calibrated camera ([Waechter2013])."""
 
-from tracking.trackers.spheroid.finisher import finish_run
 from tracking.trackers.spheroid.overlays import (
     SPHEROID_OVERLAYS,
     outlines,
@@ -15,7 +14,6 @@ __all__ = [
     "SpheroidPerception",
     "SpheroidSettings",
     "build_spheroid",
-    "finish_run",
     "outlines",
     "region_of_evaluation",
 ]

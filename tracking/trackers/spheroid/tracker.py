@@ -83,7 +83,9 @@ class SpheroidTracker:
           two people is put to one of them (see `split_merged`);
         - who has left the picture or is not where he would be seen is let go before hypotheses
           spread, and who is re-identified near by, in the same colours, keeps the track;
-        - boxes are drawn from the foreground round the silhouettes, not from spheroids.
+        - boxes are drawn from the foreground round the silhouettes, not from spheroids;
+        - finished runs are linked: behind pillars and other people somebody is lost and gets a new
+          id, and who meets somebody may be taken for them.
     """
 
     def __init__(

@@ -11,7 +11,6 @@ from tracking.filtering import Association, nearest_first, resample, weigh, weig
 from tracking.geometry import View
 from tracking.people import Detections, Observation
 from tracking.trackers.shared.protocol import StepResult
-from tracking.trackers.shared.run_smoother import smooth_run
 from tracking.trackers.stereo.births_and_ends import (
     BirthCandidates,
     confirm_tracks,
@@ -24,8 +23,6 @@ from tracking.trackers.stereo.population import Population, concatenate
 from tracking.trackers.stereo.result import step_result
 from tracking.trackers.stereo.settings import StereoTrackerSettings
 from tracking.trackers.stereo.update import age_tracks
-from tracking.tracks.columns import Columns
-from tracking.tracks.run import Run
 
 Floats = NDArray[np.float64]
 Colours = NDArray[np.float32]
@@ -125,17 +122,6 @@ class PaperTracker(StereoFilter[StereoTrackerSettings, Cues]):
         kept = people.select(there)
         particles = resample(kept.particles, kept.weight, self._random)
         return kept.replace(particles=particles), moved[there]
-
-
-def finish_run(run: Run, view: View, fps: float, given: Columns | None = None) -> Run:
-    """The run smoothed from both ends; not with `paper`: there all comes from what came before.
-
-    Args:
-        view: the camera. fps: frames a second. given: see `smooth_run`.
-    """
-    if run.settings.get("paper", False):
-        return run
-    return smooth_run(run, view, fps, given)
 
 
 def paper_costs(

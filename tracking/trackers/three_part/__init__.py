@@ -1,7 +1,6 @@
 """People followed by rectangles in the picture: three parts each, or whole [ZhaoLee2009]."""
 
 from tracking.trackers.three_part.detectors import detector_fingerprint
-from tracking.trackers.three_part.finisher import finish_run
 from tracking.trackers.three_part.settings import ThreePartSettings, WholeBodySettings
 from tracking.trackers.three_part.setup import (
     build_three_part,
@@ -16,5 +15,4 @@ __all__ = [
     "build_three_part_joint",
     "build_whole_body",
     "detector_fingerprint",
-    "finish_run",
 ]

@@ -1,4 +1,4 @@
-"""Finishes a run of the flow tracker: joins pieces, extends trajectories back and on."""
+"""Rows of a finished run in which nobody was seen: between rows of a track, before and after."""
 
 from __future__ import annotations
 
@@ -9,13 +9,12 @@ from numpy.typing import NDArray
 
 from tracking.geometry import View
 from tracking.trackers.flow.floor import Floor
-from tracking.trackers.flow.pieces import Ends, find_ends, join_pieces
-from tracking.trackers.flow.relabel_run import relabel_run
+from tracking.trackers.flow.pieces import Ends, find_ends
 from tracking.trackers.flow.result import BODY_WIDTH_M
 from tracking.trackers.flow.silhouettes import USUAL_HEIGHT_M
 from tracking.trackers.flow.witnesses import Witnesses
-from tracking.trackers.shared.run_smoother import smooth_run
-from tracking.tracks.columns import TRACK_COLUMNS, Columns
+from tracking.trackers.linking.gap_rows import missing_frames
+from tracking.tracks.columns import TRACK_COLUMNS, Columns, box_columns, merged_rows, typed
 from tracking.tracks.run import Run
 
 Floats = NDArray[np.float64]
@@ -26,54 +25,33 @@ _USUAL_LED_S = 1.5
 _LEAST_LED_S = 1.0
 _LEAST_M_S, _LEAST_WAY_M = 0.5, 0.8
 """Who was followed for less, or is slower, or has come less far, leads nowhere."""
-_MEMORY_S = 0.25
-"""Places seen err for longer than those of two cameras do: more of them make a path."""
 _CHEST_M = 1.2
 
 
-def finish_run(run: Run, view: View, fps: float, given: Columns | None = None) -> Run:
-    """The run as seen from its end.
-
-    Beyond [Yoneji2013], which counts frame by frame. In a crowd people are found late and lost
-    early, behind others; whoever walked on was there before and after:
-        - people are those whose trajectories explain the tracklets over all their time, see
-          `relabel_run`;
-        - pieces that lead from one to the other are one track;
-        - where a track has no rows in between, the person walked straight;
-        - paths are smoothed, see `trackers.smooth_run`;
-        - trajectories are led back and on for a while, at the pace they had, within the picture,
-          as long as the tracklets leave room for somebody there, see `Witnesses`.
-    What was added counts as predicted. With `persistent_points` off runs are only smoothed.
+def fill_gaps(tracks: Columns, view: View, fps: float) -> Columns:
+    """With rows in between for those who are out of sight within their track: they walk straight.
 
     Args:
-        view: the camera. fps: frames a second. given: see `trackers.smooth_run`.
+        view: the camera. fps: frames a second.
     """
-    if not run.settings.get("persistent_points"):
-        return smooth_run(run, view, fps, given)
-    run = join_pieces(relabel_run(run, view, fps), fps)
-    run = replace(run, tracks=_fill_gaps(run.tracks, view, fps))
-    run = smooth_run(run, view, fps, given, memory_s=_MEMORY_S)
-    led_s = float(run.settings.get("extrapolate_s", _USUAL_LED_S))
-    return replace(run, tracks=_extend(run, view, fps, led_s))
-
-
-def _fill_gaps(tracks: Columns, view: View, fps: float) -> Columns:
-    """With rows in between for those who are out of sight within their track."""
     order = np.lexsort((tracks["frame"], tracks["track"]))
     frame, track = tracks["frame"][order], tracks["track"][order]
     place = np.stack((tracks["x"][order], tracks["y"][order]), axis=1)
-    missing = np.where(track[1:] == track[:-1], np.diff(frame) - 1, 0)
-    before = np.repeat(np.arange(len(missing)), missing)
-    nth = np.arange(len(before)) - np.repeat(np.cumsum(missing) - missing, missing) + 1
-    share = (nth / (missing[before] + 1))[:, None]
+    before, nth, steps = missing_frames(frame, track)
     way = place[before + 1] - place[before]
-    pace = way * fps / (missing[before] + 1)[:, None]
-    added = _rows(frame[before] + nth, track[before], place[before] + share * way, pace, view)
-    return _add_rows(tracks, added)
+    there = place[before] + (nth / steps)[:, None] * way
+    pace = way * fps / steps[:, None]
+    return merged_rows(tracks, _rows(frame[before] + nth, track[before], there, pace, view))[0]
 
 
-def _extend(run: Run, view: View, fps: float, led_s: float) -> Columns:
-    """The tracks with trajectories led back to before their beginning and on after their end."""
+def extend_trajectories(run: Run, view: View, fps: float) -> Run:
+    """The run with trajectories led back to before their beginning and on after their end.
+
+    In a crowd people are found late and lost early, behind others; whoever walked on was there
+    before and after, at the pace they had, as long as they are in the picture and the tracklets
+    leave room for somebody there, see `Witnesses`.
+    """
+    led_s = float(run.settings.get("extrapolate_s", _USUAL_LED_S))
     tracks, witnesses = run.tracks, Witnesses(run, Floor(view))
     order = np.lexsort((tracks["frame"], tracks["track"]))
     pieces = np.split(order, np.flatnonzero(np.diff(tracks["track"][order])) + 1)
@@ -83,9 +61,9 @@ def _extend(run: Run, view: View, fps: float, led_s: float) -> Columns:
         end = find_ends(tracks, pieces, fps, last=last)
         steps = np.arange(1, round(led_s * fps) + 1) * (1 if last else -1)
         added = _line(end, name, run.frames, fps, steps, witnesses)
-        tracks = _add_rows(tracks, added)
+        tracks, _ = merged_rows(tracks, added)
         pieces = _rows_by_track(tracks, name)
-    return tracks
+    return replace(run, tracks=tracks)
 
 
 def _is_leading(tracks: Columns, rows: Rows, fps: float) -> bool:
@@ -137,18 +115,11 @@ def _rows(
     values = {
         "frame": frame,
         "track": track,
-        **dict(zip(("left", "top", "width", "height"), box.T, strict=True)),
+        **box_columns(box),
         **dict(zip(("x", "y"), place.T, strict=True)),
         **dict(zip(("vx", "vy"), pace.T, strict=True)),
         "confidence": np.zeros(len(frame)),
         "visibility": np.zeros(len(frame)),
         "predicted": np.ones(len(frame), bool),
     }
-    return {name: np.asarray(values[name], dtype) for name, dtype in TRACK_COLUMNS.items()}
-
-
-def _add_rows(tracks: Columns, added: Columns) -> Columns:
-    """With more rows, by frame, then track."""
-    both = {name: np.concatenate((column, added[name])) for name, column in tracks.items()}
-    order = np.lexsort((both["track"], both["frame"]))
-    return {name: column[order] for name, column in both.items()}
+    return typed(values, TRACK_COLUMNS)
