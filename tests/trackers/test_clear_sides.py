@@ -7,7 +7,8 @@ import pytest
 from numpy.typing import NDArray
 
 from tracking.trackers.shared import clear_sides as module
-from tracking.trackers.shared.clear_sides import SIDES, clear_sides
+from tracking.trackers.shared.clear_sides import clear_sides
+from tracking.tracks.columns import SIDES
 
 
 def rows(

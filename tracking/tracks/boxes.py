@@ -18,6 +18,13 @@ def common_px2(one: Floats, other: Floats) -> Floats:
     return np.asarray(side[..., 0] * side[..., 1])
 
 
+def share_inside(box: Floats, size: tuple[int, int]) -> Floats:
+    """(n,) the share of each box (n, 4) that lies in a picture of this width and height."""
+    low = np.clip(box[:, :2], 0.0, size)
+    high = np.clip(box[:, :2] + box[:, 2:], 0.0, size)
+    return np.asarray(np.prod(high - low, axis=1) / np.maximum(np.prod(box[:, 2:], axis=1), 1e-9))
+
+
 def overlaps(one: Floats, other: Floats) -> Floats:
     """(...) intersection over union of boxes (..., 4); 0 where it cannot be said."""
     common = common_px2(one, other)

@@ -152,6 +152,21 @@ def merged_rows(*tables: Columns) -> tuple[dict[str, NDArray[Any]], NDArray[np.i
     return {name: column[order] for name, column in whole.items()}, order
 
 
+SIDES = ("left", "top", "width", "height")
+"""The columns of a box, px."""
+Rows = slice | NDArray[np.bool_] | NDArray[np.intp]
+
+
 def box_columns(box: NDArray[np.float64]) -> Columns:
     """`left, top, width, height` of boxes (n, 4)."""
-    return dict(zip(("left", "top", "width", "height"), box.T, strict=True))
+    return dict(zip(SIDES, box.T, strict=True))
+
+
+def boxes_of(columns: Columns, rows: Rows = slice(None)) -> NDArray[Any]:
+    """(n, 4) left, top, width, height px of rows of a table."""
+    return np.stack([columns[name][rows] for name in SIDES], axis=1)
+
+
+def places_of(columns: Columns, rows: Rows = slice(None)) -> NDArray[Any]:
+    """(n, 2) m on the floor of rows of a table."""
+    return np.stack((columns["x"][rows], columns["y"][rows]), axis=1)

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.trackers.flow.floor import Floor
-from tracking.tracks.columns import Columns
+from tracking.tracks.columns import Columns, places_of
 from tracking.tracks.run import Particles, Run
 
 Floats = NDArray[np.float64]
@@ -133,5 +133,5 @@ def _held_at(tracks: Columns, frame: Integers, track: NDArray[np.int32]) -> Floa
     wanted = frame * wide + track
     at = order[np.minimum(np.searchsorted(keys[order], wanted), len(order) - 1)]
     hit = (keys[at] == wanted) & (track > 0)
-    place[hit] = np.stack((tracks["x"][at[hit]], tracks["y"][at[hit]]), axis=1)
+    place[hit] = places_of(tracks, at[hit])
     return place

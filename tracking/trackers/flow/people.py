@@ -33,6 +33,7 @@ from tracking.trackers.flow.walkers import (
     put_at,
     update_measured,
 )
+from tracking.trackers.shared.gating import WideningGate
 
 Floats = NDArray[np.float64]
 Indices = NDArray[np.intp]
@@ -55,10 +56,9 @@ _LOOK_S = 0.15
 """People who are not followed yet are looked for about so often."""
 _LOST_S = 0.15
 """Who is missed for longer is out of sight."""
-_STRAY_M, _STRAY_M_S, _FARTHEST_STRAY_M = 0.4, 0.4, 1.2
+_STRAY_M = WideningGate(at_once=0.4, a_second=0.4, widest=1.2)
 _OTHER_PACE_M_S = 1.2
-"""They may turn up so far from where they are thought to be: at once, more for each second, at
-most; and so much faster or slower."""
+"""They may turn up so far from where they are thought to be, and so much faster or slower."""
 _WEAKER = 0.3
 """Of two at one place the one with a smaller share of the other's tracklets is not the person."""
 _LONGER = 1.6
@@ -232,9 +232,13 @@ def _is_crowded(walkers: Walkers, place: Floats) -> bool:
 def _find_lost_near(walkers: Walkers, place: Floats, pace: Floats) -> int | None:
     """The row of whoever is out of sight and may have come to the place; None: nobody."""
     away = np.hypot(*(walkers.place - place).T)
-    gate_m = np.minimum(_STRAY_M + _STRAY_M_S * walkers.missed_s, _FARTHEST_STRAY_M)
     alike = np.hypot(*(walkers.pace - pace).T) < _OTHER_PACE_M_S
-    near = (walkers.missed_s > _LOST_S) & (away < gate_m) & alike & walkers.walked
+    near = (
+        (walkers.missed_s > _LOST_S)
+        & (away < _STRAY_M.radius(walkers.missed_s))
+        & alike
+        & walkers.walked
+    )
     return int(np.where(near, away, np.inf).argmin()) if near.any() else None
 
 

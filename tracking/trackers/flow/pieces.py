@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
 from tracking.trackers.flow.floor import sight_axes
-from tracking.tracks.columns import Columns
+from tracking.tracks.columns import Columns, places_of
 from tracking.tracks.run import Particles, Run
 
 Floats = NDArray[np.float64]
@@ -79,7 +79,7 @@ def find_ends(tracks: Columns, pieces: list[Rows], fps: float, *, last: bool) ->
     time_s, place, pace = np.zeros(len(pieces)), *np.zeros((2, len(pieces), 2))
     for number, rows in enumerate(pieces):
         seconds = tracks["frame"][rows] / fps
-        where = np.stack((tracks["x"][rows], tracks["y"][rows]), axis=1)
+        where = places_of(tracks, rows)
         time_s[number] = seconds[-1 if last else 0]
         near = np.abs(seconds - time_s[number]) <= _LED_BY_S
         way = where[-1] - where[0]

@@ -14,7 +14,14 @@ from tracking.trackers.flow.result import BODY_WIDTH_M
 from tracking.trackers.flow.silhouettes import USUAL_HEIGHT_M
 from tracking.trackers.flow.witnesses import Witnesses
 from tracking.trackers.linking.gap_rows import missing_frames
-from tracking.tracks.columns import TRACK_COLUMNS, Columns, box_columns, merged_rows, typed
+from tracking.tracks.columns import (
+    TRACK_COLUMNS,
+    Columns,
+    box_columns,
+    merged_rows,
+    places_of,
+    typed,
+)
 from tracking.tracks.run import Run
 
 Floats = NDArray[np.float64]
@@ -36,7 +43,7 @@ def fill_gaps(tracks: Columns, view: View, fps: float) -> Columns:
     """
     order = np.lexsort((tracks["frame"], tracks["track"]))
     frame, track = tracks["frame"][order], tracks["track"][order]
-    place = np.stack((tracks["x"][order], tracks["y"][order]), axis=1)
+    place = places_of(tracks, order)
     before, nth, steps = missing_frames(frame, track)
     way = place[before + 1] - place[before]
     there = place[before] + (nth / steps)[:, None] * way

@@ -23,6 +23,7 @@ from tracking.tracks.columns import (
     Columns,
     box_columns,
     merged_rows,
+    places_of,
     typed,
 )
 from tracking.tracks.row_keys import row_keys
@@ -207,8 +208,8 @@ def _is_off(tracks: Columns, rows: Rows, relabelled: Columns) -> NDArray[np.bool
     at = np.searchsorted(tracks["frame"][rows], relabelled["frame"])
     at = np.minimum(at, len(rows) - 1)
     both = np.flatnonzero(tracks["frame"][rows][at] == relabelled["frame"])
-    own = np.stack((tracks["x"][rows], tracks["y"][rows]), axis=1)[at[both]]
-    away = np.stack((relabelled["x"][both], relabelled["y"][both]), axis=1) - own
+    own = places_of(tracks, rows)[at[both]]
+    away = places_of(relabelled, both) - own
     along, across = np.einsum("kij,kj->ik", sight_axes(own), away)
     near = np.abs(across) < _NEAR_ACROSS_M
     near &= np.abs(along) < np.maximum(_NEAR_ALONG * np.hypot(*own.T), _NEAR_ACROSS_M)

@@ -32,6 +32,7 @@ from tracking.trackers.joint.reidentification import reidentify
 from tracking.trackers.joint.settings import JointSettings
 from tracking.trackers.joint.track_management import is_reported, may_be_occluded, should_keep
 from tracking.trackers.joint.track_update import update_matched
+from tracking.trackers.shared.gating import nearest_others_m
 from tracking.trackers.shared.protocol import StepResult
 from tracking.trackers.stereo.births_and_ends import (
     BirthCandidates,
@@ -47,7 +48,6 @@ from tracking.trackers.stereo.shared_detections import find_shared_regions
 from tracking.trackers.stereo.update import (
     Match,
     age_tracks,
-    find_isolated,
     update_missed,
     update_occluded,
 )
@@ -114,7 +114,9 @@ class JointTracker(StereoFilter[JointSettings, JointCues]):
         since_s = expected.missed_s[pairs.track] + elapsed_s
         shared = find_shared_regions(expected, bodies, pairs, seen, view)
         alone = shared.alone_of(pairs)
-        clear = find_isolated(expected, pairs.track, settings.colour_update_distance_m)
+        clear = (
+            nearest_others_m(expected.position)[pairs.track] >= settings.colour_update_distance_m
+        )
         match = Match(pairs, shared, clear, seen, colours, since_s)
         people = update_matched(people, match, appearance, sigma, self._cues, self._random)
         self._learn(expected, match, difference)

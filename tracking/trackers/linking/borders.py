@@ -11,6 +11,7 @@ from tracking.geometry import View
 from tracking.trackers.linking.occlusion import hidden_shares
 from tracking.trackers.linking.seen_rows import BODY_M, Flags, Floats, SeenRows
 from tracking.trackers.linking.tracklets import State, Tracklets
+from tracking.tracks import boxes
 from tracking.tracks.columns import Columns
 
 _AHEAD_S = 0.5
@@ -78,10 +79,7 @@ def return_costs(pieces: Tracklets, view: View) -> Floats:
 def share_inside(place: Floats, view: View) -> Floats:
     """(n,) how much of a usual body at places (n, 2) the picture shows."""
     box = view.box_of_person(place, *BODY_M)
-    low = np.clip(box[:, :2], 0.0, view.camera.size)
-    high = np.clip(box[:, :2] + box[:, 2:], 0.0, view.camera.size)
-    share = np.prod(high - low, axis=1) / np.prod(box[:, 2:], axis=1)
-    return np.asarray(np.nan_to_num(share))
+    return np.asarray(np.nan_to_num(boxes.share_inside(box, view.camera.size)))
 
 
 def _leaving(state: State, at_edge: Flags, ahead_s: float, view: View) -> Floats:

@@ -11,9 +11,17 @@ from scipy.optimize import linear_sum_assignment
 
 from tracking.geometry import View
 from tracking.trackers.linking.gap_rows import expect_visibility
-from tracking.trackers.linking.seen_rows import SIDES, Flags, Floats, may_have_walked
+from tracking.trackers.linking.seen_rows import Flags, Floats, may_have_walked
 from tracking.tracks.boxes import overlaps
-from tracking.tracks.columns import TRACK_COLUMNS, Columns, merged_rows, typed
+from tracking.tracks.columns import (
+    SIDES,
+    TRACK_COLUMNS,
+    Columns,
+    boxes_of,
+    merged_rows,
+    places_of,
+    typed,
+)
 from tracking.tracks.run import Run
 
 Rows = NDArray[np.intp]
@@ -70,7 +78,7 @@ def _chain(run: Run, unnamed: Flags, fps: float, back: bool) -> Rows:
         one, other = _match(ends, near, seen, free[rows], elapsed[near] / fps)
         found += list(zip(ends.row[one].tolist(), other.tolist(), strict=True))
         ends.frame[one] = seen["frame"][other]
-        ends.place[one], ends.box[one] = _places(seen, other), _boxes(seen, other)
+        ends.place[one], ends.box[one] = places_of(seen, other), boxes_of(seen, other)
     return np.array(found, np.intp).reshape(-1, 2).T
 
 
@@ -89,14 +97,14 @@ def _ends(tracks: Columns, back: bool) -> _Ends:
     row = order[outer[: len(order)]]
     row = row[~tracks["predicted"][row] & (tracks["track"][row] > 0)]
     frame = tracks["frame"][row].astype(np.int64)
-    return _Ends(row, frame, _places(tracks, row), _boxes(tracks, row))
+    return _Ends(row, frame, places_of(tracks, row), boxes_of(tracks, row))
 
 
 def _match(
     ends: _Ends, near: Rows, seen: Columns, detection: Rows, elapsed_s: Floats
 ) -> tuple[Rows, Rows]:
     """Who goes on as which detection of a frame, by how much boxes have in common."""
-    place, box = _places(seen, detection), _boxes(seen, detection)
+    place, box = places_of(seen, detection), boxes_of(seen, detection)
     common = overlaps(ends.box[near, None], box[None])
     for k, (end, time_s) in enumerate(zip(near.tolist(), elapsed_s.tolist(), strict=True)):
         common[k, ~may_have_walked(place - ends.place[end], place, time_s)] = 0.0
@@ -138,11 +146,3 @@ def _add_unknown(columns: Columns, added: Columns) -> Columns:
         for name, column in columns.items()
     }
     return merged_rows(columns, more)[0]
-
-
-def _places(columns: Columns, rows: Rows) -> Floats:
-    return np.stack((columns["x"][rows], columns["y"][rows]), axis=1)
-
-
-def _boxes(columns: Columns, rows: Rows) -> Floats:
-    return np.stack([columns[name][rows] for name in SIDES], axis=1).astype(np.float64)

@@ -8,9 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.geometry import View
-from tracking.trackers.linking.seen_rows import SIDES, Floats
+from tracking.trackers.linking.seen_rows import Floats
 from tracking.trackers.stereo.boxes import visibility
-from tracking.tracks.columns import TRACK_COLUMNS, Columns, merged_rows, typed
+from tracking.tracks.columns import SIDES, TRACK_COLUMNS, Columns, boxes_of, merged_rows, typed
 
 Rows = NDArray[np.intp]
 
@@ -80,7 +80,7 @@ def missing_frames(
 
 def expect_visibility(tracks: Columns, is_new: NDArray[np.bool_], view: View) -> None:
     """Put what others leave to be seen of the new rows in them."""
-    box: Floats = np.stack([tracks[name] for name in SIDES], axis=1)
+    box: Floats = boxes_of(tracks)
     range_m = np.hypot(tracks["x"], tracks["y"])
     for frame in np.unique(tracks["frame"][is_new]).tolist():
         rows = slice(*np.searchsorted(tracks["frame"], (frame, frame + 1)))

@@ -6,9 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.geometry import View
-from tracking.trackers.linking.seen_rows import BODY_M, SIDES, Floats, Integers
+from tracking.trackers.linking.seen_rows import BODY_M, Floats, Integers
 from tracking.tracks.boxes import common_px2
-from tracking.tracks.columns import Columns
+from tracking.tracks.columns import Columns, boxes_of
 
 Rows = NDArray[np.intp]
 
@@ -45,7 +45,7 @@ def _covered(tracks: Columns, place: Floats, frame: Integers, own: Integers, vie
     """(m,) the share of bodies at places (m, 2) in these frames that others cover."""
     body = view.box_of_person(place, *BODY_M)
     range_m = np.hypot(*place.T)
-    box = np.stack([tracks[name] for name in SIDES], axis=1)
+    box = boxes_of(tracks)
     near_m = np.hypot(tracks["x"], tracks["y"])
     first = np.searchsorted(tracks["frame"], frame)
     stop = np.searchsorted(tracks["frame"], frame, side="right")

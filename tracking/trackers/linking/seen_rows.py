@@ -9,14 +9,13 @@ from numpy.typing import NDArray
 
 from tracking.geometry import View
 from tracking.trackers.linking.encounters import Encounters, find_encounters
-from tracking.tracks.columns import CLOTHES, Columns
+from tracking.tracks.columns import CLOTHES, SIDES, Columns, boxes_of, places_of
 from tracking.tracks.run import Run
 
 Floats = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 Integers = NDArray[np.int64]
 
-SIDES = ("left", "top", "width", "height")
 APPEARANCE = (*CLOTHES, "height_m")
 BODY_M = (1.7, 0.5)
 """Height and width of a usual body."""
@@ -71,8 +70,8 @@ class SeenRows:
 def find_seen_rows(run: Run, view: View) -> tuple[SeenRows, Encounters]:
     """The rows of a run that were seen, and who came near whom."""
     tracks = run.tracks
-    place = np.stack((tracks["x"], tracks["y"]), axis=1)
-    box = np.stack([tracks[name] for name in SIDES], axis=1)
+    place = places_of(tracks)
+    box = boxes_of(tracks)
     known = np.isfinite(place).all(axis=1) & np.isfinite(box).all(axis=1)
     order = np.lexsort((tracks["frame"], tracks["track"]))
     row = order[(known & ~tracks["predicted"])[order]]
@@ -136,8 +135,8 @@ def _measure(
     at = np.minimum(np.searchsorted(own, theirs), max(len(own) - 1, 0))
     hit = own[at] == theirs if len(own) else np.zeros(len(theirs), bool)
     at, matched = row[at[hit]], matched[hit]
-    place[at] = np.stack((detections["x"][matched], detections["y"][matched]), axis=1)
-    box[at] = np.stack([detections[name][matched] for name in SIDES], axis=1)
+    place[at] = places_of(detections, matched)
+    box[at] = boxes_of(detections, matched)
 
 
 def _appearance(signals: Columns, tracks: Columns) -> Floats:

@@ -5,12 +5,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.tracks.columns import Columns
+from tracking.tracks.columns import Columns, boxes_of
 
 Floats = NDArray[np.float32]
 Flags = NDArray[np.bool_]
 
-SIDES = ("left", "top", "width", "height")
 _NEAR_PX = 1.0
 _CHUNK_ROWS = 50_000
 
@@ -33,7 +32,7 @@ def clear_sides(tracks: Columns) -> Flags:
         wanted = min(start + _CHUNK_ROWS, len(order))
         stop = int(np.searchsorted(frame, frame[wanted - 1], side="right"))
         rows = order[start:stop]
-        box = np.stack([tracks[name][rows] for name in SIDES], axis=1)
+        box = boxes_of(tracks, rows)
         clear[rows] = _find_clear(box, tracks["predicted"][rows], frame[start:stop])
         start = stop
     return clear

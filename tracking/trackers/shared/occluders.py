@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable
 
+import cv2
 import numpy as np
 from numpy.typing import NDArray
 
@@ -14,6 +15,7 @@ from tracking.tracks.labels import Occluder
 _MOST_CORNERS = 100_000
 
 Polygons = tuple[NDArray[np.float64], ...]
+Mask = NDArray[np.uint8]
 
 
 def occluders_from(text: str) -> Polygons:
@@ -41,6 +43,18 @@ def occluders_from(text: str) -> Polygons:
             "like [[[100, 40], [130, 40], [130, 300]]]"
         )
     return tuple(polygons)
+
+
+def occluder_mask(polygons: Iterable[NDArray[np.float64]], shape: tuple[int, int]) -> Mask:
+    """(height, width) 1 where something drawn stands before the scene, else 0.
+
+    Args:
+        polygons: (corners, 2) px each. shape: height and width of the picture.
+    """
+    mask = np.zeros(shape, np.uint8)
+    for corners in polygons:
+        cv2.fillPoly(mask, [np.rint(corners).astype(np.int32)], (1,))
+    return mask
 
 
 def occluders_as_setting(occluders: Iterable[Occluder]) -> str:

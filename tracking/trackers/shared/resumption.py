@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.errors import SettingsError
+from tracking.trackers.shared.corrected_rows import is_apart, is_seen, only
 from tracking.tracks.columns import CORRECTED_COLUMNS, Columns
 from tracking.tracks.table import TrackTable
 
@@ -26,8 +27,6 @@ _EARLIER_LOOKS = 40
 """Frames before the last ones that are looked at for all people together."""
 CLEAR = 0.75
 """Share of a body in sight from which a view is a good one."""
-CLOSE_M = 0.8
-"""Of two people closer than this neither is seen by itself."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -80,28 +79,6 @@ class Resume:
         return only(self.rows, self.rows["frame"] >= self.frame - round(seconds * self.fps))
 
 
-def is_seen(rows: Columns) -> Flags:
-    """Whether each row was measured with something of the person in sight."""
-    return np.asarray(~rows["predicted"] & ~(rows["visibility"] <= 0.0))
-
-
-def is_apart(rows: Columns) -> Flags:
-    """Whether each row's person stands by himself on the floor, as far as that is known.
-
-    The rows are sorted by frame. Floor positions that are missing are near to nobody.
-    """
-    close = np.zeros(len(rows["frame"]), bool)
-    for step in range(1, len(close)):
-        same = rows["frame"][step:] == rows["frame"][:-step]
-        if not same.any():
-            break
-        apart = [rows[name][step:] - rows[name][:-step] for name in ("x", "y")]
-        near = same & (np.hypot(*apart) < CLOSE_M)
-        close[step:] |= near
-        close[:-step] |= near
-    return ~close
-
-
 def _rows_before(table: TrackTable, frame: int, fps: float) -> Columns:
     """The last rows before a frame of those who are there at it."""
     parts: list[Columns] = []
@@ -140,8 +117,3 @@ def _last_of_each(rows: Columns, eligible: Flags) -> Flags:
     backwards = np.flatnonzero(eligible)[::-1]
     last[backwards[np.unique(rows["track"][backwards], return_index=True)[1]]] = True
     return last
-
-
-def only(rows: Columns, chosen: NDArray[np.bool_] | NDArray[np.intp]) -> Columns:
-    """Some of the rows: marked, or by number."""
-    return {name: column[chosen] for name, column in rows.items()}

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from tracking.filtering import Chains, robust_levels, robust_paths, slopes, trust
 from tracking.geometry import View
-from tracking.trackers.shared.clear_sides import SIDES, clear_sides
-from tracking.tracks.columns import Columns
+from tracking.trackers.shared.clear_sides import clear_sides
+from tracking.tracks.columns import SIDES, Columns, boxes_of, places_of
 from tracking.tracks.run import Run
 
 Floats = NDArray[np.float64]
@@ -66,12 +66,12 @@ class _Paths:
     @property
     def position(self) -> Floats:
         """(n, 2) m on the floor."""
-        return np.stack((self.columns["x"], self.columns["y"]), axis=1)
+        return places_of(self.columns)
 
     @property
     def box(self) -> Floats:
         """(n, 4) px."""
-        return np.stack([self.columns[name] for name in SIDES], axis=1)
+        return boxes_of(self.columns)
 
     @property
     def weight(self) -> Floats:
@@ -233,7 +233,7 @@ def _measured_places(paths: _Paths, detections: Columns, seen: tuple[Rows, Rows]
     The detections' places are taken because the filter's are smoothed forwards already.
     """
     places, (row, matched) = paths.position, seen
-    places[row] = np.stack((detections["x"][matched], detections["y"][matched]), axis=1)
+    places[row] = places_of(detections, matched)
     return places
 
 

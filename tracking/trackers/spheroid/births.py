@@ -8,6 +8,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.trackers.shared.gating import WideningGate
 from tracking.trackers.spheroid.feet import Feet, feet_scores, part_of
 from tracking.trackers.spheroid.floor_cells import FloorCells
 from tracking.trackers.spheroid.hypothesis_scores import bounds, enlarge, silhouette
@@ -41,9 +42,8 @@ two people leaves the second one to be found."""
 _MOST_NEW = 8
 _NEAR_M = 0.45
 """Nobody starts closer than this to somebody followed."""
-_SAME_M = 0.5
-"""How far a candidate may be from one search to the next, besides walking."""
-_WALK_M_PER_S = 2.5
+_GATE_M = WideningGate(at_once=0.5, a_second=2.5)
+"""Around a candidate, from one search to the next."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -159,7 +159,7 @@ def update_candidates(before: SpheroidCandidates, xy: Floats, time_s: float) -> 
     elapsed_s = max(time_s - before.time_s, 1e-3)
     velocity = np.zeros_like(xy)
     searches = np.ones(len(xy), np.intp)
-    gate_m = _SAME_M + _WALK_M_PER_S * elapsed_s
+    gate_m = _GATE_M.radius(elapsed_s)
     for row, place in enumerate(xy):
         if len(before.xy) == 0:
             break

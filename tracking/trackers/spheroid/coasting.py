@@ -7,17 +7,18 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.filtering import nearest_first
+from tracking.trackers.shared.corrected_rows import LED_ON_S
+from tracking.trackers.shared.gating import WideningGate
 from tracking.trackers.spheroid.appearance import difference
 from tracking.trackers.spheroid.hypotheses import Floats, SpheroidPeople, concatenate
 
-_GATE_M, _WALK_M_PER_S, _FARTHEST_M = 0.7, 1.3, 4.0
-"""Gate of re-identification, around where people were expected."""
+_GATE_M = WideningGate(at_once=0.7, a_second=1.3, widest=4.0)
+"""Around where people were expected."""
 _UNLIKE = 0.3
 """Difference of colours from which on somebody is somebody else."""
 _FAR = 0.3
 """What the whole gate counts beside the colours."""
-_LED_ON_S = 1.0
-"""Somebody out of sight is thought to walk on for so long."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -50,20 +51,17 @@ def reidentify(lost: CoastingPeople, tentative: SpheroidPeople, now_s: float) ->
     if len(lost.people) == 0 or len(tentative) == 0:
         return found
     cost = _costs(lost, tentative, now_s)
-    while np.isfinite(cost).any():
-        new, old = np.unravel_index(int(cost.argmin()), cost.shape)
-        found[new] = old
-        cost[new], cost[:, old] = np.inf, np.inf
+    pairs = nearest_first(cost, np.isfinite(cost))
+    found[pairs.track] = pairs.detection
     return found
 
 
 def _costs(lost: CoastingPeople, tentative: SpheroidPeople, now_s: float) -> Floats:
     """(tentative, lost) infinite where they cannot be the same."""
     missed_s = now_s - lost.at_s + lost.people.missed_s
-    led_on = lost.people.mean[:, 2:] * np.minimum(missed_s, _LED_ON_S)[:, None]
+    led_on = lost.people.mean[:, 2:] * np.minimum(missed_s, LED_ON_S)[:, None]
     apart = tentative.xy[:, None] - (lost.people.xy + led_on)
-    gate_m = np.minimum(_GATE_M + _WALK_M_PER_S * missed_s, _FARTHEST_M)
-    far = np.hypot(apart[..., 0], apart[..., 1]) / gate_m
+    far = np.hypot(apart[..., 0], apart[..., 1]) / _GATE_M.radius(missed_s)
     unlike = difference(
         tentative.appearance[:, None],
         tentative.counts[:, None],

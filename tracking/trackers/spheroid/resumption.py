@@ -9,18 +9,23 @@ from numpy.typing import NDArray
 
 from tracking.geometry import FlatView
 from tracking.people import Observation
-from tracking.trackers.shared.resumption import Resume, is_apart, is_seen, only
+from tracking.trackers.shared.corrected_rows import (
+    LED_ON_S,
+    is_apart,
+    is_seen,
+    only,
+    place_on_floor,
+)
+from tracking.trackers.shared.resumption import Resume
 from tracking.trackers.spheroid.appearance import ColourLook, learn_colours
 from tracking.trackers.spheroid.hypotheses import Floats, SpheroidPeople, begin_people
 from tracking.trackers.spheroid.perception import FlatObservation
 from tracking.trackers.spheroid.settings import SpheroidSettings
-from tracking.tracks.columns import Columns
+from tracking.tracks.columns import Columns, places_of
 
 _SPREADS = (0.1, 0.3)
 _HEIGHT_SD_M = 0.07
 _SLOPE_S = 0.6
-_LED_ON_S = 1.0
-"""Who has no row in the last frames is thought to have walked on for so long."""
 
 
 def resume_people(
@@ -39,7 +44,7 @@ def resume_people(
     Args:
         observations: of the frames `resume.colour_frames`, in order.
     """
-    rows = _place_on_floor(resume.rows, flat)
+    rows = place_on_floor(resume.rows, flat.view)
     track = np.unique(rows["track"])
     mean, missed_s = _now(rows, track, resume)
     height = np.full(len(track), usual_m)
@@ -54,16 +59,6 @@ def resume_people(
     return people.replace(missed_s=missed_s), time_s
 
 
-def _place_on_floor(rows: Columns, flat: FlatView) -> Columns:
-    """The rows that stand somewhere on the floor."""
-    foot = np.column_stack((rows["left"] + rows["width"] / 2, rows["top"] + rows["height"]))
-    below = flat.view.floor_from_pixel(foot)
-    placed = dict(rows)
-    for k, name in enumerate(("x", "y")):
-        placed[name] = np.where(np.isfinite(rows[name]), rows[name], below[:, k])
-    return only(placed, np.isfinite(placed["x"]) & np.isfinite(placed["y"]))
-
-
 def _now(rows: Columns, track: NDArray[np.int32], resume: Resume) -> tuple[Floats, Floats]:
     """States (people, 4) in the frame before the first, and seconds since their last rows."""
     mean, missed_s = np.zeros((len(track), 4)), np.zeros(len(track))
@@ -74,7 +69,7 @@ def _now(rows: Columns, track: NDArray[np.int32], resume: Resume) -> tuple[Float
         missed_s[k] = (resume.frame - 1 - own["frame"][-1]) / resume.fps
         for axis, name in enumerate(("x", "y")):
             pace = float(np.polyfit(time_s, own[name][late], 1)[0]) if len(time_s) > 1 else 0.0
-            led_on = pace * min(missed_s[k], _LED_ON_S)
+            led_on = pace * min(missed_s[k], LED_ON_S)
             mean[k, axis], mean[k, 2 + axis] = own[name][-1] + led_on, pace
     return mean, missed_s
 
@@ -89,7 +84,7 @@ def _learn_colours(
     good = is_seen(rows) & is_apart(rows)
     place = np.searchsorted(people.track, rows["track"])
     xy = people.xy.copy()
-    xy[place] = np.column_stack((rows["x"], rows["y"]))
+    xy[place] = places_of(rows)
     alone = np.zeros(len(people), bool)
     alone[place] = good
     colours, known = ColourLook(flat, seen.working.picture).at(xy, people.height)

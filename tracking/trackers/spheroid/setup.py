@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import cv2
 import numpy as np
 from numpy.typing import NDArray
 
 from tracking.errors import CalibrationError
 from tracking.geometry import FlatView
 from tracking.recording import Recording
-from tracking.trackers.shared.occluders import Polygons, occluders_from
+from tracking.trackers.shared.occluders import Polygons, occluder_mask, occluders_from
 from tracking.trackers.spheroid.perception import SpheroidPerception
 from tracking.trackers.spheroid.settings import SpheroidSettings
 from tracking.trackers.spheroid.tracker import SpheroidTracker
@@ -39,9 +38,6 @@ def build_spheroid(
 
 def _hidden(occluders: Polygons, flat: FlatView) -> NDArray[np.bool_]:
     """(height, width) flat pixels behind what is drawn."""
-    mask = np.zeros(flat.size[::-1], np.uint8)
-    for outline in occluders:
-        corners = flat.flat_from_recorded(outline)
-        if np.isfinite(corners).all():
-            cv2.fillPoly(mask, [np.rint(corners).astype(np.int32)], 1)
-    return mask > 0
+    drawn = [flat.flat_from_recorded(outline) for outline in occluders]
+    known = [corners for corners in drawn if np.isfinite(corners).all()]
+    return occluder_mask(known, flat.size[::-1]) > 0

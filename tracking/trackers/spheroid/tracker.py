@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.people import Observation
+from tracking.trackers.shared.gating import nearest_others_m
 from tracking.trackers.shared.protocol import StepResult
 from tracking.trackers.shared.resumption import Resume
 from tracking.trackers.spheroid import births
@@ -262,16 +263,9 @@ class SpheroidTracker:
     def _learn(self, people: SpheroidPeople, look: ColourLook, elapsed_s: float) -> SpheroidPeople:
         """The people with body heights and colours of those seen well."""
         whole = seen_whole(people)
-        alone = whole & (_apart(people) > _ALONE_M)
+        alone = whole & (nearest_others_m(people.xy) > _ALONE_M)
         if not self._settings.paper:
             sure = np.where(seen_steeply(people, self._flat), alone, whole)
             people = learn_heights(people, sure, elapsed_s)
         colours, known = look.at(axes_of(people, self._settings), people.height)
         return learn_colours(people, colours, known, alone)
-
-
-def _apart(people: SpheroidPeople) -> NDArray[np.float64]:
-    """(people,) m to the next other person, infinite for who is alone."""
-    apart = np.hypot(*(people.xy[:, None] - people.xy[None]).transpose(2, 0, 1))
-    np.fill_diagonal(apart, np.inf)
-    return np.asarray(apart.min(axis=1, initial=np.inf))

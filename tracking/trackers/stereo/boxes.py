@@ -23,8 +23,6 @@ _MIXED = 0.1
 """Share of a box that others cover from which on its region may hold pieces of theirs."""
 _OUTLINE_MEMORY_S = 0.3
 _MIXED_MEMORY_S = 2.0
-_TRUST = 0.85
-"""Weight of the box seen against the learnt outline."""
 _NO_SIDE = float(np.finfo(np.float64).tiny)
 """What boxes without width or height are divided by: nothing of them is anywhere."""
 
@@ -90,23 +88,6 @@ def update_outlines(
     old = people.outline[rows]
     new = bodies.select(rows).outlines(seen.box[chosen])
     return people.with_rows(rows, outline=old + share * (new - old))
-
-
-def shown_boxes(
-    box: Floats, pairs: Association, alone: NDArray[np.bool_], seen: Detections
-) -> Floats:
-    """The boxes to report: what was seen this frame, drawn a little to the learnt outline.
-
-    Where a region holds somebody else too, the outline alone counts.
-
-    Args:
-        box: (people, 4) px of the people's bodies.
-    """
-    own = box[pairs.track]
-    trust = _TRUST * alone[:, None]
-    shown = box.copy()
-    shown[pairs.track] = own + trust * (seen.box[pairs.detection] - own)
-    return shown
 
 
 def share_in_view(box: Floats, size: tuple[int, int]) -> Floats:

@@ -9,7 +9,8 @@ from tracking.filtering import Association, cloud_shapes
 from tracking.geometry import View
 from tracking.people import Detections, Observation
 from tracking.trackers.shared.protocol import ASSOCIATION_COLUMNS, StepResult
-from tracking.trackers.stereo.boxes import shown_boxes, visibility
+from tracking.trackers.shared.shown_boxes import steady_boxes
+from tracking.trackers.stereo.boxes import visibility
 from tracking.trackers.stereo.cues import Costs
 from tracking.trackers.stereo.population import Population
 from tracking.tracks.columns import (
@@ -45,7 +46,10 @@ def step_result(
         box: (people, 4) px of their bodies. alone: (pairs,) whose region holds nobody else.
         reported: (people,) who of those confirmed is reported; None: everybody.
     """
-    box = shown_boxes(box, pairs, alone, observation.people)
+    box = box.copy()
+    box[pairs.track] = steady_boxes(
+        box[pairs.track], observation.people.box[pairs.detection], alone
+    )
     rows = np.flatnonzero(people.confirmed if reported is None else people.confirmed & reported)
     rows = rows[np.argsort(people.track[rows])]
     frame, track = observation.frame, people.track[rows]

@@ -11,7 +11,16 @@ from numpy.typing import NDArray
 from tracking.filtering import associate, scatter
 from tracking.geometry import View
 from tracking.people import Detections, Observation
-from tracking.trackers.shared.resumption import Resume, is_apart, is_seen, only
+from tracking.trackers.shared.corrected_rows import (
+    LED_ON_S,
+    is_apart,
+    is_seen,
+    last_rows,
+    only,
+    place_on_floor,
+    slopes,
+)
+from tracking.trackers.shared.resumption import Resume
 from tracking.trackers.stereo.boxes import Bodies
 from tracking.trackers.stereo.cues import Cues
 from tracking.trackers.stereo.population import (
@@ -21,7 +30,7 @@ from tracking.trackers.stereo.population import (
 )
 from tracking.trackers.stereo.settings import StereoFilterSettings
 from tracking.tracks.boxes import overlaps
-from tracking.tracks.columns import Columns
+from tracking.tracks.columns import Columns, boxes_of, places_of
 
 Floats = NDArray[np.float64]
 Colours = NDArray[np.float32]
@@ -38,11 +47,8 @@ _CUT_OFF = 0.5
 _GOOD = 0.5
 """Views worth less than this share of a person's best one are left out."""
 _WALK_S = 2.0
-_SLOPE_S = 0.5
 _WIDER_PER_S = 1.0
 """How much the particles of somebody missed spread with each second."""
-_LED_ON_S = 1.0
-"""Who has no row in the last frames is thought to have walked on for so long."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,7 +83,7 @@ def resume_people(
     Args:
         observations: of the frames `resume.colour_frames`, in order.
     """
-    rows = _place_on_floor(resume.rows, view)
+    rows = place_on_floor(resume.rows, view)
     people = np.unique(rows["track"])
     views, time_s = _collect_views(rows, people, observations, cues)
     population = _resumable(rows, people, views, resume, view, settings, random)
@@ -117,16 +123,6 @@ def _resumable(
     )
 
 
-def _place_on_floor(rows: Columns, view: View) -> Columns:
-    """The rows with a place on the floor: of those drawn without one, below the box."""
-    foot = np.column_stack((rows["left"] + rows["width"] / 2, rows["top"] + rows["height"]))
-    below = view.floor_from_pixel(foot)
-    own = np.column_stack((rows["x"], rows["y"]))
-    place = np.where(np.isfinite(own).all(axis=1)[:, None], own, below)
-    placed = {**rows, "x": place[:, 0], "y": place[:, 1]}
-    return only(placed, np.asarray(np.isfinite(place).all(axis=1)))
-
-
 def _collect_views(
     rows: Columns, people: NDArray[np.int32], observations: Iterable[Observation], cues: Cues
 ) -> tuple[Views, float]:
@@ -150,10 +146,9 @@ def _collect_views(
 
 def _match_rows(rows: Columns, seen: Detections) -> tuple[Indices, Indices]:
     """Rows of a frame and the detections that lie where they do."""
-    offset = np.column_stack((rows["x"], rows["y"]))[:, None] - seen.position[None, :, :2]
+    offset = places_of(rows)[:, None] - seen.position[None, :, :2]
     away_m = np.hypot(offset[..., 0], offset[..., 1])
-    box = np.column_stack([rows[name] for name in ("left", "top", "width", "height")])
-    shared = overlaps(box[:, None], seen.box[None])
+    shared = overlaps(boxes_of(rows)[:, None], seen.box[None])
     near = ((away_m <= _NEAR_M) | (shared >= _OVERLAP)) & ~seen.merged
     pairs = associate(away_m + 1.0 - shared, near, _LEFT_OUT)
     return pairs.track, pairs.detection
@@ -188,8 +183,8 @@ def _now(
     rows: Columns, people: NDArray[np.int32], resume: Resume, settings: StereoFilterSettings
 ) -> tuple[Floats, Floats, Floats, Floats]:
     """Position, velocity, seconds missed and confidence in the frame before the first one."""
-    last = _last_rows(rows, people, np.ones(len(rows["frame"]), bool))
-    seen = _last_rows(rows, people, is_seen(rows))
+    last = last_rows(rows, people)
+    seen = last_rows(rows, people, is_seen(rows))
     now = resume.frame - 1
     unknown_s = (now - rows["frame"][last]) / resume.fps
     missed_s = np.where(seen < 0, settings.unseen_limit_s, (now - rows["frame"][seen]) / resume.fps)
@@ -198,36 +193,16 @@ def _now(
     missed_s = np.where(stands, np.minimum(missed_s, settings.unseen_limit_s / 2), missed_s)
     velocity = np.column_stack((rows["vx"][last], rows["vy"][last]))
     known = np.isfinite(velocity).all(axis=1)
-    velocity = np.where(known[:, None], velocity, _slopes(rows, people, resume))
-    position = np.column_stack((rows["x"][last], rows["y"][last]))
-    position += velocity * np.minimum(unknown_s, _LED_ON_S)[:, None]
+    walked = slopes(rows, places_of(rows), people, resume.frame, resume.fps)
+    velocity = np.where(known[:, None], velocity, walked)
+    position = places_of(rows, last)
+    position += velocity * np.minimum(unknown_s, LED_ON_S)[:, None]
     return position, velocity, missed_s, rows["confidence"][last].astype(np.float64)
-
-
-def _last_rows(rows: Columns, people: NDArray[np.int32], eligible: NDArray[np.bool_]) -> Indices:
-    """(people,) the last eligible row of each; -1 where there is none."""
-    last = np.full(len(people), -1)
-    chosen = np.flatnonzero(eligible)
-    last[np.searchsorted(people, rows["track"][chosen])] = chosen
-    return last
-
-
-def _slopes(rows: Columns, people: NDArray[np.int32], resume: Resume) -> Floats:
-    """(people, 2) m/s along the last rows; 0 for somebody with a single one."""
-    late = rows["frame"] >= resume.frame - round(_SLOPE_S * resume.fps)
-    number = np.searchsorted(people, rows["track"][late])
-    count = np.maximum(np.bincount(number, minlength=len(people)), 1)
-    time = rows["frame"][late] / resume.fps
-    time = time - (np.bincount(number, time, len(people)) / count)[number]
-    length = np.maximum(np.bincount(number, time**2, len(people)), 1e-9)
-    along = [np.bincount(number, time * rows[n][late], len(people)) / length for n in ("x", "y")]
-    return np.column_stack(along)
 
 
 def _outlines(rows: Columns, people: NDArray[np.int32], view: View) -> Floats:
     """(people, 4) the mean of the outlines of all rows, by how much of the person they show."""
-    box = np.column_stack([rows[name] for name in ("left", "top", "width", "height")])
-    outline = Bodies.at(np.column_stack((rows["x"], rows["y"])), view).outlines(box)
+    outline = Bodies.at(places_of(rows), view).outlines(boxes_of(rows))
     weight = 1e-3 + is_seen(rows) * np.nan_to_num(rows["visibility"]).astype(np.float64) ** 2
     weight[~np.isfinite(outline).all(axis=1)] = 0.0
     number = np.searchsorted(people, rows["track"])
@@ -240,7 +215,7 @@ def _replay_anchors(people: Population, rows: Columns, resume: Resume, cues: Cue
     """The people with the anchors of their last rows, replayed frame by frame."""
     late = only(rows, rows["frame"] >= resume.frame - round(_WALK_S * resume.fps))
     number = np.searchsorted(people.track, late["track"])
-    place = np.column_stack((late["x"], late["y"]))
+    place = places_of(late)
     first = np.full((len(people), 2), np.nan)
     first[number[::-1]] = place[::-1]
     first = np.where(np.isfinite(first), first, people.position)

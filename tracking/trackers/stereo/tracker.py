@@ -10,6 +10,7 @@ from tracking.filtering import Association, resample
 from tracking.geometry import View
 from tracking.people import Detections, Observation, StereoPerception
 from tracking.recording import Recording
+from tracking.trackers.shared.gating import nearest_others_m
 from tracking.trackers.shared.protocol import StepResult
 from tracking.trackers.stereo.assignment import match_people
 from tracking.trackers.stereo.births_and_ends import (
@@ -28,7 +29,6 @@ from tracking.trackers.stereo.shared_detections import find_shared_regions
 from tracking.trackers.stereo.update import (
     Match,
     age_tracks,
-    find_isolated,
     update_matched,
     update_missed,
     update_occluded,
@@ -102,7 +102,10 @@ class StereoTracker(StereoFilter[StereoTrackerSettings, Cues]):
         since_s = expected.missed_s[pairs.track] + elapsed_s
         shared = find_shared_regions(expected, bodies, pairs, seen, self._view)
         alone = shared.alone_of(pairs)
-        clear = find_isolated(expected, pairs.track, self._settings.colour_update_distance_m)
+        clear = (
+            nearest_others_m(expected.position)[pairs.track]
+            >= self._settings.colour_update_distance_m
+        )
         match = Match(pairs, shared, clear, seen, colours, since_s)
         people = update_matched(people, match, self._cues, self._settings, self._random)
         people = update_missed(people, elapsed_s, self._view, self._settings)

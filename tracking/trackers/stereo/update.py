@@ -172,15 +172,6 @@ def weigh_or_scatter(
     return particles, weight
 
 
-def find_isolated(
-    people: Population, rows: NDArray[np.intp], distance_m: float
-) -> NDArray[np.bool_]:
-    """Whether nobody else followed is close, so that a region's colours are one person's."""
-    offset = people.position[rows, None] - people.position[None]
-    close = np.hypot(offset[..., 0], offset[..., 1]) < distance_m
-    return np.asarray(close.sum(axis=1) <= 1)
-
-
 def _velocity(people: Population, measured: Floats, since_s: Floats, memory_s: float) -> Floats:
     """The velocity after a match: a line through the first few, then a fading memory.
 

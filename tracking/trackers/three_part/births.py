@@ -7,10 +7,11 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from tracking.people import Detections
-from tracking.trackers.three_part.bodies import covered_shares, share_inside
+from tracking.trackers.three_part.bodies import covered_shares
 from tracking.trackers.three_part.claims import Claims
 from tracking.trackers.three_part.people import Flags, Floats, Indices, PartPeople
 from tracking.trackers.three_part.settings import WholeBodySettings
+from tracking.tracks.boxes import share_inside
 
 _SAME = 0.5
 """Share of a region's box in an earlier one's from which on it is the same region."""

@@ -16,8 +16,6 @@ _LEGS_BELOW = 1.45
 _OUTLINE_MEMORY_S = 0.5
 _RISEN_MEMORY_S = 0.4
 _SUNK_MEMORY_S = 5.0
-_TRUST = 0.85
-"""Weight of the box seen against the learnt outline."""
 
 
 def parts_boxes(rectangles: Floats) -> Floats:
@@ -79,19 +77,6 @@ def heights_after(height: Floats, seen: Floats, whole: Flags, elapsed_s: float) 
     memory_s = np.where(seen[:, 3] > height, _RISEN_MEMORY_S, _SUNK_MEMORY_S)
     share = np.where(whole, 1.0 - np.exp(-elapsed_s / memory_s), 0.0)
     return np.asarray(height + share * (seen[:, 3] - height))
-
-
-def shown_boxes(box: Floats, seen: Floats, alone: Flags) -> Floats:
-    """(people, 4) the boxes to report: what is seen of those alone, steadied by the outline."""
-    trust = np.where(alone, _TRUST, 0.0)[:, None]
-    return box + trust * (np.where(alone[:, None], seen, box) - box)
-
-
-def share_inside(box: Floats, size: tuple[int, int]) -> Floats:
-    """(people,) the share of each box (people, 4) that lies in a picture of this size."""
-    low = np.clip(box[:, :2], 0.0, size)
-    high = np.clip(box[:, :2] + box[:, 2:], 0.0, size)
-    return np.asarray(np.prod(high - low, axis=1) / np.maximum(np.prod(box[:, 2:], axis=1), 1e-9))
 
 
 def covered_shares(box: Floats, other: Floats) -> Floats:

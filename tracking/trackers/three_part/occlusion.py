@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-import cv2
 import numpy as np
-from numpy.typing import NDArray
 
-from tracking.trackers.shared.occluders import Polygons
 from tracking.trackers.three_part.people import Flags, Floats
 
 _TOUCH = 1.25
@@ -20,14 +17,6 @@ _COVERED = 0.5
 """Share of a rectangle that a drawn outline must hold for it to hide the part."""
 _SEEN = 0.4
 """Share of foreground in a covered rectangle from which on the person walks in front."""
-
-
-def covered_mask(polygons: Polygons, shape: tuple[int, int]) -> NDArray[np.uint8]:
-    """(height, width) 1 where something drawn stands before the scene, else 0."""
-    mask = np.zeros(shape, np.uint8)
-    for polygon in polygons:
-        cv2.fillPoly(mask, [np.rint(polygon).astype(np.int32)], (1,))
-    return mask
 
 
 def behind_what_is_drawn(cover: Floats, support: Floats) -> Flags:

@@ -7,14 +7,13 @@ from numpy.typing import NDArray
 
 from tracking.filtering import associate
 from tracking.people import Detections
+from tracking.trackers.shared.gating import WideningGate
 from tracking.trackers.three_part.appearance import measure_levels, resemblance
 from tracking.trackers.three_part.initiation import is_all_seen, regions_rectangles
 from tracking.trackers.three_part.people import Flags, Floats, Indices, Layout, PartPeople
 
-_GATE = 0.6
-_GATE_GROWTH = 1.2
-"""How far from the place expected somebody is looked for, in body heights: at once, and more for
-each second they were missed."""
+_GATE = WideningGate(at_once=0.6, a_second=1.2)
+"""Around the place expected, in body heights."""
 _ALIKE = 0.75
 """Mean similarity of the parts from which on a region may be somebody lost."""
 _SIZE = (0.6, 1.6)
@@ -76,7 +75,7 @@ def _near(
     there = seen.box[free, :2] + seen.box[free, 2:] / 2
     away = np.linalg.norm(middle[:, None] - there[None], axis=2)
     missed_s = np.maximum(people.missed_s, people.hidden_s)[who]
-    gate = height * (_GATE + _GATE_GROWTH * missed_s)
+    gate = height * _GATE.radius(missed_s)
     ratio = seen.box[free, 3][None] / np.maximum(height, 1.0)[:, None]
     fits = (ratio > _SIZE[0]) & (ratio < _SIZE[1])
     return np.asarray((away <= gate[:, None]) & fits)

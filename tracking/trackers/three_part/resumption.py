@@ -10,11 +10,12 @@ from numpy.typing import NDArray
 
 from tracking.people import Detections, Observation
 from tracking.people.parts import ycbcr
-from tracking.trackers.shared.resumption import CLEAR, Resume, is_seen, only
+from tracking.trackers.shared.corrected_rows import LED_ON_S, is_seen, last_rows, only, slopes
+from tracking.trackers.shared.resumption import CLEAR, Resume
 from tracking.trackers.three_part.appearance import measure_levels
 from tracking.trackers.three_part.initiation import begin_people, rectangles_in
-from tracking.trackers.three_part.people import Floats, Indices, Layout, PartPeople
-from tracking.tracks.columns import Columns
+from tracking.trackers.three_part.people import Floats, Layout, PartPeople
+from tracking.tracks.columns import Columns, boxes_of
 
 _USUAL = ((0.5, 0.08, 0.25, 0.09), (0.5, 0.30, 0.45, 0.19), (0.5, 0.62, 0.40, 0.25))
 """Where head, torso and hip-leg are in a box nothing is known of: cx, cy, width, height as shares
@@ -22,9 +23,6 @@ of it."""
 _USUAL_WHOLE = ((0.5, 0.5, 0.5, 0.55),)
 _FILLED = 0.15
 """Share of a corrected box that one region must fill to be its person."""
-_SLOPE_S = 0.5
-_LED_ON_S = 1.0
-"""Who has no row in the last frames is thought to have walked on for so long."""
 _MEMORY = 0.9
 """Of the colour models, a look."""
 
@@ -87,7 +85,7 @@ def _collect(
         here = only(rows, (rows["frame"] == observation.frame) & is_seen(rows))
         for row, rectangles in _parts_of(here, observation.people, observed.picture, layout):
             person = int(np.searchsorted(people, here["track"][row]))
-            _add(observed, person, rectangles, _box(here)[row])
+            _add(observed, person, rectangles, boxes_of(here)[row])
     return observed
 
 
@@ -106,7 +104,7 @@ def _parts_of(
     rows: Columns, seen: Detections, picture: NDArray[np.uint8], layout: Layout
 ) -> Iterator[tuple[int, Floats]]:
     """The rows of a frame in which a person is well seen, with their rectangles (parts, 4)."""
-    for row, box in enumerate(_box(rows)):
+    for row, box in enumerate(boxes_of(rows)):
         if rows["visibility"][row] < CLEAR:
             continue
         low = np.clip(np.rint(box[:2]), 0, picture.shape[1::-1]).astype(int)
@@ -124,32 +122,10 @@ def _parts_of(
 def _now(resume: Resume, people: NDArray[np.int32]) -> tuple[Floats, Floats, Floats]:
     """Box (people, 4), pace (people, 2) px/s and seconds missed in the frame before the first."""
     rows, now = resume.rows, resume.frame - 1
-    last = _last_rows(rows, people)
+    last = last_rows(rows, people)
     gap_s = (now - rows["frame"][last]) / resume.fps
-    pace = _slopes(rows, people, resume)
-    box = _box(rows)[last]
-    box[:, :2] += pace * np.minimum(gap_s, _LED_ON_S)[:, None]
+    box = boxes_of(rows)
+    pace = slopes(rows, box[:, :2] + box[:, 2:] / 2, people, resume.frame, resume.fps)
+    box = box[last]
+    box[:, :2] += pace * np.minimum(gap_s, LED_ON_S)[:, None]
     return box, pace, gap_s
-
-
-def _last_rows(rows: Columns, people: NDArray[np.int32]) -> Indices:
-    last = np.zeros(len(people), np.intp)
-    last[np.searchsorted(people, rows["track"])] = np.arange(len(rows["track"]))
-    return last
-
-
-def _slopes(rows: Columns, people: NDArray[np.int32], resume: Resume) -> Floats:
-    """(people, 2) px/s of the boxes' middles along the last rows; 0 for a single one."""
-    late = rows["frame"] >= resume.frame - round(_SLOPE_S * resume.fps)
-    number = np.searchsorted(people, rows["track"][late])
-    box = _box(rows)[late]
-    count = np.maximum(np.bincount(number, minlength=len(people)), 1)
-    time = rows["frame"][late] / resume.fps
-    time = time - (np.bincount(number, time, len(people)) / count)[number]
-    length = np.maximum(np.bincount(number, time**2, len(people)), 1e-9)
-    middle = box[:, :2] + box[:, 2:] / 2
-    return np.column_stack([np.bincount(number, time * m, len(people)) / length for m in middle.T])
-
-
-def _box(rows: Columns) -> Floats:
-    return np.column_stack([rows[name] for name in ("left", "top", "width", "height")])

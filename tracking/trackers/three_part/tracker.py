@@ -11,9 +11,10 @@ from tracking.failure import Detector
 from tracking.foreground import CameraWatch
 from tracking.geometry import View
 from tracking.people import Observation
-from tracking.trackers.shared.occluders import Polygons
+from tracking.trackers.shared.occluders import Polygons, occluder_mask
 from tracking.trackers.shared.protocol import StepResult
 from tracking.trackers.shared.resumption import Resume
+from tracking.trackers.shared.shown_boxes import steady_boxes
 from tracking.trackers.shared.stages import Stages
 from tracking.trackers.three_part import births
 from tracking.trackers.three_part.adjustment import AdjustmentInput, adjust, clear_failures
@@ -26,8 +27,6 @@ from tracking.trackers.three_part.appearance_update import (
 from tracking.trackers.three_part.bodies import (
     outlined_boxes,
     outlines_after,
-    share_inside,
-    shown_boxes,
 )
 from tracking.trackers.three_part.claims import (
     Claims,
@@ -51,7 +50,6 @@ from tracking.trackers.three_part.initiation import (
 from tracking.trackers.three_part.occlusion import (
     behind_others,
     behind_what_is_drawn,
-    covered_mask,
 )
 from tracking.trackers.three_part.part_filter import carry_along, move_parts, weigh_parts
 from tracking.trackers.three_part.people import (
@@ -69,6 +67,7 @@ from tracking.trackers.three_part.resumption import resume_people
 from tracking.trackers.three_part.settings import WholeBodySettings
 from tracking.trackers.three_part.silhouettes import drawn_home, legs_elsewhere
 from tracking.tracks import HIP_LEG
+from tracking.tracks.boxes import share_inside
 
 _STOOPED, _STRETCHED = 0.6, 1.1
 """Lowest and highest somebody's box is, in heights of them upright."""
@@ -123,7 +122,7 @@ class PartTracker:
         self._aids = settings.aids
         self._watch = Watch(detector)
         self._fixed = CameraWatch(camera.fps)
-        self._cover = covered_mask(camera.occluders, camera.size[::-1])
+        self._cover = occluder_mask(camera.occluders, camera.size[::-1])
         self._people = no_people(layout)
         self._tentative = births.TentativeRegions()
         self._last_id = 0
@@ -311,7 +310,7 @@ class PartTracker:
             outline, alone = np.zeros_like(outline), np.zeros_like(alone)
         box = outlined_boxes(people.rectangles, outline)
         people = people.replace(outline=outline)
-        shown = shown_boxes(box, own, alone)
+        shown = steady_boxes(box, own, alone)
         people = learn_places(people, shown, seen, claims, elapsed_s, self._camera.view)
         unseen = claims.support.max(axis=1, initial=0.0) == 0.0
         inside = share_inside(shown, self._camera.size)
