@@ -7,8 +7,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from people_on_a_floor import view
 
-from tracking.trackers.stereo.births_and_ends import confirm_tracks
+from tracking.trackers.shared.tracker_base import TrackIds
 from tracking.trackers.stereo.boxes import Bodies, overlap, share_in_view, visibility
+from tracking.trackers.stereo.initiation import confirm_tracks
 from tracking.trackers.stereo.population import empty_population
 
 FRONT, BEHIND = [100.0, 100.0, 50.0, 150.0], [110.0, 60.0, 50.0, 150.0]
@@ -60,6 +61,6 @@ def test_ids_go_on_from_the_last_one_and_only_to_people_seen_often_enough():
     }
     columns["matches"] = np.array([1, 9, 3, 2, 3], np.int32)
     five = empty.replace(**columns)
-    people, last = confirm_tracks(five, 3, last_id=7)
-    assert people.track.tolist() == [0, 8, 9, 0, 10]
-    assert last == 10
+    ids = TrackIds(7)
+    assert confirm_tracks(five, 3, ids).track.tolist() == [0, 8, 9, 0, 10]
+    assert ids.last == 10

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from people_on_a_floor import BINS
 
-from tracking.trackers.stereo.assignment import match_people
-from tracking.trackers.stereo.cues import costs_of
+from tracking.trackers.stereo.association import associate_people
+from tracking.trackers.stereo.cues import Costs, costs_of, gate_people
 from tracking.trackers.stereo.direction import MiddleUpdated, StereoDirectionSettings
 from tracking.trackers.stereo.population import Population, empty_population
 
@@ -30,13 +30,20 @@ def two_people(came_from: list[list[float]], at: list[list[float]], missed_s: fl
     )
 
 
+def costs_at(
+    people: Population, measured: np.ndarray, settings: StereoDirectionSettings, shown: np.ndarray
+) -> Costs:
+    """The costs of people and of detections in one colour."""
+    colours = np.full((len(measured), 1, BINS), 1.0 / BINS, np.float32)
+    gated, cues = gate_people(people, measured, settings), MiddleUpdated(settings)
+    return costs_of(people, gated, measured, colours, cues, settings, shown)
+
+
 def matched(
     people: Population, measured: np.ndarray, settings: StereoDirectionSettings
 ) -> list[int]:
-    colours = np.full((len(measured), 1, BINS), 1.0 / BINS, np.float32)
-    cues = MiddleUpdated(settings)
-    costs = costs_of(people, measured, colours, cues, settings, np.ones(len(people)))
-    pairs = match_people(people, costs, np.ones(len(measured), bool), settings)
+    costs = costs_at(people, measured, settings, np.ones(len(people)))
+    pairs = associate_people(people, costs, np.ones(len(measured), bool), settings)
     found = np.full(len(people), -1)
     found[pairs.track] = pairs.detection
     return found.tolist()
@@ -66,10 +73,8 @@ def test_a_detection_that_suits_two_people_alike_is_nobodys():
 
 
 def test_a_merged_region_is_nobodys():
-    cues = MiddleUpdated(PLAIN)
-    colours = np.full((2, 1, BINS), 1.0 / BINS, np.float32)
-    costs = costs_of(CROSSED, AFTER, colours, cues, PLAIN, np.ones(2))
-    pairs = match_people(CROSSED, costs, np.array([False, False]), PLAIN)
+    costs = costs_at(CROSSED, AFTER, PLAIN, np.ones(2))
+    pairs = associate_people(CROSSED, costs, np.array([False, False]), PLAIN)
     assert len(pairs.track) == 0
 
 
@@ -81,11 +86,9 @@ def test_somebody_missed_for_long_is_looked_for_in_a_wider_circle(missed_s, foun
 
 def test_who_is_expected_to_be_hidden_leaves_a_detection_to_who_stands_in_front():
     seen = np.array([[0.0, 5.5]])
-    colours = np.full((1, 1, BINS), 1.0 / BINS, np.float32)
-    cues = MiddleUpdated(PLAIN)
     people = CROSSED.replace(position=np.array([[0.1, 5.5], [0.0, 5.52]]))
-    costs = costs_of(people, seen, colours, cues, PLAIN, np.array([1.0, 0.1]))
-    assert match_people(people, costs, np.ones(1, bool), PLAIN).track.tolist() == [0]
+    costs = costs_at(people, seen, PLAIN, np.array([1.0, 0.1]))
+    assert associate_people(people, costs, np.ones(1, bool), PLAIN).track.tolist() == [0]
 
 
 BEHIND = CROSSED.replace(

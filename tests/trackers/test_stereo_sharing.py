@@ -7,11 +7,12 @@ from people_on_a_floor import Errors, detections, view
 
 from tracking.filtering import Association
 from tracking.people import Detections
-from tracking.trackers.stereo.births_and_ends import BirthCandidates, initiate_tracks
 from tracking.trackers.stereo.boxes import Bodies
 from tracking.trackers.stereo.direction import StereoDirectionSettings
+from tracking.trackers.stereo.initiation import initiate_tracks
 from tracking.trackers.stereo.population import Population, empty_population
 from tracking.trackers.stereo.shared_detections import SharedRegions, find_shared_regions
+from tracking.trackers.stereo.stage_values import MeasuredFrame
 
 SIDE_BY_SIDE = np.array([[-0.25, 6.0], [0.25, 6.0]])
 
@@ -23,9 +24,9 @@ def seen_at(xy: np.ndarray) -> Detections:
 
 def followed(xy: np.ndarray) -> Population:
     seen = seen_at(xy)
-    spots = BirthCandidates(seen, seen.middle[:, None], np.arange(len(xy)))
+    frame, free = MeasuredFrame(seen, seen.middle[:, None], 0.05), np.arange(len(xy))
     settings, random = StereoDirectionSettings(particles=20), np.random.default_rng(0)
-    people = initiate_tracks(empty_population(20, 1, 16), spots, settings, random, view())
+    people = initiate_tracks(empty_population(20, 1, 16), frame, free, settings, random, view())
     return people.replace(track=np.arange(1, len(xy) + 1, dtype=np.int32))
 
 

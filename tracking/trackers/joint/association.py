@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from tracking.filtering import Association, cheapest_pairs, margins
 from tracking.trackers.joint.association_likelihoods import AssociationLikelihoods
+from tracking.trackers.shared.gating import GatedPairs
 from tracking.trackers.stereo.population import Population
 
 NAT = 0.1
@@ -22,6 +23,7 @@ _SEEN_S = 0.5
 def associate_people(
     people: Population,
     likelihoods: AssociationLikelihoods,
+    gated: GatedPairs,
     usable: NDArray[np.bool_],
     least_margin: float,
 ) -> tuple[Association, NDArray[np.intp]]:
@@ -32,7 +34,7 @@ def associate_people(
     both of them and is nobody's.
 
     Args:
-        usable: (detections,) False for those that are nobody's.
+        gated: all pairs. usable: (detections,) False for those that are nobody's.
         least_margin: nats.
 
     Returns the pairs, with margins in `NAT`, and the detections that nobody has but somebody new
@@ -40,7 +42,7 @@ def associate_people(
     left out of them, and the hazards of the review are fitted to them as they are.
     """
     columns = np.flatnonzero(usable)
-    match, allowed = likelihoods.match[:, columns], likelihoods.allowed[:, columns]
+    match, allowed = likelihoods.match[:, columns], gated.allowed[:, columns]
     track, detection = cheapest_pairs(match, allowed, likelihoods.missed)
     rival = people.confirmed & (people.missed_s < _SEEN_S)
     rival[track] = False

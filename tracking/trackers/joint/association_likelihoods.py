@@ -15,6 +15,8 @@ from numpy.typing import NDArray
 from tracking.geometry import View
 from tracking.people import Detections
 from tracking.trackers.joint.settings import JointSettings
+from tracking.trackers.joint.stage_values import JointFrame
+from tracking.trackers.shared.gating import GatedPairs, WideningGate, gate_pairs
 from tracking.trackers.stereo.population import Population
 from tracking.trackers.stereo.update import FASTEST_M_PER_S
 
@@ -22,8 +24,8 @@ Floats = NDArray[np.float64]
 
 _FREEDOM = 4.0
 """Of Student's t, which places follow: a detection is now and then far off."""
-_GATE_M = 0.9
-"""Radius of the gate, beside the fastest walk since the track was last seen."""
+_GATE_M = WideningGate(at_once=0.9, a_second=FASTEST_M_PER_S)
+"""The fastest walk since the track was last seen, and more."""
 _HIDDEN, _SHOWN = 0.05, 0.5
 """Shares of a body in sight at which nobody and everybody is detected."""
 _FAINT = 0.05
@@ -40,14 +42,20 @@ class AssociationLikelihoods:
 
     Attributes:
         match: (people, detections), of each pair; less is likelier.
-        missed: (people,), `-ln(1 - P_D)`. allowed: (people, detections), the gate.
-        distance: (people, detections) m.
+        missed: (people,), `-ln(1 - P_D)`.
     """
 
     match: Floats
     missed: Floats
-    allowed: NDArray[np.bool_]
-    distance: Floats
+
+
+def gate_people(people: Population, measured: Floats) -> GatedPairs:
+    """The pairs within the gate: wide, as the density decides, not the gate.
+
+    Args:
+        people: predicted to this frame. measured: (detections, 2) m.
+    """
+    return gate_pairs(people.position, measured, _GATE_M.radius(people.missed_s)[:, None])
 
 
 def particle_covariance(people: Population) -> Floats:
@@ -104,9 +112,8 @@ def detection_probability(people: Population, shown: Floats, settings: JointSett
 
 def score_pairs(
     people: Population,
-    seen: Detections,
-    sigma: Floats,
-    new: Floats,
+    gated: GatedPairs,
+    frame: JointFrame,
     appearance: Floats,
     turn: Floats,
     detected: Floats,
@@ -114,18 +121,12 @@ def score_pairs(
     """The association likelihoods of all pairs.
 
     Args:
-        people: predicted to this frame. sigma: (detections,) m.
-        new: (detections,) as `log_birth_intensity`.
+        people: predicted to this frame. gated: all pairs.
         appearance: (people, detections) log-likelihood ratio of the appearance.
         turn: (people, detections) nats, NaN where there is no direction.
         detected: (people,) the detection probability.
     """
-    offset = seen.position[None, :, :2] - people.position[:, None, :]
-    distance = np.hypot(offset[..., 0], offset[..., 1])
-    place = place_density(offset, particle_covariance(people), sigma)
+    place = place_density(gated.offset, particle_covariance(people), frame.sigma)
     turned = np.where(np.isnan(turn), 0.0, turn)
-    match = new - place - appearance + turned - np.log(detected)[:, None]
-    gate_m = _GATE_M + FASTEST_M_PER_S * people.missed_s
-    return AssociationLikelihoods(
-        match, -np.log1p(-detected), distance <= gate_m[:, None], distance
-    )
+    match = frame.births - place - appearance + turned - np.log(detected)[:, None]
+    return AssociationLikelihoods(match, -np.log1p(-detected))

@@ -6,7 +6,7 @@ from tracking.people import StereoPerception
 from tracking.recording import Recording
 from tracking.trackers.joint.settings import JointSettings
 from tracking.trackers.joint.tracker import JointTracker
-from tracking.trackers.stereo.tracker import perception_and_view
+from tracking.trackers.stereo.setup import perception_and_view
 
 
 def build_joint(

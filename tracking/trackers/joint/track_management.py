@@ -7,9 +7,10 @@ from numpy.typing import NDArray
 
 from tracking.trackers.joint.edges import share_a_step_off
 from tracking.trackers.joint.settings import JointSettings
-from tracking.trackers.stereo.births_and_ends import OUT_OF_VIEW, TENTATIVE_PATIENCE_S
-from tracking.trackers.stereo.boxes import Bodies, share_in_view
+from tracking.trackers.joint.stage_values import UpdatedTracks
+from tracking.trackers.stereo.boxes import share_in_view
 from tracking.trackers.stereo.population import Population
+from tracking.trackers.stereo.termination import OUT_OF_VIEW, TENTATIVE_PATIENCE_S
 
 Flags = NDArray[np.bool_]
 Floats = NDArray[np.float64]
@@ -49,9 +50,7 @@ def is_reported(
 
 
 def should_keep(
-    people: Population,
-    box: Floats,
-    around: Bodies,
+    updated: UpdatedTracks,
     settings: JointSettings,
     size: tuple[int, int],
     interval_s: float,
@@ -62,11 +61,11 @@ def should_keep(
     is somebody else.
 
     Args:
-        box: (people, 4) px of their bodies. around: these a step off. size: of the picture.
+        updated: where they are now. size: of the picture.
         interval_s: between two frames, as they usually come.
     """
-    inside = share_in_view(box, size)
-    at_the_edge = share_a_step_off(around, size) < _AT_THE_EDGE
+    people, inside = updated.people, share_in_view(updated.box, size)
+    at_the_edge = share_a_step_off(updated.around, size) < _AT_THE_EDGE
     patience_s = np.where(at_the_edge, settings.delete_at_edge_s, settings.coast_s)
     patience_s = np.minimum(patience_s, _COASTED_SHARE * people.matches * interval_s)
     patience_s = np.where(people.confirmed, patience_s, TENTATIVE_PATIENCE_S)

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections import deque
+from dataclasses import replace
 from statistics import median
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.filtering import Association, resample
 from tracking.geometry import View
-from tracking.people import Detections, Observation
+from tracking.people import Observation
 from tracking.trackers.joint.appearance import (
     AppearanceModel,
     appearance_differences,
@@ -21,6 +21,7 @@ from tracking.trackers.joint.association import NAT, associate_people
 from tracking.trackers.joint.association_likelihoods import (
     AssociationLikelihoods,
     detection_probability,
+    gate_people,
     log_birth_intensity,
     score_pairs,
 )
@@ -30,30 +31,24 @@ from tracking.trackers.joint.motion import predict
 from tracking.trackers.joint.noise import MeasurementNoise
 from tracking.trackers.joint.reidentification import reidentify
 from tracking.trackers.joint.settings import JointSettings
+from tracking.trackers.joint.stage_values import (
+    AssociatedTracks,
+    JointFrame,
+    UpdatedTracks,
+)
 from tracking.trackers.joint.track_management import is_reported, may_be_occluded, should_keep
 from tracking.trackers.joint.track_update import update_matched
-from tracking.trackers.shared.gating import nearest_others_m
+from tracking.trackers.shared.gating import GatedPairs
 from tracking.trackers.shared.protocol import StepResult
-from tracking.trackers.stereo.births_and_ends import (
-    BirthCandidates,
-    confirm_tracks,
-    initiate_tracks,
-)
-from tracking.trackers.stereo.boxes import Bodies, expected_visibility, update_outlines
 from tracking.trackers.stereo.cues import Costs
 from tracking.trackers.stereo.filter import StereoFilter
-from tracking.trackers.stereo.population import Population, concatenate
+from tracking.trackers.stereo.initiation import confirm_tracks
+from tracking.trackers.stereo.population import Population
 from tracking.trackers.stereo.result import step_result
-from tracking.trackers.stereo.shared_detections import find_shared_regions
-from tracking.trackers.stereo.update import (
-    Match,
-    age_tracks,
-    update_missed,
-    update_occluded,
-)
+from tracking.trackers.stereo.stage_values import ExpectedPeople
+from tracking.trackers.stereo.update import age_tracks
 
 Floats = NDArray[np.float64]
-Colours = NDArray[np.float32]
 
 _SURE = 20
 """Matches that somebody counts as who was corrected by people and is in view."""
@@ -94,44 +89,34 @@ class JointTracker(StereoFilter[JointSettings, JointCues]):
         return people.replace(matches=known)
 
     def step(self, observation: Observation) -> StepResult:
-        """Take one frame further."""
-        seen, settings, view = observation.people, self._settings, self._view
-        colours, appearance = self._cues.measure_colours(seen), measure_appearance(seen)
-        before, elapsed_s = self._begin_frame(observation, colours)
-        interval_s = self._usual_interval_s(elapsed_s)
-        expected = predict(before, settings, elapsed_s, self._random)
-        bodies, size = Bodies.at(expected.position, view), view.camera.size
-        known = expected.missed_s < settings.report_s
-        shown = expected_visibility(expected, bodies.boxes(expected.outline), size, known)
-        new = log_birth_intensity(seen, settings, elapsed_s, view)
-        difference = appearance_differences(expected, colours, appearance)
-        sigma = self._noise.sigma(seen.position[:, :2], settings)
-        costs, likelihoods = self._score_pairs(expected, seen, sigma, difference, new, shown)
-        pairs, free = associate_people(
-            expected, likelihoods, ~seen.merged, settings.association_margin / NAT
-        )
-        people = age_tracks(expected, pairs.track, elapsed_s)
-        since_s = expected.missed_s[pairs.track] + elapsed_s
-        shared = find_shared_regions(expected, bodies, pairs, seen, view)
-        alone = shared.alone_of(pairs)
-        clear = (
-            nearest_others_m(expected.position)[pairs.track] >= settings.colour_update_distance_m
-        )
-        match = Match(pairs, shared, clear, seen, colours, since_s)
-        people = update_matched(people, match, appearance, sigma, self._cues, self._random)
-        self._learn(expected, match, difference)
-        people = update_missed(people, elapsed_s, view, settings, may_be_occluded(people, shown))
-        people = update_occluded(people, expected, shared, settings, self._random)
-        bodies, around = here_and_a_step_off(people.position, view)
-        people = update_outlines(people, pairs, alone, seen, elapsed_s, bodies)
-        people = self._cues.update_anchors(people, elapsed_s)
-        people = self._confirm(people, pairs, new, interval_s)
-        box = bodies.boxes(people.outline)
-        there = is_reported(people, shown, settings, interval_s)
-        result = step_result(observation, people, box, pairs, alone, costs, view, there)
-        stay = should_keep(people, box, around, settings, size, interval_s)
-        self._people = self._carry_over(people.select(stay), BirthCandidates(seen, colours, free))
+        """Take one frame further, in the stages of `docs/stereo-joint.md`.
+
+        Initiation has two halves: tentative tracks get ids before the frame is reported, and new
+        ones begin where tracks have been terminated already.
+        """
+        frame = self._measure(observation)
+        expected = self._predict(frame)
+        gated = gate_people(expected.people, frame.places)
+        associated = self._associate(expected, gated, frame)
+        updated = self._update(expected, associated, frame)
+        updated = self._confirm(updated, associated, frame)
+        result = self._report(observation, expected, updated, associated, frame)
+        people = self._resample(self._terminate(updated, frame))
+        self._people = self._initiate(people, associated.free, frame)
         return result
+
+    def _measure(self, observation: Observation) -> JointFrame:
+        """What the frame shows, with what is learnt of measurements so far."""
+        frame, settings = super()._measure(observation), self._settings
+        return JointFrame(
+            frame.seen,
+            frame.colours,
+            frame.elapsed_s,
+            measure_appearance(frame.seen),
+            self._noise.sigma(frame.places, settings),
+            log_birth_intensity(frame.seen, settings, frame.elapsed_s, self._view),
+            self._usual_interval_s(frame.elapsed_s),
+        )
 
     def _usual_interval_s(self, elapsed_s: float) -> float:
         """Seconds that one match stands for: since the frame before, unless that is unusual.
@@ -144,66 +129,100 @@ class JointTracker(StereoFilter[JointSettings, JointCues]):
             self._intervals_s.append(elapsed_s)
         return elapsed_s if usual_s / _FAR_OFF <= elapsed_s <= usual_s * _FAR_OFF else usual_s
 
-    def _score_pairs(
-        self,
-        people: Population,
-        seen: Detections,
-        sigma: Floats,
-        difference: Floats,
-        new: Floats,
-        shown: Floats,
-    ) -> tuple[Costs, AssociationLikelihoods]:
-        """The association likelihoods of all pairs, and the costs to report."""
-        measured = seen.position[:, :2]
-        appearance = self._settings.appearance_weight * self._appearance.log_likelihood_ratio(
-            difference
+    def _predict(self, frame: JointFrame) -> ExpectedPeople:
+        """Everybody moved on; who has not been seen for long covers nobody."""
+        before, settings = self._followed(frame), self._settings
+        people = predict(before, settings, frame.elapsed_s, self._random)
+        return self._expect(people, people.missed_s < settings.report_s)
+
+    def _associate(
+        self, expected: ExpectedPeople, gated: GatedPairs, frame: JointFrame
+    ) -> AssociatedTracks:
+        """The likeliest association of the frame."""
+        people, settings = expected.people, self._settings
+        difference = appearance_differences(people, frame.colours, frame.appearance)
+        costs, likelihoods = self._score_pairs(expected, gated, difference, frame)
+        pairs, free = associate_people(
+            people, likelihoods, gated, frame.usable, settings.association_margin / NAT
         )
+        shared = self._share(expected, pairs, frame)
+        return AssociatedTracks(pairs, costs, *shared, difference, free)
+
+    def _score_pairs(
+        self, expected: ExpectedPeople, gated: GatedPairs, difference: Floats, frame: JointFrame
+    ) -> tuple[Costs, AssociationLikelihoods]:
+        """The association likelihoods of all pairs, and the costs to report.
+
+        Args:
+            difference: as `appearance_differences`.
+        """
+        people, settings = expected.people, self._settings
+        appearance = settings.appearance_weight * self._appearance.log_likelihood_ratio(difference)
         appearance *= appearance_trust(people)[:, None]
-        turn = self._cues.direction(people, measured)
-        detected = detection_probability(people, shown, self._settings)
-        likelihoods = score_pairs(people, seen, sigma, new, appearance, turn, detected)
+        turn = self._cues.direction(people, frame.places)
+        detected = detection_probability(people, expected.shown, settings)
+        likelihoods = score_pairs(people, gated, frame, appearance, turn, detected)
         colour = np.sqrt(difference[..., :3]).sum(axis=2)
         total = NAT * (likelihoods.match - likelihoods.missed[:, None])
-        return Costs(
-            likelihoods.distance, colour, NAT * turn, total, likelihoods.allowed
-        ), likelihoods
+        return Costs(gated.distance, colour, NAT * turn, total, gated.allowed), likelihoods
 
-    def _learn(self, people: Population, match: Match, difference: Floats) -> None:
+    def _update(
+        self, expected: ExpectedPeople, associated: AssociatedTracks, frame: JointFrame
+    ) -> UpdatedTracks:
+        """Those matched weighed with their detections, the others by where they are not."""
+        people = age_tracks(expected.people, associated.pairs.track, frame.elapsed_s)
+        people = update_matched(people, associated, frame, self._cues, self._random)
+        self._learn(expected.people, associated, frame)
+        sought = may_be_occluded(people, expected.shown)
+        people = self._update_unmatched(people, expected, associated, frame, sought)
+        bodies, around = here_and_a_step_off(people.position, self._view)
+        people = self._update_outlines(people, associated, frame, bodies)
+        return UpdatedTracks(people, bodies, around)
+
+    def _learn(self, people: Population, associated: AssociatedTracks, frame: JointFrame) -> None:
         """Learn measurement noise and appearance from people matched with nobody close.
 
         Args:
             people: predicted to this frame.
         """
-        pairs, known = match.pairs, people.confirmed
-        clear = match.isolated & known[pairs.track]
+        pairs, known, difference = associated.pairs, people.confirmed, associated.difference
+        clear = associated.isolated & known[pairs.track]
         rows, chosen = pairs.track[clear], pairs.detection[clear]
         others = np.zeros(difference.shape[:2], bool)
         others[:, chosen] = known[:, None]
         others[rows, chosen] = False
         self._appearance = self._appearance.update(difference[rows, chosen], difference[others])
-        measured = match.seen.position[chosen, :2]
+        measured = frame.places[chosen]
         offset, place = measured - people.position[rows], people.motion[rows, 0]
         self._noise = self._noise.update(offset, place, measured, self._settings)
 
     def _confirm(
-        self, people: Population, pairs: Association, new: Floats, interval_s: float
-    ) -> Population:
+        self, updated: UpdatedTracks, associated: AssociatedTracks, frame: JointFrame
+    ) -> UpdatedTracks:
         """Tentative tracks seen for long enough get the id of a coasting track, or the next one."""
-        settings = self._settings
-        enough = round(settings.confirm_s / max(interval_s, _SHORTEST_S))
+        people, pairs, settings = updated.people, associated.pairs, self._settings
+        enough = round(settings.confirm_s / max(frame.interval_s, _SHORTEST_S))
         enough = max(settings.confirm_matches, enough)
         fresh = people.track[pairs.track] == 0
         fresh &= people.matches[pairs.track] >= enough
-        ready, begun = pairs.track[fresh], new[pairs.detection[fresh]]
-        people = reidentify(people, ready, begun, self._appearance, settings)
-        people, self._last_id = confirm_tracks(people, enough, self._last_id)
-        return people
+        ready, births = pairs.track[fresh], frame.births[pairs.detection[fresh]]
+        people = reidentify(people, ready, births, self._appearance, settings)
+        return replace(updated, people=confirm_tracks(people, enough, self._ids))
 
-    def _carry_over(self, people: Population, spots: BirthCandidates) -> Population:
-        """Who goes into the next frame: the tracks kept, resampled, and tentative ones."""
-        particles = resample(people.particles, people.weight, self._random)
-        people = people.replace(particles=particles)
-        if len(spots.free) == 0:
-            return people
-        new = initiate_tracks(people, spots, self._settings, self._random, self._view)
-        return concatenate((people, new))
+    def _report(
+        self,
+        observation: Observation,
+        expected: ExpectedPeople,
+        updated: UpdatedTracks,
+        associated: AssociatedTracks,
+        frame: JointFrame,
+    ) -> StepResult:
+        """The frame's result: who is thought to be where they are predicted."""
+        people, box = updated.people, updated.box
+        there = is_reported(people, expected.shown, self._settings, frame.interval_s)
+        return step_result(observation, people, box, associated, self._view, there)
+
+    def _terminate(self, updated: UpdatedTracks, frame: JointFrame) -> Population:
+        """The people whose tracks are kept, reported or coasting."""
+        size = self._view.camera.size
+        return updated.people.select(should_keep(updated, self._settings, size, frame.interval_s))

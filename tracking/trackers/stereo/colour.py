@@ -13,7 +13,8 @@ from tracking.setting import setting
 from tracking.trackers.stereo.paper import PaperTracker
 from tracking.trackers.stereo.population import Population
 from tracking.trackers.stereo.settings import StereoTrackerSettings
-from tracking.trackers.stereo.tracker import StereoTracker, perception_and_view
+from tracking.trackers.stereo.setup import perception_and_view
+from tracking.trackers.stereo.tracker import StereoTracker
 
 Floats = NDArray[np.float64]
 

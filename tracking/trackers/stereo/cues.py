@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from tracking.filtering import bhattacharyya_distance
 from tracking.people import Detections
+from tracking.trackers.shared.gating import GatedPairs, gate_pairs
 from tracking.trackers.stereo.population import Population
 from tracking.trackers.stereo.settings import StereoFilterSettings, StereoTrackerSettings
 
@@ -53,8 +54,32 @@ class Costs:
     allowed: NDArray[np.bool_]
 
 
+def gate_people(
+    people: Population, measured: Floats, settings: StereoTrackerSettings
+) -> GatedPairs:
+    """The pairs within the gate, which widens for who is missed and with the range.
+
+    The papers name a wider search after long occlusion as what they lack.
+
+    Args:
+        people: predicted to this frame. measured: (detections, 2) m.
+    """
+    wider = _widening(people, measured, settings)
+    return gate_pairs(people.position, measured, settings.gate_m * wider)
+
+
+def _widening(people: Population, measured: Floats, settings: StereoTrackerSettings) -> Floats:
+    """(people, detections) how many times wider than usual the gate is.
+
+    The error of range grows with the distance from the camera.
+    """
+    range_errors = likelihood_sigma(measured, settings) / settings.measurement_noise_m
+    return (1.0 + settings.gate_growth * people.missed_s)[:, None] * range_errors
+
+
 def costs_of(
     people: Population,
+    gated: GatedPairs,
     measured: Floats,
     colours: NDArray[np.float32],
     cues: Cues,
@@ -64,42 +89,36 @@ def costs_of(
     """The costs of all pairs: `D = Dd + Dc + Da` ([Kawashita2014] section 3.3).
 
     Where we differ from the source:
-        - the distance of somebody who was missed counts for less, the longer the less, and the
-          gate widens alike (the papers name a wider search after long occlusion as what they
-          lack);
-        - both also widen with the distance from the camera, as the error of range does;
+        - distance counts for less as the gate widens: of somebody missed the longer the less, and
+          far from the camera;
         - distance and colour have weights (the papers leave those open);
         - somebody expected to be hidden pays for a detection: what is seen is more likely the
           one in front.
 
     Args:
-        people: predicted to this frame. measured: (detections, 2) m.
+        people: predicted to this frame. gated: all pairs. measured: (detections, 2) m.
         colours: (detections, cues, bins).
         shown: (people,) share of each body, 0 to 1, that the others leave to be seen.
     """
-    distance, colour, direction = cue_values(people, measured, colours, cues)
-    wider = (1.0 + settings.gate_growth * people.missed_s)[:, None] * (
-        likelihood_sigma(measured, settings) / settings.measurement_noise_m
-    )
+    colour, direction = cue_values(people, measured, colours, cues)
+    wider = _widening(people, measured, settings)
     total = (
-        settings.distance_weight * distance / wider
+        settings.distance_weight * gated.distance / wider
         + settings.colour_weight * colour
         + np.nan_to_num(direction)
         + settings.occlusion_weight * (1.0 - shown)[:, None]
     )
-    return Costs(distance, colour, direction, total, distance <= settings.gate_m * wider)
+    return Costs(gated.distance, colour, direction, total, gated.allowed)
 
 
 def cue_values(
     people: Population, measured: Floats, colours: NDArray[np.float32], cues: Cues
-) -> tuple[Floats, Floats, Floats]:
-    """Dd in metres, Dc and Da of all pairs, each (people, detections); as in `costs_of`."""
-    offset = measured[None, :, :] - people.position[:, None, :]
-    distance = np.hypot(offset[..., 0], offset[..., 1])
-    colour = np.zeros_like(distance)
+) -> tuple[Floats, Floats]:
+    """Dc and Da of all pairs, each (people, detections); as in `costs_of`."""
+    colour = np.zeros((len(people), len(measured)))
     for cue in range(people.colour.shape[1]):
         colour += bhattacharyya_distance(people.colour[:, cue], colours[:, cue])
-    return distance, colour, cues.direction(people, measured)
+    return colour, cues.direction(people, measured)
 
 
 def likelihood_sigma(measured: Floats, settings: StereoFilterSettings) -> Floats:

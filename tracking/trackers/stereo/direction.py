@@ -12,7 +12,8 @@ from tracking.recording import Recording
 from tracking.setting import setting
 from tracking.trackers.stereo.paper import PaperTracker
 from tracking.trackers.stereo.settings import StereoTrackerSettings
-from tracking.trackers.stereo.tracker import StereoTracker, perception_and_view
+from tracking.trackers.stereo.setup import perception_and_view
+from tracking.trackers.stereo.tracker import StereoTracker
 from tracking.trackers.stereo.walking_direction import WalkingCues, WalkingSettings
 
 

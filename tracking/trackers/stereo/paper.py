@@ -7,25 +7,24 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.filtering import Association, nearest_first, resample, weigh, weighted_mean
+from tracking.filtering import nearest_first, weigh, weighted_mean
 from tracking.geometry import View
-from tracking.people import Detections, Observation
+from tracking.people import Observation
+from tracking.trackers.shared.gating import GatedPairs, gate_pairs
 from tracking.trackers.shared.protocol import StepResult
-from tracking.trackers.stereo.births_and_ends import (
-    BirthCandidates,
-    confirm_tracks,
-    start_tracks,
-)
 from tracking.trackers.stereo.boxes import Bodies
 from tracking.trackers.stereo.cues import Costs, Cues, cue_values
-from tracking.trackers.stereo.filter import StereoFilter, predict
+from tracking.trackers.stereo.filter import StereoFilter
+from tracking.trackers.stereo.initiation import confirm_tracks, start_tracks
+from tracking.trackers.stereo.motion import predict
 from tracking.trackers.stereo.population import Population, concatenate
 from tracking.trackers.stereo.result import step_result
 from tracking.trackers.stereo.settings import StereoTrackerSettings
+from tracking.trackers.stereo.shared_detections import NONE_SHARED
+from tracking.trackers.stereo.stage_values import AssociatedPeople, MeasuredFrame
 from tracking.trackers.stereo.update import age_tracks
 
 Floats = NDArray[np.float64]
-Colours = NDArray[np.float32]
 
 
 class PaperTracker(StereoFilter[StereoTrackerSettings, Cues]):
@@ -53,81 +52,83 @@ class PaperTracker(StereoFilter[StereoTrackerSettings, Cues]):
         return people
 
     def step(self, observation: Observation) -> StepResult:
-        """Take one frame further."""
-        seen = observation.people
-        colours = self._cues.measure_colours(seen)
-        before, elapsed_s = self._begin_frame(observation, colours)
-        expected = self._predict(before, elapsed_s)
-        costs = paper_costs(expected, seen.position[:, :2], colours, self._cues, self._settings)
-        allowed = costs.allowed & ~seen.merged
-        pairs = nearest_first(costs.total, allowed)
-        people, moved = self._update_matched(expected, pairs, seen, colours, elapsed_s)
-        people = self._cues.update_anchors(people, elapsed_s)
-        free = ~seen.merged
-        free[pairs.detection] = False
-        spots = BirthCandidates(seen, colours, np.flatnonzero(free))
-        new = start_tracks(spots, self._settings, self._random, self._view)
-        new, self._last_id = confirm_tracks(new, 1, self._last_id)
-        everybody = concatenate((people, new))
-        self._people, self._moved = self._carry_over(
-            everybody, np.concatenate((moved, new.velocity))
-        )
-        return _report(observation, everybody, pairs, spots, costs, self._view)
+        """Take one frame further: predict, gate, associate, update, initiate, terminate."""
+        frame = self._measure(observation)
+        expected = self._predict(frame)
+        gated = gate_pairs(expected.position, frame.places, self._settings.gate_m)
+        associated = self._associate(expected, gated, frame)
+        people, moved = self._update(expected, associated, frame)
+        free = frame.free(associated.pairs)
+        people = self._initiate(people, free, frame)
+        moved = np.concatenate((moved, people.velocity[len(moved) :]))
+        self._people, self._moved = self._terminate(people, moved)
+        return _report(observation, people, associated, free, self._view)
 
-    def _predict(self, people: Population, elapsed_s: float) -> Population:
+    def _predict(self, frame: MeasuredFrame) -> Population:
         """Everybody moved on by the last movement, or while missed by the velocity."""
+        people = self._followed(frame)
         missed = people.missed_s[:, None] > 0.0
-        step = np.where(missed, people.velocity, self._moved) * elapsed_s
-        return predict(people, step, self._settings, elapsed_s, self._random)
+        step = np.where(missed, people.velocity, self._moved) * frame.elapsed_s
+        return predict(people, step, self._settings, frame.elapsed_s, self._random)
 
-    def _update_matched(
-        self,
-        people: Population,
-        pairs: Association,
-        seen: Detections,
-        colours: Colours,
-        elapsed_s: float,
+    def _associate(
+        self, people: Population, gated: GatedPairs, frame: MeasuredFrame
+    ) -> AssociatedPeople:
+        """Each person with the detection that costs least."""
+        costs = paper_costs(people, gated, frame, self._cues, self._settings)
+        pairs = nearest_first(costs.total, gated.allowed & frame.usable)
+        since_s = people.missed_s[pairs.track] + frame.elapsed_s
+        everybody = np.ones(len(pairs.track), bool)
+        return AssociatedPeople(pairs, costs, NONE_SHARED, everybody, since_s)
+
+    def _update(
+        self, people: Population, associated: AssociatedPeople, frame: MeasuredFrame
     ) -> tuple[Population, Floats]:
         """Those matched weighed with their detections; the others as predicted.
 
         Returns the people and the last movement of each, (people, 2) m/s.
         """
-        rows, chosen = pairs.track, pairs.detection
-        mine, measured = people.select(rows), seen.position[chosen, :2]
-        weight = weigh(
-            mine.particles, measured, np.full(len(rows), self._settings.measurement_noise_m)
-        )
+        rows, chosen = associated.pairs.track, associated.pairs.detection
+        mine, settings = people.select(rows), self._settings
+        sigma = np.full(len(rows), settings.measurement_noise_m)
+        weight = weigh(mine.particles, frame.places[chosen], sigma)
         position = weighted_mean(mine.particles, weight)
-        since_s = (mine.missed_s + elapsed_s)[:, None]
+        since_s = associated.since_s[:, None]
         movement = self._moved[rows]
         np.divide(position - mine.seen_at, since_s, out=movement, where=since_s > 0.0)
-        kept = np.exp(-elapsed_s / self._settings.velocity_average_s)
+        kept = np.exp(-frame.elapsed_s / settings.velocity_average_s)
         share = np.maximum(1.0 / mine.matches, 1.0 - kept)[:, None]
         moved = self._moved.copy()
         moved[rows] = movement
-        return age_tracks(people, rows, elapsed_s).with_rows(
+        people = age_tracks(people, rows, frame.elapsed_s).with_rows(
             rows,
             weight=weight,
             position=position,
             velocity=mine.velocity + share * (movement - mine.velocity),
             matches=mine.matches + 1,
             seen_at=position,
-            colour=self._cues.update_colours(mine.colour, colours[chosen], mine.matches),
-            outline=Bodies.at(position, self._view).outlines(seen.box[chosen]),
-        ), moved
+            colour=self._cues.update_colours(mine.colour, frame.colours[chosen], mine.matches),
+            outline=Bodies.at(position, self._view).outlines(frame.seen.box[chosen]),
+        )
+        return self._cues.update_anchors(people, frame.elapsed_s), moved
 
-    def _carry_over(self, people: Population, moved: Floats) -> tuple[Population, Floats]:
+    def _initiate(
+        self, people: Population, free: NDArray[np.intp], frame: MeasuredFrame
+    ) -> Population:
+        """The people with one at each free detection, who has an id from the first sighting on."""
+        new = start_tracks(frame, free, self._settings, self._random, self._view)
+        return concatenate((people, confirm_tracks(new, 1, self._ids)))
+
+    def _terminate(self, people: Population, moved: Floats) -> tuple[Population, Floats]:
         """Who goes into the next frame, resampled; those missed for too long have ended."""
         there = people.missed_s <= self._settings.delete_after_s
-        kept = people.select(there)
-        particles = resample(kept.particles, kept.weight, self._random)
-        return kept.replace(particles=particles), moved[there]
+        return self._resample(people.select(there)), moved[there]
 
 
 def paper_costs(
     people: Population,
-    measured: Floats,
-    colours: Colours,
+    gated: GatedPairs,
+    frame: MeasuredFrame,
     cues: Cues,
     settings: StereoTrackerSettings,
 ) -> Costs:
@@ -136,28 +137,25 @@ def paper_costs(
     Dc counts once somebody's colour model is complete, Da once there are directions.
 
     Args:
-        people: predicted to this frame. measured: (detections, 2) m.
-        colours: (detections, cues, bins).
+        people: predicted to this frame. gated: all pairs.
     """
-    distance, colour, direction = cue_values(people, measured, colours, cues)
+    colour, direction = cue_values(people, frame.places, frame.colours, cues)
     colour[~cues.is_complete(people.matches)] = np.nan
     cues_cost = settings.colour_weight * np.nan_to_num(colour) + np.nan_to_num(direction)
-    total = distance + cues_cost
-    return Costs(distance, colour, direction, total, distance <= settings.gate_m)
+    total = gated.distance + cues_cost
+    return Costs(gated.distance, colour, direction, total, gated.allowed)
 
 
 def _report(
     observation: Observation,
     people: Population,
-    pairs: Association,
-    spots: BirthCandidates,
-    costs: Costs,
+    associated: AssociatedPeople,
+    free: NDArray[np.intp],
     view: View,
 ) -> StepResult:
     """The frame's result; the last of the people are new, at the free detections."""
     box = Bodies.at(people.position, view).boxes(people.outline)
-    alone = np.ones(len(pairs.track), bool)
-    result = step_result(observation, people, box, pairs, alone, costs, view)
+    result = step_result(observation, people, box, associated, view)
     track = result.detections["track"].copy()
-    track[spots.free] = people.track[len(people) - len(spots.free) :]
+    track[free] = people.track[len(people) - len(free) :]
     return replace(result, detections={**result.detections, "track": track})

@@ -13,6 +13,7 @@ from tracking.trackers.shared.shown_boxes import steady_boxes
 from tracking.trackers.stereo.boxes import visibility
 from tracking.trackers.stereo.cues import Costs
 from tracking.trackers.stereo.population import Population
+from tracking.trackers.stereo.stage_values import AssociatedPeople
 from tracking.tracks.columns import (
     CLOTHES,
     DETECTION_COLUMNS,
@@ -34,19 +35,17 @@ def step_result(
     observation: Observation,
     people: Population,
     box: Floats,
-    pairs: Association,
-    alone: NDArray[np.bool_],
-    costs: Costs,
+    associated: AssociatedPeople,
     view: View,
     reported: NDArray[np.bool_] | None = None,
 ) -> StepResult:
     """The frame's result: confirmed people only, sorted by track.
 
     Args:
-        box: (people, 4) px of their bodies. alone: (pairs,) whose region holds nobody else.
+        box: (people, 4) px of their bodies. associated: who of them is which detection.
         reported: (people,) who of those confirmed is reported; None: everybody.
     """
-    box = box.copy()
+    pairs, alone, box = associated.pairs, associated.alone, box.copy()
     box[pairs.track] = steady_boxes(
         box[pairs.track], observation.people.box[pairs.detection], alone
     )
@@ -60,7 +59,7 @@ def step_result(
         tracks=_tracks(frame, people, rows, box[rows], view),
         detections=_detections(frame, observation.people, people, pairs),
         particles=_particles(track, particles, weight),
-        associations=_associations(frame, people, pairs, costs),
+        associations=_associations(frame, people, pairs, associated.costs),
         signals=_signals(frame, track, observation.people, own, cloud_shapes(particles, weight)),
     )
 

@@ -45,7 +45,7 @@ class SharedRegions:
         return alone
 
 
-_NOBODY = SharedRegions(*np.zeros((2, 0), np.intp), *np.zeros((2, 0, 2)))
+NONE_SHARED = SharedRegions(*np.zeros((2, 0), np.intp), *np.zeros((2, 0, 2)))
 
 
 def find_shared_regions(
@@ -66,7 +66,7 @@ def find_shared_regions(
     alone[pairs.track] = False
     occluded = np.flatnonzero(alone)
     if len(occluded) == 0:
-        return _NOBODY
+        return NONE_SHARED
     box = bodies.boxes(people.outline)
     region = seen.box[pairs.detection]
     inside = _share_inside(box[occluded], region)
@@ -74,7 +74,7 @@ def find_shared_regions(
     inside[:, ~room] = 0.0
     rows = np.flatnonzero(inside.max(axis=1, initial=0.0) >= _INSIDE)
     if len(rows) == 0:
-        return _NOBODY
+        return NONE_SHARED
     owner, first = np.unique(inside[rows].argmax(axis=1), return_index=True)
     occluded = occluded[rows[first]]
     host = pairs.track[owner]

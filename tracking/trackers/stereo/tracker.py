@@ -2,65 +2,28 @@
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
+from dataclasses import replace
 
-from tracking.errors import CalibrationError
-from tracking.filtering import Association, resample
-from tracking.geometry import View
-from tracking.people import Detections, Observation, StereoPerception
-from tracking.recording import Recording
-from tracking.trackers.shared.gating import nearest_others_m
+from tracking.people import Observation
+from tracking.trackers.shared.gating import GatedPairs
 from tracking.trackers.shared.protocol import StepResult
-from tracking.trackers.stereo.assignment import match_people
-from tracking.trackers.stereo.births_and_ends import (
-    BirthCandidates,
-    confirm_tracks,
-    initiate_tracks,
-    should_keep,
-)
-from tracking.trackers.stereo.boxes import Bodies, expected_visibility, update_outlines
-from tracking.trackers.stereo.cues import Cues, costs_of
-from tracking.trackers.stereo.filter import StereoFilter, predict
-from tracking.trackers.stereo.population import Population, concatenate
+from tracking.trackers.stereo.association import associate_people
+from tracking.trackers.stereo.boxes import Bodies
+from tracking.trackers.stereo.cues import Cues, costs_of, gate_people
+from tracking.trackers.stereo.filter import StereoFilter
+from tracking.trackers.stereo.initiation import confirm_tracks
+from tracking.trackers.stereo.motion import predict
+from tracking.trackers.stereo.population import Population
 from tracking.trackers.stereo.result import step_result
-from tracking.trackers.stereo.settings import StereoFilterSettings, StereoTrackerSettings
-from tracking.trackers.stereo.shared_detections import find_shared_regions
-from tracking.trackers.stereo.update import (
-    Match,
-    age_tracks,
-    update_matched,
-    update_missed,
-    update_occluded,
+from tracking.trackers.stereo.settings import StereoTrackerSettings
+from tracking.trackers.stereo.stage_values import (
+    AssociatedPeople,
+    ExpectedPeople,
+    MeasuredFrame,
+    UpdatedPeople,
 )
-
-Colours = NDArray[np.float32]
-Floats = NDArray[np.float64]
-
-
-def perception_and_view(
-    recording: Recording, settings: StereoFilterSettings
-) -> tuple[StereoPerception, View]:
-    """Stereo perception at its start, and the camera that people are seen by.
-
-    Raises `CalibrationError`: the recording has not what metres on the floor need.
-    """
-    rectification, ground, view = recording.rectification, recording.ground, recording.view
-    if rectification is None or ground is None or view is None:
-        raise CalibrationError(
-            "recording {name}: stereo trackers need two calibrated cameras and the floor; add "
-            "[calibration] and [ground] to recording.toml",
-            name=recording.name,
-        )
-    perception = StereoPerception(
-        rectification,
-        ground,
-        recording.fps,
-        foreground=settings.foreground,
-        stereo=settings.stereo,
-        people=settings.people,
-    )
-    return perception, view
+from tracking.trackers.stereo.termination import should_keep
+from tracking.trackers.stereo.update import age_tracks, update_matched
 
 
 class StereoTracker(StereoFilter[StereoTrackerSettings, Cues]):
@@ -87,58 +50,60 @@ class StereoTracker(StereoFilter[StereoTrackerSettings, Cues]):
     """
 
     def step(self, observation: Observation) -> StepResult:
-        """Take one frame further."""
-        seen = observation.people
-        colours = self._cues.measure_colours(seen)
-        before, elapsed_s = self._begin_frame(observation, colours)
-        measured = seen.position[:, :2]
-        way = before.velocity * elapsed_s
-        expected = predict(before, way, self._settings, elapsed_s, self._random)
-        bodies, size = Bodies.at(expected.position, self._view), self._view.camera.size
-        shown = expected_visibility(expected, bodies.boxes(expected.outline), size)
-        costs = costs_of(expected, measured, colours, self._cues, self._settings, shown)
-        pairs = match_people(expected, costs, ~seen.merged, self._settings)
-        people = age_tracks(expected, pairs.track, elapsed_s)
-        since_s = expected.missed_s[pairs.track] + elapsed_s
-        shared = find_shared_regions(expected, bodies, pairs, seen, self._view)
-        alone = shared.alone_of(pairs)
-        clear = (
-            nearest_others_m(expected.position)[pairs.track]
-            >= self._settings.colour_update_distance_m
-        )
-        match = Match(pairs, shared, clear, seen, colours, since_s)
-        people = update_matched(people, match, self._cues, self._settings, self._random)
-        people = update_missed(people, elapsed_s, self._view, self._settings)
-        people = update_occluded(people, expected, shared, self._settings, self._random)
-        bodies = Bodies.at(people.position, self._view)
-        people = update_outlines(people, pairs, alone, seen, elapsed_s, bodies)
-        box = bodies.boxes(people.outline)
-        people = self._cues.update_anchors(people, elapsed_s)
-        people, self._last_id = confirm_tracks(
-            people, self._settings.confirm_matches, self._last_id
-        )
-        result = step_result(observation, people, box, pairs, alone, costs, self._view)
-        self._people = self._carry_over(people, box, pairs, seen, colours)
+        """Take one frame further: predict, gate, associate, update, terminate, initiate.
+
+        Tentative tracks get ids before the frame is reported; new ones begin behind it.
+        """
+        frame = self._measure(observation)
+        expected = self._predict(frame)
+        gated = gate_people(expected.people, frame.places, self._settings)
+        associated = self._associate(expected, gated, frame)
+        updated = self._confirm(self._update(expected, associated, frame))
+        result = step_result(observation, updated.people, updated.box, associated, self._view)
+        people = self._terminate(replace(updated, people=self._resample(updated.people)))
+        self._people = self._initiate(people, frame.free(associated.pairs), frame)
         return result
 
-    def _carry_over(
-        self,
-        people: Population,
-        box: Floats,
-        pairs: Association,
-        seen: Detections,
-        colours: Colours,
-    ) -> Population:
-        """Who goes into the next frame: resampled, the lost deleted, tentative tracks joined.
+    def _predict(self, frame: MeasuredFrame) -> ExpectedPeople:
+        """Everybody moved on at their velocity."""
+        before = self._followed(frame)
+        way = before.velocity * frame.elapsed_s
+        return self._expect(predict(before, way, self._settings, frame.elapsed_s, self._random))
 
-        Args:
-            box: (people, 4) px of their bodies.
-        """
-        resampled = resample(people.particles, people.weight, self._random)
-        people = people.replace(particles=resampled)
-        free = ~seen.merged
-        free[pairs.detection] = False
-        spots = BirthCandidates(seen, colours, np.flatnonzero(free))
-        new = initiate_tracks(people, spots, self._settings, self._random, self._view)
-        there = should_keep(people, box, self._settings, self._view.camera.size)
-        return concatenate((people.select(there), new))
+    def _associate(
+        self, expected: ExpectedPeople, gated: GatedPairs, frame: MeasuredFrame
+    ) -> AssociatedPeople:
+        """Who is which detection, at the smallest cost."""
+        settings = self._settings
+        costs = costs_of(
+            expected.people,
+            gated,
+            frame.places,
+            frame.colours,
+            self._cues,
+            settings,
+            expected.shown,
+        )
+        pairs = associate_people(expected.people, costs, frame.usable, settings)
+        return AssociatedPeople(pairs, costs, *self._share(expected, pairs, frame))
+
+    def _update(
+        self, expected: ExpectedPeople, associated: AssociatedPeople, frame: MeasuredFrame
+    ) -> UpdatedPeople:
+        """Those matched weighed with their detections, the others by where they are not."""
+        settings, random = self._settings, self._random
+        people = age_tracks(expected.people, associated.pairs.track, frame.elapsed_s)
+        people = update_matched(people, associated, frame, self._cues, settings, random)
+        people = self._update_unmatched(people, expected, associated, frame)
+        bodies = Bodies.at(people.position, self._view)
+        return UpdatedPeople(self._update_outlines(people, associated, frame, bodies), bodies)
+
+    def _confirm(self, updated: UpdatedPeople) -> UpdatedPeople:
+        """Tentative tracks matched often enough get an id."""
+        matches = self._settings.confirm_matches
+        return replace(updated, people=confirm_tracks(updated.people, matches, self._ids))
+
+    def _terminate(self, updated: UpdatedPeople) -> Population:
+        """The people without those missed for too long, or out of the picture."""
+        size = self._view.camera.size
+        return updated.people.select(should_keep(updated.people, updated.box, self._settings, size))

@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import NDArray
 
 from tracking.filtering import (
-    Association,
     effective_share,
     hiding_reach,
     out_of_hiding,
@@ -17,11 +14,11 @@ from tracking.filtering import (
     weighted_mean,
 )
 from tracking.geometry import View
-from tracking.people import Detections
 from tracking.trackers.stereo.cues import Cues, likelihood_sigma
 from tracking.trackers.stereo.population import Population
 from tracking.trackers.stereo.settings import StereoFilterSettings, StereoTrackerSettings
 from tracking.trackers.stereo.shared_detections import SharedRegions
+from tracking.trackers.stereo.stage_values import AssociatedPeople, MeasuredFrame
 
 Floats = NDArray[np.float64]
 _SCATTERED_SHARE = 0.01
@@ -30,26 +27,6 @@ FASTEST_M_PER_S = 3.0
 """Of people who walk; who runs is followed by where they are seen."""
 _BODY_M = 0.3
 _CONFIDENCE_MEMORY_S = 0.5
-
-
-@dataclass(frozen=True, slots=True)
-class Match:
-    """The people matched in a frame and what was seen of them.
-
-    Attributes:
-        pairs: rows of the population and of the detections.
-        shared: which of their regions hold somebody else too.
-        isolated: (pairs,) who has nobody close, so that a region's colours are theirs.
-        seen: all detections. colours: (detections, cues, bins) of all.
-        since_s: (pairs,) seconds since each matched person's last match.
-    """
-
-    pairs: Association
-    shared: SharedRegions
-    isolated: NDArray[np.bool_]
-    seen: Detections
-    colours: NDArray[np.float32]
-    since_s: Floats
 
 
 def age_tracks(people: Population, rows: NDArray[np.intp], elapsed_s: float) -> Population:
@@ -65,7 +42,8 @@ def age_tracks(people: Population, rows: NDArray[np.intp], elapsed_s: float) -> 
 
 def update_matched(
     people: Population,
-    match: Match,
+    associated: AssociatedPeople,
+    frame: MeasuredFrame,
     cues: Cues,
     settings: StereoTrackerSettings,
     random: np.random.Generator,
@@ -74,10 +52,8 @@ def update_matched(
 
     The predicted `position` of the population is still the expected one here.
     """
-    rows, chosen = match.pairs.track, match.pairs.detection
-    mine = people.select(rows)
-    measured = match.seen.position[chosen, :2]
-    measured[match.shared.owner] = match.shared.owner_at
+    rows, chosen = associated.pairs.track, associated.pairs.detection
+    mine, measured = people.select(rows), associated.measured(frame)
     sigma = likelihood_sigma(measured, settings)
     particles, weight = weigh_or_scatter(mine.particles, measured, sigma, random)
     position = weighted_mean(particles, weight)
@@ -86,12 +62,12 @@ def update_matched(
         particles=particles,
         weight=weight,
         position=position,
-        velocity=_velocity(mine, measured, match.since_s, settings.velocity_average_s),
+        velocity=_velocity(mine, measured, associated.since_s, settings.velocity_average_s),
         matches=mine.matches + 1,
         seen_at=position,
         colour=np.where(
-            match.isolated[:, None, None],
-            cues.update_colours(mine.colour, match.colours[chosen], mine.matches),
+            associated.isolated[:, None, None],
+            cues.update_colours(mine.colour, frame.colours[chosen], mine.matches),
             mine.colour,
         ),
     )

@@ -14,7 +14,7 @@ _LONG_MISSED_S = 0.5
 """People missed for longer choose after those who were just seen."""
 
 
-def match_people(
+def associate_people(
     people: Population, costs: Costs, usable: NDArray[np.bool_], settings: StereoTrackerSettings
 ) -> Association:
     """Pairs of people and detections with the smallest total cost, in three turns.
