@@ -125,9 +125,11 @@ _FLOW = (
         "pieces that lead to each other are one track",
         (f"{_F}.pieces.join_pieces", "first"),
     ),
-    finishing("filled gaps", "rows within tracks", (f"{_F}.finisher._fill_gaps", "first")),
+    finishing("filled gaps", "rows within tracks", (f"{_F}.predicted_rows.fill_gaps", "first")),
     finishing(
-        "extrapolation", "trajectories are led back and on", (f"{_F}.finisher._extend", "tracks_of")
+        "extrapolation",
+        "trajectories are led back and on",
+        (f"{_F}.predicted_rows._extend", "tracks_of"),
     ),
     finishing(
         "witnesses",
@@ -239,7 +241,7 @@ _THREE = (
     left_out(
         "own region boxes",
         "boxes of who is alone are their regions'",
-        (f"{_T}.bodies.shown_boxes", "first"),
+        ("trackers.shared.shown_boxes.steady_boxes", "first"),
     ),
     left_out(
         "limbs absorbed",

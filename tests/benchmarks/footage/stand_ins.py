@@ -195,7 +195,7 @@ def not_sharing(claims: Any, *_: Any) -> Any:
 
 def nobody_shares(*_: Any) -> Any:
     """No region holds two people."""
-    return shared_detections._NOBODY
+    return shared_detections.NONE_SHARED
 
 
 def nothing_behind(boxes: Any, *_: Any) -> Any:

@@ -132,12 +132,12 @@ def test_a_worth_is_sure_when_seeds_agree() -> None:
 
 
 def test_values_are_replaced_wherever_they_were_imported_and_put_back() -> None:
-    from tracking.trackers.joint import tracker
+    from tracking.trackers.stereo import filter as stereo_filter
 
     asked = (("tracking.filtering.particles.resample", f"{__name__}.stand_in"),)
     with replacing(asked):
-        assert tracker.resample is stand_in
-    assert tracker.resample is resample
+        assert stereo_filter.resample is stand_in
+    assert stereo_filter.resample is resample
 
 
 def stand_in() -> None:

@@ -50,6 +50,10 @@ class Trajectory:
         """The frame after the last."""
         return self.first + len(self.place)
 
+    def frames_off(self, frame: NDArray[np.int64]) -> NDArray[np.int64]:
+        """(n,) how many frames before its first or after its last each is; 0 within."""
+        return np.maximum(np.maximum(self.first - frame, frame - self.stop + 1), 0)
+
     def cut(self, start: int, stop: int) -> Trajectory:
         """The rows `start` to `stop`."""
         return Trajectory(self.first + start, self.place[start:stop])
@@ -131,9 +135,7 @@ def gather_bundle(
     aside_m = ((spot - place) * across).sum(axis=1)
     chain, number, frames = np.unique(chains.chain[rows], return_inverse=True, return_counts=True)
     frame = chains.frame[rows]
-    unseen_s = (
-        np.maximum(np.maximum(trajectory.first - frame, frame - trajectory.stop + 1), 0) / fps
-    )
+    unseen_s = trajectory.frames_off(frame) / fps
     middle_z, middle_aside = (_means(number, value, frames) for value in (z_m, aside_m))
     misfit = _unsteadiness(
         z_m - middle_z[number], aside_m - middle_aside[number], unseen_s, chains.slope[rows]

@@ -23,6 +23,7 @@ from tracking.trackers.flow.walkers import (
     predict,
     update_measured,
 )
+from tracking.trackers.shared.tracker_base import TrackIds
 
 Floats = NDArray[np.float64]
 Indices = NDArray[np.intp]
@@ -39,48 +40,52 @@ class ClusteredPeople:
     the height its kernel was made for, is seen; a Kalman filter smooths that.
     """
 
-    def __init__(self, settings: FlowSettings, table: KernelTable, floor: Floor) -> None:
-        """Nobody is followed yet."""
+    def __init__(
+        self, settings: FlowSettings, table: KernelTable, floor: Floor, ids: TrackIds
+    ) -> None:
+        """Nobody is followed yet; new people get the next ids."""
         self._settings = settings
         self._table = table
         self._floor = floor
         self._modes = ModeUpdater(settings.clusters, table)
+        self._new_ids = ids
         self._ids = np.zeros(0, np.int64)
         self.owner = np.zeros(0, np.int32)
         self.walkers = no_walkers()
-        self.last_id = 0
 
     def step(self, seen: FlowFrame) -> None:
-        """Take one frame further."""
+        """Take one frame further: predict, terminate, associate, update, initiate.
+
+        There is no gate: a cluster is whose tracklets it shares, wherever it is.
+        """
+        place, label = self._cluster(seen)
+        walkers = predict(self.walkers, seen.elapsed_s)
+        walkers = walkers.select(should_keep(walkers, self._settings, self._floor))
+        who = _associate(label, self._owner_before(seen), walkers, len(place))
+        walkers = self._update(walkers, who, place, label)
+        track = np.where(who >= 0, np.append(walkers.track, 0)[who], 0).astype(np.int32)
+        walkers, track = self._initiate(walkers, track, place, label, seen)
+        self.owner = np.append(track, np.int32(0))[label]
+        self._ids, self.walkers = seen.tracklets.id, walkers
+
+    def _cluster(self, seen: FlowFrame) -> tuple[Floats, Indices]:
+        """(clusters, 2) m where they stand, and (n,) the cluster of each tracklet; -1: none."""
         rows = self._moving_rows(seen)
         clusters = self._modes.cluster(seen.vectors(rows))
         label = np.full(len(seen.tracklets), -1)
         label[rows] = clusters.label
-        walkers = predict(self.walkers, seen.elapsed_s)
-        walkers = walkers.select(should_keep(walkers, self._settings, self._floor))
-        before = self._owner_before(seen)
-        who = _match_clusters(label, before, walkers, len(clusters))
-        place = self._places(clusters)
-        walkers = mark_proven(
-            self._measure(walkers, who, place, label), self._settings.confirm_distance_m
-        )
-        track = np.where(who >= 0, np.append(walkers.track, 0)[who], 0).astype(np.int32)
-        walkers, track = self._add_births(walkers, track, place, label, seen)
-        self.owner = np.append(track, np.int32(0))[label]
-        self._ids, self.walkers = seen.tracklets.id, walkers
+        return self._places(clusters), label
 
-    def take_over(self, walkers: Walkers, seen: FlowFrame, last_id: int) -> None:
+    def take_over(self, walkers: Walkers, seen: FlowFrame) -> None:
         """Go on with these people; clusters nearest to them are theirs."""
-        self.walkers, self.last_id = walkers, last_id
+        self.walkers = walkers
         self._ids = seen.tracklets.id
-        rows = self._moving_rows(seen)
-        clusters = self._modes.cluster(seen.vectors(rows))
+        place, label = self._cluster(seen)
         self.owner = np.zeros(len(seen.tracklets), np.int32)
-        if len(clusters) and len(walkers):
-            away = self._places(clusters)[:, None] - walkers.place
+        if len(place) and len(walkers):
+            away = place[:, None] - walkers.place
             nearest = np.hypot(away[..., 0], away[..., 1]).argmin(axis=1)
-            track = np.append(walkers.track[nearest], np.int32(0))
-            self.owner[rows] = track[clusters.label]
+            self.owner = np.append(walkers.track[nearest], np.int32(0))[label]
 
     def _moving_rows(self, seen: FlowFrame) -> Indices:
         """The rows of tracklets that do not stand still."""
@@ -105,7 +110,8 @@ class ClusteredPeople:
         height_m = settings.centre_m
         return self._floor.places(self._floor.slopes(middle), np.full(len(middle), height_m))
 
-    def _measure(self, walkers: Walkers, who: Indices, place: Floats, label: Indices) -> Walkers:
+    def _update(self, walkers: Walkers, who: Indices, place: Floats, label: Indices) -> Walkers:
+        """Everybody where their clusters are, and marked once they have walked."""
         there = np.full((len(walkers), 2), np.nan)
         own = who >= 0
         there[who[own]] = place[own]
@@ -116,9 +122,11 @@ class ClusteredPeople:
         walkers = update_measured(walkers, there, error)
         count = np.zeros(len(walkers), np.int64)
         count[who[own]] = np.bincount(label[label >= 0], minlength=len(who))[own]
-        return replace(walkers, count=count, missed_s=np.where(count > 0, 0.0, walkers.missed_s))
+        missed_s = np.where(count > 0, 0.0, walkers.missed_s)
+        walkers = replace(walkers, count=count, missed_s=missed_s)
+        return mark_proven(walkers, self._settings.confirm_distance_m)
 
-    def _add_births(
+    def _initiate(
         self,
         walkers: Walkers,
         track: NDArray[np.int32],
@@ -132,16 +140,14 @@ class ClusteredPeople:
             rows = np.flatnonzero(label == number)
             if np.median(seen.age_s[rows]) < self._settings.confirm_s:
                 continue
-            self.last_id += 1
-            track[number] = self.last_id
-            one = begin_walkers(
-                track[number : number + 1], place[number : number + 1], np.zeros((1, 2))
-            )
+            new = self._new_ids.take(1)
+            track[number] = new[0]
+            one = begin_walkers(new, place[number : number + 1], np.zeros((1, 2)))
             walkers = walkers.append(replace(one, count=np.array([len(rows)])))
         return walkers, track
 
 
-def _match_clusters(
+def _associate(
     label: Indices, before: NDArray[np.int32], walkers: Walkers, clusters: int
 ) -> Indices:
     """(clusters,) the row of the person each shares most tracklets with; -1: none."""

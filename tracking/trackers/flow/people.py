@@ -34,6 +34,7 @@ from tracking.trackers.flow.walkers import (
     update_measured,
 )
 from tracking.trackers.shared.gating import WideningGate
+from tracking.trackers.shared.tracker_base import TrackIds
 
 Floats = NDArray[np.float64]
 Indices = NDArray[np.intp]
@@ -77,8 +78,10 @@ class HeldPeople:
         - tracklets that nobody has are clustered as in the paper; clusters are new people.
     """
 
-    def __init__(self, settings: FlowSettings, table: KernelTable, floor: Floor) -> None:
-        """Nobody is followed yet."""
+    def __init__(
+        self, settings: FlowSettings, table: KernelTable, floor: Floor, ids: TrackIds
+    ) -> None:
+        """Nobody is followed yet; new people get the next ids."""
         self._settings = settings
         self._floor = floor
         self._owners = TrackletOwners.none()
@@ -86,8 +89,8 @@ class HeldPeople:
         self._grid = FloorGrid(floor)
         self._sightings = Sightings.none()
         self._unlooked_s = 0.0
+        self._ids = ids
         self.walkers = no_walkers()
-        self.last_id = 0
 
     @property
     def owner(self) -> NDArray[np.int32]:
@@ -95,26 +98,38 @@ class HeldPeople:
         return self._owners.owner
 
     def step(self, seen: FlowFrame) -> None:
-        """Take one frame further."""
+        """Take one frame further: predict, update, terminate, associate, initiate.
+
+        There is no gate: tracklets stay whose they were, which is what updates their people, and
+        those of nobody are associated with who is left. What moves otherwise is set free.
+        """
         walkers = predict(self.walkers, seen.elapsed_s)
         owners = self._owners.for_ids(seen.tracklets.id)
-        walkers, owners = self._measure(walkers, owners, seen)
-        walkers = mark_proven(walkers, self._settings.confirm_distance_m)
-        walkers, owners = self._delete_lost(walkers, owners)
-        rows, who = claim_tracklets(walkers, owners, seen, self._floor)
-        owners = owners.assign(
-            rows, walkers.track[who], walkers.place[who], seen.slope[rows], self._floor
-        )
-        self.walkers, self._owners = self._add_births(walkers, owners, seen)
+        walkers, owners = self._update(walkers, owners, seen)
+        walkers, owners = self._terminate(walkers, owners)
+        owners = self._associate(walkers, owners, seen)
+        self.walkers, self._owners = self._initiate(walkers, owners, seen)
 
-    def take_over(self, walkers: Walkers, seen: FlowFrame, last_id: int) -> None:
+    def take_over(self, walkers: Walkers, seen: FlowFrame) -> None:
         """Go on with these people, who get the tracklets that move with them."""
         owners = TrackletOwners.none().for_ids(seen.tracklets.id)
+        self.walkers, self._owners = walkers, self._associate(walkers, owners, seen)
+
+    def _associate(
+        self, walkers: Walkers, owners: TrackletOwners, seen: FlowFrame
+    ) -> TrackletOwners:
+        """Tracklets of nobody given to people they move with."""
         rows, who = claim_tracklets(walkers, owners, seen, self._floor)
-        self._owners = owners.assign(
+        return owners.assign(
             rows, walkers.track[who], walkers.place[who], seen.slope[rows], self._floor
         )
-        self.walkers, self.last_id = walkers, last_id
+
+    def _update(
+        self, walkers: Walkers, owners: TrackletOwners, seen: FlowFrame
+    ) -> tuple[Walkers, TrackletOwners]:
+        """Everybody measured, and marked once they have walked."""
+        walkers, owners = self._measure(walkers, owners, seen)
+        return mark_proven(walkers, self._settings.confirm_distance_m), owners
 
     def _measure(
         self, walkers: Walkers, owners: TrackletOwners, seen: FlowFrame
@@ -145,9 +160,17 @@ class HeldPeople:
         empty_s = np.where(to.score < _EMPTY, walkers.empty_s + seen.elapsed_s, 0.0)
         return replace(walkers, empty_s=empty_s), owners, to.score
 
-    def _add_births(
+    def _initiate(
         self, walkers: Walkers, owners: TrackletOwners, seen: FlowFrame
     ) -> tuple[Walkers, TrackletOwners]:
+        """With new people: clusters of tracklets of nobody, and whoever is only seen."""
+        walkers, owners = self._add_clusters(walkers, owners, seen)
+        return self._add_sighted(walkers, owners, seen)
+
+    def _add_clusters(
+        self, walkers: Walkers, owners: TrackletOwners, seen: FlowFrame
+    ) -> tuple[Walkers, TrackletOwners]:
+        """Clusters of tracklets of nobody that move and look like somebody."""
         settings = self._settings
         free = np.flatnonzero((owners.owner == 0) & seen.known)
         moving = speeds(seen.tracklets.select(free), POSITIONS, seen.fps, self._floor) > _NEW_M_S
@@ -168,7 +191,7 @@ class HeldPeople:
             axis = np.broadcast_to(new.place, (len(rows), 2))
             owner = np.full(len(rows), walkers.track[row], np.int32)
             owners = owners.assign(rows, owner, axis, seen.slope[rows], self._floor)
-        return self._add_sighted(walkers, owners, seen)
+        return walkers, owners
 
     def _add_sighted(
         self, walkers: Walkers, owners: TrackletOwners, seen: FlowFrame
@@ -189,22 +212,17 @@ class HeldPeople:
             place = self._sightings.place[row]
             pace = way[row] / self._sightings.age_s[row]
             walkers, _ = self._begin(walkers, place, pace)
-        rows, who = claim_tracklets(walkers, owners, seen, self._floor)
-        owners = owners.assign(
-            rows, walkers.track[who], walkers.place[who], seen.slope[rows], self._floor
-        )
-        return walkers, owners
+        return walkers, self._associate(walkers, owners, seen)
 
     def _begin(self, walkers: Walkers, place: Floats, pace: Floats) -> tuple[Walkers, int]:
         """With somebody at a place, and the row: who was lost near there, else somebody new."""
         lost = _find_lost_near(walkers, place, pace)
         if lost is not None:
             return put_at(walkers, lost, place, pace), lost
-        self.last_id += 1
-        one = begin_walkers(np.array([self.last_id], np.int32), place[None], pace[None])
+        one = begin_walkers(self._ids.take(1), place[None], pace[None])
         return walkers.append(one), len(walkers)
 
-    def _delete_lost(
+    def _terminate(
         self, walkers: Walkers, owners: TrackletOwners
     ) -> tuple[Walkers, TrackletOwners]:
         """Without deleted tracks; of two at one place the surer one has the tracklets."""

@@ -59,6 +59,11 @@ def extend_trajectories(run: Run, view: View, fps: float) -> Run:
     leave room for somebody there, see `Witnesses`.
     """
     led_s = float(run.settings.get("extrapolate_s", _USUAL_LED_S))
+    return replace(run, tracks=_extend(run, view, fps, led_s))
+
+
+def _extend(run: Run, view: View, fps: float, led_s: float) -> Columns:
+    """The tracks with trajectories led so long back and on."""
     tracks, witnesses = run.tracks, Witnesses(run, Floor(view))
     order = np.lexsort((tracks["frame"], tracks["track"]))
     pieces = np.split(order, np.flatnonzero(np.diff(tracks["track"][order])) + 1)
@@ -70,7 +75,7 @@ def extend_trajectories(run: Run, view: View, fps: float) -> Run:
         added = _line(end, name, run.frames, fps, steps, witnesses)
         tracks, _ = merged_rows(tracks, added)
         pieces = _rows_by_track(tracks, name)
-    return replace(run, tracks=tracks)
+    return tracks
 
 
 def _is_leading(tracks: Columns, rows: Rows, fps: float) -> bool:

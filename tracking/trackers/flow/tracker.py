@@ -24,15 +24,17 @@ from tracking.trackers.flow.resumption import resume_walkers
 from tracking.trackers.flow.settings import FlowSettings
 from tracking.trackers.shared.protocol import StepResult
 from tracking.trackers.shared.resumption import Resume
+from tracking.trackers.shared.tracker_base import TrackerBase
 
 _SPACING_PX = (4.0, 24.0)
 
 
-class FlowTracker:
+class FlowTracker(TrackerBase[FlowSettings]):
     """Follows people by bundles of tracklets [Yoneji2013].
 
-    With the setting `persistent_points` people keep their tracklets, see `HeldPeople`; without it
-    a step is the paper's, see `ClusteredPeople`. Nothing is random.
+    With the setting `persistent_points` people keep their tracklets, and the stages of a step are
+    those of `HeldPeople.step`; without it they are the paper's, of `ClusteredPeople.step`. Nothing
+    is random.
     """
 
     def __init__(self, view: View, fps: float, settings: FlowSettings) -> None:
@@ -41,9 +43,9 @@ class FlowTracker:
         Args:
             view: the camera over its floor. fps: frames a second.
         """
+        super().__init__(settings)
         self._view = view
         self._fps = fps
-        self._settings = settings
         self._floor = Floor(view)
         box, points = settings.clusters, settings.points
         table = kernel_table(
@@ -54,15 +56,9 @@ class FlowTracker:
         self._follower = PointFollower(points, self._history, spacing)
         kind = HeldPeople if settings.persistent_points else ClusteredPeople
         self._people: HeldPeople | ClusteredPeople = kind(
-            settings, table.scaled(box.bodies), self._floor
+            settings, table.scaled(box.bodies), self._floor, self._ids
         )
         self._camera = CameraWatch(fps)
-        self._time_s: float | None = None
-
-    @property
-    def settings(self) -> FlowSettings:
-        """The settings in force."""
-        return self._settings
 
     @property
     def notes(self) -> tuple[str, ...]:
@@ -80,29 +76,33 @@ class FlowTracker:
         seen = None
         for observation in observations:
             if observation.frame >= resume.frame - self._history:
-                seen = self._looked(observation)
+                seen = self._measure(observation)
         if seen is not None:
-            self._people.take_over(resume_walkers(resume), seen, resume.highest_track)
+            self._ids.last = resume.highest_track
+            self._people.take_over(resume_walkers(resume), seen)
 
     def step(self, observation: Observation) -> StepResult:
-        """Take one frame further."""
-        seen = self._looked(observation)
+        """Take one frame further: follow points, then the stages, then drop points that stand."""
+        seen = self._measure(observation)
         self._people.step(seen)
+        result = self._report(observation.frame, seen)
+        self._drop_still(seen, self._people.owner)
+        return result
+
+    def _report(self, frame: int, seen: FlowFrame) -> StepResult:
+        """The frame's result: who has walked, and their tracklets."""
         owner = self._people.owner
         reported = self._people.walkers.select(self._people.walkers.walked)
         shown = np.where(np.isin(owner, reported.track), owner, 0)
         points = seen.tracklets.path[:, 0].astype(np.float64)
         foot_v = foot_lines(points, seen.slope, seen.mask, self._floor)
-        result = step_result(observation.frame, reported, seen.tracklets, shown, foot_v, self._view)
-        self._drop_still(seen, owner)
-        return result
+        return step_result(frame, reported, seen.tracklets, shown, foot_v, self._view)
 
-    def _looked(self, observation: Observation) -> FlowFrame:
+    def _measure(self, observation: Observation) -> FlowFrame:
         """The frame's tracklets."""
         assert isinstance(observation, FlowObservation), "flow steps on what its perception made"
         assert observation.picture is not None, "perception hands the picture on"
-        elapsed_s = 0.0 if self._time_s is None else observation.time_s - self._time_s
-        self._time_s = observation.time_s
+        elapsed_s = self._clock.elapsed_s(observation.time_s)
         grey = np.asarray(cv2.cvtColor(observation.picture, cv2.COLOR_BGR2GRAY), np.uint8)
         self._camera.look(observation.frame, grey)
         mask = observation.mask

@@ -15,6 +15,8 @@ from tracking.trackers.spheroid.hypotheses import Floats, SpheroidPeople, concat
 
 _GATE_M = WideningGate(at_once=0.7, a_second=1.3, widest=4.0)
 """Around where people were expected."""
+_KEPT = ("track", "height", "height_sd", "outline", "appearance", "counts", "age_s")
+"""What is known of somebody whom they keep."""
 _UNLIKE = 0.3
 """Difference of colours from which on somebody is somebody else."""
 _FAR = 0.3
@@ -40,6 +42,18 @@ class CoastingPeople:
     def select(self, rows: NDArray[np.bool_]) -> CoastingPeople:
         """Some of them."""
         return CoastingPeople(self.people.select(rows), self.at_s[rows])
+
+    def restore(
+        self, new: SpheroidPeople, found: NDArray[np.bool_], rows: NDArray[np.intp]
+    ) -> tuple[SpheroidPeople, CoastingPeople]:
+        """The new people, some of whom are coasting ones again, and who goes on coasting.
+
+        Args:
+            found: (new,) who is re-identified. rows: (found,) of the coasting ones they are.
+        """
+        known = {name: getattr(self.people, name)[rows] for name in _KEPT}
+        left = ~np.isin(np.arange(len(self.at_s)), rows)
+        return new.with_rows(found, **known), self.select(left)
 
 
 def reidentify(lost: CoastingPeople, tentative: SpheroidPeople, now_s: float) -> NDArray[np.intp]:

@@ -72,6 +72,13 @@ class SpheroidPeople:
         """The same people with some columns replaced."""
         return dataclasses.replace(self, **columns)
 
+    def with_rows(self, rows: NDArray[Any], **values: NDArray[Any]) -> SpheroidPeople:
+        """The same people with new values at some rows of some columns."""
+        columns = {name: getattr(self, name).copy() for name in values}
+        for name, value in values.items():
+            columns[name][rows] = value
+        return self.replace(**columns)
+
 
 _NAMES = tuple(field.name for field in dataclasses.fields(SpheroidPeople))
 APPEARANCE_CELLS = 8

@@ -11,6 +11,7 @@ from tracking.people import Observation
 from tracking.trackers.shared.gating import nearest_others_m
 from tracking.trackers.shared.protocol import StepResult
 from tracking.trackers.shared.resumption import Resume
+from tracking.trackers.shared.tracker_base import TrackerBase
 from tracking.trackers.spheroid import births
 from tracking.trackers.spheroid.appearance import ColourLook, appearance_log_weights, learn_colours
 from tracking.trackers.spheroid.boxes import draw_boxes
@@ -61,12 +62,13 @@ _SPLIT_SEARCHES = 3
 """One in so many searches for new people tests whether somebody followed is two people."""
 
 
-class SpheroidTracker:
+class SpheroidTracker(TrackerBase[SpheroidSettings]):
     """Follows people by hypotheses of where they stand ([Waechter2013]).
 
     A step, for all people at once: predict, judge the hypotheses' silhouettes on the ramp picture
     with the other people's masked out, estimate, search for new people at intervals, delete
-    tracks, resample.
+    tracks, resample. There are no detections: nothing is gated or associated, as hypotheses are
+    weighed by all pixels that they and nobody else explain.
 
     Where we differ from the source and why (`paper` in the settings leaves all of it out):
         - weights are likelihood ratios of what lies in a silhouette (see `weights`): plain scores
@@ -103,9 +105,9 @@ class SpheroidTracker:
             counted: (height, width) flat pixels that were recorded and are not behind what is
                 drawn.
         """
+        super().__init__(settings)
         self._perception = perception
         self._flat = perception.flat
-        self._settings = settings
         self._counted = counted
         self._random = np.random.default_rng(seed)
         usual_m = self._usual_m = settings.newcomer_m
@@ -113,14 +115,7 @@ class SpheroidTracker:
         self._people = no_people(settings.particles)
         self._coasting = CoastingPeople(self._people, np.zeros(0))
         self._candidates = births.SpheroidCandidates.none()
-        self._last_id = 0
-        self._time_s: float | None = None
         self._next_look_s = self._next_ghosts_s = -np.inf
-
-    @property
-    def settings(self) -> SpheroidSettings:
-        """The settings in force."""
-        return self._settings
 
     @property
     def notes(self) -> tuple[str, ...]:
@@ -130,31 +125,37 @@ class SpheroidTracker:
     def resume(self, resume: Resume, observations: Iterable[Observation]) -> None:
         """Go on with the people as corrected; those who are new get ids above all there were."""
         settings, random = self._settings, self._random
-        self._people, self._time_s = resume_people(
+        self._people, time_s = resume_people(
             resume, observations, self._flat, settings, self._usual_m, random
         )
-        self._last_id = resume.highest_track
+        self._clock.set(time_s)
+        self._ids.last = resume.highest_track
 
     def step(self, observation: Observation) -> StepResult:
-        """Take one frame further."""
+        """Take one frame further: predict, update, terminate, initiate.
+
+        Who is lost is let go before new people are looked for, who may be them again.
+        """
         assert isinstance(observation, FlatObservation), "spheroids step on flat observations"
-        time_s = observation.time_s
-        elapsed_s = 0.0 if self._time_s is None else time_s - self._time_s
-        self._time_s = time_s
+        elapsed_s = self._clock.elapsed_s(observation.time_s)
         look = ColourLook(self._flat, observation.working.picture)
         people = predict(self._people, elapsed_s, self._settings, self._random)
         people = self._update(people, observation, look, elapsed_s)
-        people = self._delete_lost(people, observation)
+        people = self._terminate(people, observation)
         people = self._initiate(people, observation, look)
-        people = self._learn(people, look, elapsed_s)
-        outlines = silhouettes(people, self._flat, self._settings)
-        judged = self._judged_frame(people, observation)
-        shown = draw_boxes(people, outlines, judged, self._flat, elapsed_s)
-        people = people.replace(outline=shown.outline)
+        people, box = self._draw(self._learn(people, look, elapsed_s), observation, elapsed_s)
         self._perception.tell(body_masks(people, self._flat, self._settings))
-        result = step_result(observation.frame, people, shown.box, clothes_of(people))
         self._people = resample_people(people, self._random)
-        return result
+        return step_result(observation.frame, people, box, clothes_of(people))
+
+    def _draw(
+        self, people: SpheroidPeople, seen: FlatObservation, elapsed_s: float
+    ) -> tuple[SpheroidPeople, NDArray[np.float64]]:
+        """The people with their outlines learnt, and their boxes (people, 4) px as recorded."""
+        outlines = silhouettes(people, self._flat, self._settings)
+        judged = self._judged_frame(people, seen)
+        shown = draw_boxes(people, outlines, judged, self._flat, elapsed_s)
+        return people.replace(outline=shown.outline), shown.box
 
     def _judged_frame(self, people: SpheroidPeople, seen: FlatObservation) -> JudgedFrame:
         """The frame with the people's silhouettes as they are."""
@@ -177,7 +178,7 @@ class SpheroidTracker:
         people, windows = judge_and_weigh(people, judged, flat, settings, alike)
         return measure_support(people, windows, flat, settings, elapsed_s)
 
-    def _delete_lost(self, people: SpheroidPeople, seen: FlatObservation) -> SpheroidPeople:
+    def _terminate(self, people: SpheroidPeople, seen: FlatObservation) -> SpheroidPeople:
         """Those who are still there; the tracks of the others coast for a while."""
         there = should_keep(people, self._settings)
         if seen.time_s >= self._next_ghosts_s:
@@ -198,6 +199,18 @@ class SpheroidTracker:
         if seen.time_s < self._next_look_s:
             return people
         self._next_look_s = seen.time_s + settings.birth_interval_s - 1e-3
+        states = self._search(people, seen)
+        people, others = self._split_merged(people, seen)
+        new = concatenate([self._begin(states), others])
+        if len(new) == 0:
+            return people
+        outlines = silhouettes(new, self._flat, settings, _GHOST_SCALE)
+        new = new.select(~are_ghosts(self._flat, outlines, seen.ramp, seen.working))
+        return self._add(people, new, look, seen.time_s)
+
+    def _search(self, people: SpheroidPeople, seen: FlatObservation) -> NDArray[np.float64]:
+        """(n, 4) states of whom the foreground shows, for some searches now, and nobody follows."""
+        settings = self._settings
         modest = people.replace(height=np.minimum(people.height, self._usual_m + births.TALLER_M))
         explained = silhouettes(modest, self._flat, settings, births.ENLARGED)
         free = self._counted & (count_covering(seen.ramp.shape, explained) == 0)
@@ -208,13 +221,7 @@ class SpheroidTracker:
         self._candidates = births.update_candidates(self._candidates, places, seen.time_s)
         ready = self._candidates.searches >= settings.birth_frames
         states = np.concatenate((self._candidates.xy, self._candidates.velocity), axis=1)
-        people, others = self._split_merged(people, seen)
-        new = concatenate([self._begin(states[ready]), others])
-        if len(new) == 0:
-            return people
-        outlines = silhouettes(new, self._flat, settings, _GHOST_SCALE)
-        new = new.select(~are_ghosts(self._flat, outlines, seen.ramp, seen.working))
-        return self._give_ids(people, new, look, seen.time_s)
+        return states[ready]
 
     def _split_merged(
         self, people: SpheroidPeople, seen: FlatObservation
@@ -240,23 +247,16 @@ class SpheroidTracker:
             track, mean, height, _HEIGHT_SD_M, settings.particles, spreads, self._random
         )
 
-    def _give_ids(
+    def _add(
         self, people: SpheroidPeople, new: SpheroidPeople, look: ColourLook, now_s: float
     ) -> SpheroidPeople:
         """The people with new ones: those lost a moment ago keep their tracks, others get ids."""
         colours, known = look.at(new.xy, new.height)
         new = learn_colours(new, colours, known, np.ones(len(new), bool))
         again = reidentify(self._coasting, new, now_s)
-        old, fresh = again[again >= 0], again < 0
-        track = new.track.copy()
-        track[~fresh] = self._coasting.people.track[old]
-        track[fresh] = np.arange(fresh.sum(), dtype=np.int32) + self._last_id + 1
-        self._last_id += int(fresh.sum())
-        new = new.replace(track=track)
-        for row, was in zip(np.flatnonzero(~fresh), old, strict=True):
-            for name in ("height", "height_sd", "outline", "appearance", "counts", "age_s"):
-                getattr(new, name)[row] = getattr(self._coasting.people, name)[was]
-        self._coasting = self._coasting.select(~np.isin(np.arange(len(self._coasting.at_s)), old))
+        found = again >= 0
+        new = new.with_rows(~found, track=self._ids.take(int((~found).sum())))
+        new, self._coasting = self._coasting.restore(new, found, again[found])
         everybody = concatenate([people, new])
         return everybody.select(np.argsort(everybody.track, kind="stable"))
 

@@ -16,13 +16,13 @@ class Frame:
         time_s: since the recording began. elapsed_s: since the frame before; 0 in the first.
     """
 
-    def __init__(self, observation: Observation, before_s: float | None) -> None:
-        """Look at an observation; before_s: the time of the one before, None in the first frame."""
+    def __init__(self, observation: Observation, elapsed_s: float) -> None:
+        """Look at an observation, so long after the one before."""
         assert observation.picture is not None, "perception of one camera hands the picture on"
         self.seen: Detections = observation.people
         self.picture = ycbcr(observation.picture)
         self.time_s = observation.time_s
-        self.elapsed_s = 0.0 if before_s is None else observation.time_s - before_s
+        self.elapsed_s = elapsed_s
         self._claims: tuple[Floats, Claims] | None = None
 
     def claims(self, people: PartPeople) -> Claims:

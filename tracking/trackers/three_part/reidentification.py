@@ -50,20 +50,29 @@ def reidentify(
     if not len(who) or not len(free):
         return parts, free
     rectangles = regions_rectangles(seen, free, picture, layout)
-    look = measure_levels(picture, np.nan_to_num(rectangles))
-    alike = resemblance(
-        np.broadcast_to(look[None], (len(who), *look.shape)),
-        np.broadcast_to(people.appearance[who][:, None], (len(who), *look.shape)),
-    ).mean(axis=2)
-    here = resemblance(
-        measure_levels(picture, people.rectangles[who]), people.appearance[who]
-    ).mean(axis=1)
+    alike, here = _resemblances(people, who, rectangles, picture)
     needed = np.where(sharing[who], np.maximum(here + _BETTER, _ALIKE), _ALIKE)[:, None]
     possible = _near(people, boxes, who, seen, free) & (alike >= needed) & is_all_seen(rectangles)
     # Who gains most goes: of two in a region only one does not belong there.
     pairs = associate(1.0 - alike + needed, possible, 2.0)
     parts[who[pairs.track]] = rectangles[pairs.detection]
     return parts, np.delete(free, pairs.detection)
+
+
+def _resemblances(
+    people: PartPeople, who: Indices, rectangles: Floats, picture: NDArray[np.uint8]
+) -> tuple[Floats, Floats]:
+    """(lost, regions) how much each looks like a region, and (lost,) like where they are thought.
+
+    Args:
+        who: rows of the lost. rectangles: (regions, parts, 4).
+    """
+    known = people.appearance[who]
+    look = measure_levels(picture, np.nan_to_num(rectangles))
+    each = (len(who), *look.shape)
+    alike = resemblance(np.broadcast_to(look[None], each), np.broadcast_to(known[:, None], each))
+    here = resemblance(measure_levels(picture, people.rectangles[who]), known)
+    return alike.mean(axis=2), here.mean(axis=1)
 
 
 def _near(

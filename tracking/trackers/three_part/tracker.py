@@ -16,6 +16,7 @@ from tracking.trackers.shared.protocol import StepResult
 from tracking.trackers.shared.resumption import Resume
 from tracking.trackers.shared.shown_boxes import steady_boxes
 from tracking.trackers.shared.stages import Stages
+from tracking.trackers.shared.tracker_base import TrackerBase
 from tracking.trackers.three_part import births
 from tracking.trackers.three_part.adjustment import AdjustmentInput, adjust, clear_failures
 from tracking.trackers.three_part.appearance import measure_levels, resemblance
@@ -29,7 +30,6 @@ from tracking.trackers.three_part.bodies import (
     outlines_after,
 )
 from tracking.trackers.three_part.claims import (
-    Claims,
     both_in_one,
     is_sharing,
     own_boxes,
@@ -54,7 +54,6 @@ from tracking.trackers.three_part.occlusion import (
 from tracking.trackers.three_part.part_filter import carry_along, move_parts, weigh_parts
 from tracking.trackers.three_part.people import (
     Flags,
-    Floats,
     Indices,
     Layout,
     PartPeople,
@@ -91,11 +90,13 @@ class Camera:
     occluders: Polygons = ()
 
 
-class PartTracker:
+class PartTracker(TrackerBase[WholeBodySettings]):
     """Follows people by rectangles: three parts, each with a filter of its own, or whole.
 
     A step of [ZhaoLee2009], for all people at once: predict, see who is occluded, weigh by
-    equalised colours, judge which parts were lost and put them back, learn colours.
+    equalised colours, judge which parts were lost and put them back, learn colours. Particles are
+    weighed by the picture itself, so that there is no gate; regions of the foreground are
+    associated with people to tell who is alone in one.
 
     Where we differ from the source and why:
         - people are found, and let go, by regions of the foreground, which the paper leaves open;
@@ -115,8 +116,8 @@ class PartTracker:
         detector: Detector | None = None,
     ) -> None:
         """Nobody is followed yet; all randomness comes from the seed."""
+        super().__init__(settings)
         self._camera = camera
-        self._settings = settings
         self._layout = layout
         self._random = np.random.default_rng(seed)
         self._aids = settings.aids
@@ -125,14 +126,7 @@ class PartTracker:
         self._cover = occluder_mask(camera.occluders, camera.size[::-1])
         self._people = no_people(layout)
         self._tentative = births.TentativeRegions()
-        self._last_id = 0
-        self._time_s: float | None = None
         self._stages = Stages("filters", "failures", "births", "boxes")
-
-    @property
-    def settings(self) -> WholeBodySettings:
-        """The settings in force."""
-        return self._settings
 
     @property
     def stage_s(self) -> Mapping[str, float]:
@@ -147,22 +141,28 @@ class PartTracker:
 
     def resume(self, resume: Resume, observations: Iterable[Observation]) -> None:
         """Go on with the people as corrected; those who are new get ids above all there were."""
-        people, time_s = resume_people(resume, observations, self._layout, self._random)
-        self._people, self._time_s = people, time_s
-        self._last_id = resume.highest_track
+        self._people, time_s = resume_people(resume, observations, self._layout, self._random)
+        self._clock.set(time_s)
+        self._ids.last = resume.highest_track
 
     def step(self, observation: Observation) -> StepResult:
-        """Take one frame further."""
-        frame, timed = Frame(observation, self._time_s), self._stages.timed
-        self._time_s = frame.time_s
+        """Take one frame further: predict, associate, update, terminate, initiate.
+
+        The update goes on with parts that were lost, colours, and at the end boxes. Who was lost is
+        re-identified before anybody is deleted or begun.
+        """
+        frame = Frame(observation, self._clock.elapsed_s(observation.time_s))
+        timed = self._stages.timed
         self._fixed.look(observation.frame, frame.picture[..., 0])
-        people = timed("filters", self._update, frame)
+        expected = timed("filters", self._predict, frame)
+        expected = timed("filters", self._associate, expected, frame)
+        people = timed("filters", self._update, expected, frame)
         people = timed("failures", self._adjust, people, frame)
-        claims, wrong = frame.claims(people), self._restart(people)
-        people = learn_colours(people, frame.picture, claims, wrong, self._settings)
-        people = self._age(people, claims, frame.elapsed_s)
-        people = timed("births", self._initiate, people, frame)
-        people, shown = timed("boxes", self._learn, people, frame)
+        people = self._learn_colours(people, frame)
+        people, free = timed("births", self._reidentify, people, frame)
+        people = timed("births", self._terminate, people)
+        people = timed("births", self._initiate, people, free, frame)
+        people, shown = timed("boxes", self._learn_boxes, people, frame)
         self._watch.remember(frame.time_s, people)
         self._people = people
         layout, settings = self._layout, self._settings
@@ -170,21 +170,15 @@ class PartTracker:
             observation, people, shown, layout, self._camera.fps, settings.stored_particles
         )
 
-    def _update(self, frame: Frame) -> PartPeople:
+    def _predict(self, frame: Frame) -> PartPeople:
         """Everybody one frame on."""
-        before, settings, layout = self._people, self._settings, self._layout
-        people = self._hidden(
-            move_parts(before, frame.elapsed_s, settings, layout, self._random), frame
-        )
-        people = weigh_parts(
-            people, before, frame.picture, frame.elapsed_s, settings, layout, self._random
-        )
-        if not self._aids.pose_constraints:
-            return people
-        return people.replace(state=carry_along(people.state, people.pose, people.occluded))
+        return move_parts(self._people, frame.elapsed_s, self._settings, self._layout, self._random)
 
-    def _hidden(self, people: PartPeople, frame: Frame) -> PartPeople:
-        """The people with who touches whom and who is hidden, at the places predicted."""
+    def _associate(self, people: PartPeople, frame: Frame) -> PartPeople:
+        """The people with who touches whom and who is hidden, at the places predicted.
+
+        Regions are associated by `Frame.claims`; who is seen whole in one is hidden by nobody.
+        """
         look = measure_levels(frame.picture, people.rectangles)
         alike = resemblance(look, people.model) - people.usual
         claims = frame.claims(people)
@@ -199,6 +193,16 @@ class PartTracker:
             cover = shares_on(self._cover, people.rectangles)
             hidden |= behind_what_is_drawn(cover, claims.support)
         return people.replace(occluded=hidden, touching=touching)
+
+    def _update(self, people: PartPeople, frame: Frame) -> PartPeople:
+        """The people weighed by their colours where nothing hides them."""
+        settings, layout = self._settings, self._layout
+        people = weigh_parts(
+            people, self._people, frame.picture, frame.elapsed_s, settings, layout, self._random
+        )
+        if not self._aids.pose_constraints:
+            return people
+        return people.replace(state=carry_along(people.state, people.pose, people.occluded))
 
     def _adjust(self, people: PartPeople, frame: Frame) -> PartPeople:
         """Failures judged and, where that is wanted, adjusted."""
@@ -233,7 +237,11 @@ class PartTracker:
         """(people, parts) that failed; none where nothing acts on it, as in the paper without."""
         return people.failed & self._aids.adjust
 
-    def _age(self, people: PartPeople, claims: Claims, elapsed_s: float) -> PartPeople:
+    def _learn_colours(self, people: PartPeople, frame: Frame) -> PartPeople:
+        """The people with their colours after this frame, and for how long they were not seen."""
+        claims, elapsed_s = frame.claims(people), frame.elapsed_s
+        wrong = self._restart(people)
+        people = learn_colours(people, frame.picture, claims, wrong, self._settings)
         there = births.is_supported(claims)
         return people.replace(
             missed_s=np.where(there, 0.0, people.missed_s + elapsed_s),
@@ -241,18 +249,15 @@ class PartTracker:
             age_s=people.age_s + elapsed_s,
         )
 
-    def _initiate(self, people: PartPeople, frame: Frame) -> PartPeople:
-        """The lost re-identified or deleted, and new tracks begun."""
-        seen, picture, claims = frame.seen, frame.picture, frame.claims(people)
-        boxes = outlined_boxes(people.rectangles, people.outline)
-        free = births.free_regions(seen, claims, own_boxes(boxes, claims, seen))
-        free = births.without_pieces(free, seen, boxes, people.height)
-        if self._aids.reidentify:
-            people, free = self._reidentify(people, frame, boxes, free)
+    def _terminate(self, people: PartPeople) -> PartPeople:
+        """The people without those missed for too long, or out of the picture."""
         boxes = outlined_boxes(people.rectangles, people.outline)
         kept = births.should_keep(people, boxes, self._camera.size, self._settings)
-        if not kept.all():
-            people = people.select(np.flatnonzero(kept), self._layout.filters)
+        return people if kept.all() else people.select(np.flatnonzero(kept), self._layout.filters)
+
+    def _initiate(self, people: PartPeople, free: Indices, frame: Frame) -> PartPeople:
+        """The people with those begun whose regions nobody has had for long enough."""
+        seen, picture = frame.seen, frame.picture
         self._tentative = births.update_tentative(self._tentative, seen, free, frame.elapsed_s)
         ready = births.confirm_regions(self._tentative, seen, free, self._settings)
         rectangles = regions_rectangles(seen, free[ready], picture, self._layout)
@@ -260,21 +265,21 @@ class PartTracker:
         if not len(ready):
             return people
         people = self._split(people, frame, free[ready])
-        track = np.arange(self._last_id + 1, self._last_id + 1 + len(ready), dtype=np.int32)
-        self._last_id += len(ready)
-        pace = self._tentative.pace[ready]
+        track, pace = self._ids.take(len(ready)), self._tentative.pace[ready]
         new = begin_people(track, rectangles, pace, picture, self._layout, self._random)
         return concatenate(people, new)
 
-    def _reidentify(
-        self, people: PartPeople, frame: Frame, boxes: Floats, free: Indices
-    ) -> tuple[PartPeople, Indices]:
+    def _reidentify(self, people: PartPeople, frame: Frame) -> tuple[PartPeople, Indices]:
         """The people, those lost who came up again begun there; the regions still free."""
+        seen, claims = frame.seen, frame.claims(people)
+        boxes = outlined_boxes(people.rectangles, people.outline)
+        free = births.free_regions(seen, claims, own_boxes(boxes, claims, seen))
+        free = births.without_pieces(free, seen, boxes, people.height)
+        if not self._aids.reidentify:
+            return people, free
         lost = people.missed_s > _MISSED_S
-        two = is_sharing(frame.claims(people), frame.seen) & ~lost
-        places, free = reidentify(
-            people, boxes, lost, two, frame.seen, free, frame.picture, self._layout
-        )
+        two = is_sharing(claims, seen) & ~lost
+        places, free = reidentify(people, boxes, lost, two, seen, free, frame.picture, self._layout)
         people = begin_anew(people, places, frame.picture, self._layout, self._random)
         again = is_all_seen(places)
         return people.replace(missed_s=np.where(again, 0.0, people.missed_s)), free
@@ -292,7 +297,7 @@ class PartTracker:
         people = begin_anew(people, places, frame.picture, self._layout, self._random)
         return reset_people(people, rows)
 
-    def _learn(self, people: PartPeople, frame: Frame) -> tuple[PartPeople, Shown]:
+    def _learn_boxes(self, people: PartPeople, frame: Frame) -> tuple[PartPeople, Shown]:
         """The people with outlines and places brought up to date, and what is shown of them."""
         seen, elapsed_s, claims = frame.seen, frame.elapsed_s, frame.claims(people)
         own = np.append(seen.box, np.zeros((1, 4)), axis=0)[claims.region]
