@@ -14,13 +14,11 @@ from tracking.trackers.flow.result import BODY_WIDTH_M
 from tracking.trackers.flow.silhouettes import USUAL_HEIGHT_M
 from tracking.trackers.flow.witnesses import Witnesses
 from tracking.trackers.linking.gap_rows import missing_frames
+from tracking.trackers.shared.result_columns import track_columns
 from tracking.tracks.columns import (
-    TRACK_COLUMNS,
     Columns,
-    box_columns,
     merged_rows,
     places_of,
-    typed,
 )
 from tracking.tracks.run import Run
 
@@ -124,14 +122,6 @@ def _rows(
 ) -> Columns:
     """Rows of people who are not seen."""
     box = view.box_of_person(place, USUAL_HEIGHT_M, BODY_WIDTH_M)
-    values = {
-        "frame": frame,
-        "track": track,
-        **box_columns(box),
-        **dict(zip(("x", "y"), place.T, strict=True)),
-        **dict(zip(("vx", "vy"), pace.T, strict=True)),
-        "confidence": np.zeros(len(frame)),
-        "visibility": np.zeros(len(frame)),
-        "predicted": np.ones(len(frame), bool),
-    }
-    return typed(values, TRACK_COLUMNS)
+    return track_columns(
+        frame, track, box, place, pace, confidence=0.0, visibility=0.0, predicted=True
+    )

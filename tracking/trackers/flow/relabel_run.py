@@ -17,11 +17,10 @@ from tracking.trackers.flow.predicted_rows import fill_gaps
 from tracking.trackers.flow.result import BODY_WIDTH_M, CHEST_M, PLENTY, shown_share
 from tracking.trackers.flow.silhouettes import USUAL_HEIGHT_M
 from tracking.trackers.flow.trajectory_selection import TrajectorySelector, WalkerTrajectory
+from tracking.trackers.shared.result_columns import track_columns
 from tracking.tracks.columns import (
     DETECTION_COLUMNS,
-    TRACK_COLUMNS,
     Columns,
-    box_columns,
     merged_rows,
     places_of,
     typed,
@@ -162,17 +161,16 @@ def _rows_of_trajectories(
     count = np.bincount(
         (held * frames + chains.frame)[held >= 0], minlength=frames * len(trajectories)
     )
-    values = {
-        "frame": frame,
-        "track": names[number],
-        **box_columns(box),
-        **dict(zip(("x", "y"), place.T, strict=True)),
-        **dict(zip(("vx", "vy"), pace.T, strict=True)),
-        "confidence": np.minimum(count[number * frames + frame] / PLENTY, 1.0),
-        "visibility": shown_share(box, view),
-        "predicted": np.zeros(len(frame), bool),
-    }
-    return typed(values, TRACK_COLUMNS)
+    return track_columns(
+        frame,
+        names[number],
+        box,
+        place,
+        pace,
+        confidence=np.minimum(count[number * frames + frame] / PLENTY, 1.0),
+        visibility=shown_share(box, view),
+        predicted=False,
+    )
 
 
 def _find_pieces_off_trajectories(

@@ -12,13 +12,11 @@ from tracking.trackers.flow.point_tracker import Tracklets
 from tracking.trackers.flow.silhouettes import USUAL_HEIGHT_M
 from tracking.trackers.flow.walkers import Walkers
 from tracking.trackers.shared.protocol import ASSOCIATION_COLUMNS, StepResult
+from tracking.trackers.shared.result_columns import detection_columns, track_columns
 from tracking.tracks.columns import (
-    DETECTION_COLUMNS,
     PARTICLE_COLUMNS,
-    TRACK_COLUMNS,
     TRACKLET_COLUMNS,
     Columns,
-    box_columns,
     empty,
     typed,
 )
@@ -64,31 +62,21 @@ def _tracks(
     frame: int, walkers: Walkers, seen: NDArray[np.bool_], box: Floats, view: View
 ) -> Columns:
     sure = np.minimum(walkers.count / PLENTY, 1.0)
-    values = {
-        "frame": np.full(len(walkers), frame),
-        "track": walkers.track,
-        **box_columns(box),
-        "x": walkers.place[:, 0],
-        "y": walkers.place[:, 1],
-        "vx": walkers.pace[:, 0],
-        "vy": walkers.pace[:, 1],
-        "confidence": np.where(seen, sure, 0.0),
-        "visibility": np.where(seen, shown_share(box, view), 0.0),
-        "predicted": ~seen,
-    }
-    return typed(values, TRACK_COLUMNS)
+    return track_columns(
+        frame,
+        walkers.track,
+        box,
+        walkers.place,
+        walkers.pace,
+        confidence=np.where(seen, sure, 0.0),
+        visibility=np.where(seen, shown_share(box, view), 0.0),
+        predicted=~seen,
+    )
 
 
 def _detections(frame: int, walkers: Walkers, seen: NDArray[np.bool_], box: Floats) -> Columns:
-    values = {
-        "frame": np.full(len(walkers), frame),
-        **box_columns(box),
-        "x": walkers.place[:, 0],
-        "y": walkers.place[:, 1],
-        "z": np.full(len(walkers), CHEST_M),
-        "track": walkers.track,
-    }
-    return {name: column[seen] for name, column in typed(values, DETECTION_COLUMNS).items()}
+    chest = np.column_stack((walkers.place, np.full(len(walkers), CHEST_M)))
+    return detection_columns(frame, box[seen], chest[seen], walkers.track[seen])
 
 
 def _tracklets(

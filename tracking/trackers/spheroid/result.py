@@ -8,19 +8,15 @@ from numpy.typing import NDArray
 
 from tracking.filtering import cloud_shapes
 from tracking.trackers.shared.protocol import ASSOCIATION_COLUMNS, StepResult
+from tracking.trackers.shared.result_columns import (
+    detection_columns,
+    particle_columns,
+    signal_columns,
+    track_columns,
+)
 from tracking.trackers.spheroid.appearance import bgr_of
 from tracking.trackers.spheroid.hypotheses import SpheroidPeople
-from tracking.tracks.columns import (
-    CLOTHES,
-    DETECTION_COLUMNS,
-    PARTICLE_COLUMNS,
-    SIGNAL_COLUMNS,
-    TRACK_COLUMNS,
-    Columns,
-    box_columns,
-    empty,
-    typed,
-)
+from tracking.tracks.columns import Columns, empty
 
 
 def step_result(
@@ -35,14 +31,16 @@ def step_result(
         box: (people, 4) left, top, width, height px as recorded.
         clothes: (people, 6) CIELAB of upper and lower body; NaN: not known.
     """
-    missed = people.missed_s > 0.0
+    missed, track = people.missed_s > 0.0, people.track
+    middle = np.column_stack((people.xy, people.height / 2))
+    shapes = cloud_shapes(people.state[..., :2], people.weight)
     return StepResult(
         frame=frame,
         tracks=_tracks(frame, people, box, missed),
-        detections=_detections(frame, people, box, np.flatnonzero(~missed)),
-        particles=_particles(people),
+        detections=detection_columns(frame, box[~missed], middle[~missed], track[~missed]),
+        particles=particle_columns(track, people.state, people.weight),
         associations=empty(ASSOCIATION_COLUMNS),
-        signals=_signals(frame, people, clothes),
+        signals=signal_columns(frame, track, (people.height, clothes), shapes),
     )
 
 
@@ -61,50 +59,13 @@ def clothes_of(people: SpheroidPeople) -> NDArray[np.float32]:
 def _tracks(
     frame: int, people: SpheroidPeople, box: NDArray[np.float64], missed: NDArray[np.bool_]
 ) -> Columns:
-    values = {
-        "frame": np.full(len(people), frame),
-        "track": people.track,
-        **box_columns(box),
-        **dict(zip(("x", "y", "vx", "vy"), people.mean.T, strict=True)),
-        "confidence": np.clip(people.coverage * people.shown, 0.0, 1.0),
-        "visibility": np.clip(people.shown, 0.0, 1.0),
-        "predicted": missed,
-    }
-    return typed(values, TRACK_COLUMNS)
-
-
-def _detections(
-    frame: int, people: SpheroidPeople, box: NDArray[np.float64], rows: NDArray[np.intp]
-) -> Columns:
-    values = {
-        "frame": np.full(len(rows), frame),
-        **box_columns(box[rows]),
-        "x": people.xy[rows, 0],
-        "y": people.xy[rows, 1],
-        "z": people.height[rows] / 2,
-        "track": people.track[rows],
-    }
-    return typed(values, DETECTION_COLUMNS)
-
-
-def _particles(people: SpheroidPeople) -> Columns:
-    values = {
-        "track": np.repeat(people.track, people.weight.shape[1]),
-        "x": people.state[..., 0].ravel(),
-        "y": people.state[..., 1].ravel(),
-        "weight": people.weight.ravel(),
-    }
-    return typed(values, PARTICLE_COLUMNS)
-
-
-def _signals(frame: int, people: SpheroidPeople, clothes: NDArray[np.float32]) -> Columns:
-    spread_m, split = cloud_shapes(people.state[..., :2], people.weight)
-    values = {
-        "frame": np.full(len(people), frame),
-        "track": people.track,
-        "height_m": people.height,
-        **dict(zip(CLOTHES, clothes.T, strict=True)),
-        "spread_m": spread_m,
-        "split": split,
-    }
-    return typed(values, SIGNAL_COLUMNS)
+    return track_columns(
+        frame,
+        people.track,
+        box,
+        people.xy,
+        people.mean[:, 2:],
+        confidence=np.clip(people.coverage * people.shown, 0.0, 1.0),
+        visibility=np.clip(people.shown, 0.0, 1.0),
+        predicted=missed,
+    )

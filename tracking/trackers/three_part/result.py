@@ -9,17 +9,18 @@ from numpy.typing import NDArray
 
 from tracking.people import Detections, Observation
 from tracking.trackers.shared.protocol import ASSOCIATION_COLUMNS, StepResult
+from tracking.trackers.shared.result_columns import (
+    detection_columns,
+    looks_of,
+    signal_columns,
+    track_columns,
+)
 from tracking.trackers.three_part.people import Flags, Floats, Indices, Layout, PartPeople
 from tracking.tracks.columns import (
-    CLOTHES,
-    DETECTION_COLUMNS,
     PART_COLUMNS,
     PART_PARTICLE_COLUMNS,
     PARTICLE_COLUMNS,
-    SIGNAL_COLUMNS,
-    TRACK_COLUMNS,
     Columns,
-    box_columns,
     empty,
     typed,
 )
@@ -62,13 +63,14 @@ def step_result(
         kept: particles of a part that go into the result at most.
     """
     frame = observation.frame
+    looks = looks_of(observation.people, np.where(shown.alone, shown.region, -1))
     return StepResult(
         frame=frame,
         tracks=_tracks(frame, people, shown),
         detections=_detections(frame, observation.people, people, shown),
         particles=empty(PARTICLE_COLUMNS),
         associations=empty(ASSOCIATION_COLUMNS),
-        signals=_signals(frame, observation.people, people, shown),
+        signals=signal_columns(frame, people.track, looks, None),
         parts=_parts(frame, people, layout, fps),
         part_particles=_part_particles(people, layout, kept),
     )
@@ -76,51 +78,23 @@ def step_result(
 
 def _tracks(frame: int, people: PartPeople, shown: Shown) -> Columns:
     in_sight = 1.0 - people.occluded.mean(axis=1)
-    values = {
-        "frame": np.full(len(people), frame),
-        "track": people.track,
-        **box_columns(shown.box),
-        "x": people.place[:, 0],
-        "y": people.place[:, 1],
-        "vx": np.where(np.isfinite(people.place[:, 0]), people.walk[:, 0], np.nan),
-        "vy": np.where(np.isfinite(people.place[:, 0]), people.walk[:, 1], np.nan),
-        "confidence": people.similarity.mean(axis=1) * in_sight,
-        "visibility": shown.inside * in_sight,
-        "predicted": shown.unseen | people.occluded.all(axis=1),
-    }
-    return typed(values, TRACK_COLUMNS)
+    return track_columns(
+        frame,
+        people.track,
+        shown.box,
+        people.place,
+        np.where(np.isfinite(people.place[:, :1]), people.walk, np.nan),
+        confidence=people.similarity.mean(axis=1) * in_sight,
+        visibility=shown.inside * in_sight,
+        predicted=shown.unseen | people.occluded.all(axis=1),
+    )
 
 
 def _detections(frame: int, seen: Detections, people: PartPeople, shown: Shown) -> Columns:
     track = np.zeros(len(seen), np.int32)
     own = shown.alone & (shown.region >= 0)
     track[shown.region[own]] = people.track[own]
-    x, y, z = seen.position.T
-    values = {
-        "frame": np.full(len(seen), frame),
-        **box_columns(seen.box),
-        "x": x,
-        "y": y,
-        "z": z,
-        "track": track,
-    }
-    return typed(values, DETECTION_COLUMNS)
-
-
-def _signals(frame: int, seen: Detections, people: PartPeople, shown: Shown) -> Columns:
-    """What is noticed of the people beside where they are, from regions they are alone in."""
-    own = np.where(shown.alone, shown.region, -1)
-    height_m = np.append(np.where(seen.truncated, np.nan, seen.size[:, 1]), np.nan)
-    clothes = np.append(seen.clothes.reshape(-1, 6), np.full((1, 6), np.nan), axis=0)
-    values = {
-        "frame": np.full(len(people), frame),
-        "track": people.track,
-        "height_m": height_m[own],
-        **dict(zip(CLOTHES, clothes[own].T, strict=True)),
-        "spread_m": np.full(len(people), np.nan),
-        "split": np.full(len(people), np.nan),
-    }
-    return typed(values, SIGNAL_COLUMNS)
+    return detection_columns(frame, seen.box, seen.position, track)
 
 
 def _parts(frame: int, people: PartPeople, layout: Layout, fps: float) -> Columns:
