@@ -45,10 +45,10 @@ PIPELINE = Speed(
     {"primitives": Primitives, "obvious": partial(Obvious, particles=PARTICLES)},
 )
 """Sixteen people, of whom fifteen or all are in view in the frames that count."""
-SPHEROID = Speed(Clip("plaza", 5101, 12.0, 20, cameras=1), "spheroid", range(8, 13), _ONE_CAMERA)
+SPHEROID = Speed(Clip("plaza", 5101, 12.0, 11, cameras=1), "spheroid", range(8, 13), _ONE_CAMERA)
 PARTS = Speed(Clip("walkway", 4101, cameras=1), "three-part", range(5, 6), _ONE_CAMERA)
 FLOW = Speed(
-    Clip("lane", 5101, 20.0),
+    Clip("lane", 5101, 20.0, 18),
     "flow",
     range(4, 30),
     {"primitives": partial(OneCamera, corners=True)},
@@ -100,6 +100,8 @@ def measure(what: Speed = PIPELINE) -> dict[str, float | None]:
             for peer in peers.values():
                 _look(*peer, seen)
     counted = [k for k, seen in enumerate(people) if k and seen in what.people]
+    if not counted:
+        raise RuntimeError(f"never were {what.people} people followed in {what.clip.name}")
     return _figures(ours, {name: spent for name, (_, _, spent) in peers.items()}, counted, people)
 
 
