@@ -268,13 +268,20 @@ def figures() -> dict[str, Any]:
 
 
 def _keep(asked: Any, found: Found) -> None:
-    """Keep figures beside those of the same group, unless these are of other frames."""
+    """Keep figures beside those of the same group, unless these are of other frames.
+
+    What was measured again, on other recordings or with other seeds, stays apart.
+    """
     kept, tracker = figures(), asked.tracker
-    frames = kept.setdefault("frames", {}).setdefault(tracker, {})
-    if frames.get(asked.group) != [*asked.frames]:
-        kept.setdefault(tracker, {}).pop(asked.group, None)
-    frames[asked.group] = [*asked.frames]
-    kept.setdefault(tracker, {}).setdefault(asked.group, {}).update(found)
+    if asked.again:
+        again = {"tracker": tracker, "seeds": [*asked.seeds], "frames": [*asked.frames]}
+        kept.setdefault("again", []).append({**again, "found": found})
+    else:
+        frames = kept.setdefault("frames", {}).setdefault(tracker, {})
+        if frames.get(asked.group) != [*asked.frames]:
+            kept.setdefault(tracker, {}).pop(asked.group, None)
+        frames[asked.group] = [*asked.frames]
+        kept.setdefault(tracker, {}).setdefault(asked.group, {}).update(found)
     kept["sources"] = {**kept.get("sources", {}), tracker: sources()[:16]}
     FIGURES.write_text(json.dumps(kept, separators=(",", ":")) + "\n", encoding="utf-8")
 
@@ -283,7 +290,13 @@ def write_page() -> None:
     """Write the page from what was measured."""
     kept = figures()
     rows = list(rows_of({name: its for name, its in kept.items() if name in MECHANISMS}))
-    known = {"groups": _GROUPS, "frames": kept.get("frames", {}), "seeds": SEEDS}
+    again = [
+        {**one, "name": name, "recordings": sorted(its), **_worths(one["found"][WITH_ALL], its)}
+        for one in kept.get("again", [])
+        for name, its in one["found"].items()
+        if name != WITH_ALL
+    ]
+    known = {"again": again, "groups": _GROUPS, "frames": kept.get("frames", {}), "seeds": SEEDS}
     text = template("footage/ablation.md.j2").render(
         rows=rows, removed=kept.get("removed", []), **known
     )
@@ -325,6 +338,7 @@ def _options() -> argparse.Namespace:
     )
     parser.add_argument("--data", type=Path, default=real_data(), help="folder of recordings")
     parser.add_argument("--report", action="store_true", help="keep the figures, write the page")
+    parser.add_argument("--again", action="store_true", help="keep them in a table of their own")
     parser.add_argument("--rewrite", action="store_true", help="only write the page")
     return parser.parse_args()
 

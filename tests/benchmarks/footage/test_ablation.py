@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from argparse import Namespace
 from itertools import chain
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
+from tests.benchmarks.footage import ablation
 from tests.benchmarks.footage.ablation import SCORES, WITH_ALL, groups_of, rows_of, worth_of
 from tests.benchmarks.footage.mechanism import Mechanism
 from tests.benchmarks.footage.mechanisms import MECHANISMS
@@ -50,6 +53,26 @@ def test_a_worth_is_sure_where_seeds_agree() -> None:
     unsure = worth_of([[0.9, 0.5], [0.5, 0.9]], [[0.8, 0.7], [0.7, 0.6]])
     assert not unsure.is_sure
     assert worth_of([[0.9]], [[0.1]]).error == np.inf
+
+
+def test_what_is_measured_again_stays_apart(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(ablation, "FIGURES", tmp_path / "ablation.json")
+    monkeypatch.setattr(ablation, "PAGE", tmp_path / "ablation.md")
+    asked = Namespace(tracker="stereo-joint", group="finishing", seeds=[3, 4], frames=(9, 9))
+    for again, score in ((False, 0.9), (True, 0.5)):
+        one = {**dict.fromkeys(SCORES, score), "tracks": str(score)}
+        found = {WITH_ALL: {"own-a": [one, one]}, "linking": {"own-a": [one, one]}}
+        ablation._keep(Namespace(**vars(asked), again=again), found)
+    ablation.write_page()
+    kept = ablation.figures()
+    assert kept["stereo-joint"]["finishing"]["linking"]["own-a"][0]["MOTA"] == 0.9
+    assert [one["found"]["linking"]["own-a"][0]["MOTA"] for one in kept["again"]] == [0.5]
+    page = (tmp_path / "ablation.md").read_text(encoding="utf-8")
+    assert page.index("| linking | tracks are cut") < page.index(
+        "| stereo-joint | linking | own-a, 9"
+    )
 
 
 def test_rows_tell_what_falls_and_on_how_many_recordings_anything_changes() -> None:
