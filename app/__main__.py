@@ -15,7 +15,7 @@ from app.cli.failure import MISUSED, run_reporting_errors
 from app.cli.output import escape_what_stdout_lacks, name_stdout_in_errors, say
 from app.cli.sessions import print_notes
 from app.core.interrupts import end_at_once
-from tracking.translation import use_language
+from tracking.translation import Message, tr, use_language
 
 NOT_BUILT = ("batch",)
 """Commands that are announced; typing one is answered with a line of its own."""
@@ -70,6 +70,7 @@ def _obey(words: list[str]) -> None:
 
 
 def _told_of(misuse: Any) -> str:
+    misuse.message = tr(misuse.message) if isinstance(misuse.message, Message) else misuse.message
     message = " ".join(misuse.format_message().split()).rstrip(".")
     asked = misuse.ctx.command_path if misuse.ctx is not None else "trackwright"
     return f"{message}; see {asked} --help"

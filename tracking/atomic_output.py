@@ -21,6 +21,7 @@ from typing import BinaryIO, TextIO
 
 from tracking.errors import OutputError
 from tracking.owned_files import SAFE_FLAGS, kind_of, sync_folder
+from tracking.translation import msg
 
 _NAME_KEPT = 50
 """Letters of a file's name in that of its unfinished one, which must not get too long."""
@@ -30,8 +31,8 @@ _PRIVATE = 0o600
 """Of a file while it is written: what it takes the place of may be for nobody else."""
 _PRIVATE_FOLDER = 0o700
 """Of a folder meanwhile."""
-_ANOTHER_PLACE = "choose another place with -o"
-_ANOTHER_FOLDER = "choose another place"
+_ANOTHER_PLACE = msg("choose another place with -o")
+_ANOTHER_FOLDER = msg("choose another place")
 """Some commands are told their folder without an option."""
 
 
@@ -177,7 +178,7 @@ def check_target(path: Path) -> None:
             path=path,
         )
     if found != "a file":
-        raise _told(path, f"it is {found}")
+        raise _told(path, msg("it is {found}", found=found))
 
 
 def _part_name(path: Path) -> Path:

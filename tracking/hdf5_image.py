@@ -11,14 +11,15 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from tracking.owned_files import SAFE_FLAGS
+from tracking.translation import msg
 
 if TYPE_CHECKING:
     from h5py import Dataset
 
 _PAGE = 1 << 16
 _PIECE = 8 << 20
-_READ_BACK = "what was written reads back"
-_CHECK = "check the disk"
+_READ_BACK = msg("what was written reads back")
+_CHECK = msg("check the disk")
 
 
 class Hdf5Image:
@@ -123,11 +124,22 @@ class Hdf5Image:
         with self._path.open("rb", buffering=0) as written:
             size = written.seek(0, os.SEEK_END)
             if size != self._size:
-                raise OSError(errno.EIO, f"{_READ_BACK} with {size} bytes; {_CHECK}")
+                raise OSError(
+                    errno.EIO,
+                    msg(
+                        "{read_back} with {size} bytes; {check}",
+                        read_back=_READ_BACK,
+                        size=size,
+                        check=_CHECK,
+                    ),
+                )
             for start, length, digest in self._expected():
                 written.seek(start)
                 if _digest_of(written, length) != digest:
-                    raise OSError(errno.EIO, f"{_READ_BACK} otherwise; {_CHECK}")
+                    raise OSError(
+                        errno.EIO,
+                        msg("{read_back} otherwise; {check}", read_back=_READ_BACK, check=_CHECK),
+                    )
 
     def close(self) -> None:
         """Let go of the file."""

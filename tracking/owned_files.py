@@ -21,6 +21,7 @@ import tempfile
 from pathlib import Path
 
 from tracking.errors import UnsafeFileError
+from tracking.translation import msg
 
 FOLDER_MODE = 0o700
 """Of a folder for the program's own files: nobody else looks in."""
@@ -260,7 +261,7 @@ def _check_kind(path: Path, state: os.stat_result, kind: int) -> None:
 def _kind_of(state: os.stat_result) -> str:
     if _is_reparse_point(state):
         return "a link"
-    return _KINDS.get(stat.S_IFMT(state.st_mode), "something else")
+    return _KINDS.get(stat.S_IFMT(state.st_mode), msg("something else"))
 
 
 def _is_reparse_point(state: os.stat_result) -> bool:
@@ -302,8 +303,8 @@ def _user_name(user: int) -> str:
         import pwd
 
         with contextlib.suppress(KeyError, OSError):
-            return f"the user {pwd.getpwuid(user).pw_name}"
-    return f"the user with the number {user}"
+            return msg("the user {name}", name=pwd.getpwuid(user).pw_name)
+    return msg("the user with the number {user}", user=user)
 
 
 def _close_to_others(folder: Path) -> None:

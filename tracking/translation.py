@@ -36,11 +36,17 @@ def use_catalogue(catalogue: gettext.NullTranslations | None) -> None:
     _catalogue = catalogue or gettext.NullTranslations()
 
 
+def language_in_use() -> str:
+    """The language of the catalogue in use, e.g. "pt_BR"; "" for English."""
+    return _catalogue.info().get("language", "")
+
+
 class Message(str):
     """An English sentence that knows what it was made of, so that it can be shown in any language.
 
     It is the sentence wherever a text is wanted: it compares, is sorted and is kept as one. What
-    makes another text of it (an f-string, `strip`) gives the English sentence only.
+    makes another text of it (an f-string, `strip`) gives the English sentence only; `+` gives a
+    message.
 
     Attributes:
         template: the sentence with {named} places. many: for several of `values["n"]`, or "".
@@ -59,6 +65,14 @@ class Message(str):
         message = super().__new__(cls, _filled(many if many and held["n"] != 1 else template, held))
         message.template, message.many, message.values, message._cut = template, many, held, None
         return message
+
+    def __add__(self, more: str) -> Message:
+        """Both, one after the other."""
+        return joined("", (self, more))
+
+    def __radd__(self, before: str) -> Message:
+        """The same after another text."""
+        return joined("", (before, self))
 
     def translated(self) -> str:
         """The sentence in the user's language; English where its translation cannot be filled."""

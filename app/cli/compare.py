@@ -18,6 +18,7 @@ from tracking.scoring import (
     agreement,
 )
 from tracking.session import RecordingReference
+from tracking.translation import msg
 
 _LISTED = 20
 
@@ -61,8 +62,14 @@ def _print(found: Agreement) -> None:
         ]
     )
     for one in found.disagreements[:_LISTED]:
-        who = f"{one.track_a or 'nobody'} here, {one.track_b or 'nobody'} there"
-        print_line(f"frames {one.start} to {one.end - 1}: {who}")
+        who = msg(
+            "{track_a} here, {track_b} there",
+            track_a=one.track_a or "nobody",
+            track_b=one.track_b or "nobody",
+        )
+        print_line(
+            msg("frames {start} to {last}: {who}", start=one.start, last=one.end - 1, who=who)
+        )
     left = len(found.disagreements) - _LISTED
     if left > 0:
-        print_line(f"and {left} more; --json lists all")
+        print_line(msg("and {left} more; --json lists all", left=left))

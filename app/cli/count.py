@@ -36,7 +36,7 @@ from tracking.errors import CountingError, SettingsError
 from tracking.session import Session
 from tracking.settings import settings_from
 from tracking.tracks import CountingLine, Region
-from tracking.translation import tr
+from tracking.translation import msg, tr
 
 _OPTIONS = {"step_s": "--step", "jitter_m": "--jitter", "jitter_px": "--jitter-px"}
 """How each setting is typed."""
@@ -97,7 +97,14 @@ def run_count(
     if csv is not None:
         with text_at(csv) as place:
             write_counts(place, counts)
-        say(f"{len(counts.steps)} steps of {settings.step_s:g} s: {csv}")
+        say(
+            msg(
+                "{count} steps of {step_s:g} s: {csv}",
+                count=len(counts.steps),
+                step_s=settings.step_s,
+                csv=csv,
+            )
+        )
     if csv == STDOUT:
         return
     if as_json:
@@ -144,8 +151,8 @@ def _places(session: Session, named: Places) -> Places:
 
 
 def _say_what(places: Places, run: int | None) -> None:
-    tracks = "the corrected tracks" if run is None else f"run {run}"
-    origin = "drawn in the session" if places.drawn else "as named"
+    tracks = msg("the corrected tracks") if run is None else msg("run {run}", run=run)
+    origin = msg("drawn in the session") if places.drawn else msg("as named")
     names = [
         f"{word} {', '.join(item.name for item in items)}"
         for word, items in (("lines", places.lines), ("regions", places.regions))

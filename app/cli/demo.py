@@ -18,6 +18,7 @@ from app.features.files.demonstration import Demonstration
 from tracking.recording import open_recording
 from tracking.scoring import Score
 from tracking.session import Session
+from tracking.translation import msg
 
 _BYTES = 64 << 20
 
@@ -27,13 +28,13 @@ def run_demo(out: Path | None, *, gui: bool, as_json: bool) -> None:
     demo = Demonstration(out) if out is not None else Demonstration.of_user()
     if not demo.recording.exists():
         check_folder(nearest_folder(demo.folder), _BYTES)
-    with progress("making the recording") as advance:
+    with progress(msg("making the recording")) as advance:
         demo.make(advance)
     if gui and not as_json and has_display():
         why_not = why_no_window()
         if not why_not:
             raise SystemExit(_show(demo))
-        say(f"no window: {why_not}")
+        say(msg("no window: {why_not}", why_not=why_not))
     session = _session(demo.recording, demo.session)
     score = score_of(tracks_at(session), truth_at(demo.recording))
     picture = _picture(session, demo.picture)
@@ -47,14 +48,14 @@ def _show(demo: Demonstration) -> int:
 
     worked_on = demo.session.exists() and _is_worked_on(demo.session)
     shown = demo.session if worked_on else demo.recording
-    say(f"opening the window on {shown}")
+    say(msg("opening the window on {shown}", shown=shown))
     return run(shown, play=True, save_at=demo.session)
 
 
 def _session(recording: Path, place: Path) -> Path:
     """The recording's session: tracked anew, unless somebody has worked on it."""
     if place.exists() and _is_worked_on(place):
-        say(f"{place} holds corrections and is kept")
+        say(msg("{place} holds corrections and is kept", place=place))
         return place
     check_folder(place.parent, _BYTES)
     with open_recording(recording) as footage:

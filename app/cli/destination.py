@@ -39,7 +39,7 @@ def check_folder(folder: Path, needed_bytes: int = 0) -> None:
         OutputError: it is missing, no folder, not writable, or has no room.
     """
     if not folder.is_dir():
-        what = "is not a folder" if folder.exists() else "does not exist"
+        what = msg("is not a folder") if folder.exists() else msg("does not exist")
         raise OutputError(
             "folder {folder} {what}; make it or choose another place", folder=folder, what=what
         )

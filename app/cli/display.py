@@ -13,6 +13,7 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 
 from app.cli.system_libraries import INSTALL
+from tracking.translation import msg
 
 _OFF_SCREEN = ("offscreen", "minimal", "vnc")
 _X11_PLUGIN = Path("Qt", "plugins", "platforms", "libqxcb.so")
@@ -39,7 +40,7 @@ def why_no_window(
         load: loads a system library by its path; OSError where a part of it is missing.
     """
     if not has_display(environment, system):
-        return "there is no display to open a window on"
+        return msg("there is no display to open a window on")
     if system in ("win32", "darwin"):
         return ""
     try:
@@ -49,13 +50,18 @@ def why_no_window(
             return ""
         load(str(Path(QtWidgets.__file__).parent / _X11_PLUGIN))
     except (ImportError, OSError) as error:
-        return (
-            f"a system library that Qt needs is missing: {_first_line(error)}; on Debian and "
-            f"Ubuntu run: sudo {' '.join(INSTALL)}"
+        return msg(
+            "a system library that Qt needs is missing: {reason}; on Debian and Ubuntu "
+            "run: sudo {packages}",
+            reason=_first_line(error),
+            packages=" ".join(INSTALL),
         )
     display = environment.get("DISPLAY", "")
     if not _answers(display):
-        return f"the display {display or environment['WAYLAND_DISPLAY']} does not answer"
+        return msg(
+            "the display {display} does not answer",
+            display=display or environment["WAYLAND_DISPLAY"],
+        )
     return ""
 
 

@@ -73,7 +73,9 @@ def run_export(request: ExportRequest, *, as_json: bool) -> None:
     Of body parts: samples of the failure detector, or the labels themselves.
     """
     if request.ground_truth and not _says_what_counts(request.format):
-        raise typer.BadParameter(f"{request.format} has no such mark", param_hint="--ground-truth")
+        raise typer.BadParameter(
+            msg("{format} has no such mark", format=request.format), param_hint="--ground-truth"
+        )
     refuse_two_documents(request.out, "--out", as_json=as_json)
     if request.format in _PARTS:
         _export_parts(request, as_json=as_json)
@@ -93,10 +95,10 @@ def run_export(request: ExportRequest, *, as_json: bool) -> None:
         tracks = capture_export(session, request.run, view)
     tracks = replace(tracks, ground_truth=request.ground_truth)
     notes = losses(wanted, tracks, out)
-    with text_at(out, ending) as place, progress(f"Writing {out.name}") as report:
+    with text_at(out, ending) as place, progress(msg("Writing {name}", name=out.name)) as report:
         made = write(place, tracks, report)
     for note in notes:
-        say(f"note: {note}")
+        say(msg("note: {note}", note=note))
     facts = {"format": wanted.name, "rows": len(tracks), "notes": list(notes)}
     _tell(out, made, {"written": str(out), "files": list(map(str, made)), **facts}, as_json=as_json)
 
@@ -116,7 +118,7 @@ def _tell(out: Path, made: Sequence[Path], facts: Mapping[str, Any], *, as_json:
 def _check_is_text(wanted: TrackFormat) -> None:
     """Raises BadParameter where the format is none that stdout can take."""
     if wanted.is_folder or wanted.extensions[0] not in _TEXT_ENDINGS:
-        reason = f"{wanted.title} is not one text and needs a place; name one"
+        reason = msg("{title} is not one text and needs a place; name one", title=wanted.title)
         raise typer.BadParameter(reason, param_hint="--out")
 
 
@@ -182,7 +184,7 @@ def _what_first(session: Session) -> Message:
 def _export_parts(request: ExportRequest, *, as_json: bool) -> None:
     name, out = request.format, request.out
     if request.run is not None:
-        reason = f"{name} belong to the corrected tracks; leave it out"
+        reason = msg("{name} belong to the corrected tracks; leave it out", name=name)
         raise typer.BadParameter(reason, param_hint="--run")
     if out != STDOUT:
         _check_parts_place(name, out, force=request.force)

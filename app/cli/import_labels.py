@@ -10,6 +10,7 @@ from tracking.editing import plan_label_part
 from tracking.errors import SessionError
 from tracking.formats import read_part_labels
 from tracking.session import Session, place_labels
+from tracking.translation import msg
 
 
 def run_import_labels(path: Path, into: Path, author: str | None, *, as_json: bool) -> None:
@@ -32,4 +33,6 @@ def run_import_labels(path: Path, into: Path, author: str | None, *, as_json: bo
     if as_json:
         print_json(counts)
     else:
-        print_line(f"{len(new)} new labels of {len(given)} in {into}")
+        print_line(
+            msg("{count} new labels of {all} in {into}", count=len(new), all=len(given), into=into)
+        )

@@ -20,7 +20,7 @@ from app.cli.output import escape_controls, progress, say
 from tracking.errors import FormatError
 from tracking.formats import BadRow, Filmed, Imported, Stated, TrackFormat, format_named, format_of
 from tracking.progress import Progress, no_progress
-from tracking.translation import count_msg, tr
+from tracking.translation import count_msg, msg, tr
 
 _MOST_SHOWN = 20
 """Bad rows in the table people read; --json tells more of them."""
@@ -79,18 +79,18 @@ def run_import(order: Order, *, as_json: bool) -> None:
 def _check_whereto(order: Order) -> None:
     """Refuse options that exclude each other: a session knows its recording and its place."""
     if order.thin_px is not None and not 0 < order.thin_px < math.inf:  # NaN, too
-        raise typer.BadParameter("give pixels above 0", param_hint="--thin")
+        raise typer.BadParameter(msg("give pixels above 0"), param_hint="--thin")
     if order.into is None:
         if order.out is None:
             raise typer.BadParameter(
-                "name the session to make, or one with --into", param_hint="--out"
+                msg("name the session to make, or one with --into"), param_hint="--out"
             )
         return
     given = {"--out": order.out, "--recording": order.recording, "--left": order.bare.left}
     for name, value in given.items():
         if value is not None:
             raise typer.BadParameter(
-                "the session of --into says that; leave it out", param_hint=name
+                msg("the session of --into says that; leave it out"), param_hint=name
             )
 
 
@@ -103,7 +103,8 @@ def _format_of(order: Order) -> TrackFormat:
     found = _format_asked(order)
     if order.unit is not None and not found.unit_unsaid:
         raise typer.BadParameter(
-            f"{found.title} has a unit of its own; leave it out", param_hint="--unit"
+            msg("{title} has a unit of its own; leave it out", title=found.title),
+            param_hint="--unit",
         )
     return found
 
@@ -156,7 +157,9 @@ class Source:
         """A progress bar, where reading takes long enough to be watched."""
         path = self.order.tracks
         is_long = path.is_file() and path.stat().st_size > _WATCHED_BYTES
-        return progress(f"Reading {path.name}") if is_long else nullcontext(no_progress)
+        return (
+            progress(msg("Reading {name}", name=path.name)) if is_long else nullcontext(no_progress)
+        )
 
     def refuse_bad_rows(self, rows: Sequence[BadRow], count: int) -> None:
         """Refuse a file with invalid rows, unless the valid ones alone are asked for.
@@ -198,10 +201,22 @@ def show_bad_rows(path: Path, rows: Sequence[BadRow], count: int) -> None:
     from rich.table import Table
     from rich.text import Text
 
-    rows_told = "1 invalid row" if count == 1 else f"{count} invalid rows"
-    table = Table("place", "reason", title=Text(escape_controls(f"{rows_told} of {path.name}")))
+    rows_told = msg("1 invalid row") if count == 1 else msg("{count} invalid rows", count=count)
+    table = Table(
+        "place",
+        "reason",
+        title=Text(
+            escape_controls(msg("{rows_told} of {name}", rows_told=rows_told, name=path.name))
+        ),
+    )
     for row in rows[:_MOST_SHOWN]:
         table.add_row(Text(escape_controls(row.place)), Text(escape_controls(row.reason)))
     Console(stderr=True).print(table)
     if count > _MOST_SHOWN:
-        say(f"and {count - _MOST_SHOWN} more; --json tells the first {len(rows)} of all")
+        say(
+            msg(
+                "and {n} more; --json tells the first {count} of all",
+                n=count - _MOST_SHOWN,
+                count=len(rows),
+            )
+        )

@@ -27,6 +27,7 @@ from tracking.session import (
     take_into,
 )
 from tracking.tracks import TrackTable
+from tracking.translation import msg
 
 
 def into_new_session(source: Source, read: Imported | None, out: Path) -> None:
@@ -65,7 +66,9 @@ def _filmed(session: Session) -> Filmed:
         with session.open_recording(known=known_recordings()) as recording:
             return describe_footage(recording)
     except RecordingMissing:
-        say("note: the recording is out of reach, and with it what camera and floor would tell")
+        say(
+            msg("note: the recording is out of reach, and with it what camera and floor would tell")
+        )
         footage = session.recording
         return Filmed(footage.frame_count, footage.fps, footage.size)
 
@@ -83,7 +86,7 @@ def _fitted(
         found = fit_to_recording(read, filmed, wish, table, report)
     source.refuse_bad_rows(found.bad_rows, found.bad_count)
     for note in found.notes:
-        say(f"note: {note}")
+        say(msg("note: {note}", note=note))
     return found
 
 
@@ -98,14 +101,22 @@ def _tell(source: Source, found: Importable, session: Path, *, changed: bool) ->
         print_json({**said, **bad, "thinned": asdict(thinned), "notes": list(found.notes)})
         return
     if found.bad_count:
-        left_out = "1 row is" if found.bad_count == 1 else f"{found.bad_count} rows are"
-        more = "" if source.order.report else "; --report lists them"
-        say(f"note: {left_out} invalid and left out{more}")
-    tracks = "1 track" if found.tracks == 1 else f"{found.tracks} tracks"
-    say(f"{source.format.title}: {tracks}, {rows} rows")
+        left_out = (
+            msg("1 row is")
+            if found.bad_count == 1
+            else msg("{bad_count} rows are", bad_count=found.bad_count)
+        )
+        more = "" if source.order.report else msg("; --report lists them")
+        say(msg("note: {left_out} invalid and left out{more}", left_out=left_out, more=more))
+    tracks = "1 track" if found.tracks == 1 else msg("{tracks} tracks", tracks=found.tracks)
+    say(msg("{title}: {tracks}, {rows} rows", title=source.format.title, tracks=tracks, rows=rows))
     if thinned.tracks:
-        boxes = f"{thinned.boxes} boxes to {thinned.keyframes} keyframes"
-        say(f"{thinned.tracks} tracks thinned: {boxes}")
+        boxes = msg(
+            "{boxes} boxes to {keyframes} keyframes",
+            boxes=thinned.boxes,
+            keyframes=thinned.keyframes,
+        )
+        say(msg("{tracks} tracks thinned: {boxes}", tracks=thinned.tracks, boxes=boxes))
     if not changed:
-        say("the session says so already; nothing was changed")
+        say(msg("the session says so already; nothing was changed"))
     print_line(session)

@@ -12,6 +12,7 @@ from app.cli.output import print_json, print_table
 from app.cli.recordings import open_with_options
 from tracking.formats import people_in_mot
 from tracking.recording import Recording
+from tracking.translation import msg
 
 _LONGEST, _LONGEST_FACT = 60, 4096
 """Letters of a setting, and of a line: the longest path of a file fits."""
@@ -73,11 +74,16 @@ def _rows(facts: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
     for name, value in facts.items():
         if name == "runs":
             for number, run in enumerate(value):
-                yield f"run {number}", _run(run)
-                yield from ((f"run {number}, note", note) for note in run["notes"])
+                yield msg("run {number}", number=number), _run(run)
+                yield from (
+                    (msg("run {number}, note", number=number), note) for note in run["notes"]
+                )
         elif name == "labels":
             parts = value["parts"].items()
-            yield from ((f"{part.replace('_', '-')} labels", _shown(said)) for part, said in parts)
+            yield from (
+                (msg("{part} labels", part=part.replace("_", "-")), _shown(said))
+                for part, said in parts
+            )
             others = (item for item in value.items() if item[0] != "parts")
             yield from ((what.replace("_", " "), _shown(count)) for what, count in others)
         elif name == "size":
@@ -89,9 +95,19 @@ def _rows(facts: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
 def _run(run: Mapping[str, Any]) -> str:
     """How a run was made, in a line."""
     first, end = run["frames"]
-    said = [run["tracker"], f"frames {first} to {end - 1}", f"seed {run['seed']}"]
+    said = [
+        run["tracker"],
+        msg("frames {first} to {last}", first=first, last=end - 1),
+        msg("seed {seed}", seed=run["seed"]),
+    ]
     if run["detector"]:
-        said.append(f"{run['detector_from']} detector {run['detector']}")
+        said.append(
+            msg(
+                "{origin} detector {detector}",
+                origin=run["detector_from"],
+                detector=run["detector"],
+            )
+        )
     said += [f"{name} {_short(_shown(value))}" for name, value in run["settings"].items()]
     return ", ".join(said)
 

@@ -16,6 +16,7 @@ from app.cli.output import (
 )
 from tracking.editing import Entry, History
 from tracking.session import log_as_json, read_history, write_log_csv
+from tracking.translation import msg
 
 
 def run_log(path: Path, csv: Path | None, *, as_json: bool) -> None:
@@ -31,14 +32,14 @@ def run_log(path: Path, csv: Path | None, *, as_json: bool) -> None:
         for entry in history:
             print_line(_line(history, entry))
         if not len(history):
-            print_line("no edits yet")
+            print_line(msg("no edits yet"))
         return
     refuse_two_documents(csv, "--csv", as_json=as_json)
     if csv != STDOUT:
         check_file(csv)
         check_text_replaced(csv, "--csv")
     history = read_history(path)
-    with text_at(csv) as place, progress("writing the log") as told:
+    with text_at(csv) as place, progress(msg("writing the log")) as told:
         write_log_csv(history, place, told)
     if as_json:
         print_json({"written": str(csv), "edits": len(history)})
@@ -49,6 +50,6 @@ def run_log(path: Path, csv: Path | None, *, as_json: bool) -> None:
 def _line(history: History, entry: Entry) -> str:
     """An edit as it is printed."""
     taker = history.taken_back_by(entry.id)
-    fate = "undone" if entry.undone else f"undone by {taker}" if taker else ""
+    fate = "undone" if entry.undone else msg("undone by {taker}", taker=taker) if taker else ""
     text = f"{entry.text} ({fate})" if fate else entry.text
     return f"{entry.id:>6}  {entry.time[:19]}  {entry.author or '-'}  frame {entry.frame}  {text}"

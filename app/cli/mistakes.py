@@ -12,6 +12,7 @@ from app.features.parts.training_result import TrainingResult
 from app.features.parts.training_set import Source, TrainingSet
 from tracking.errors import TrackwrightError
 from tracking.failure import Trained
+from tracking.translation import msg
 
 _SIDE_PX = 200
 _COLOURS = {True: (80, 200, 80), False: (60, 60, 230)}
@@ -24,7 +25,13 @@ def pictures_of(
     """JPEG images of the mistakes whose recordings can be opened, by the row of the sample."""
 
     def missed(source: Source, error: TrackwrightError) -> None:
-        say(f"no images of {source.title}: {with_advice(error, allow_outside)}")
+        say(
+            msg(
+                "no images of {title}: {why}",
+                title=source.title,
+                why=with_advice(error, allow_outside),
+            )
+        )
 
     search = Search(allow_outside=allow_outside, missed=missed)
     items = TrainingResult(trained, training_set).scene().mistakes

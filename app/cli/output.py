@@ -23,7 +23,7 @@ import typer
 
 from tracking.errors import OutputError
 from tracking.progress import Progress
-from tracking.translation import N_, Message
+from tracking.translation import N_, Message, msg, tr
 
 STDOUT = Path("-")
 """Stands for stdout where a command asks for a file of text to make."""
@@ -150,7 +150,7 @@ def text_at(out: Path, ending: str = ".csv") -> Iterator[Path]:
 def refuse_two_documents(out: Path | None, option: str, *, as_json: bool) -> None:
     """Raises BadParameter where a text and a JSON document are both to go to stdout."""
     if as_json and out == STDOUT:
-        reason = "- and --json cannot both go to stdout; name a file or leave --json out"
+        reason = msg("- and --json cannot both go to stdout; name a file or leave --json out")
         raise typer.BadParameter(reason, param_hint=option)
 
 
@@ -161,8 +161,9 @@ def print_json(document: Any) -> None:
 
 def print_table(rows: Sequence[tuple[str, object]]) -> None:
     """Names and values on stdout, one below the other."""
-    width = max((len(name) for name, _ in rows), default=0)
-    for name, value in rows:
+    shown = [[tr(cell) if isinstance(cell, Message) else cell for cell in row] for row in rows]
+    width = max((len(str(name)) for name, _ in shown), default=0)
+    for name, value in shown:
         print_line(f"{name:<{width}}  {value}")
 
 
@@ -175,7 +176,7 @@ def say(message: object) -> None:
 def progress(what: str) -> Iterator[Progress]:
     """A progress bar on stderr while the block runs; one line where it is no terminal."""
     if not sys.stderr.isatty():
-        say(f"{what} ...")
+        say(msg("{what} ...", what=what))
         yield lambda *_: None
         return
     from rich.console import Console

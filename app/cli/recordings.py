@@ -12,7 +12,7 @@ from tracking.errors import CalibrationError, RecordingError, SessionError
 from tracking.formats import begins_as_hdf5
 from tracking.recording import OpenOptions, Recording, open_recording
 from tracking.recording.limits import checked_fps, checked_ground
-from tracking.translation import tr
+from tracking.translation import msg, tr
 
 
 def open_with_options(path: Path | None, bare: Bare, instead: str = "") -> Recording:
@@ -27,7 +27,7 @@ def open_with_options(path: Path | None, bare: Bare, instead: str = "") -> Recor
     """
     place = path or bare.left
     if place is None:
-        raise typer.BadParameter("name a recording, or its cameras with --left and --right")
+        raise typer.BadParameter(msg("name a recording, or its cameras with --left and --right"))
     if _is_hdf5(place):
         raise _refusal(place, instead)
     return open_recording(place, options_of(bare))
@@ -69,7 +69,7 @@ def _is_hdf5(place: Path) -> bool:
 def options_of(bare: Bare) -> OpenOptions:
     """The same for the library."""
     if bare.right is not None and bare.left is None:
-        raise typer.BadParameter("a right camera needs a left one", param_hint="--right")
+        raise typer.BadParameter(msg("a right camera needs a left one"), param_hint="--right")
     _check_numbers(bare)
     return OpenOptions(
         left=bare.left,

@@ -17,6 +17,7 @@ from tracking.session import (
     list_backups,
     replace_damaged,
 )
+from tracking.translation import msg
 
 
 def run_accept(path: Path, *, as_json: bool) -> None:
@@ -30,7 +31,7 @@ def run_accept(path: Path, *, as_json: bool) -> None:
         if count:
             session.save()
         else:
-            say("no damage of it is known; nothing was changed")
+            say(msg("no damage of it is known; nothing was changed"))
     if as_json:
         print_json({"accepted": count, "session": str(path)})
     else:
@@ -63,7 +64,7 @@ def _restored(path: Path, number: int) -> Session:
         if not path.is_file() or not find_backups(path.resolve()):
             raise
         restored, kept = replace_damaged(path, number)
-        say(f"note: the file that could not be read is kept as {kept}")
+        say(msg("note: the file that could not be read is kept as {kept}", kept=kept))
         return restored
     with closing(session):
         check_backup(session.path or path, number)
@@ -87,7 +88,7 @@ def _print(path: Path, *, as_json: bool) -> None:
     for backup in kept:
         print_line(_line(backup))
     if not kept:
-        print_line("no backup is kept yet; every save keeps the one before it")
+        print_line(msg("no backup is kept yet; every save keeps the one before it"))
 
 
 def _facts(backup: Backup) -> dict[str, Any]:

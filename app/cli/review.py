@@ -10,11 +10,15 @@ from typing import Any
 from app.cli.output import print_json, print_line, progress
 from app.cli.sessions import open_session
 from tracking.review import ReviewItem, filter_undecided, find_review_items, rank
+from tracking.translation import msg
 
 
 def run_review(path: Path, order: str, most: int | None, *, as_json: bool) -> None:
     """Print the review items that nobody has decided yet."""
-    with closing(open_session(path)) as session, progress("looking through the tracks") as told:
+    with (
+        closing(open_session(path)) as session,
+        progress(msg("looking through the tracks")) as told,
+    ):
         fps, labels = session.recording.fps, session.labels
         found = find_review_items(
             session.tracks,
@@ -45,8 +49,10 @@ def run_review(path: Path, order: str, most: int | None, *, as_json: bool) -> No
 def _nothing(found: int) -> str:
     """What is said where no review item is left."""
     if not found:
-        return "Nothing is flagged."
-    return f"Nothing is left to look at: all {found} review items are decided or reviewed."
+        return msg("Nothing is flagged.")
+    return msg(
+        "Nothing is left to look at: all {found} review items are decided or reviewed.", found=found
+    )
 
 
 def _entry(review_item: ReviewItem, fps: float) -> dict[str, Any]:

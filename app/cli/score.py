@@ -8,6 +8,7 @@ from app.cli.score_measurement import MeasureRequest, measure_all, yardstick_of
 from app.cli.score_printer import document_of, text_of
 from app.cli.sequences import pair_results
 from tracking.scoring.report import check_score_folder, report_of, write_score_report
+from tracking.translation import msg
 
 
 def run_score(asked: MeasureRequest, *, as_json: bool) -> None:
@@ -24,7 +25,7 @@ def run_score(asked: MeasureRequest, *, as_json: bool) -> None:
         check_score_folder(asked.report)
     pairing = pair_results(asked.results, asked.truth)
     for line in pairing.unmatched:
-        say(f"note: left out: {line}")
+        say(msg("note: left out: {line}", line=line))
     yardstick = yardstick_of(asked)
     measured = measure_all(asked, pairing, yardstick)
     page = None

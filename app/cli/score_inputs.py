@@ -15,6 +15,7 @@ from tracking.formats import Filmed, Stated
 from tracking.scoring import Match, Score, ScoringTable, score
 from tracking.scoring.parts import Rates, judge, rates_of, read_part_truth, tracked_parts
 from tracking.scoring.report import Footage, Subject
+from tracking.translation import msg
 
 _HARDLY_ANY = 0.02
 """Of rows that could match, less than this share is what happens to match another recording's."""
@@ -153,19 +154,27 @@ def tell_oddities(one: LoadedSequence) -> None:
     """Note what may make the numbers other than expected, a line each."""
     for tracks in (one.truth, *one.results.values()):
         for note in tracks.notes:
-            say(f"note: {tracks.path}: {note}")
+            say(msg("note: {path}: {note}", path=tracks.path, note=note))
     if not one.subject.truth.counted.any():
         say(
-            f"note: {one.truth.path} has nobody in these frames: everybody tracked counts as a "
-            "false alarm, and shares of the ground truth are 0"
+            msg(
+                "note: {path} has nobody in these frames: everybody tracked counts as a "
+                "false alarm, and shares of the ground truth are 0",
+                path=one.truth.path,
+            )
         )
     for name, tracks in one.results.items():
         if not len(one.subject.results[name]):
-            say(f"note: {tracks.path} has nobody in these frames; everybody counts as missed")
+            say(
+                msg(
+                    "note: {path} has nobody in these frames; everybody counts as missed",
+                    path=tracks.path,
+                )
+            )
         if one.subject.true_source is not None:
             why = disagreement(one.subject.true_source, one.subject.result_sources[name])
             if why is not None:
-                say(f"note: {why}")
+                say(msg("note: {why}", why=why))
         if one.frames is None:
             _tell_untracked(tracks, one.truth)
 
@@ -182,8 +191,13 @@ def tell_unlike(one: LoadedSequence, result: str, score: Score) -> None:
     ours, true = one.subject.result_sources[result], one.subject.true_source
     if true is None or disagreement(true, ours) is None:
         say(
-            f"note: {one.results[result].path}: {clear.matches} of {rows} rows match the ground "
-            "truth: is it of the same recording, and are its frames counted from the same one?"
+            msg(
+                "note: {path}: {matches} of {rows} rows match the ground truth: is it of "
+                "the same recording, and are its frames counted from the same one?",
+                path=one.results[result].path,
+                matches=clear.matches,
+                rows=rows,
+            )
         )
 
 
@@ -194,8 +208,13 @@ def _tell_untracked(result: Tracks, truth: Tracks) -> None:
         return
     start, stop = result.tracked
     say(
-        f"note: frames {start}:{stop} of {result.frames} were tracked and all are scored; "
-        f"to score what was tracked add --frames {start}:{stop}"
+        msg(
+            "note: frames {start}:{stop} of {frames} were tracked and all are scored; to "
+            "score what was tracked add --frames {start}:{stop}",
+            start=start,
+            stop=stop,
+            frames=result.frames,
+        )
     )
 
 
@@ -205,9 +224,14 @@ def _tell_outlasting(result: Tracks, truth: Tracks) -> None:
     if not 0 < result.frames < end:
         return
     say(
-        f"note: {truth.path} goes on to frame {end}, the recording of {result.path} has "
-        f"{result.frames}, and all are scored; to score the recording's add "
-        f"--frames 0:{result.frames}"
+        msg(
+            "note: {path} goes on to frame {end}, the recording of {result_path} has "
+            "{frames}, and all are scored; to score the recording's add --frames 0:{frames}",
+            path=truth.path,
+            end=end,
+            result_path=result.path,
+            frames=result.frames,
+        )
     )
 
 

@@ -33,6 +33,7 @@ from tracking.scoring.report import (
     shown_of,
 )
 from tracking.tracks import CountingLine
+from tracking.translation import msg
 
 _RADIUS_M = 0.5
 _LONG_BYTES = 16 << 20
@@ -98,7 +99,7 @@ def radius_of(match: str, radius_m: float | None) -> float:
         return _RADIUS_M
     if match != "floor":
         raise typer.BadParameter(
-            "distances count only with --match floor; add it, or leave the radius out",
+            msg("distances count only with --match floor; add it, or leave the radius out"),
             param_hint="--radius",
         )
     return radius_m
@@ -148,7 +149,7 @@ def measure_all(
                     found = _measured(asked, one, subject, result, yardstick)
                     tell_unlike(one, result, found.score)
                     if asked.report is not None and found.finding is not None:
-                        why_none = why_none or "the boxes of people in the images are unknown"
+                        why_none = why_none or msg("the boxes of people in the images are unknown")
                         shown = shown_of(found.finding, total, lambda *_: None, why_none)
                         found = replace(found, shown=shown)
                     measured.append(found)

@@ -15,6 +15,7 @@ from tracking.counting import Passages, check_countable, compare_passages, passa
 from tracking.errors import CountingError
 from tracking.scoring import PassageScore, Score
 from tracking.tracks import CountingLine
+from tracking.translation import msg
 
 
 def lines_named(floor: Sequence[str], picture: Sequence[str]) -> tuple[CountingLine, ...]:
@@ -43,7 +44,14 @@ def with_passages(
     except CountingError as error:
         if named:
             raise
-        say(f"note: no passages of {result} on {one.subject.name}: {error}")
+        say(
+            msg(
+                "note: no passages of {result} on {name}: {error}",
+                result=result,
+                name=one.subject.name,
+                error=error,
+            )
+        )
         return score
 
 

@@ -12,6 +12,7 @@ from app.cli.score_inputs import LoadedSequence
 from tracking.errors import TrackwrightError
 from tracking.recording import MANIFEST_NAME, Recording, open_recording
 from tracking.scoring.report import Footage, Subject
+from tracking.translation import msg
 
 _PICTURES = "img1"
 """Where MOTChallenge keeps the frames of a sequence."""
@@ -25,7 +26,7 @@ def open_recording_of(one: LoadedSequence, *, allow_outside: bool) -> Iterator[t
         allow_outside: a recording outside of its session's folder may be opened.
     """
     with ExitStack() as stack:
-        reason = "no recording stands beside the ground truth or belongs to a session"
+        reason: str = msg("no recording stands beside the ground truth or belongs to a session")
         for opened in _ways(one, allow_outside=allow_outside):
             try:
                 recording = opened(stack)

@@ -9,6 +9,7 @@ from pathlib import Path
 from app.cli.tracks import Tracks
 from tracking.errors import TrackwrightError
 from tracking.scoring.report import Source
+from tracking.translation import msg
 
 _MANIFEST = "recording.toml"
 
@@ -30,20 +31,31 @@ def disagreement(truth: Source, result: Source) -> str | None:
     reasons = list(_differences(truth, result))
     if not reasons:
         return None
-    return (
-        f"{result.place} and {truth.place} may be of different recordings: "
-        f"{'; '.join(reasons)}; check that the ground truth is this result's"
+    return msg(
+        "{place} and {truth_place} may be of different recordings: {reasons}; check "
+        "that the ground truth is this result's",
+        place=result.place,
+        truth_place=truth.place,
+        reasons="; ".join(reasons),
     )
 
 
 def _differences(truth: Source, result: Source) -> Iterator[str]:
     """What both tell and tell differently; the result's first."""
     if truth.recording and result.recording and truth.recording != result.recording:
-        yield f"named {result.recording} and {truth.recording}"
+        yield msg(
+            "named {recording} and {truth_recording}",
+            recording=result.recording,
+            truth_recording=truth.recording,
+        )
     if truth.frames and result.frames and truth.frames != result.frames:
-        yield f"{result.frames} and {truth.frames} frames"
+        yield msg(
+            "{frames} and {truth_frames} frames", frames=result.frames, truth_frames=truth.frames
+        )
     if truth.fps and result.fps and not math.isclose(truth.fps, result.fps, rel_tol=_SAME_RATE):
-        yield f"{result.fps:g} and {truth.fps:g} frames per second"
+        yield msg(
+            "{fps:g} and {truth_fps:g} frames per second", fps=result.fps, truth_fps=truth.fps
+        )
 
 
 def size_of_recording_at(paths: Iterable[Path]) -> tuple[int, int] | None:

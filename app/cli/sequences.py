@@ -9,6 +9,7 @@ from pathlib import Path
 
 from tracking.errors import FormatError
 from tracking.formats import FORMATS, TRACK_ENDINGS
+from tracking.translation import msg
 
 RESULT, TRUTH = "result.txt", "truth.txt"
 _CHALLENGE = Path("gt") / "gt.txt"
@@ -210,16 +211,24 @@ def _nothing_shared(
 
 
 def _unmatched(truths: Mapping[str, Path], results: Mapping[str, Mapping[str, Path]]) -> list[str]:
-    said = []
+    said: list[str] = []
     for result, found in results.items():
         if lacking := sorted(set(truths) - set(found)):
-            said.append(f"{result} has no file for {_listed(lacking)}")
+            said.append(
+                msg("{result} has no file for {names}", result=result, names=_listed(lacking))
+            )
         if strange := sorted(set(found) - set(truths)):
-            said.append(f"{result} has files without ground truth: {_listed(strange)}")
+            said.append(
+                msg(
+                    "{result} has files without ground truth: {names}",
+                    result=result,
+                    names=_listed(strange),
+                )
+            )
     return said
 
 
 def _listed(names: Mapping[str, Path] | Sequence[str] | set[str]) -> str:
     kept = sorted(names)
-    more = f" and {len(kept) - _NAMED} more" if len(kept) > _NAMED else ""
+    more = msg(" and {n} more", n=len(kept) - _NAMED) if len(kept) > _NAMED else ""
     return (", ".join(kept[:_NAMED]) or "none") + more

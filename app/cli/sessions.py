@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from app.cli.output import say
+from tracking.translation import msg
 
 if TYPE_CHECKING:
     from tracking.session import Session
@@ -42,7 +43,7 @@ class _Notes(logging.Handler):
         note = record.getMessage()
         if note not in self._said:
             self._said.add(note)
-            say(f"note: {note}")
+            say(msg("note: {note}", note=note))
 
 
 def open_session(path: Path) -> Session:

@@ -9,7 +9,7 @@ import typer
 
 from tracking.errors import EditError
 from tracking.tracks import CountingLine, Region, check_line, check_region
-from tracking.translation import tr
+from tracking.translation import msg, tr
 
 _Drawn = TypeVar("_Drawn", CountingLine, Region)
 _Corners = tuple[tuple[float, float], ...]
@@ -20,8 +20,10 @@ def line_of(text: str, *, in_picture: bool) -> CountingLine:
     option = "--picture-line" if in_picture else "--line"
     name, corners = _parted(text, option)
     if len(corners) != 2:
-        ends = "1 end" if len(corners) == 1 else f"{len(corners)} ends"
-        raise _misuse(f"{text!r} has {ends}; type NAME:x1,y1:x2,y2", option)
+        ends = "1 end" if len(corners) == 1 else msg("{count} ends", count=len(corners))
+        raise _misuse(
+            msg("{text!r} has {ends}; type NAME:x1,y1:x2,y2", text=text, ends=ends), option
+        )
     line = CountingLine(name, corners[0], corners[1], in_picture)
     return _checked(line, check_line, option)
 
@@ -43,7 +45,9 @@ def refuse_repeated(drawn: Sequence[CountingLine] | Sequence[Region], what: str)
     for item in drawn:
         if item.name in names:
             option = f"--picture-{what}" if item.in_picture else f"--{what}"
-            raise _misuse(f"{item.name!r} is named twice; give each a name of its own", option)
+            raise _misuse(
+                msg("{name!r} is named twice; give each a name of its own", name=item.name), option
+            )
         names.add(item.name)
 
 
@@ -58,9 +62,14 @@ def _parted(text: str, option: str) -> tuple[str, _Corners]:
         corners.insert(0, corner)
     name = ":".join([name, *parts[: len(parts) - len(corners)]])
     if not corners:
-        raise _misuse(f"{text!r} has no corners; type NAME:x,y:x,y with numbers", option)
+        raise _misuse(
+            msg("{text!r} has no corners; type NAME:x,y:x,y with numbers", text=text), option
+        )
     if "," in name and len(corners) < len(parts):
-        raise _misuse(f"{text!r}: {name.rpartition(':')[2]!r} is no corner x,y", option)
+        raise _misuse(
+            msg("{text!r}: {corner!r} is no corner x,y", text=text, corner=name.rpartition(":")[2]),
+            option,
+        )
     return name.strip(), tuple(corners)
 
 

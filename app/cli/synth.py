@@ -11,6 +11,7 @@ from app.cli.destination import check_folder, nearest_folder
 from app.cli.output import print_json, print_line, progress
 from tracking.progress import Progress
 from tracking.synthesis import Disturbances, check_seconds, render_recording
+from tracking.translation import msg
 
 _BYTES_A_SECOND = 1 << 20
 
@@ -40,7 +41,7 @@ def run_synth(out: Path, request: SynthRequest, *, as_json: bool) -> None:
     check_seconds(request.seconds)
     disturbances = Disturbances(request.begin_s, request.dimmed_s, request.bumped_s)
     check_folder(nearest_folder(out.parent), int((request.seconds or 0) * _BYTES_A_SECOND))
-    with _begun(f"rendering {request.scene}") as advance:
+    with _begun(msg("rendering {scene}", scene=request.scene)) as advance:
         folder = render_recording(
             out,
             request.scene,

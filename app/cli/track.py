@@ -30,7 +30,7 @@ from tracking.recording import Recording
 from tracking.session import IMPORTED, Session
 from tracking.trackers import TrackerSpec, best_tracker, parse_settings, tracker_named
 from tracking.tracks import Run
-from tracking.translation import message_of, msg
+from tracking.translation import count_msg, joined, message_of, msg
 
 BYTES_A_FRAME = 64 << 10
 """Of a session and what is put aside while it is made, with ten people all the time."""
@@ -42,13 +42,13 @@ def run_track(
     """Track and print where the session is."""
     if order.tracker is not None:  # a wrong name or setting is told before anything is opened
         settings_of(tracker_named(order.tracker), order)
-    with open_with_options(path, bare, "go on from it with track --again") as recording:
+    with open_with_options(path, bare, msg("go on from it with track --again")) as recording:
         check_file(out, recording.frame_count * BYTES_A_FRAME)
         refuse_to_lose(out, force=force)
         for note in recording.notes:
-            say(f"note: {note}")
+            say(msg("note: {note}", note=note))
         if order.tracker is None and (unused := _unused(recording)):
-            say(f"note: {unused}")
+            say(msg("note: {unused}", unused=unused))
         began_s = time.perf_counter()
         with save_partial_run(recording, out):
             run = track_recording(recording, order, out.parent)
@@ -59,8 +59,15 @@ def run_track(
         facts = {"tracker": run.tracker, "tracks": people, "frames": list(run.frames)}
         print_json({"session": str(out), **facts, "frames_a_second": rate})
     else:
-        tracks = "1 track" if people == 1 else f"{people} tracks"
-        say(f"{run.tracker}: {tracks}, {rate:.1f} frames per second")
+        tracks = count_msg(people, "{n} track", "{n} tracks")
+        say(
+            msg(
+                "{tracker}: {tracks}, {rate:.1f} frames per second",
+                tracker=run.tracker,
+                tracks=tracks,
+                rate=rate,
+            )
+        )
         if not people and not set(run.notes).difference(recording.notes):
             say(_nobody(run.tracker))
         print_line(out)
@@ -70,15 +77,28 @@ def _unused(recording: Recording) -> str:
     """What of a recording is left unused for want of a calibration or a floor; "": nothing."""
     if recording.calibration is not None and recording.ground is not None:
         return ""
-    missing = "calibration" if recording.calibration is None else "height and tilt of the camera"
-    unused = ["the right camera"] if recording.is_stereo else []
-    unused += ["height", "tilt"] if recording.ground is not None else []
+    missing = (
+        msg("calibration")
+        if recording.calibration is None
+        else msg("height and tilt of the camera")
+    )
+    unused = [msg("the right camera")] if recording.is_stereo else []
+    unused += [msg("height"), msg("tilt")] if recording.ground is not None else []
     if not unused:
         return ""
     *most, last = unused
-    which = f"{', '.join(most)} and {last} are" if most else f"{last} is"
+    which = (
+        msg("{most} and {last} are", most=joined(", ", most), last=last)
+        if most
+        else msg("{last} is", last=last)
+    )
     tracker = best_tracker(recording)
-    return f"no {missing}: {tracker} tracks people with the left camera; {which} not used"
+    return msg(
+        "no {missing}: {tracker} tracks people with the left camera; {which} not used",
+        missing=missing,
+        tracker=tracker,
+        which=which,
+    )
 
 
 def _nobody(tracker: str) -> str:
@@ -86,10 +106,11 @@ def _nobody(tracker: str) -> str:
 
     Two cameras tell which of two lasting looks is farther.
     """
-    much = "nearly all" if tracker_named(tracker).needs_stereo else "half"
-    return (
-        f"note: nobody was found; what stands still for {much} of the footage is taken for "
-        "background: track more of it, or look at the foreground in the window"
+    much = msg("nearly all") if tracker_named(tracker).needs_stereo else msg("half")
+    return msg(
+        "note: nobody was found; what stands still for {much} of the footage is taken "
+        "for background: track more of it, or look at the foreground in the window",
+        much=much,
     )
 
 
@@ -109,7 +130,7 @@ def track_recording(recording: Recording, order: Order, spool: Path) -> Run:
     settings = settings_of(spec, order)
     frames = parse_range(order.frames, recording.frame_count)
     with track(recording, spec.name, settings, order.seed, frames, spool=spool) as work:
-        return run_to_end(work, recording, f"tracking with {spec.name}")
+        return run_to_end(work, recording, msg("tracking with {tracker}", tracker=spec.name))
 
 
 def run_to_end(work: Tracking, recording: Recording, what: str) -> Run:
@@ -123,7 +144,7 @@ def run_to_end(work: Tracking, recording: Recording, what: str) -> Run:
         try:
             for result in work:
                 if work.doubt and work.done == 1:  # at once: the rest may be in vain
-                    say(f"note: {work.doubt}")
+                    say(msg("note: {doubt}", doubt=work.doubt))
                 advance(result.frame + 1 - start, stop - start)
             run = work.run()
         except Exception as error:
@@ -133,7 +154,7 @@ def run_to_end(work: Tracking, recording: Recording, what: str) -> Run:
     notes = tuple(note for note in (*work.notes, *recording.notes) if note not in told)
     for note in notes:
         if note != work.doubt:
-            say(f"note: {note}")
+            say(msg("note: {note}", note=note))
     return replace(run, notes=notes)
 
 
@@ -205,8 +226,11 @@ def save_session(recording: Recording, run: Run, out: Path) -> None:
         remember_place(session, recording)
         if not session.recording.is_inside:
             say(
-                f"note: on another computer: trackwright open {out.name} --recording PATH "
-                "(the recording is in another folder)"
+                msg(
+                    "note: on another computer: trackwright open {name} --recording PATH "
+                    "(the recording is in another folder)",
+                    name=out.name,
+                )
             )
 
 
@@ -238,18 +262,18 @@ def refuse_to_lose(out: Path, *, force: bool) -> None:
 def _lost_with(out: Path) -> str:
     """What of a file no tracker brings back; "": it is a session nobody has worked on."""
     if not is_session(out):
-        return "a file that is no session"
+        return msg("a file that is no session")
     try:
         with closing(Session.look_into(out)) as session:
             if has_work(session):
-                return "what somebody did in it"
+                return msg("what somebody did in it")
             if session.damage:
-                return "what somebody may have done in it (it is damaged)"
+                return msg("what somebody may have done in it (it is damaged)")
             if any(session.runs.tracker_of(run) == IMPORTED for run in range(len(session.runs))):
-                return "the tracks that were imported"
-            return "one of its runs" if len(session.runs) > 1 else ""
+                return msg("the tracks that were imported")
+            return msg("one of its runs") if len(session.runs) > 1 else ""
     except SessionError:
-        return "a file that cannot be read as a session"
+        return msg("a file that cannot be read as a session")
 
 
 def has_work(session: Session) -> bool:

@@ -39,6 +39,7 @@ from tracking.trackers import (
     tracker_named,
 )
 from tracking.tracks import Run
+from tracking.translation import msg
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,10 +75,10 @@ def parse_request(
         given["--accept"] = onward.accept
         if any(given.values()):
             named = next(name for name, is_given in given.items() if is_given)
-            raise typer.BadParameter("it needs a session, --again NAME.h5", param_hint=named)
+            raise typer.BadParameter(msg("it needs a session, --again NAME.h5"), param_hint=named)
         return None
     if onward.start is None:
-        raise typer.BadParameter("name the first frame to track again", param_hint="--from")
+        raise typer.BadParameter(msg("name the first frame to track again"), param_hint="--from")
     _refuse_bare_options(bare, recording)
     place = recording or bare.left
     return TrackAgainRequest(
@@ -91,7 +92,7 @@ def _refuse_bare_options(bare: Bare, recording: Path | None) -> None:
     for option in (field.name for field in fields(bare) if field.name not in known):
         if getattr(bare, option) is not None:
             raise typer.BadParameter(
-                "the session of --again says what its recording is; leave it out",
+                msg("the session of --again says what its recording is; leave it out"),
                 param_hint=f"--{option}",
             )
 
@@ -101,7 +102,9 @@ def run_track_again(
 ) -> None:
     """Track again, print what would change, and with `accept` take it."""
     if order.frames is not None:
-        raise typer.BadParameter("tracking again takes --from and --until", param_hint="--frames")
+        raise typer.BadParameter(
+            msg("tracking again takes --from and --until"), param_hint="--frames"
+        )
     if order.tracker is not None:  # a wrong name or setting is told before anything is opened
         settings_of(tracker_named(order.tracker), order)
     with _opened(request) as (session, recording):
@@ -168,7 +171,7 @@ def _check_place(
 ) -> None:
     """Refuse before the work what could not be saved after it."""
     if request.out is not None and request.out.resolve() == request.session.resolve():
-        raise typer.BadParameter("leave it out to keep the same session", param_hint="--out")
+        raise typer.BadParameter(msg("leave it out to keep the same session"), param_hint="--out")
     if request.out is not None:
         check_file(request.out, recording.frame_count * BYTES_A_FRAME)
         refuse_to_lose(request.out, force=force)
@@ -197,7 +200,11 @@ def _tracked_again(
     asked = (name, settings, order.seed, (request.start, stop), resume)
     spool = (request.out or request.session).parent
     with track(recording, *asked, spool=spool) as work:
-        return run_to_end(work, recording, f"tracking again from frame {request.start} with {name}")
+        return run_to_end(
+            work,
+            recording,
+            msg("tracking again from frame {start} with {name}", start=request.start, name=name),
+        )
 
 
 def _tracker(session: Session, recording: Recording, order: Order) -> tuple[str, Any]:
@@ -224,7 +231,7 @@ def _taken(session: Session, recording: Recording, run: Run) -> Change | None:
             session.tracks, session.labels, session.history, run, run.frames, fps=recording.fps
         )
     except EditError as nothing:
-        say(f"note: {nothing}")
+        say(msg("note: {nothing}", nothing=nothing))
         return None
 
 
@@ -308,16 +315,31 @@ def _tell(
     change: Change | None,
     kept: Path | None,
 ) -> None:
-    tracked = f"frames {run.frames[0]} to {run.frames[1] - 1}"
-    say(f"{run.tracker}: {tracked}, {rate:.1f} frames per second")
+    tracked = msg("frames {first} to {last}", first=run.frames[0], last=run.frames[1] - 1)
+    say(
+        msg(
+            "{tracker}: {tracked}, {rate:.1f} frames per second",
+            tracker=run.tracker,
+            tracked=tracked,
+            rate=rate,
+        )
+    )
     for each in found:
-        stays = "  (protected, stays as it is)" if each.protected else ""
-        print_line(f"frames {each.start} to {each.end - 1}: {each.text}{stays}")
+        stays = msg("  (protected, stays as it is)") if each.protected else ""
+        print_line(
+            msg(
+                "frames {start} to {last}: {text}{stays}",
+                start=each.start,
+                last=each.end - 1,
+                text=each.text,
+                stays=stays,
+            )
+        )
     if not found:
-        say("nothing would change" if change is None else "nothing changes by much")
+        say(msg("nothing would change") if change is None else msg("nothing changes by much"))
     if change is not None:
         say(change.text)
     elif found and kept is None:
-        say("nothing is kept; add --accept to apply this, or -o OUT to keep the run beside it")
+        say(msg("nothing is kept; add --accept to apply this, or -o OUT to keep the run beside it"))
     if kept is not None:
-        say(f"saved in {kept}")
+        say(msg("saved in {kept}", kept=kept))

@@ -9,6 +9,7 @@ from typing import Any
 
 from app.cli.output import print_json, print_line, print_lines
 from tracking.trackers import TRACKERS, SettingField, TrackerSpec, settings_fields, tracker_named
+from tracking.translation import msg
 
 
 def run_trackers(name: str | None, *, as_json: bool) -> None:
@@ -22,7 +23,7 @@ def run_trackers(name: str | None, *, as_json: bool) -> None:
         if number:
             print_line()
         print_line(f"{spec.name}  {spec.title}{source}")
-        print_line(f"  needs: {', '.join(_needs(spec)) or 'one camera'}")
+        print_line(msg("  needs: {needs}", needs=", ".join(_needs(spec)) or "one camera"))
         fields = settings_fields(spec.settings_type)
         for field in (one for one in fields if not one.expert):
             print_lines(_line(field))
@@ -59,7 +60,9 @@ def _needs(spec: TrackerSpec) -> list[str]:
 
 
 def _line(field: SettingField) -> str:
-    limits = f", {field.range[0]:g} to {field.range[1]:g}" if field.range else ""
+    limits = (
+        msg(", {low:g} to {high:g}", low=field.range[0], high=field.range[1]) if field.range else ""
+    )
     value = f"{field.name}={field.default}"
     text = f"  {value:<44} {field.help} ({field.unit or field.type.__name__}{limits})"
     if not sys.stdout.isatty():

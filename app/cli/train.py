@@ -22,6 +22,7 @@ from tracking.failure import (
     write_report,
 )
 from tracking.failure.detector_layout import FORMAT
+from tracking.translation import msg
 
 _ENDINGS = (".h5", ".hdf5")
 MOST_FALSE_ALARMS = 0.5
@@ -78,10 +79,17 @@ def run_train(request: TrainRequest, *, as_json: bool) -> None:
 def _check(request: TrainRequest) -> None:
     """Refuse what could not be written in the end, or would be lost."""
     if request.out.suffix.lower() not in _ENDINGS:
-        reason = f"a part-failure detector's name ends in .h5: give {request.out.stem or 'NAME'}.h5"
+        reason = msg(
+            "a part-failure detector's name ends in .h5: give {stem}.h5",
+            stem=request.out.stem or "NAME",
+        )
         raise typer.BadParameter(reason, param_hint="--out")
     if not 0 <= request.false_alarms <= MOST_FALSE_ALARMS:  # NaN, too
-        reason = f"{request.false_alarms} is not from 0 to {MOST_FALSE_ALARMS}"
+        reason = msg(
+            "{false_alarms} is not from 0 to {most}",
+            false_alarms=request.false_alarms,
+            most=MOST_FALSE_ALARMS,
+        )
         raise typer.BadParameter(reason, param_hint="--false-alarms")
     check_file(request.out)
     check_replaced(request.out, FORMAT)
@@ -110,8 +118,11 @@ def _print(made: Trained, request: TrainRequest, page: Path | None, *, as_json: 
     if report.by_chance:
         names = ", ".join(question.name for question in report.by_chance)
         say(
-            f"warning: no better than chance: {names}; do not track with this detector before "
-            "labels were looked over, or more parts labelled"
+            msg(
+                "warning: no better than chance: {names}; do not track with this detector "
+                "before labels were looked over, or more parts labelled",
+                names=names,
+            )
         )
     print_line(request.out)
     if page is not None:

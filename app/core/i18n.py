@@ -2,9 +2,18 @@
 
 from __future__ import annotations
 
-from tracking.translation import N_, count_text, tr, use_language
+from tracking.translation import N_, count_text, language_in_use, tr, use_language
 
-__all__ = ["N_", "count_text", "span_text", "strip_full_stop", "time_text", "tr", "use_language"]
+__all__ = [
+    "N_",
+    "count_text",
+    "language_in_use",
+    "span_text",
+    "strip_full_stop",
+    "time_text",
+    "tr",
+    "use_language",
+]
 
 
 def strip_full_stop(text: str) -> str:

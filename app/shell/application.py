@@ -13,14 +13,17 @@ from types import TracebackType
 from PySide6.QtCore import (
     QCoreApplication,
     QEventLoop,
+    QLibraryInfo,
+    QLocale,
     QLockFile,
     QSettings,
     QTimer,
+    QTranslator,
 )
 from PySide6.QtWidgets import QApplication
 
 from app.core.document import document_loader
-from app.core.i18n import use_language
+from app.core.i18n import language_in_use, use_language
 from app.core.look.icons import application_icon
 from app.core.look.theme import Look, apply_look
 from app.core.memory import map_large_blocks
@@ -82,8 +85,18 @@ def start_application(remembered: UserSettings) -> QApplication:
     application.setDesktopFileName("trackwright")
     application.setWindowIcon(application_icon())
     use_language()
+    _translate_qt(application)
     apply_look(application, look_of(remembered))
     return application
+
+
+def _translate_qt(application: QApplication) -> None:
+    """Show Qt's own texts, as on buttons and in file dialogs, in the language of ours."""
+    if language := language_in_use():
+        translator = QTranslator(application)
+        place = QLibraryInfo.path(QLibraryInfo.LibraryPath.TranslationsPath)
+        if translator.load(QLocale(language), "qtbase", "_", place):
+            application.installTranslator(translator)
 
 
 def picture(

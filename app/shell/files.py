@@ -179,8 +179,8 @@ class Files(Controller):
         greeting, self._greeting = self._greeting, ""
         lines = [
             *([greeting] if greeting else []),
-            *(() if session is None else session.notes),
-            *opened.document.recording.notes,
+            *(() if session is None else map(tr, session.notes)),
+            *map(tr, opened.document.recording.notes),
             *([] if session is None else list_tracking_notes(session)),
         ]
         if opened.unsaved is not None:

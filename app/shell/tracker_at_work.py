@@ -8,6 +8,7 @@ from PySide6.QtCore import QObject, Signal
 
 from app.core.controller import Controller
 from app.core.document.document import Document
+from app.core.i18n import tr
 from app.core.playback.playback import Playback
 from app.core.tracks.made_by import AtWork
 from app.features.comparison.controller import ComparisonController
@@ -193,7 +194,7 @@ class TrackerAtWork(Controller):
         summary, self.live.run_summary = self.live.run_summary, None
         if summary is not None:
             passes = not (self.live.notes or summary.why)
-            self.noted.emit((summary.words(kept), *self.live.notes), passes)
+            self.noted.emit((summary.words(kept), *map(tr, self.live.notes)), passes)
 
     def _look_away(self) -> None:
         """Whoever looks elsewhere while a further run is made sees, and corrects, what there is."""
@@ -221,7 +222,7 @@ class TrackerAtWork(Controller):
     def _end(self, run: object) -> None:
         self.following.end()
         if self.live.notes:
-            self.noted.emit(self.live.notes, False)
+            self.noted.emit(tuple(map(tr, self.live.notes)), False)
         self._document.rest()
         if run is None:
             self._document.end_live()

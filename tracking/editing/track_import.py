@@ -27,6 +27,7 @@ from tracking.errors import EditError
 from tracking.geometry import View
 from tracking.progress import Progress, no_progress
 from tracking.tracks import Columns, Labels, Source, TrackLabel, TrackTable, row_keys
+from tracking.translation import msg
 
 _SAME = 1e-6
 """Pixels or metres: text of other tools shifts numbers to and fro, which leaves dust."""
@@ -97,7 +98,9 @@ def plan_import(
         )
     touched = np.union1d(before["track"], after["track"]).tolist() or list(said[0].tracks)
     frames = [int(side["frame"][0]) for side in (before, after) if len(side["frame"])]
-    text = f"Import {tracks_text(touched)} from {' '.join(source.split())}"
+    text = msg(
+        "Import {who} from {source}", who=tracks_text(touched), source=" ".join(source.split())
+    )
     return Change(
         "import",
         text,

@@ -20,13 +20,14 @@ from tracking.failure.core.operating_points import Curve
 from tracking.failure.core.preparation import Preparation, numbers_seen
 from tracking.failure.detector_layout import FORMAT, MACHINES, VERSION
 from tracking.tracks import PART_NAMES, PARTS
+from tracking.translation import msg
 from tracking.untrusted import FAILURES, verdicts_of
 
 BUILT_IN = "part_failures.h5"
 """The name of the detector among the resources."""
 
 _TEXTS = ("samples", "made", "software", "chosen")
-_AGAIN = "train it again or choose another one"
+_AGAIN = msg("train it again or choose another one")
 
 
 def save_detector(path: Path, detector: Detector) -> None:

@@ -7,6 +7,7 @@ import numpy as np
 
 from tracking.arrays import Picture
 from tracking.foreground.marks import Marks, Points
+from tracking.translation import msg
 
 _EVERY_S = 1.0
 _WIDE_PX = 320
@@ -82,9 +83,16 @@ class CameraWatch:
         if self.moved_at is None or self.first is None:
             return ()
         return (
-            f"the camera moved between frames {self.still_at} and {self.moved_at}: {tracker} needs "
-            "a fixed one, do not rely on what it says from there; track the frames before with "
-            f"--frames {self.first}:{self.still_at + 1}",
+            msg(
+                "the camera moved between frames {still_at} and {moved_at}: {tracker} "
+                "needs a fixed one, do not rely on what it says from there; track the "
+                "frames before with --frames {first}:{still_at2}",
+                still_at=self.still_at,
+                moved_at=self.moved_at,
+                tracker=tracker,
+                first=self.first,
+                still_at2=self.still_at + 1,
+            ),
         )
 
     def _take(self, now: Picture) -> None:

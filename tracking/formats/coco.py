@@ -34,6 +34,7 @@ from tracking.formats.row_rules import BOX, MAX_FRAME
 from tracking.formats.track_format import Content, TrackFormat
 from tracking.progress import Progress, no_progress
 from tracking.tracks import TrackLabel
+from tracking.translation import msg
 
 _MEMBERS = ("info", "videos", "images", "tracks", "categories", "annotations")
 _START = re.compile(
@@ -100,7 +101,7 @@ class _File:
             )
         if not isinstance(value, dict):
             if at >= 0:
-                self._reading.bad(f"{member}[{at}]", "is no object")
+                self._reading.bad(f"{member}[{at}]", msg("is no object"))
             return
         takers = {
             "info": self._take_info,
@@ -118,7 +119,7 @@ class _File:
     def _take_videos(self, at: int, video: dict[str, Any]) -> None:
         number = whole_of(video.get("id"))
         if number is None:
-            self._reading.bad(f"videos[{at}]", "its id is no whole number")
+            self._reading.bad(f"videos[{at}]", msg("its id is no whole number"))
         else:
             self._videos[number] = video
         metadata = video.get("metadata")
@@ -129,9 +130,11 @@ class _File:
     def _take_images(self, at: int, image: Mapping[str, Any]) -> None:
         number, frame = whole_of(image.get("id")), _frame_of(image)
         if number is None or frame is None:
-            self._reading.bad(f"images[{at}]", "its id or frame_index is no whole number")
+            self._reading.bad(f"images[{at}]", msg("its id or frame_index is no whole number"))
         elif number in self._images:
-            self._reading.bad(f"images[{at}]", f"the id {number} stands there twice")
+            self._reading.bad(
+                msg("images[{at}]", at=at), msg("the id {number} stands there twice", number=number)
+            )
         else:
             self._images[number] = frame
         self._size_px = self._size_px or _size_of(image)
@@ -151,11 +154,13 @@ class _File:
         self._untracked += said is None
         track, image, box = whole_of(said), whole_of(row.get("image_id")), row.get("bbox")
         if track is None or image is None:
-            self._reading.bad(f"annotations[{at}]", "its track_id or image_id is no whole number")
+            self._reading.bad(
+                f"annotations[{at}]", msg("its track_id or image_id is no whole number")
+            )
             return
         numbers = _numbers_of(box)
         if numbers is None:
-            self._reading.bad(f"annotations[{at}]", "its bbox is not four numbers")
+            self._reading.bad(f"annotations[{at}]", msg("its bbox is not four numbers"))
             return
         kind = whole_of(row.get("category_id"))
         self._whole.extend((at, image, track, -1 if kind is None else kind))
@@ -170,7 +175,11 @@ class _File:
         frame = np.array([self._images.get(number, -1) for number in image.tolist()], np.int64)
         known = frame >= 0
         for row in np.flatnonzero(~known).tolist():
-            what = "has no image of the file" if self._images else "is of a file without images"
+            what = (
+                msg("has no image of the file")
+                if self._images
+                else msg("is of a file without images")
+            )
             self._reading.bad(f"annotations[{at[row]}]", what)
         boxes = np.asarray(self._boxes).reshape(-1, len(BOX))[known]
         rows: dict[str, NDArray[Any]] = {

@@ -26,6 +26,7 @@ from tracking.formats.track_format import Content, TrackFormat
 from tracking.formats.track_writer import Exported
 from tracking.progress import Progress, no_progress
 from tracking.tracks import CORRECTED_COLUMNS, Columns
+from tracking.translation import msg
 
 _SEPARATORS = ",;\t"
 _NEEDED = ("frame", "track")
@@ -42,19 +43,21 @@ def _import(path: Path, _filmed: Filmed, report: Progress = no_progress) -> Impo
     separator, names = _header(path, first)
     left_out = [name for name in names if name not in CORRECTED_COLUMNS]
     if left_out:
-        reading.notes.append(f"columns that are left out: {', '.join(left_out)[:200]}")
+        reading.notes.append(
+            msg("columns that are left out: {left_out}", left_out=", ".join(left_out)[:200])
+        )
     taken = tuple(name for name in names if name in CORRECTED_COLUMNS)
     plain = partial(_plain, separator=separator)
-    shape = RowShape("a row of this table", len(taken), len(taken), separator, plain)
+    shape = RowShape(msg("a row of this table"), len(taken), len(taken), separator, plain)
     lines = _rows(first, pieces, separator, names, reading)
 
     def trial(table: NDArray[np.float64], places: NDArray[np.int32]) -> None:
         rows = dict(zip(taken, table.T, strict=True))
-        Reading(path).checked(rows, lambda row: f"line {places[row]}")
+        Reading(path).checked(rows, lambda row: msg("line {places}", places=places[row]))
 
     table, places = NumberRows(reading, shape, trial).read(lines)
     rows = dict(zip(taken, table.T, strict=True))
-    return reading.imported(rows, lambda row: f"line {places[row]}")
+    return reading.imported(rows, lambda row: msg("line {places}", places=places[row]))
 
 
 def _export(path: Path, exported: Exported, report: Progress) -> tuple[Path, ...]:
@@ -86,7 +89,11 @@ def _header(path: Path, piece: Piece) -> tuple[str, tuple[str, ...]]:
         )
     twice = [name for name in names if names.count(name) > 1]
     if twice or len(names) > _MOST_COLUMNS:
-        what = f"the column {twice[0]!r} stands there twice" if twice else "far too many columns"
+        what = (
+            msg("the column {twice!r} stands there twice", twice=twice[0])
+            if twice
+            else msg("far too many columns")
+        )
         raise FormatError("{path}, line 1: {what}; correct the header", path=path, what=what)
     return separator, names
 
@@ -114,8 +121,12 @@ def _rows(
             fields = line.split(separator)
             whole = len(fields) == len(names)
             if not whole and line.strip():
-                reason = f"{len(fields)} values where the header names {len(names)}"
-                reading.bad(f"line {number}", reason)
+                reason = msg(
+                    "{count} values where the header names {count_names}",
+                    count=len(fields),
+                    count_names=len(names),
+                )
+                reading.bad(msg("line {number}", number=number), reason)
             lines.append(separator.join(fields[at] for at in taken) if whole else "")
         yield replace(piece, lines=lines)
 

@@ -57,6 +57,7 @@ from tracking.formats.track_writer import Exported
 from tracking.formats.xml_stream import ZIP, parse
 from tracking.progress import Progress, no_progress
 from tracking.tracks import Columns, Source, TrackLabel
+from tracking.translation import msg
 
 _MANUAL = "manual"
 
@@ -258,11 +259,11 @@ class _File:
         if name == "box":
             reason = _row(self._track, attributes, line)
         elif name in _OTHER_SHAPES:
-            reason = f"a {name} stands where boxes are read"
+            reason = msg("a {name} stands where boxes are read", name=name)
         else:
             return
         if reason:
-            self._reading.bad(f"line {line}", reason)
+            self._reading.bad(msg("line {line}", line=line), reason)
         else:
             self._reading.good += 1
 
@@ -271,9 +272,9 @@ def _row(track: CvatTrack, said: Mapping[str, str], line: int) -> str:
     """Add a box to its track; says why it is invalid where it is."""
     frame = said.get("frame", "")
     if not (frame.isascii() and frame.isdigit() and len(frame) < _MOST_DIGITS):
-        return f"the frame {frame[:20]!r} is not a whole number from 0 on"
+        return msg("the frame {frame!r} is not a whole number from 0 on", frame=frame[:20])
     if int(frame) >= MAX_FRAME:
-        return f"the frame number is not one of {MAX_FRAME} frames"
+        return msg("the frame number is not one of {max_frame} frames", max_frame=MAX_FRAME)
     try:
         sides = (
             float(said["xtl"]),
@@ -283,11 +284,13 @@ def _row(track: CvatTrack, said: Mapping[str, str], line: int) -> str:
         )
         turned = float(said["rotation"]) % 360 if "rotation" in said else 0.0
     except (KeyError, ValueError):
-        return f"{', '.join(BOX_NUMBERS)} are not four numbers"
+        return msg("{box_numbers} are not four numbers", box_numbers=", ".join(BOX_NUMBERS))
     if not math.isfinite(sum(sides)):
-        return "a value is not a finite number"
+        return msg("a value is not a finite number")
     if turned:
-        return f"the box is turned by {turned:g} degrees; boxes stand upright here"
+        return msg(
+            "the box is turned by {turned:g} degrees; boxes stand upright here", turned=turned
+        )
     outside, occluded = said.get("outside") == "1", said.get("occluded") == "1"
     track.rows((int(frame), line, outside, occluded, said.get("keyframe", "1") == "1"), sides)
     return ""

@@ -18,6 +18,7 @@ from tracking.formats.filled_rows import MOST_TRACKS, FilledRows
 from tracking.formats.label_text import key_of, label_of
 from tracking.formats.read_result import Imported, Reading
 from tracking.tracks import LARGEST_NUMBER, Source, TrackLabel
+from tracking.translation import msg
 
 BOX_NUMBERS = ("xtl", "ytl", "xbr", "ybr")
 TRACK_ID = "track_id"
@@ -116,7 +117,10 @@ class FileTracks:
                 path=self._reading.path,
             )
         if track.number is None:
-            self._reading.bad(f"line {track.line}", "the id of the track is not a whole number")
+            self._reading.bad(
+                msg("line {line}", line=track.line),
+                msg("the id of the track is not a whole number"),
+            )
         elif track.has_rows:
             kept = _number(track.attributes.get(TRACK_ID, "")) or None
             columns = track.columns()
@@ -130,7 +134,11 @@ class FileTracks:
         lines = rows.pop("line")
         return self._reading.imported(
             rows,
-            lambda row: f"line {lines[row]}" if lines[row] else f"frame {rows['frame'][row]}",
+            lambda row: (
+                msg("line {lines}", lines=lines[row])
+                if lines[row]
+                else msg("frame {rows}", rows=rows["frame"][row])
+            ),
             labels={
                 track: held.label
                 for track, held in zip(ids, self._held, strict=True)
@@ -153,7 +161,7 @@ class FileTracks:
             ids.append(following if each is None else each)
             following += each is None
         if None in kept:
-            self._reading.notes.append("tracks that were made in CVAT got new ids")
+            self._reading.notes.append(msg("tracks that were made in CVAT got new ids"))
         return ids
 
     def _shown(self) -> list[dict[str, NDArray[Any]]]:

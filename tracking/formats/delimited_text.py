@@ -22,6 +22,7 @@ from tracking.formats.line_survey import (
 )
 from tracking.formats.read_result import FEW_BAD, Reading
 from tracking.progress import Progress, no_progress
+from tracking.translation import Message, count_msg, msg
 
 MAX_BYTES = 1 << 30
 """A text larger than this is no annotation of one recording."""
@@ -256,22 +257,35 @@ class NumberRows:
         least, most = self._shape.least, self._shape.most
         count = line.count(self._shape.separator) + 1
         if not least <= count <= most:
-            span = f"{least}" if least == most else f"{least} to {most}"
-            reason = f"{_values(count)}; {self._shape.what} has {span} in a row"
+            span = (
+                msg("{least}", least=least)
+                if least == most
+                else msg("{least} to {most}", least=least, most=most)
+            )
+            reason = msg(
+                "{values}; {what} has {span} in a row",
+                values=_values(count),
+                what=self._shape.what,
+                span=span,
+            )
             if self._shape.separator == "," and least <= len(_DIVIDERS.split(line.strip())) <= most:
-                reason = f"no commas between values; {self._shape.what} wants them"
+                reason = msg("no commas between values; {what} wants them", what=self._shape.what)
         elif self._width and count != self._width:
-            reason = f"{_values(count)} where the rows before have {self._width}"
+            reason = msg(
+                "{values} where the rows before have {width}",
+                values=_values(count),
+                width=self._width,
+            )
         elif reason := self._not_numbers(line):
             pass
         else:
             self._width = count
             plain = self._shape.plain(line).split(self._shape.separator)
             return np.array([[float(field) for field in plain]])
-        self._reading.bad(f"line {number}", reason)
+        self._reading.bad(msg("line {number}", number=number), reason)
         return None
 
-    def _not_numbers(self, line: str) -> str:
+    def _not_numbers(self, line: str) -> Message:
         """Why the values of a line are no numbers; "" where they are."""
         for field in line.split(self._shape.separator):
             try:
@@ -279,8 +293,8 @@ class NumberRows:
             except ValueError:
                 plain = ""
             if not _is_number(plain):
-                return f"{field.strip()[:40]!r} is not a number"
-        return ""
+                return msg("{field!r} is not a number", field=field.strip()[:40])
+        return Message()
 
     def _refuse_nothing(self) -> None:
         if self._reading.bad_count:
@@ -302,5 +316,5 @@ def _is_number(field: str) -> bool:
     return "_" not in field
 
 
-def _values(count: int) -> str:
-    return "1 value" if count == 1 else f"{count} values"
+def _values(count: int) -> Message:
+    return count_msg(count, "{n} value", "{n} values")

@@ -29,6 +29,7 @@ from tracking.formats.track_writer import Exported
 from tracking.hdf5_image import Hdf5Image
 from tracking.progress import Progress, no_progress
 from tracking.tracks import Columns
+from tracking.translation import msg
 
 _ARCHIVE_ROW = np.dtype([("id", "<i4"), ("frame", "<i4"), ("x", "<f8"), ("y", "<f8"), ("z", "<f8")])
 _JUPEDSIM_ROW = np.dtype(
@@ -54,7 +55,9 @@ def import_trajectory(path: Path, _filmed: Filmed, report: Progress = no_progres
                 columns[name][start : start + len(piece)] = piece[name]
         fps = number_of(table, "fps") or number_of(file, "fps")
     columns["track"] = reading.ids_from_zero(columns.pop("id"))
-    return reading.imported(with_place(columns), lambda row: f"row {row} of /trajectory", fps=fps)
+    return reading.imported(
+        with_place(columns), lambda row: msg("row {row} of /trajectory", row=row), fps=fps
+    )
 
 
 def export_archive(path: Path, exported: Exported, report: Progress) -> tuple[Path, ...]:

@@ -34,8 +34,9 @@ from tracking.formats.track_format import HEAD_BYTES, Content, TrackFormat
 from tracking.formats.track_writer import ROWS_AT_ONCE, Exported
 from tracking.progress import Progress, no_progress
 from tracking.tracks import Columns
+from tracking.translation import msg
 
-_SHAPE = RowShape("text of places on the floor", 4, 40, " ")
+_SHAPE = RowShape(msg("text of places on the floor"), 4, 40, " ")
 _COLUMNS_LINE = b"# id frame x/m y/m z/m\n"
 _SPACES = re.compile(r"[^\S\n]+")
 _AT_ENDS = re.compile(r"^ | $", re.MULTILINE)
@@ -88,27 +89,39 @@ def import_floor_text(path: Path, filmed: Filmed, report: Progress = no_progress
 
     def trial(table: NDArray[np.float64], lines: NDArray[np.int32]) -> None:
         rows = {"frame": table[:, 1], "track": table[:, 0]}  # of lengths the unit is not known yet
-        Reading(path).checked(rows, lambda row: f"line {lines[row]}", least_track=0)
+        Reading(path).checked(
+            rows, lambda row: msg("line {lines}", lines=lines[row]), least_track=0
+        )
 
     rows_of = NumberRows(reading, _SHAPE, trial)
     table, lines = rows_of.read(comments.passed_over(pieces_of(path, report)))
     if comments.wrong_fps:
-        wrong = f"the file says {comments.wrong_fps[:20]} frames per second"
-        reading.notes.append(f"{wrong}, which is invalid and passed over")
+        wrong = msg(
+            "the file says {wrong_fps} frames per second", wrong_fps=comments.wrong_fps[:20]
+        )
+        reading.notes.append(msg("{wrong}, which is invalid and passed over", wrong=wrong))
     unit = comments.unit_of(path, filmed.stated.unit)
     fps = filmed.stated.fps if comments.fps is None else comments.fps
     if filmed.stated.unit not in ("", unit):
-        reading.notes.append(f"the file says {unit} itself; {filmed.stated.unit} is passed over")
+        reading.notes.append(
+            msg(
+                "the file says {unit} itself; {stated_unit} is passed over",
+                unit=unit,
+                stated_unit=filmed.stated.unit,
+            )
+        )
     if filmed.stated.fps not in (None, fps):
-        own = f"the file says {fps:g} frames per second itself"
-        reading.notes.append(f"{own}; {filmed.stated.fps:g} is passed over")
+        own = msg("the file says {fps:g} frames per second itself", fps=fps)
+        reading.notes.append(msg("{own}; {fps:g} is passed over", own=own, fps=filmed.stated.fps))
     rows: dict[str, NDArray[Any]] = {
         "frame": table[:, 1],
         "track": reading.ids_from_zero(table[:, 0]),
         "x": table[:, 2] * _METRES[unit],
         "y": table[:, 3] * _METRES[unit],
     }
-    return reading.imported(with_place(rows), lambda row: f"line {lines[row]}", fps=fps)
+    return reading.imported(
+        with_place(rows), lambda row: msg("line {lines}", lines=lines[row]), fps=fps
+    )
 
 
 class _Comments:

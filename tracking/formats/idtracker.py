@@ -27,6 +27,7 @@ from tracking.formats.read_result import Filmed, Imported, Reading
 from tracking.formats.sleap_points import labels_of
 from tracking.formats.track_format import TrackFormat
 from tracking.progress import Progress, no_progress
+from tracking.translation import msg
 
 _HEADER = re.compile(rb"(\xef\xbb\xbf)?seconds,x1,y1((,x\d+,y\d+)*)\r?\n")
 _MOST_PEOPLE = 1000
@@ -63,7 +64,7 @@ def _imported(
     fps: float | None,
 ) -> Imported:
     """The rows of points (frames, people, 2)."""
-    reading.notes.append("boxes have no size: idtracker.ai tells the centres of bodies alone")
+    reading.notes.append(msg("boxes have no size: idtracker.ai tells the centres of bodies alone"))
     frame, person = np.nonzero(np.isfinite(points).all(axis=2))
     centre = points[frame, person]
     rows: dict[str, NDArray[Any]] = {
@@ -77,7 +78,9 @@ def _imported(
     }
     return reading.imported(
         rows,
-        lambda row: f"identity {person[row] + 1}, frame {frame[row]}",
+        lambda row: msg(
+            "identity {person}, frame {frame}", person=person[row] + 1, frame=frame[row]
+        ),
         labels=labels_of(names, "{}", first=1),
         fps=fps,
         frames=len(points) or None,

@@ -16,6 +16,7 @@ from typing import Any, BinaryIO, TextIO
 
 from tracking.errors import FormatError
 from tracking.progress import Progress, no_progress
+from tracking.translation import msg
 
 JsonPath = tuple[str | int, ...]
 """Where a value stands in a file: names of members, and elements of arrays from 0."""
@@ -134,12 +135,12 @@ class _Text:
         for _ in range(_MOST_MEMBERS):
             name = self._value()
             if not isinstance(name, str):
-                raise self._wrong("a name is missing")
+                raise self._wrong(msg("a name is missing"))
             self._take(":")
             yield name
             if self._take(",", "}") == "}":
                 return
-        raise self._wrong("an object has more members than any of these files'")
+        raise self._wrong(msg("an object has more members than any of these files'"))
 
     def values(
         self, place: JsonPath, inside: Callable[[JsonPath], bool]
@@ -187,7 +188,9 @@ class _Text:
             if name in wanted:
                 yield name, at, value
             elif at > _MOST_PASSED_OVER:
-                raise self._wrong(f"{name[:40]!r} has more elements than any of these files")
+                raise self._wrong(
+                    msg("{name!r} has more elements than any of these files", name=name[:40])
+                )
 
     def _pass_over_text(self) -> None:
         """Pass over a text of any length, such as a picture that stands in the file."""
@@ -248,7 +251,7 @@ class _Text:
             if end < len(self._held):
                 return self._held[end]
             if passed > LONGEST_ELEMENT:
-                raise self._wrong("there is nothing but spaces")
+                raise self._wrong(msg("there is nothing but spaces"))
             if not self._more():
                 return ""
 
@@ -256,7 +259,11 @@ class _Text:
         """Pass over one of these."""
         sign = self._sign()
         if sign not in signs:
-            raise self._wrong(f"{sign!r} stands where {' or '.join(signs)} belongs" if sign else "")
+            raise self._wrong(
+                msg("{sign!r} stands where {signs} belongs", sign=sign, signs=" or ".join(signs))
+                if sign
+                else ""
+            )
         self._at += 1
         return sign
 
@@ -267,14 +274,14 @@ class _Text:
                 value, end = self._decoder.raw_decode(self._held, self._at)
             except json.JSONDecodeError as error:
                 if len(self._held) - self._at > LONGEST_ELEMENT:
-                    raise self._wrong("an element is longer than any of a person") from error
+                    raise self._wrong(msg("an element is longer than any of a person")) from error
                 if not self._more():
                     raise self._wrong(error.msg) from error
                 continue
             except RecursionError as error:
-                raise self._wrong("it is nested deeper than any of these files") from error
+                raise self._wrong(msg("it is nested deeper than any of these files")) from error
             except ValueError as error:  # a number of thousands of digits
-                raise self._wrong("a number is longer than any") from error
+                raise self._wrong(msg("a number is longer than any")) from error
             # A number at the end of what is held may go on.
             if end < len(self._held) or not self._more():
                 self._at = end

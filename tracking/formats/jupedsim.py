@@ -28,6 +28,7 @@ from tracking.formats.track_format import Content, TrackFormat
 from tracking.formats.track_writer import Exported
 from tracking.progress import Progress, no_progress
 from tracking.tracks import Columns
+from tracking.translation import msg
 
 _VERSION = 2
 _READ_VERSIONS = (1, 2, 3)
@@ -59,7 +60,9 @@ def import_jupedsim(path: Path, _filmed: Filmed, report: Progress = no_progress)
     frame, track, x, y = table.T
     rows = with_place({"frame": frame, "track": reading.ids_from_zero(track), "x": x, "y": y})
     return reading.imported(
-        rows, lambda row: f"row {places[row]} of trajectory_data", fps=_fps(known.get("fps"))
+        rows,
+        lambda row: msg("row {places} of trajectory_data", places=places[row]),
+        fps=_fps(known.get("fps")),
     )
 
 

@@ -37,6 +37,7 @@ from tracking.formats.track_format import Content, TrackFormat
 from tracking.formats.track_writer import Exported
 from tracking.progress import Progress, no_progress
 from tracking.tracks import Columns, TrackLabel
+from tracking.translation import msg
 
 if TYPE_CHECKING:
     from tracking.geometry import View
@@ -160,29 +161,38 @@ def import_kitti(path: Path, filmed: Filmed, report: Progress = no_progress) -> 
     def trial(table: NDArray[np.float64], lines: NDArray[np.int32]) -> None:
         cared = np.flatnonzero(table[:, _TYPE] != types[DONT_CARE])
         rows = {"frame": table[cared, _FRAME], "track": table[cared, _TRACK]}
-        Reading(path).checked(rows, lambda row: f"line {lines[cared[row]]}", least_track=0)
+        Reading(path).checked(
+            rows, lambda row: msg("line {lines}", lines=lines[cared[row]]), least_track=0
+        )
 
     rows_of = NumberRows(reading, _SHAPE, trial)
     table, lines = rows_of.read(_with_numbered_types(reading, types))
     cared = table[:, _TYPE] != types[DONT_CARE]
     regions = len(table) - int(cared.sum())
     if regions:
-        reading.notes.append(f"{regions} regions nobody cares about (DontCare) are left out")
+        reading.notes.append(
+            msg("{regions} regions nobody cares about (DontCare) are left out", regions=regions)
+        )
     finite = np.isfinite(table).all(axis=1)
     for row in np.flatnonzero(cared & ~finite).tolist():
-        reading.bad(f"line {lines[row]}", "a value is not a finite number")
+        reading.bad(msg("line {lines}", lines=lines[row]), msg("a value is not a finite number"))
     table, lines = table[cared & finite], lines[cared & finite]
     table[:, _TRACK] = reading.ids_from_zero(table[:, _TRACK])
     rows = _columns(table, filmed.view)
     if filmed.view is None and bool(_known_places(table).any()):
-        reading.notes.append("places are left out: the recording says nothing of camera and floor")
+        reading.notes.append(
+            msg("places are left out: the recording says nothing of camera and floor")
+        )
     tracks, first = np.unique(table[:, _TRACK], return_index=True)
     names = list(types)
     kinds = (names[int(kind)] for kind in table[first, _TYPE])
     labels = {int(t): label_of_type(k) for t, k in zip(tracks, kinds, strict=True)}
     said = {track: label for track, label in labels.items() if not label.is_empty}
     return reading.imported(
-        rows, lambda row: f"line {lines[row]}", labels=said, seen_as=kept_visibility
+        rows,
+        lambda row: msg("line {lines}", lines=lines[row]),
+        labels=said,
+        seen_as=kept_visibility,
     )
 
 
@@ -199,7 +209,10 @@ def _with_numbered_types(reading: Reading, types: dict[str, int]) -> Iterator[Pi
             if len(fields) > _TYPE and _is_type(fields[_TYPE]):
                 fields[_TYPE] = str(types.setdefault(fields[_TYPE], len(types)))
             elif _SHAPE.least <= len(fields) <= _SHAPE.most:
-                reading.bad(f"line {number}", f"the type {fields[_TYPE][:40]!r} is no word")
+                reading.bad(
+                    msg("line {number}", number=number),
+                    msg("the type {fields!r} is no word", fields=fields[_TYPE][:40]),
+                )
                 fields = []
             lines.append(" ".join(fields))
         if len(types) > _MOST_TYPES:

@@ -22,6 +22,7 @@ from tracking.formats.read_result import Filmed, Imported, Reading
 from tracking.formats.row_rules import BOX
 from tracking.progress import Progress, no_progress
 from tracking.tracks import LARGEST_NUMBER, Source
+from tracking.translation import msg
 
 _START = re.compile(rb"(\xef\xbb\xbf)?\s*[\[{]")
 _REGION = re.compile(rb'"(videorectangle|sequence)"')
@@ -129,7 +130,7 @@ class _File:
     def take(self, place: JsonPath, value: Any) -> None:
         """A value and where it stands among tasks."""
         if len(place) < 2:
-            self._reading.bad(_named(place), "is no object")
+            self._reading.bad(_named(place), msg("is no object"))
         elif place[1] in _LISTS:
             self._take_full(place, value)
         elif place[1] == _DRAFTS:
@@ -144,7 +145,7 @@ class _File:
         if len(rest) == 1:
             self._annotation(owner, place[1] == _PREDICTIONS).said[str(rest[0])] = value
         elif len(rest) == 2:
-            self._reading.bad(_named(place), "is no object")
+            self._reading.bad(_named(place), msg("is no object"))
         elif len(rest) >= 3:
             self._annotation(owner, place[1] == _PREDICTIONS)
             inner = rest[2:]
@@ -156,7 +157,7 @@ class _File:
             if isinstance(inner[1], int):
                 self._take_keyframe(self._region(owner, place), inner[1], value)
             else:
-                self._reading.bad(_named(place), "its sequence is no list")
+                self._reading.bad(_named(place), msg("its sequence is no list"))
         elif len(inner) == 1 and inner[0] in _KEPT:
             region = self._region(owner, place)
             held = region.value if inner[0] in ("labels", "framesCount") else region.said
@@ -171,7 +172,9 @@ class _File:
                 most=_MOST_KEYFRAMES,
             )
         if reason := region.take(number, value):
-            self._reading.bad(f"{region.place}, sequence[{number}]", reason)
+            self._reading.bad(
+                msg("{place}, sequence[{number}]", place=region.place, number=number), reason
+            )
         else:
             self._reading.good += 1
 
@@ -254,8 +257,11 @@ class _File:
         by_people = [each for each in held if not each.predicted] or held
         if len(by_people) > 1:
             self._reading.notes.append(
-                f"of {len(by_people)} annotations of the video one is read: that marked as ground "
-                "truth, or else the newest"
+                msg(
+                    "of {count} annotations of the video one is read: that marked as "
+                    "ground truth, or else the newest",
+                    count=len(by_people),
+                )
             )
         return max(by_people, key=lambda each: each.rank, default=None)
 
@@ -275,11 +281,12 @@ class _File:
                 tracks[key] = each
                 for number in each.repeated():
                     self._reading.bad(
-                        f"{each.place}, sequence[{number}]", "its frame stands there twice"
+                        msg("{place}, sequence[{number}]", place=each.place, number=number),
+                        msg("its frame stands there twice"),
                     )
         if others:
             self._reading.notes.append(
-                left_out(others, "region that is no box", "regions that are no boxes")
+                left_out(others, msg("region that is no box"), msg("regions that are no boxes"))
             )
         return list(tracks.values())
 
@@ -297,7 +304,7 @@ class _File:
         if following + kept.count(None) > LARGEST_NUMBER:
             raise FormatError("{path}: no ids are left for its new tracks", path=self._reading.path)
         if None in kept and any(kept):
-            self._reading.notes.append("tracks that were made in Label Studio got new ids")
+            self._reading.notes.append(msg("tracks that were made in Label Studio got new ids"))
         free = itertools.count(following + 1)
         return [next(free) if each is None else each for each in kept]
 
@@ -312,7 +319,9 @@ class _File:
         self._check(regions, stop, size_px)
         parts = [each.shown(stop, self._filmed.frames) for each in regions]
         if any(part.turn.any() for part in parts):
-            self._reading.notes.append("boxes that are turned became the upright boxes around them")
+            self._reading.notes.append(
+                msg("boxes that are turned became the upright boxes around them")
+            )
         boxes = [upright(part, size_px or (0, 0)) for part in parts]
         lengths = [len(part.frame) for part in parts]
         keyframe = _joined([part.keyframe for part in parts], np.int64)

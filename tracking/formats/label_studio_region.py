@@ -17,6 +17,7 @@ from tracking.formats.json_numbers import number_of, whole_of
 from tracking.formats.label_text import label_of, unescaped
 from tracking.formats.row_rules import BOX, MAX_FRAME
 from tracking.tracks import LARGEST_NUMBER, Source, TrackLabel
+from tracking.translation import msg
 
 FIRST_FRAME = 1
 PERCENT = 100.0
@@ -69,17 +70,21 @@ class Region:
     def take(self, number: int, keyframe: Any) -> str:
         """Add a keyframe; says why it is invalid where it is."""
         if not isinstance(keyframe, Mapping):
-            return "is no object"
+            return msg("is no object")
         frame = whole_of(keyframe.get("frame"))
         if frame is None or not FIRST_FRAME <= frame < MAX_FRAME:
-            return f"its frame is not one of {MAX_FRAME}, counted from {FIRST_FRAME}"
+            return msg(
+                "its frame is not one of {max_frame}, counted from {first_frame}",
+                max_frame=MAX_FRAME,
+                first_frame=FIRST_FRAME,
+            )
         sides = [number_of(keyframe.get(name)) for name in _SIDES]
         turn = number_of(keyframe.get("rotation", 0))
         known = [side for side in (*sides, turn) if side is not None]
         if len(known) <= len(_SIDES):
-            return f"{', '.join(_SIDES)} and rotation are not five numbers"
+            return msg("{sides} and rotation are not five numbers", sides=", ".join(_SIDES))
         if min(known[2:4]) < 0:
-            return "the box has a negative size"
+            return msg("the box has a negative size")
         time = number_of(keyframe.get("time"))
         self._whole.extend((frame - FIRST_FRAME, keyframe.get("enabled", True) is True, number))
         self._numbers.extend((*known, np.nan if time is None else time))

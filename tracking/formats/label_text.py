@@ -6,6 +6,7 @@ import re
 from collections.abc import Collection, Mapping
 
 from tracking.tracks import LONGEST_NAME, LONGEST_VALUE, TrackLabel
+from tracking.translation import msg
 
 PERSON = "person"
 CLASS = "class"
@@ -74,7 +75,11 @@ def is_person(label: TrackLabel) -> bool:
 
 def left_out(count: int, one: str, many: str) -> str:
     """A note that so many things of a file are not taken."""
-    return f"1 {one} is left out" if count == 1 else f"{count} {many} are left out"
+    return (
+        msg("1 {one} is left out", one=one)
+        if count == 1
+        else msg("{count} {many} are left out", count=count, many=many)
+    )
 
 
 def line(text: object, longest: int = LONGEST_NAME) -> str:

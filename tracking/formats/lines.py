@@ -10,6 +10,7 @@ from typing import TextIO
 from tracking.cells import text_of_cell
 from tracking.errors import FormatError
 from tracking.formats.line_survey import LONGEST_LINE, MOST_EMPTY, too_long
+from tracking.translation import msg
 
 _MOST_BYTES = 1 << 30
 _TOLD = 40
@@ -107,7 +108,7 @@ def header_of(path: Path) -> list[str]:
 
 def place_of(path: Path, line: int) -> str:
     """As messages name it."""
-    return f"{path}, line {line}"
+    return msg("{path}, line {line}", path=path, line=line)
 
 
 def _check_header(
@@ -129,7 +130,7 @@ def _check_header(
     unknown = [name for name in header if name not in (*needed, *also)]
     if unknown or len(set(header)) < len(header):
         name = unknown[0] if unknown else next(n for n in header if header.count(n) > 1)
-        what = "is none of ours" if unknown else "stands there twice"
+        what = msg("is none of ours") if unknown else msg("stands there twice")
         raise FormatError(
             "{path}, line 1: the column {name!r} {what}; remove it",
             path=path,

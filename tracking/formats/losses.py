@@ -12,6 +12,7 @@ from tracking.formats.label_text import CLASS
 from tracking.formats.track_format import Content, TrackFormat
 from tracking.formats.track_writer import ROWS_AT_ONCE, Exported
 from tracking.tracks import Source, TrackLabel
+from tracking.translation import msg
 
 _COLUMNS = {
     Content.BOXES: "left",
@@ -24,10 +25,10 @@ _COLUMNS = {
 }
 _SURE = (Content.CONFIDENCE, Content.VISIBILITY)
 """Where all that is known is 1, nothing is said."""
-_ONE = {Content.BOXES: "box", Content.PLACES: "place on the floor"}
+_ONE = {Content.BOXES: "box", Content.PLACES: msg("place on the floor")}
 _TOLD = 40
 """Letters of an attribute's key in a note."""
-_IS_RESULT = (
+_IS_RESULT = msg(
     "written as a result, with confidence; ground truth is what is written to gt/gt.txt, "
     "label_02/ or truth.txt"
 )
@@ -59,7 +60,17 @@ def _rows_lost(kind: TrackFormat, exported: Exported) -> str:
     rows, column = len(exported), _COLUMNS[kind.needs]
     lost = rows - sum(int(np.isfinite(piece).sum()) for piece in _pieces(exported, column))
     many = "has" if lost == 1 else "have"
-    return f"{lost} of {rows} rows {many} no {_ONE[kind.needs]} and are left out" if lost else ""
+    return (
+        msg(
+            "{lost} of {rows} rows {many} no {one} and are left out",
+            lost=lost,
+            rows=rows,
+            many=many,
+            one=_ONE[kind.needs],
+        )
+        if lost
+        else ""
+    )
 
 
 def _contents_lost(
@@ -72,8 +83,10 @@ def _contents_lost(
     lost = [each for each in Content if each in there and each not in kind.holds - unheld]
     if not lost:
         return ""
-    told = f"left out, as {kind.title} has none: {', '.join(lost)}"
-    reason = "; places need the recording's camera and floor, which are not known or out of reach"
+    told = msg("left out, as {title} has none: {lost}", title=kind.title, lost=", ".join(lost))
+    reason = msg(
+        "; places need the recording's camera and floor, which are not known or out of reach"
+    )
     return told + reason if no_view and Content.PLACES in lost else told
 
 
@@ -89,17 +102,24 @@ def _labels_changed(kind: TrackFormat, exported: Exported) -> str:
     if not changed:
         return ""
     track, what = changed[0]
-    others = f", as do those of {len(changed) - 1} others" if len(changed) > 1 else ""
-    return f"{what} of track {track} comes back changed or not at all{others}"
+    others = (
+        msg(", as do those of {count} others", count=len(changed) - 1) if len(changed) > 1 else ""
+    )
+    return msg(
+        "{what} of track {track} comes back changed or not at all{others}",
+        what=what,
+        track=track,
+        others=others,
+    )
 
 
 def _difference(label: TrackLabel, back: TrackLabel) -> str:
     """What is another in a label that comes back, as messages name it; "" where nothing is."""
     if label.name != back.name:
-        return "the name"
+        return msg("the name")
     there, after = dict(label.attributes), dict(back.attributes)
     keys = [key for key in (*there, *after) if there.get(key) != after.get(key)]
-    return f"the attribute {keys[0][:_TOLD]!r}" if keys else ""
+    return msg("the attribute {keys!r}", keys=keys[0][:_TOLD]) if keys else ""
 
 
 def _is_there(exported: Exported, content: Content, *, truth: bool) -> bool:

@@ -14,6 +14,7 @@ from tracking.formats.read_result import BadRow, Filmed, Imported, Reading, in_o
 from tracking.formats.seqinfo import sequence_of
 from tracking.formats.track_format import TrackFormat
 from tracking.tracks import Columns
+from tracking.translation import msg
 
 _MOT = "mot"
 
@@ -98,6 +99,6 @@ def _people_of(found: Imported) -> Imported:
         return found
     people = ~np.isin(found.columns["track"], others)
     columns = {name: column[people] for name, column in found.columns.items()}
-    many = "1 track that is no person is" if len(others) == 1 else None
-    note = f"{many or f'{len(others)} tracks that are no people are'} left out"
+    many = msg("1 track that is no person is") if len(others) == 1 else None
+    note = msg("{many} left out", many=many or f"{len(others)} tracks that are no people are")
     return replace(found, columns=columns, notes=(*found.notes, note), place_of=None)

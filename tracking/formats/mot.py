@@ -27,6 +27,7 @@ from tracking.formats.row_rules import BOX
 from tracking.formats.seqinfo import sequence_of
 from tracking.formats.track_format import Content, TrackFormat
 from tracking.progress import Progress, no_progress
+from tracking.translation import msg
 
 UNKNOWN = -1.0
 FIRST_FRAME = 1
@@ -75,7 +76,9 @@ def _ids_of(
     """The ids of some rows, after they are checked."""
     good = reading.good  # the check counts those of this table alone
     rows, places = _columns(reading, table, lines)
-    checked = reading.checked(rows, lambda row: f"line {places[row]}", least_track=0)
+    checked = reading.checked(
+        rows, lambda row: msg("line {places}", places=places[row]), least_track=0
+    )
     reading.good = good
     ids: NDArray[np.int32] = np.unique(checked["track"])
     return ids
@@ -94,7 +97,7 @@ def rows_by_frame(reading: Reading) -> dict[str, NDArray[Any]]:
     Ids are those of the file, 0 as well: whoever compares tracks needs them as labels only.
     """
     rows, lines = _rows(reading)
-    rows = reading.checked(rows, lambda row: f"line {lines[row]}", least_track=0)
+    rows = reading.checked(rows, lambda row: msg("line {lines}", lines=lines[row]), least_track=0)
     order = np.argsort(rows["frame"], kind="stable")
     return {name: column[order] for name, column in rows.items()}
 
@@ -111,7 +114,7 @@ def import_mot(path: Path, _filmed: Filmed, report: Progress = no_progress) -> I
     sequence = sequence_of(path, reading)
     return reading.imported(
         rows,
-        lambda row: f"line {lines[row]}",
+        lambda row: msg("line {lines}", lines=lines[row]),
         labels=labels_of_classes(rows["track"], rows["class"]),
         fps=sequence.fps,
         size_px=sequence.size_px,
@@ -127,7 +130,7 @@ def _rows(reading: Reading) -> tuple[dict[str, NDArray[Any]], NDArray[np.int32]]
     def trial(table: NDArray[np.float64], lines: NDArray[np.int32]) -> None:
         tried = Reading(reading.path)
         rows, places = _columns(tried, table.copy(), lines)
-        tried.checked(rows, lambda row: f"line {places[row]}", least_track=0)
+        tried.checked(rows, lambda row: msg("line {places}", places=places[row]), least_track=0)
 
     read = NumberRows(reading, _SHAPE, trial).read(pieces_of(reading.path, reading.report))
     return _columns(reading, *read)
@@ -140,7 +143,9 @@ def _columns(
     finite = _finite(table)
     if not finite.all():
         for row in np.flatnonzero(~finite).tolist():
-            reading.bad(f"line {lines[row]}", "a value is not a finite number")
+            reading.bad(
+                msg("line {lines}", lines=lines[row]), msg("a value is not a finite number")
+            )
         table, lines = table[finite], lines[finite]
     held = _names(table.shape[1])
     columns: dict[str, NDArray[Any]] = dict(zip(held, table.T, strict=False))

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.tracks import TrackLabel
+from tracking.translation import msg
 
 PERSON = 1
 NAMES: Mapping[int, str] = {
@@ -37,7 +38,9 @@ def labels_of_classes(track: NDArray[Any], kind: NDArray[Any]) -> dict[int, Trac
     tracks, first = np.unique(track[other], return_index=True)
     kinds = kind[other][first]
     return {
-        int(each): TrackLabel(attributes={CLASS: NAMES.get(int(number), f"class {number:g}")})
+        int(each): TrackLabel(
+            attributes={CLASS: NAMES.get(int(number), msg("class {number:g}", number=number))}
+        )
         for each, number in zip(tracks.tolist(), kinds.tolist(), strict=True)
     }
 

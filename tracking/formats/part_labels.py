@@ -14,6 +14,7 @@ from tracking.failure import FEATURE_NAMES
 from tracking.formats.lines import header_of, numbered_rows, place_of
 from tracking.tracks import PART_NAMES, PartLabel, check_part_label
 from tracking.tracks.part_labels import Box
+from tracking.translation import msg
 
 _NEEDED = ("frame", "track", "part", "on")
 _BOX = ("left", "top", "width", "height")
@@ -114,7 +115,9 @@ def _whole(values: Mapping[str, str], name: str) -> int:
     try:
         return int(values[name])
     except ValueError:
-        raise ValueError(f"the {name} {values[name][:40]!r} is no whole number") from None
+        raise ValueError(
+            msg("the {name} {values!r} is no whole number", name=name, values=values[name][:40])
+        ) from None
 
 
 def _part(text: str) -> int:
@@ -122,13 +125,19 @@ def _part(text: str) -> int:
     numbers = {str(at): at for at in range(len(PART_NAMES))}
     part = {**names, **numbers}.get(text.lower())
     if part is None:
-        raise ValueError(f"the part {text[:40]!r} is none; {', '.join(PART_NAMES)} are")
+        raise ValueError(
+            msg(
+                "the part {text!r} is none; {part_names} are",
+                text=text[:40],
+                part_names=", ".join(PART_NAMES),
+            )
+        )
     return part
 
 
 def _said(text: str) -> bool | None:
     if text.lower() not in _SAID:
-        raise ValueError(f"{text[:40]!r} in column on; write on, off or unsure")
+        raise ValueError(msg("{text!r} in column on; write on, off or unsure", text=text[:40]))
     return _SAID[text.lower()]
 
 
@@ -139,7 +148,11 @@ def _box_of(values: Mapping[str, str]) -> Box | None:
     try:
         left, top, width, height = map(float, texts)
     except ValueError:
-        raise ValueError(f"the box {','.join(texts)[:60]!r} is not four numbers") from None
+        raise ValueError(
+            msg("the box {texts!r} is not four numbers", texts=",".join(texts)[:60])
+        ) from None
     if not all(map(math.isfinite, (left, top, width, height))):
-        raise ValueError(f"the box {','.join(texts)[:60]!r} is not four finite numbers")
+        raise ValueError(
+            msg("the box {texts!r} is not four finite numbers", texts=",".join(texts)[:60])
+        )
     return left, top, width, height

@@ -38,6 +38,7 @@ from tracking.formats.text_fields import number_in, numbered_lines, whole_in
 from tracking.formats.track_format import TrackFormat
 from tracking.progress import Progress, no_progress
 from tracking.tracks import TrackLabel
+from tracking.translation import msg
 
 _VERSION = re.compile(
     rb"(?:\xef\xbb\xbf)?version +(\d{1,9})\r?\n\s*\d+\s*(?:\r?\n|$)", re.IGNORECASE
@@ -128,7 +129,9 @@ class _File:
                 person=max(self._met, 1),
                 people=self._people,
             )
-        self._reading.notes.append("boxes have no size: PeTrack's file tells points of heads alone")
+        self._reading.notes.append(
+            msg("boxes have no size: PeTrack's file tells points of heads alone")
+        )
         frame, track, line = np.asarray(self._whole, np.int64).reshape(-1, 3).T
         x, y, confidence = np.asarray(self._numbers).reshape(-1, 3).T
         rows: dict[str, NDArray[Any]] = {
@@ -142,7 +145,7 @@ class _File:
         }
         return self._reading.imported(
             rows,
-            lambda row: f"line {line[row]}",
+            lambda row: msg("line {line}", line=line[row]),
             labels=self._labels,
             boxes_reach_feet=False,
             head_heights_m=self._heights_m,
@@ -163,23 +166,36 @@ class _File:
             return
         count = whole_in(text)
         if count is None or count > _MOST_PEOPLE:
-            raise self._wrong(number, f"{text[:40]!r} is no number of people")
+            raise self._wrong(number, msg("{text!r} is no number of people", text=text[:40]))
         self._version, self._people = self._version or 1, count
 
     def _take_person(self, number: int, text: str) -> None:
         if self._met == self._people:
-            raise self._wrong(number, f"there is more than the {self._people} people it announces")
+            raise self._wrong(
+                number,
+                msg("there is more than the {people} people it announces", people=self._people),
+            )
         fields = text.split()
         expected = 9 + (self._version >= _HAS_PERSON_MARKER)
         if len(fields) != expected:
-            raise self._wrong(number, f"{len(fields)} values where a person has {expected}")
+            raise self._wrong(
+                number,
+                msg(
+                    "{count} values where a person has {expected}",
+                    count=len(fields),
+                    expected=expected,
+                ),
+            )
         first, points = whole_in(fields[2]), whole_in(fields[-1])
         height = number_in(fields[1])
         marker = number_in(fields[8]) if expected > 9 else _NO_MARKER
         if first is None or points is None or height is None or marker is None:
-            raise self._wrong(number, "the line of a person is not all numbers")
+            raise self._wrong(number, msg("the line of a person is not all numbers"))
         if points < 1 or first >= MAX_FRAME:
-            raise self._wrong(number, f"{points} points from frame {first} on cannot be")
+            raise self._wrong(
+                number,
+                msg("{points} points from frame {first} on cannot be", points=points, first=first),
+            )
         self._person, self._at = _Person(first, points, height, int(marker)), 0
         self._met += 1
         if 0 < height <= _TALLEST_CM:
@@ -206,7 +222,7 @@ class _File:
             self._person = None
         point = self._point_of(text)
         if isinstance(point, str):
-            self._reading.bad(f"line {number}", point)
+            self._reading.bad(msg("line {number}", number=number), point)
             return
         self._whole.extend((frame, self._met, number))
         self._numbers.extend(point)
@@ -224,13 +240,15 @@ class _File:
         stereo = 3 * (self._version >= _HAS_STEREO)
         expected = 8 + stereo + (self._version >= _HAS_POINT_MARKER)
         if len(fields) != expected:
-            return f"{len(fields)} values where a point has {expected}"
+            return msg(
+                "{count} values where a point has {expected}", count=len(fields), expected=expected
+            )
         x, y = number_in(fields[0]), number_in(fields[1])
         quality = number_in(fields[2 + stereo])
         if x is None or y is None or quality is None:
-            return "its place or quality is not a number"
+            return msg("its place or quality is not a number")
         if quality < 0:
-            return f"its quality is {quality:g}, below 0"
+            return msg("its quality is {quality:g}, below 0", quality=quality)
         return x, y, min(quality, _FULL_QUALITY) / _FULL_QUALITY
 
     def _wrong(self, number: int, reason: str) -> FormatError:

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.tracks import LARGEST_NUMBER, Columns, Source
+from tracking.translation import msg
 
 MAX_FRAME = 10_000_000
 """More than four days at 25 frames a second; beyond it a number is a mistake, not a frame."""
@@ -35,28 +36,45 @@ def broken_rules(rows: Columns, least_track: int = 1) -> Iterator[tuple[Mask, st
         least_track: the least id: 1, or 0 where ids are only labels.
     """
     frame, track = (np.asarray(rows[name], np.float64) for name in ("frame", "track"))
-    yield ~(np.isfinite(frame) & np.isfinite(track)), "the frame or the id is not a finite number"
-    yield (frame % 1 != 0) | (track % 1 != 0), "frame and id must be whole numbers"
-    yield (frame < 0) | (frame >= MAX_FRAME), f"the frame number is not one of {MAX_FRAME} frames"
-    what = "a positive number" if least_track else "0 or a positive number"
-    yield track < least_track, f"the id is not {what}"
-    yield track > LARGEST_NUMBER, f"the id is too large; the largest is {LARGEST_NUMBER}"
-    yield _any(np.isinf(column) for column in rows.values()), "a value is not a finite number"
+    yield (
+        ~(np.isfinite(frame) & np.isfinite(track)),
+        msg("the frame or the id is not a finite number"),
+    )
+    yield (frame % 1 != 0) | (track % 1 != 0), msg("frame and id must be whole numbers")
+    yield (
+        (frame < 0) | (frame >= MAX_FRAME),
+        msg("the frame number is not one of {max_frame} frames", max_frame=MAX_FRAME),
+    )
+    what = msg("a positive number") if least_track else msg("0 or a positive number")
+    yield track < least_track, msg("the id is not {what}", what=what)
+    yield (
+        track > LARGEST_NUMBER,
+        msg("the id is too large; the largest is {largest}", largest=LARGEST_NUMBER),
+    )
+    yield _any(np.isinf(column) for column in rows.values()), msg("a value is not a finite number")
     yield from _box_rules(rows)
     for names, most, reason in (
-        (_FARTHEST, _FARTHEST, f"the place is farther than {MAX_METRES:g} m away"),
-        (_FASTEST, _FASTEST, f"the speed is beyond {MAX_SPEED_M_S:g} m/s"),
-        (_SHARES, _SHARES, "the confidence or visibility is no such number"),
+        (
+            _FARTHEST,
+            _FARTHEST,
+            msg("the place is farther than {max_metres:g} m away", max_metres=MAX_METRES),
+        ),
+        (
+            _FASTEST,
+            _FASTEST,
+            msg("the speed is beyond {max_speed_m_s:g} m/s", max_speed_m_s=MAX_SPEED_M_S),
+        ),
+        (_SHARES, _SHARES, msg("the confidence or visibility is no such number")),
     ):
         held = [name for name in names if name in rows]
         if held:
             yield _any(np.abs(rows[name]) > most[name] for name in held), reason
     if "x" in rows and "y" in rows:
-        yield np.isnan(rows["x"]) != np.isnan(rows["y"]), "only one of x and y is given"
+        yield np.isnan(rows["x"]) != np.isnan(rows["y"]), msg("only one of x and y is given")
     if "source" in rows:
         source = np.asarray(rows["source"], np.float64)
-        yield ~(np.isnan(source) | np.isin(source, _SOURCES)), "the source is not 0, 1 or 2"
-    yield repeated(frame, track), "its id stands twice in this frame"
+        yield ~(np.isnan(source) | np.isin(source, _SOURCES)), msg("the source is not 0, 1 or 2")
+    yield repeated(frame, track), msg("its id stands twice in this frame")
 
 
 def repeated(frame: NDArray[np.float64], track: NDArray[np.float64]) -> Mask:
@@ -74,9 +92,9 @@ def _box_rules(rows: Columns) -> Iterator[tuple[Mask, str]]:
     box = [np.asarray(rows[name], np.float64) for name in BOX]
     unknown = [np.isnan(side) for side in box]
     whole = np.logical_and.reduce(unknown)
-    yield _any(unknown) & ~whole, "a part of the box is missing"
-    yield _any(np.abs(side) > MAX_PIXELS for side in box), "the box lies outside any image"
-    yield (box[2] < 0) | (box[3] < 0), "the box has a negative size"
+    yield _any(unknown) & ~whole, msg("a part of the box is missing")
+    yield _any(np.abs(side) > MAX_PIXELS for side in box), msg("the box lies outside any image")
+    yield (box[2] < 0) | (box[3] < 0), msg("the box has a negative size")
 
 
 def _any(masks: Iterator[Mask] | list[Mask]) -> Mask:

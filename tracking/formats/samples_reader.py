@@ -18,6 +18,7 @@ from tracking.formats import samples_inspection
 from tracking.formats.lines import header_of, numbered_rows, place_of
 from tracking.formats.samples_layout import HDF5_FORMAT, NUMBERS, SHARED, TEXTS
 from tracking.tracks import LARGEST_NUMBER, PART_NAMES
+from tracking.translation import msg
 from tracking.untrusted import SIGNATURE, verdicts_of
 
 _ENDINGS = (".h5", ".hdf5")
@@ -138,8 +139,10 @@ def _number(column: str, text: str, kind: type[int] | type[float]) -> int | floa
     try:
         return kind(text)
     except ValueError:
-        what = "a whole number" if kind is int else "a number"
-        raise ValueError(f"{column} is {text!r}, not {what}") from None
+        what = msg("a whole number") if kind is int else "a number"
+        raise ValueError(
+            msg("{column} is {text!r}, not {what}", column=column, text=text, what=what)
+        ) from None
 
 
 def _check_is_no_other_table(path: Path) -> None:
@@ -165,25 +168,35 @@ def _checked(
     time_s = columns.get("time_s", np.zeros(len(features))).astype(float)
     known = np.isin(columns["source"].astype(str), SAMPLE_SOURCES)
     for wrong, reason in (
-        (~((track > 0) & (track <= LARGEST_NUMBER)), "the track is not a positive number"),
-        (~((frame >= 0) & (frame <= LARGEST_NUMBER)), "the frame is not a number from 0 on"),
+        (~((track > 0) & (track <= LARGEST_NUMBER)), msg("the track is not a positive number")),
+        (~((frame >= 0) & (frame <= LARGEST_NUMBER)), msg("the frame is not a number from 0 on")),
         (
             ~np.isin(part, range(len(PART_NAMES))),
-            "the part is not 0 (head), 1 (torso) or 2 (hip-leg)",
+            msg("the part is not 0 (head), 1 (torso) or 2 (hip-leg)"),
         ),
-        (~np.isin(label, (0, 1)), "the label is not 1 (on its part) or 0 (off it)"),
-        (~known, f"the source is not one of {', '.join(SAMPLE_SOURCES)}"),
+        (~np.isin(label, (0, 1)), msg("the label is not 1 (on its part) or 0 (off it)")),
+        (
+            ~known,
+            msg(
+                "the source is not one of {sample_sources}",
+                sample_sources=", ".join(SAMPLE_SOURCES),
+            ),
+        ),
         (
             ~((person >= NOT_TOLD_APART) & (person <= LARGEST_NUMBER)),
-            "the person is not a number from 1 on, 0 (not known) or -1 (not told apart)",
+            msg("the person is not a number from 1 on, 0 (not known) or -1 (not told apart)"),
         ),
-        (np.isinf(time_s), "the time is not a number of seconds"),
-        (~np.isfinite(features).all(axis=1), "a feature is not a finite number"),
+        (np.isinf(time_s), msg("the time is not a number of seconds")),
+        (~np.isfinite(features).all(axis=1), msg("a feature is not a finite number")),
     ):
         rows = np.flatnonzero(wrong)
         if len(rows):
             at = int(rows[0])
-            place = f"{path}, row {at}" if lines is None else place_of(path, int(lines[at]))
+            place = (
+                msg("{path}, row {at}", path=path, at=at)
+                if lines is None
+                else place_of(path, int(lines[at]))
+            )
             raise FormatError(
                 "{place}: {reason}; correct or remove the row", place=place, reason=reason
             )

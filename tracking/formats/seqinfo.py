@@ -8,6 +8,7 @@ from pathlib import Path
 
 from tracking.formats.read_result import Reading
 from tracking.formats.track_writer import Exported
+from tracking.translation import msg
 
 NAME = "seqinfo.ini"
 _INSIDE = ("gt", "det")
@@ -50,7 +51,7 @@ def sequence_of(text: Path, reading: Reading) -> Sequence:
         return _checked(parser[_SECTION])
     except (OSError, ValueError, KeyError, configparser.Error) as why:
         reason = str(why).splitlines()[0] if str(why) else type(why).__name__
-        reading.notes.append(f"{path} is left out: {reason}")
+        reading.notes.append(msg("{path} is left out: {reason}", path=path, reason=reason))
         return Sequence()
 
 
@@ -80,7 +81,7 @@ def _checked(section: configparser.SectionProxy) -> Sequence:
         (size[1], _MOST_PIXELS, "imHeight"),
     ):
         if not 0 <= value <= most:
-            raise ValueError(f"{key} is {value:g}")
+            raise ValueError(msg("{key} is {value:g}", key=key, value=value))
     return Sequence(
         section.get("name", ""), fps or None, frames or None, size if all(size) else None
     )

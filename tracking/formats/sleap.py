@@ -30,6 +30,7 @@ from tracking.formats.sleap_points import AROUND_POINTS, NO_TRACKS, boxes_around
 from tracking.formats.sleap_project import PROJECT, import_sleap_project
 from tracking.formats.track_format import HEAD_BYTES, TrackFormat
 from tracking.progress import Progress, no_progress
+from tracking.translation import msg
 
 _ANALYSIS = "sleap"
 _AXES = ("frame", "track", "node", "xy")
@@ -78,7 +79,7 @@ def _import_analysis(path: Path, report: Progress) -> Imported:
     }
     return reading.imported(
         rows,
-        lambda row: f"track {track[row]}, frame {frame[row]}",
+        lambda row: msg("track {track}, frame {frame}", track=track[row], frame=frame[row]),
         labels=labels_of(names, "track_{}", first=0),
         boxes_reach_feet=False,
     )

@@ -33,6 +33,7 @@ from tracking.formats.sleap_points import (
 )
 from tracking.formats.text_fields import fields_of, number_in, numbered_lines, whole_in
 from tracking.progress import Progress, no_progress
+from tracking.translation import msg
 
 _TRACK, _FRAME, _SCORE = "track", "frame_idx", "instance.score"
 _MOST_COLUMNS = 5000
@@ -80,7 +81,7 @@ class _Table:
         """One line."""
         reason = self._row(number, fields)
         if reason:
-            self._reading.bad(f"line {number}", reason)
+            self._reading.bad(msg("line {number}", number=number), reason)
         else:
             self._reading.good += 1
             if self._reading.good == TRIED_ROWS:
@@ -97,7 +98,7 @@ class _Table:
             tracked = held >= 0
             line, rows = line[tracked], {"frame": frame[tracked], "track": held[tracked]}
             tried = Reading(self._reading.path)
-            tried.checked(rows, lambda row: f"line {line[row]}", least_track=0)
+            tried.checked(rows, lambda row: msg("line {line}", line=line[row]), least_track=0)
 
     def imported(self) -> Imported:
         """The tracks."""
@@ -120,7 +121,10 @@ class _Table:
             if name != USUAL_NAME.format(number - 1)
         }
         return self._reading.imported(
-            rows, lambda row: f"line {places[row]}", labels=labels, boxes_reach_feet=False
+            rows,
+            lambda row: msg("line {places}", places=places[row]),
+            labels=labels,
+            boxes_reach_feet=False,
         )
 
     def _ids(self, frame: NDArray[np.int64], held: NDArray[np.int64]) -> NDArray[np.int64]:
@@ -136,15 +140,21 @@ class _Table:
     def _row(self, number: int, fields: Sequence[str]) -> str:
         """Add a line; says why it is invalid where it is."""
         if len(fields) != len(self._names):
-            return f"{len(fields)} values where the header names {len(self._names)}"
+            return msg(
+                "{count} values where the header names {count_names}",
+                count=len(fields),
+                count_names=len(self._names),
+            )
         said = dict(zip(self._names, fields, strict=True))
         frame = whole_in(said[_FRAME].strip().removesuffix(".0"))
         if frame is None or frame >= MAX_FRAME:
-            return f"the frame_idx {said[_FRAME][:20]!r} is not a whole number from 0 on"
+            return msg(
+                "the frame_idx {said!r} is not a whole number from 0 on", said=said[_FRAME][:20]
+            )
         score = _number(said.get(_SCORE, ""))
         places = [(_number(fields[x]), _number(fields[y])) for x, y in self._nodes]
         if score is None or any(x is None or y is None for x, y in places):
-            return "a value is not a number"
+            return msg("a value is not a number")
         seen = np.array(places, np.float64).reshape(-1, 2)
         seen = seen[np.isfinite(seen).all(axis=1)]
         if not len(seen):

@@ -10,12 +10,13 @@ from numpy.typing import NDArray
 
 from tracking.formats.label_text import label_of
 from tracking.tracks import LARGEST_NUMBER, TrackLabel
+from tracking.translation import msg
 
-AROUND_POINTS = "boxes are around the points SLEAP found, not around whole people"
-NO_TRACKS = (
+AROUND_POINTS = msg("boxes are around the points SLEAP found, not around whole people")
+NO_TRACKS = msg(
     "the file has no tracks: those at one place of its lists are taken as one track, look for swaps"
 )
-UNTRACKED = ("instance without a track", "instances without a track")
+UNTRACKED = (msg("instance without a track"), msg("instances without a track"))
 USUAL_NAME = "track_{}"
 """What SLEAP calls a track itself, by its number from 0."""
 _USUAL = re.compile(r"track_(\d{1,9})")

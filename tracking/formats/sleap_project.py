@@ -38,6 +38,7 @@ from tracking.formats.sleap_points import (
 )
 from tracking.progress import Progress, no_progress
 from tracking.tracks import Source
+from tracking.translation import msg
 
 PROJECT = "sleap-project"
 """The layout, as the program that looks HDF5 files over calls it."""
@@ -112,7 +113,7 @@ class _Project:
         }
         return self._reading.imported(
             rows,
-            lambda row: f"instance {at[row]}",
+            lambda row: msg("instance {at}", at=at[row]),
             labels=labels_of(names, USUAL_NAME, first=0),
             boxes_reach_feet=False,
         )
@@ -122,9 +123,9 @@ class _Project:
         starts, stops = (_whole(self._frames[f"instance_id_{end}"]) for end in ("start", "end"))
         counts = stops - starts
         if np.any(counts < 0) or np.any(starts < 0) or np.any(stops > len(self._instances)):
-            raise self._damaged("its frames name instances that are not there")
+            raise self._damaged(msg("its frames name instances that are not there"))
         if int(counts.sum()) > len(self._instances):
-            raise self._damaged("its frames share instances")
+            raise self._damaged(msg("its frames share instances"))
         self._check_videos(counts > 0)
         before = np.repeat(np.arange(len(starts)), counts)
         at = starts[before] + np.arange(len(before)) - np.repeat(np.cumsum(counts) - counts, counts)
@@ -145,9 +146,9 @@ class _Project:
         counts, predicted = stops - starts, self._predicted[at]
         lengths = np.where(predicted, len(self._points[1]), len(self._points[0]))
         if np.any(counts < 0) or np.any(starts < 0) or np.any(stops > lengths):
-            raise self._damaged("its instances name points that are not there")
+            raise self._damaged(msg("its instances name points that are not there"))
         if int(counts.sum()) > sum(map(len, self._points)) or counts.max(initial=0) > _MOST_NODES:
-            raise self._damaged("its instances share points, or have more than any skeleton")
+            raise self._damaged(msg("its instances share points, or have more than any skeleton"))
         boxes = np.full((len(at), 4), np.nan)
         for is_predicted in (False, True):
             for nodes in np.unique(counts[(predicted == is_predicted) & (counts > 0)]).tolist():

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from tracking.errors import FormatError, explain_unreadable
 from tracking.formats.label_text import line
 from tracking.formats.read_result import Reading
+from tracking.translation import msg
 
 SIGNATURE = b"SQLite format 3\0"
 MOST_BYTES = 16 << 30
@@ -89,7 +90,10 @@ def numbers_of(
         if good is None:
             is_good = np.array([_table([row]) is not None for row in rows])
             for row in kept[~is_good].tolist():
-                reading.bad(f"row {row} of {table}", "a value is not a number")
+                reading.bad(
+                    msg("row {row} of {table}", row=row, table=table),
+                    msg("a value is not a number"),
+                )
             good = _table([row for row, fine in zip(rows, is_good, strict=True) if fine])
             kept = kept[is_good]
         assert good is not None

@@ -57,6 +57,7 @@ from tracking.formats.viame_class import (
 )
 from tracking.progress import Progress, no_progress
 from tracking.tracks import Columns, TrackLabel
+from tracking.translation import msg
 
 _HEADER_CELLS = (
     "# 1: Detection or Track-id",
@@ -188,17 +189,21 @@ class _File:
             self._take_comment(text)
         elif text.strip():
             fields = fields_of(text)
-            reason = f"{len(fields)} values; a line has {_LEAST} or more" if fields else "quotes"
+            reason = (
+                msg("{count} values; a line has {least} or more", count=len(fields), least=_LEAST)
+                if fields
+                else "quotes"
+            )
             if len(fields) >= _LEAST:
                 reason = self._take_fields(number, fields)
             if reason:
-                self._reading.bad(f"line {number}", reason)
+                self._reading.bad(msg("line {number}", number=number), reason)
 
     def imported(self) -> Imported:
         """The tracks."""
         if self._left_out:
             self._reading.notes.append(
-                "what the file says of single frames ((atr), (kp), (poly), (note)) is left out"
+                msg("what the file says of single frames ((atr), (kp), (poly), (note)) is left out")
             )
         line, frame, said = np.asarray(self._whole, np.int64).reshape(-1, 3).T
         numbers = np.asarray(self._numbers).reshape(-1, 6)
@@ -215,7 +220,7 @@ class _File:
         labels = self._labels(dict(zip(ids.tolist(), track[first].tolist(), strict=True)))
         return self._reading.imported(
             rows,
-            lambda row: f"line {line[row]}",
+            lambda row: msg("line {line}", line=line[row]),
             labels=labels,
             fps=self._fps,
             seen_as=kept_visibility,
@@ -234,18 +239,22 @@ class _File:
         """Add a row; says why it is invalid where it is."""
         track, frame = whole_in(fields[0]), whole_in(fields[2])
         if track is None or frame is None:
-            return "its id or frame is not a whole number"
+            return msg("its id or frame is not a whole number")
         box = [number_in(field) for field in fields[3:7]]
         if None in box:
-            return "its box is not four numbers"
+            return msg("its box is not four numbers")
         pairs, rest = _pairs_of(fields[_LEAST:])
         if pairs is None:
-            return "a class has no confidence that is a number"
+            return msg("a class has no confidence that is a number")
         confidence = number_in(fields[7]) if fields[7].strip() else _UNKNOWN
         if confidence is None:
-            return "its confidence is not a number"
+            return msg("its confidence is not a number")
         if confidence < 0 and confidence != _UNKNOWN:
-            return f"its confidence is {confidence:g}, below 0; {_UNKNOWN:g} stands for unknown"
+            return msg(
+                "its confidence is {confidence:g}, below 0; {unknown:g} stands for unknown",
+                confidence=confidence,
+                unknown=_UNKNOWN,
+            )
         self._count(track)
         best = max(pairs, key=lambda pair: pair[1], default=("", -1.0))
         confidence = confidence if confidence >= 0 else best[1]
@@ -276,7 +285,9 @@ class _File:
         """Raise FormatError where the first rows are such that the file is refused in the end."""
         line, frame, said = np.array(self._whole, np.int64).reshape(-1, 3).T
         rows = {"frame": frame, "track": said}
-        Reading(self._reading.path).checked(rows, lambda row: f"line {line[row]}", least_track=0)
+        Reading(self._reading.path).checked(
+            rows, lambda row: msg("line {line}", line=line[row]), least_track=0
+        )
 
     def _take_attributes(self, track: int, fields: Sequence[str]) -> bool:
         """Keep what is said of the track; gives whether it is hidden in this frame."""

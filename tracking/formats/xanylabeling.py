@@ -63,6 +63,7 @@ from tracking.formats.xanylabeling_folder import (
 )
 from tracking.progress import Progress, no_progress
 from tracking.tracks import Columns, TrackLabel
+from tracking.translation import msg
 
 _VERSION = "4.0.2"
 """Of X-AnyLabeling, whose layout this is; files without any make it warn."""
@@ -154,7 +155,9 @@ def import_xanylabeling(path: Path, _filmed: Filmed, report: Progress = no_progr
     is_folder = path.is_dir()
     reading = Reading(path if is_folder else path.parent, report)
     if not is_folder:
-        reading.notes.append(f"{path.name} is one frame; all files of its folder are read")
+        reading.notes.append(
+            msg("{name} is one frame; all files of its folder are read", name=path.name)
+        )
     files, frames = frame_files(reading)
     folder = _Folder(reading, files)
     for number, each in enumerate(files):
@@ -196,10 +199,12 @@ class _Folder:
             )
         if self._ungrouped:
             notes.append(
-                left_out(self._ungrouped, "shape without group id", "shapes without group id")
+                left_out(
+                    self._ungrouped, msg("shape without group id"), msg("shapes without group id")
+                )
             )
         if self._no_areas:
-            notes.append(left_out(self._no_areas, "point or line", "points and lines"))
+            notes.append(left_out(self._no_areas, msg("point or line"), msg("points and lines")))
         file, shape, group = np.asarray(self._whole, np.int64).reshape(-1, 3).T
         numbers = np.asarray(self._numbers).reshape(-1, len(BOX) + 1)
         frame = np.array([each.frame for each in self._files], np.int64)
@@ -213,7 +218,9 @@ class _Folder:
         }
         return self._reading.imported(
             rows,
-            lambda row: f"{self._files[file[row]].path.name}, shapes[{shape[row]}]",
+            lambda row: msg(
+                "{name}, shapes[{shape}]", name=self._files[file[row]].path.name, shape=shape[row]
+            ),
             labels={ids[said]: label for said, label in self._labels.items()},
             size_px=self._size_px,
             frames=frames,
@@ -243,9 +250,9 @@ class _Folder:
             )
 
     def _take_shape(self, number: int, at: int, shape: Any) -> None:
-        place = f"{self._files[number].path.name}, shapes[{at}]"
+        place = msg("{name}, shapes[{at}]", name=self._files[number].path.name, at=at)
         if not isinstance(shape, Mapping):
-            self._reading.bad(place, "is no object")
+            self._reading.bad(place, msg("is no object"))
             return
         kind, said = shape.get("shape_type") or "polygon", shape.get("group_id")
         if kind in _NO_AREAS:
@@ -265,14 +272,14 @@ class _Folder:
         """Add a row; says why it is invalid where it is."""
         group = whole_of(shape.get("group_id"))
         if group is None or group < 0:
-            return "its group_id is not a whole number from 0 on"
+            return msg("its group_id is not a whole number from 0 on")
         box = _box_of(kind, shape.get("points"))
         if isinstance(box, str):
             return box
         score = shape.get("score")
         confidence = np.nan if score is None else number_of(score)
         if confidence is None:
-            return "its score is not a number"
+            return msg("its score is not a number")
         self._whole.extend((number, at, group))
         self._numbers.extend((*box, 0.0 if shape.get("difficult") is True else confidence))
         if group not in self._labels:
@@ -296,20 +303,20 @@ def _label_of(shape: Mapping[str, Any]) -> TrackLabel:
 def _box_of(kind: str, points: Any) -> tuple[float, float, float, float] | str:
     """Left, top, width and height of the upright box around a shape; why there is none."""
     if not isinstance(points, list) or len(points) < 2:
-        return "its points are not two or more"
+        return msg("its points are not two or more")
     flat: list[float] = []
     for point in points:
         if not isinstance(point, list) or len(point) != 2:
-            return "a point is not two numbers"
+            return msg("a point is not two numbers")
         numbers = [number_of(value) for value in point]
         if numbers[0] is None or numbers[1] is None:
-            return "a point is not two numbers"
+            return msg("a point is not two numbers")
         flat.extend(value for value in numbers if value is not None)
     if kind == _CIRCLE:
         radius = float(np.hypot(flat[2] - flat[0], flat[3] - flat[1]))
         return flat[0] - radius, flat[1] - radius, 2 * radius, 2 * radius
     if kind not in _AREAS:
-        return f"a shape_type {kind[:40]!r} stands where boxes are read"
+        return msg("a shape_type {kind!r} stands where boxes are read", kind=kind[:40])
     left, top = min(flat[::2]), min(flat[1::2])
     return left, top, max(flat[::2]) - left, max(flat[1::2]) - top
 

@@ -12,6 +12,7 @@ from tracking.errors import FormatError
 from tracking.formats.read_result import Reading
 from tracking.formats.row_rules import MAX_FRAME
 from tracking.formats.track_format import HEAD_BYTES
+from tracking.translation import msg
 
 ENDING = ".json"
 _START = re.compile(rb"(?:\xef\xbb\xbf)?\s*\{")
@@ -66,7 +67,7 @@ def frame_files(reading: Reading) -> tuple[list[FrameFile], int | None]:
             "cannot read {path}: {reason}", path=reading.path, reason=error.strerror
         ) from error
     for name in links:
-        reading.bad(name, "is a link, and links are not followed")
+        reading.bad(name, msg("is a link, and links are not followed"))
     places = {name: at for at, name in enumerate(pictures)}
     if files and all(path.stem in places for path in files):
         return [FrameFile(path, places[path.stem]) for path in files], len(places)
@@ -75,7 +76,11 @@ def frame_files(reading: Reading) -> tuple[list[FrameFile], int | None]:
     if found:
         first = min(found, key=lambda each: each.frame)
         reading.notes.append(
-            f"frames are the numbers in files' names: {first.path.name} is frame {first.frame}"
+            msg(
+                "frames are the numbers in files' names: {name} is frame {frame}",
+                name=first.path.name,
+                frame=first.frame,
+            )
         )
     return sorted(found, key=lambda each: each.frame), None
 

@@ -22,6 +22,7 @@ from defusedxml.expatreader import DefusedExpatParser
 
 from tracking.errors import FormatError
 from tracking.progress import Progress, no_progress
+from tracking.translation import msg
 
 MOST_BYTES = 4 << 30
 """So much the longest sessions take: a box has 100 to 200 bytes. Nothing of the file is held."""
@@ -82,7 +83,12 @@ def parse(path: Path, elements: Elements, member: str, report: Progress = no_pro
             "{path} declares a document type or entities; remove them", path=path
         ) from error
     except SAXParseException as error:
-        reason = f"{path}, line {error.getLineNumber()}: no XML ({error.getMessage()})"
+        reason = msg(
+            "{path}, line {line}: no XML ({reason})",
+            path=path,
+            line=error.getLineNumber(),
+            reason=error.getMessage(),
+        )
         raise FormatError("{reason}; export it again", reason=reason) from error
     except (SAXException, UnicodeError, LookupError) as error:
         raise FormatError(
@@ -183,7 +189,7 @@ class _Parser(DefusedExpatParser):
         """See the base."""
         self._depth += 1
         if self._depth > _DEEPEST:
-            raise self._refused("elements are nested deeper than any of these files'")
+            raise self._refused(msg("elements are nested deeper than any of these files'"))
         self._text.taken()
         self._elements.start(name, attrs, self._parser.CurrentLineNumber)
 
@@ -197,12 +203,12 @@ class _Parser(DefusedExpatParser):
         if self._text.is_too_long:
             self._take_text()
         if read - self._parser.CurrentByteIndex > _LONGEST_ELEMENT + _PIECE:
-            raise self._refused("an element has more attributes than any of these files'")
+            raise self._refused(msg("an element has more attributes than any of these files'"))
 
     def _take_text(self) -> str:
         text = self._text.taken()
         if text is None:
-            raise self._refused("an element has more text than any of these files'")
+            raise self._refused(msg("an element has more text than any of these files'"))
         return text
 
     def _refused(self, reason: str) -> FormatError:

@@ -13,6 +13,7 @@ from defusedxml.ElementTree import fromstring
 
 from tracking.arrays import Floats
 from tracking.errors import CalibrationError
+from tracking.translation import msg
 
 MAX_BYTES = 256 * 1024
 _MAX_DEPTH = 12
@@ -94,7 +95,9 @@ def matrix(rows: Any, cols: Any, data: Any) -> Floats:
     """A (rows, cols) array of numbers that may still be text; ValueError where they do not fit."""
     rows, cols = int(rows), int(cols)
     if not isinstance(data, list) or not 0 < rows * cols == len(data) <= _MAX_NUMBERS:
-        raise ValueError(f"a matrix of {rows} x {cols} with other contents")
+        raise ValueError(
+            msg("a matrix of {rows} x {cols} with other contents", rows=rows, cols=cols)
+        )
     return np.array([float(number) for number in data]).reshape(rows, cols)
 
 
@@ -109,7 +112,7 @@ def _one_line(error: Exception) -> str:
     problem = getattr(error, "problem", None)
     mark = getattr(error, "problem_mark", None)
     text = " ".join(str(problem or error).split())[:120]
-    return f"{text}, line {mark.line + 1}" if mark is not None else text
+    return msg("{text}, line {line}", text=text, line=mark.line + 1) if mark is not None else text
 
 
 class _CappedLoader(yaml.SafeLoader):

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import cv2
 import numpy as np
 
 from tracking.arrays import Floats, Picture
 from tracking.people.motion_agreement import MotionAgreement, late_by, stands_still, thinned
 from tracking.recording.image_pairs import MOST_LAG
+from tracking.translation import Message, count_msg, msg
 
 _TILE = 20
 """Side of the squares, of thinned pixels, that are looked at for whether they show anything."""
@@ -25,7 +28,7 @@ _MOST_TOLD = 5
 """Failures, and changes of lag, that are told one by one; the others are counted."""
 _LOOKS = 2
 """So many looks on end must find the same lag, or that there is none."""
-_MUCH_WORSE = "which is far worse: more people are lost, or take each other's ids"
+_MUCH_WORSE = msg("which is far worse: more people are lost, or take each other's ids")
 """What one camera is worth, for the user."""
 
 
@@ -68,16 +71,20 @@ class StereoWatch:
         if told is not None:
             self._movement = MotionAgreement(self._fps, told)
         if lag and lag == told:
-            self._lagged.append(f"{_late(lag)}, as recording.toml says: images are paired so")
+            self._lagged.append(
+                msg("{late}, as recording.toml says: images are paired so", late=_late(lag))
+            )
         elif lag != (told or 0):
-            paired = "images of the same instant are paired"
-            self._lagged.append(f"{_late(lag)}: {paired}{self._unless_told(lag)}")
+            paired = msg("{late}: images of the same instant are paired", late=_late(lag))
+            self._lagged.append(paired + self._unless_told(lag))
 
     def _unless_told(self, lag: int | None) -> str:
         """What to do where recording.toml says otherwise."""
         if self._told is None or lag == self._told:
             return ""
-        return f"; recording.toml says {self._told}: leave `lag` out to have it looked for"
+        return msg(
+            "; recording.toml says {told}: leave `lag` out to have it looked for", told=self._told
+        )
 
     def look(self, frame: int, left: Picture, right: Picture, paired: int = 0) -> None:
         """Take notice of the next frame; one that does not follow on the last tells no movement.
@@ -105,8 +112,14 @@ class StereoWatch:
     def notes(self) -> tuple[str, ...]:
         """What the user should know, a line each; nothing while both cameras are well."""
         failed = [
-            f"the right camera shows nothing new in frames {first} to {last}: people are tracked "
-            f"with the left camera alone there, {_MUCH_WORSE}; look after the camera or its cable"
+            msg(
+                "the right camera shows nothing new in frames {first} to {last}: people "
+                "are tracked with the left camera alone there, {much_worse}; look after "
+                "the camera or its cable",
+                first=first,
+                last=last,
+                much_worse=_MUCH_WORSE,
+            )
             for first, last in self._failed
         ]
         return (*_first_few(failed), *_first_few(self._lagged))
@@ -157,32 +170,46 @@ class StereoWatch:
             self.pairing = 0
 
 
-def _told_late(frame: int, lag: int | None) -> str:
+def _told_late(frame: int, lag: int | None) -> Message:
     """What is told of a lag that was found at a frame."""
     if lag is None:
-        return (
-            f"from frame {frame} on the cameras do not show the same instant, and the lag is "
-            f"unknown: people are tracked with the left camera alone, {_MUCH_WORSE}"
+        return msg(
+            "from frame {frame} on the cameras do not show the same instant, and the "
+            "lag is unknown: people are tracked with the left camera alone, "
+            "{much_worse}",
+            frame=frame,
+            much_worse=_MUCH_WORSE,
         )
     if lag == 0:
-        return f"from frame {frame} on both cameras show the same instant"
-    return (
-        f"{_late(lag)}, found at frame {frame}: images of the same instant are paired from "
-        "there; distances shortly before may be wrong"
+        return msg("from frame {frame} on both cameras show the same instant", frame=frame)
+    return msg(
+        "{late}, found at frame {frame}: images of the same instant are paired from "
+        "there; distances shortly before may be wrong",
+        late=_late(lag),
+        frame=frame,
     )
 
 
-def _late(lag: int) -> str:
+def _late(lag: int) -> Message:
     if lag == 0:
-        return "neither camera is late"
-    side, by = "right" if lag > 0 else "left", "1 frame" if abs(lag) == 1 else f"{abs(lag)} frames"
-    return f"the {side} camera is {by} late"
+        return msg("neither camera is late")
+    if lag > 0:
+        return count_msg(
+            lag, "the right camera is {n} frame late", "the right camera is {n} frames late"
+        )
+    return count_msg(
+        -lag, "the left camera is {n} frame late", "the left camera is {n} frames late"
+    )
 
 
-def _first_few(lines: list[str]) -> list[str]:
+def _first_few(lines: Sequence[str]) -> Sequence[str]:
     """Not more lines than anybody reads, and how many more there are."""
     more = len(lines) - _MOST_TOLD
-    return lines if more <= 0 else [*lines[:_MOST_TOLD], f"and {more} more times like this"]
+    return (
+        lines
+        if more <= 0
+        else [*lines[:_MOST_TOLD], msg("and {more} more times like this", more=more)]
+    )
 
 
 def shows_nothing(left: Picture, right: Picture) -> bool:

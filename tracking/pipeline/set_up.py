@@ -15,6 +15,7 @@ from tracking.geometry import Ground, Rectification
 from tracking.recording import Recording, StereoFrame
 from tracking.stereo import SightLines
 from tracking.trackers import changed_settings, settings_fields, settings_values
+from tracking.translation import msg
 
 _MATCHING = "stereo."
 """Settings of how the cameras are matched begin so; all are numbers with a unit."""
@@ -83,7 +84,12 @@ def changed_matching(tracker: str, settings: Any) -> str:
     """
     changed = changed_settings(tracker, settings_values(settings))
     return ", ".join(
-        f"{field.title} is {changed[field.name]:g} {field.unit}"
+        msg(
+            "{title} is {value:g} {unit}",
+            title=field.title,
+            value=changed[field.name],
+            unit=field.unit,
+        )
         for field in settings_fields(type(settings))
         if field.name.startswith(_MATCHING) and field.name in changed
     )
@@ -101,19 +107,24 @@ def doubt_of(recording: Recording, frames: Sequence[StereoFrame]) -> str:
     if rectification is None or ground is None or frame.right is None:
         return ""
     if _show_the_same(frames):
-        return (
-            f"{recording.name}: both cameras show the same images, which tell no distance: give "
-            "the right camera's own source, or choose a tracker for one camera"
+        return msg(
+            "{name}: both cameras show the same images, which tell no distance: give "
+            "the right camera's own source, or choose a tracker for one camera",
+            name=recording.name,
         )
     scene = measure_scene(rectification, frame.left, frame.right)
     if scene.is_behind:
-        return f"{recording.name}: no distance for what moves: are the cameras swapped?"
+        return msg(
+            "{name}: no distance for what moves: are the cameras swapped?", name=recording.name
+        )
     better = better_floor(scene, ground)
     if better is None:
         return ""
-    return (
-        f"{recording.name}: {_describe(ground)} do not suit the scene, {_describe(better)} would: "
-        "check how the camera stands"
+    return msg(
+        "{name}: {ground} do not suit the scene, {better} would: check how the camera stands",
+        name=recording.name,
+        ground=_describe(ground),
+        better=_describe(better),
     )
 
 
@@ -135,7 +146,11 @@ def _differ(left: Picture, right: Picture) -> float:
 
 
 def _describe(ground: Ground) -> str:
-    return f"height {ground.height_m:.3g} m and tilt {ground.tilt_deg:.3g} degrees"
+    return msg(
+        "height {height_m:.3g} m and tilt {tilt_deg:.3g} degrees",
+        height_m=ground.height_m,
+        tilt_deg=ground.tilt_deg,
+    )
 
 
 def measure_scene(rectification: Rectification, left: Picture, right: Picture) -> SceneDistances:

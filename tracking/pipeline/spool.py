@@ -14,6 +14,7 @@ from threading import Lock
 from platformdirs import user_cache_path
 
 from tracking.errors import OutputError
+from tracking.translation import msg
 
 IN_MEMORY_BYTES = 32 << 20
 """So much is held without any file: most recordings are short."""
@@ -148,7 +149,7 @@ def _unreadable(why: OSError) -> OutputError:
 
 def _refused(folder: Path, why: OSError) -> OutputError:
     full = why.errno in (errno.ENOSPC, errno.EDQUOT)
-    reason = "too little space is left" if full else why.strerror or str(why)
+    reason = msg("too little space is left") if full else why.strerror or str(why)
     return OutputError(
         "{folder}: particles cannot be put aside while tracking: {reason}",
         "make room there, or track a shorter range",

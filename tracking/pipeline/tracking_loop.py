@@ -27,6 +27,7 @@ from tracking.trackers import (
 )
 from tracking.trackers.shared.stages import Stages
 from tracking.tracks import Run
+from tracking.translation import msg
 
 BACKGROUND_SAMPLES = 15
 """Frames spread over the recording that the background is learnt from before the first step."""
@@ -186,10 +187,16 @@ class Tracking:
         """What is told where hardly anything that moves has a distance; "": it has one."""
         if self._followed or not self._spec.needs_stereo or not self._ranged.is_too_small:
             return ""
-        cameras = "are the cameras swapped, or is the calibration of other cameras?"
+        cameras = msg("are the cameras swapped, or is the calibration of other cameras?")
         changed = changed_matching(self._spec.name, self._settings)
-        asked = f"{changed}, is that right? If so, {cameras}" if changed else cameras
-        return f"{self._recording.name}: no distance for what moves: {asked}"
+        asked = (
+            msg("{changed}, is that right? If so, {cameras}", changed=changed, cameras=cameras)
+            if changed
+            else cameras
+        )
+        return msg(
+            "{name}: no distance for what moves: {asked}", name=self._recording.name, asked=asked
+        )
 
     def _work(self) -> Generator[StepResult]:
         timed = self._stages.timed

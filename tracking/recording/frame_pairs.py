@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from tracking.recording.images import ImageSource, frame_numbers
 from tracking.recording.pictures import PictureSource
 from tracking.recording.plurals import counted
+from tracking.translation import msg
 
 _SAME_CLOCK_SHARE = 0.9
 
@@ -44,8 +45,14 @@ def pair_frames(left: PictureSource, right: PictureSource) -> Pairing:
     notes: tuple[str, ...] = ()
     if left.frame_count != right.frame_count:
         notes = (
-            f"the cameras differ in length: {left.name} has {left.frame_count} frames, "
-            f"{right.name} {right.frame_count}; the recording ends with the shorter one",
+            msg(
+                "the cameras differ in length: {name} has {frame_count} frames, "
+                "{right_name} {right_frame_count}; the recording ends with the shorter one",
+                name=left.name,
+                frame_count=left.frame_count,
+                right_name=right.name,
+                right_frame_count=right.frame_count,
+            ),
         )
     return Pairing(np.arange(count), notes)
 
@@ -89,8 +96,9 @@ def _by_key(left: NDArray[np.float64], right: NDArray[np.float64]) -> Pairing | 
         return None
     alone = int((~met).sum())
     filled = np.maximum.accumulate(np.where(met, nearest, 0))
-    note = (
-        "the cameras lost different frames; they are paired by when they were taken, and in "
-        f"{counted(alone, 'frame')} the right image is the one before"
+    note = msg(
+        "the cameras lost different frames; they are paired by when they were taken, "
+        "and in {frames} the right image is the one before",
+        frames=counted(alone, "frame"),
     )
     return Pairing(filled.astype(np.int64), (note,))

@@ -8,6 +8,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import BinaryIO
 
+from tracking.translation import msg
+
 MOST_PIXELS = 40_000_000
 """Of one image: 8K video has 33 million. Decoded in colour that takes 120 MB."""
 _START_BYTES = 4096
@@ -39,12 +41,17 @@ def why_not_decoded(file: Path) -> str:
     """
     size = size_of(file)
     if size is None:
-        return "cannot be read as an image"
+        return msg("cannot be read as an image")
     width, height = size
     if width * height > MOST_PIXELS:
-        return f"has {width} x {height} px; images of up to {MOST_PIXELS // 10**6} Mpx are read"
+        return msg(
+            "has {width} x {height} px; images of up to {most} Mpx are read",
+            width=width,
+            height=height,
+            most=MOST_PIXELS // 10**6,
+        )
     if file.stat().st_size > width * height * _MOST_BYTES_A_PIXEL + _MOST_BESIDE:
-        return f"is far too large for {width} x {height} px"
+        return msg("is far too large for {width} x {height} px", width=width, height=height)
     return ""
 
 

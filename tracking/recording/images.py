@@ -15,6 +15,7 @@ from tracking.errors import RecordingError
 from tracking.recording.frame import Image
 from tracking.recording.image_headers import looks_odd, why_not_decoded
 from tracking.recording.plurals import counted
+from tracking.translation import msg
 
 IMAGE_SUFFIXES = frozenset(
     (".png", ".jpg", ".jpeg", ".bmp", ".pgm", ".ppm", ".tif", ".tiff", ".webp")
@@ -93,13 +94,21 @@ class ImageSource:
         gaps = numbers[-1] - numbers[0] + 1 - len(numbers) if numbers else 0
         if 0 < gaps < self.frame_count:
             notes.append(
-                f"{self.name}: {counted(gaps, 'number')} missing among the images; frames are "
-                "counted image by image"
+                msg(
+                    "{name}: {numbers} missing among the images; frames are counted image by image",
+                    name=self.name,
+                    numbers=counted(gaps, "number"),
+                )
             )
         if self._lost:
             notes.append(
-                f"{self.name}: {counted(len(self._lost), 'image')} broken or of another size, "
-                f"first {self._files[min(self._lost)].name}; the image before is shown"
+                msg(
+                    "{name}: {images} broken or of another size, first {first}; the image "
+                    "before is shown",
+                    name=self.name,
+                    images=counted(len(self._lost), "image"),
+                    first=self._files[min(self._lost)].name,
+                )
             )
         return tuple(notes)
 
@@ -176,9 +185,9 @@ def _decoded(file: Path) -> Image | None:
 def _why_lost(file: Path) -> str:
     """Why an image cannot be shown, in words that follow the file's name."""
     try:
-        return why_not_decoded(file) or "cannot be read as an image"
+        return why_not_decoded(file) or msg("cannot be read as an image")
     except OSError as error:
-        return f"cannot be read ({error.strerror})"
+        return msg("cannot be read ({reason})", reason=error.strerror)
 
 
 def _natural(file: Path) -> list[tuple[int, str]]:

@@ -18,6 +18,7 @@ from tracking.recording.manifest import (
 )
 from tracking.recording.options import OpenOptions
 from tracking.recording.places import is_pattern, place_inside
+from tracking.translation import msg
 
 _KITTI_FPS = 10.0
 _VIDEO_SUFFIXES = frozenset(
@@ -80,7 +81,7 @@ def from_manifest(place: Path, text: str) -> Located:
     Raises:
         RecordingError: the text is no manifest.
     """
-    manifest = parse_manifest(text, f"{place}: its manifest", place.resolve().name)
+    manifest = parse_manifest(text, msg("{place}: its manifest", place=place), place.resolve().name)
     folder = place
     if _is_source(place, manifest.left):
         folder = place.parent
@@ -107,8 +108,9 @@ def _in_folder(folder: Path) -> Located:
         return Located(folder, folder, manifest, text, trusted=False, own=True)
     kitti = _kitti(folder) or _only_sequence(folder)
     if kitti is not None:
-        rate = (
-            f"frames per second are not stated: {_KITTI_FPS:g}, as KITTI has; --fps says otherwise"
+        rate = msg(
+            "frames per second are not stated: {fps:g}, as KITTI has; --fps says otherwise",
+            fps=_KITTI_FPS,
         )
         return replace(kitti, notes=(rate,))
     name = folder.resolve().name

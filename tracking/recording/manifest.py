@@ -13,6 +13,7 @@ from tracking.errors import CalibrationError, OutputError, RecordingError
 from tracking.geometry import Ground
 from tracking.recording.image_pairs import MOST_LAG, Layout, Side
 from tracking.recording.limits import checked_fps, checked_ground
+from tracking.translation import msg
 
 MANIFEST_NAME = "recording.toml"
 TRUTH_NAME = "truth.txt"
@@ -184,7 +185,7 @@ class _Table:
         if kind is float and type(value) is int and abs(value) < _LARGEST_WHOLE:
             value = float(value)
         if key in self._values and (type(value) is not kind):
-            raise self.error(key, f"must be {_KIND_NAMES[kind]}")
+            raise self.error(key, msg("must be {kind}", kind=_KIND_NAMES[kind]))
         return value
 
     def error(self, key: str, problem: str) -> RecordingError:
@@ -197,7 +198,7 @@ class _Table:
 
 
 _KIND_NAMES: Mapping[type, str] = {
-    int: "a whole number",
+    int: msg("a whole number"),
     float: "a number",
     str: "a text",
     dict: "a table",
@@ -208,12 +209,12 @@ _KIND_NAMES: Mapping[type, str] = {
 def _sources(table: _Table) -> tuple[str, str | None, Layout | None, Side]:
     if "stereo" in table:
         if "left" in table or "right" in table:
-            raise table.error("stereo", "stands beside [left] or [right]; keep one of the two")
+            raise table.error("stereo", msg("stands beside [left] or [right]; keep one of the two"))
         stereo = table.section("stereo")
         layout = _choice(stereo, "layout", _LAYOUTS, _LAYOUTS[0])
         return _source(stereo), None, layout, _choice(stereo, "first", _SIDES, "left")
     if "left" not in table:
-        raise table.error("left", "is missing; say where the images are: [left] source = ...")
+        raise table.error("left", msg("is missing; say where the images are: [left] source = ..."))
     right = _source(table.section("right")) if "right" in table else None
     return _source(table.section("left")), right, None, "left"
 
@@ -221,11 +222,13 @@ def _sources(table: _Table) -> tuple[str, str | None, Layout | None, Side]:
 def _source(table: _Table) -> str:
     source: str = table.get("source", str, "")
     if not source:
-        raise table.error("source", "is missing; name a video, or images such as left/*.png")
+        raise table.error("source", msg("is missing; name a video, or images such as left/*.png"))
     if "\0" in source:
-        raise table.error("source", "holds a zero character; write the file's name")
+        raise table.error("source", msg("holds a zero character; write the file's name"))
     if _is_too_long(source):
-        raise table.error("source", "is longer than the name of any file; write the file's name")
+        raise table.error(
+            "source", msg("is longer than the name of any file; write the file's name")
+        )
     return source
 
 
@@ -240,14 +243,14 @@ def _choice(table: _Table, key: str, choices: tuple[_T, ...], default: _T) -> _T
     for choice in choices:
         if choice == value:
             return choice
-    raise table.error(key, f"must be one of {', '.join(choices)}")
+    raise table.error(key, msg("must be one of {choices}", choices=", ".join(choices)))
 
 
 def _right_lag(table: _Table) -> int | None:
     side = table.section("stereo" if "stereo" in table else "right")
     lag: int | None = side.get("lag", int, None)
     if lag is not None and abs(lag) > MOST_LAG:
-        raise side.error("lag", f"must be -{MOST_LAG} to {MOST_LAG} frames")
+        raise side.error("lag", msg("must be -{most} to {most} frames", most=MOST_LAG))
     return lag
 
 
@@ -265,7 +268,7 @@ def _calibration(table: _Table) -> tuple[str, ...]:
     except RecordingError:
         files = section.get("file", list, [])
     if not 1 <= len(files) <= 2 or not all(map(_is_file_name, files)):
-        raise section.error("file", "must be one file name, or a list of two")
+        raise section.error("file", msg("must be one file name, or a list of two"))
     return tuple(files)
 
 
@@ -279,7 +282,7 @@ def _ground(table: _Table) -> Ground | None:
     section = table.section("ground")
     for key in ("height", "tilt"):
         if key not in section:
-            raise section.error(key, "is missing; give height in metres and tilt in degrees")
+            raise section.error(key, msg("is missing; give height in metres and tilt in degrees"))
     try:
         return checked_ground(
             section.get("height", float, 0.0),
@@ -287,7 +290,9 @@ def _ground(table: _Table) -> Ground | None:
             section.get("roll", float, 0.0),
         )
     except CalibrationError as error:
-        raise section.error("height", f"and tilt make no floor: {error}") from error
+        raise section.error(
+            "height", msg("and tilt make no floor: {error}", error=error)
+        ) from error
 
 
 def _unknown(content: Mapping[str, Any]) -> tuple[str, ...]:

@@ -18,6 +18,7 @@ from tracking.recording.image_pairs import ImagePairs
 from tracking.recording.locate import Located
 from tracking.recording.manifest import TRUTH_NAME
 from tracking.recording.recording_calibration import Calibrated
+from tracking.translation import msg
 
 _DARK = 40
 _FLAT = 6
@@ -203,12 +204,19 @@ def _uneven_times(cameras: ImagePairs, fps: float, count: int) -> NDArray[np.flo
 
 
 def _manifest_notes(located: Located, cameras: ImagePairs, fps: float) -> tuple[str, ...]:
-    notes = [f"recording.toml: {key} means nothing here" for key in located.manifest.unknown]
+    notes = [
+        msg("recording.toml: {key} means nothing here", key=key) for key in located.manifest.unknown
+    ]
     streamed = cameras.sources[0].fps
     if streamed is not None and abs(streamed - fps) > 0.01 * fps:
         notes.append(
-            f"{cameras.sources[0].name}: the video says {streamed:g} frames per second, the "
-            f"recording {fps:g}; the recording counts"
+            msg(
+                "{name}: the video says {streamed:g} frames per second, the recording "
+                "{fps:g}; the recording counts",
+                name=cameras.sources[0].name,
+                streamed=streamed,
+                fps=fps,
+            )
         )
     return tuple(notes)
 
@@ -220,9 +228,13 @@ def first_frame_note(name: str, first: Image, second: Image) -> str | None:
     """
     bars, later = _bar_px(first), _bar_px(second)
     if bars - later > _LEAST_BAR_SHARE * min(first.shape[:2]):
-        return f"{name}: frame 0 is letterboxed (bars of {bars} px), unlike those after it"
+        return msg(
+            "{name}: frame 0 is letterboxed (bars of {bars} px), unlike those after it",
+            name=name,
+            bars=bars,
+        )
     if _likeness(first, second) < _LEAST_LIKENESS:
-        return f"{name}: frame 0 shows something else than those after it"
+        return msg("{name}: frame 0 shows something else than those after it", name=name)
     return None
 
 

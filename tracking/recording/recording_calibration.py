@@ -14,6 +14,7 @@ from tracking.geometry import (
     calibration_text,
     read_calibration,
 )
+from tracking.translation import msg
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -57,7 +58,9 @@ def read_calibrated(
     if not stereo and calibration.right is not None:
         calibration = StereoCalibration.of_one(calibration.left)
     if stereo and calibration.right is None:
-        notes = (f"{files[0].name}: calibrates the left camera only; there is no depth",)
+        notes = (
+            msg("{name}: calibrates the left camera only; there is no depth", name=files[0].name),
+        )
     return Calibrated(
         calibration,
         View(calibration.left, ground) if ground is not None else None,

@@ -13,6 +13,7 @@ from tracking.recording.pictures import PictureSource
 from tracking.recording.places import is_pattern, open_pictures, place_inside
 from tracking.recording.recording import Recording
 from tracking.recording.recording_calibration import read_calibrated
+from tracking.translation import msg
 
 
 def open_recording(path: Path, options: OpenOptions | None = None) -> Recording:
@@ -71,7 +72,7 @@ def _opened(located: Located, source: str, side: Side, allow_outside: bool) -> P
     """The pictures of a camera."""
     place = place_inside(located.folder, source, allow_outside)
     if located.own and (lacking := _lacking(place)):
-        instead = ", or leave [right] out for one camera" if side == "right" else ""
+        instead = msg(", or leave [right] out for one camera") if side == "right" else ""
         raise RecordingError(
             "{folder}: {called} is {lacking}: {place}",
             "put it there{instead}",
@@ -87,12 +88,14 @@ def _opened(located: Located, source: str, side: Side, allow_outside: bool) -> P
 def _called(located: Located, side: Side) -> str:
     """What a source shows, in the words of its manifest."""
     if located.manifest.layout is not None:
-        return "the video of both cameras"
-    return "the video" if located.manifest.right is None else f"the {side} camera"
+        return msg("the video of both cameras")
+    return (
+        msg("the video") if located.manifest.right is None else msg("the {side} camera", side=side)
+    )
 
 
 def _lacking(place: Path) -> str:
     """What is wrong with a file that recording.toml names, before anything is read; "": nothing."""
     if not place.exists():
-        return "" if is_pattern(str(place)) else "missing, no such video"
+        return "" if is_pattern(str(place)) else msg("missing, no such video")
     return "" if place.is_dir() or place.stat().st_size else "empty"

@@ -18,6 +18,7 @@ from tracking.recording.frame import Image
 from tracking.recording.packet_index import PacketIndex, index_video, open_video
 from tracking.recording.plurals import counted
 from tracking.recording.video_cursor import NumberedFrame, VideoCursor
+from tracking.translation import msg
 
 _RECENT_BYTES = 48 * 1024 * 1024
 _STEPS_BACK = 2
@@ -98,18 +99,29 @@ class VideoSource:
         notes = [f"{self.name}: {note}" for note in self._pace.notes]
         if self._index.left_out:
             notes.append(
-                f"{self.name}: {counted(self._index.left_out, 'frame')} before the first whole "
-                "image left out"
+                msg(
+                    "{name}: {frames} before the first whole image left out",
+                    name=self.name,
+                    frames=counted(self._index.left_out, "frame"),
+                )
             )
         if self._promised > len(self._index.number):
             notes.append(
-                f"{self.name}: cut short, {len(self._index.number)} of {self._promised} frames "
-                "are there"
+                msg(
+                    "{name}: cut short, {n} of {promised} frames are there",
+                    name=self.name,
+                    n=len(self._index.number),
+                    promised=self._promised,
+                )
             )
         if self._lost:
             notes.append(
-                f"{self.name}: {counted(len(self._lost), 'broken frame')}, first "
-                f"{min(self._lost)}; the image before is shown"
+                msg(
+                    "{name}: {frames}, first {first}; the image before is shown",
+                    name=self.name,
+                    frames=counted(len(self._lost), "broken frame"),
+                    first=min(self._lost),
+                )
             )
         return tuple(notes)
 
@@ -307,8 +319,19 @@ def pace_of(times_s: NDArray[np.float64] | None, told_fps: float | None) -> Pace
     regular = steps[np.abs(steps - usual) < 0.5 * usual]
     if len(regular) < _REGULAR_SHARE * len(steps):
         fps = len(steps) / float(times_s[-1])
-        spread = f"{steps.min() * 1000:.0f} to {steps.max() * 1000:.0f} ms"
-        return Pace(fps, (f"the time between frames varies ({spread}); the mean rate counts",))
+        spread = msg(
+            "{shortest:.0f} to {longest:.0f} ms",
+            shortest=steps.min() * 1000,
+            longest=steps.max() * 1000,
+        )
+        return Pace(
+            fps,
+            (
+                msg(
+                    "the time between frames varies ({spread}); the mean rate counts", spread=spread
+                ),
+            ),
+        )
     fps = 1 / float(regular.mean())
     if told_fps and abs(told_fps - fps) < 0.005 * fps:
         fps = told_fps
@@ -318,5 +341,11 @@ def pace_of(times_s: NDArray[np.float64] | None, told_fps: float | None) -> Pace
         return Pace(fps, ())
     return Pace(
         fps,
-        (f"{counted(int(missing[gaps].sum()), 'frame')} not recorded, first after {gaps[0]}",),
+        (
+            msg(
+                "{frames} not recorded, first after {first}",
+                frames=counted(int(missing[gaps].sum()), "frame"),
+                first=gaps[0],
+            ),
+        ),
     )

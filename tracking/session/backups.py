@@ -18,6 +18,7 @@ from tracking.session.hdf5 import open_readonly, text_attribute
 from tracking.session.image import Snapshot
 from tracking.session.runs import StoredRun
 from tracking.session.session_writer import check_backup_file, companions, find_backups
+from tracking.translation import msg
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,7 +66,11 @@ def check_backup(path: Path, number: int) -> None:
     _check_folder(path)
     count = len(find_backups(path))
     if not 1 <= number <= count:
-        kept = f"there are {count}, 1 is the newest" if count else "none is kept yet"
+        kept = (
+            msg("there are {count}, 1 is the newest", count=count)
+            if count
+            else msg("none is kept yet")
+        )
         raise SessionError(
             "{path} has no backup {number} ({kept})", path=path, number=number, kept=kept
         )

@@ -24,6 +24,7 @@ from tracking.session.session_writer import UNLIMITED, file_state, find_backups,
 from tracking.session.stamps import make_id, now, resolve_author, software
 from tracking.session.store import Store
 from tracking.tracks import Run, TrackTable
+from tracking.translation import msg
 
 if TYPE_CHECKING:
     from tracking.recording import Recording
@@ -112,7 +113,7 @@ class Session(OnDisk):
         session._damage += read.damage
         session._notes += read.damage
         session._tell_of_kept(path)
-        session._why_read_only = "it was opened to be read only"
+        session._why_read_only = msg("it was opened to be read only")
         return session
 
     def close(self, *, discard: bool = False) -> None:

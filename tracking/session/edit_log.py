@@ -16,6 +16,7 @@ from tracking.errors import EditError
 from tracking.progress import Progress
 from tracking.session.edit_words import in_words
 from tracking.tracks import PART_NAMES, PartLabel
+from tracking.translation import msg
 
 LOG_COLUMNS = (
     *("id", "time", "author", "kind", "text", "frame", "frames", "tracks"),
@@ -86,7 +87,7 @@ def _fate(history: History, entry: Entry) -> str:
     if entry.undone:
         return "undone"
     taker = history.taken_back_by(entry.id)
-    return f"undone by {taker}" if taker else ""
+    return msg("undone by {taker}", taker=taker) if taker else ""
 
 
 def _document(history: History, entry: Entry) -> dict[str, Any]:

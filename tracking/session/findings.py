@@ -9,8 +9,9 @@ from dataclasses import asdict, dataclass, fields
 import h5py
 
 from tracking.session.hdf5 import text_attribute
+from tracking.translation import msg
 
-CHECKSUM = (
+CHECKSUM = msg(
     "its checksum did not hold, so names, texts or whole edits and labels in it may be wrong or "
     "missing"
 )
@@ -36,16 +37,24 @@ class Finding:
 
     def note(self, path: object) -> str:
         """What is told of it at every reading of the session at `path`."""
-        when = f" on {self.found[:19].replace('T', ' ')} UTC" if self.found else ""
-        kept = f" (as it was then: {self.kept} in the folder beside it)" if self.kept else ""
-        return (
-            f"{path} was found damaged{when}: {self.what}{kept}; restore a backup, or accept it "
-            "as it is (trackwright restore --accept-damage)"
+        when = msg(" on {found} UTC", found=self.found[:19].replace("T", " ")) if self.found else ""
+        kept = (
+            msg(" (as it was then: {kept} in the folder beside it)", kept=self.kept)
+            if self.kept
+            else ""
+        )
+        return msg(
+            "{path} was found damaged{when}: {what}{kept}; restore a backup, or accept "
+            "it as it is (trackwright restore --accept-damage)",
+            path=path,
+            when=when,
+            what=self.what,
+            kept=kept,
         )
 
 
 _FIELDS = tuple(field.name for field in fields(Finding))
-_UNREADABLE = Finding("", "what it says of damage that was found before cannot be read")
+_UNREADABLE = Finding("", msg("what it says of damage that was found before cannot be read"))
 
 
 def write_findings(file: h5py.File, findings: Sequence[Finding]) -> None:

@@ -8,6 +8,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from tracking.errors import OutputError, SessionError
+from tracking.translation import msg
 
 _OF_THE_DISK = frozenset(
     {
@@ -44,7 +45,7 @@ def translate_errors(path: Path, what: str) -> Iterator[None]:
             raise SessionError(
                 "{path}: this is no journal of edits ({why})", path=path, why=why
             ) from why
-        said = "there is not enough memory" if isinstance(why, MemoryError) else why
+        said = msg("there is not enough memory") if isinstance(why, MemoryError) else why
         raise OutputError(
             "{path}: the journal of edits cannot be {what} ({said}); make room or choose a "
             "folder you may write to",

@@ -17,6 +17,7 @@ from pathlib import Path
 from tracking.owned_files import look_at, sync_folder
 from tracking.session.journal import ENDINGS, FOREIGN_ENDING, Journal, Step
 from tracking.session.session_writer import explain_file_errors
+from tracking.translation import msg
 
 JOURNAL = "journal.sqlite"
 NEXT = "journal-next.sqlite"
@@ -36,7 +37,7 @@ def find_main(folder: Path) -> Path:
 def are_there(folder: Path) -> bool:
     """Whether any file of a journal is there. Raises OutputError where nobody can tell."""
     names = (NEXT, *(f"{JOURNAL}{ending}" for ending in ("", *_OTHERS)))
-    with explain_file_errors(folder, "the journal of edits cannot be looked for"):
+    with explain_file_errors(folder, msg("the journal of edits cannot be looked for")):
         return any(_lies_there(folder / name) for name in names)
 
 
@@ -46,7 +47,7 @@ def set_aside(folder: Path) -> Path:
     Raises OutputError where that fails.
     """
     finish_replacing(folder)
-    with explain_file_errors(folder / JOURNAL, "the journal cannot be kept aside"):
+    with explain_file_errors(folder / JOURNAL, msg("the journal cannot be kept aside")):
         return _moved_aside(folder)
 
 
@@ -61,7 +62,7 @@ def replace(
     made = folder / f"{_BEING_MADE}{uuid.uuid4().hex}.sqlite"
     try:
         Journal.begun(made, session, save, mode, steps).close()
-        with explain_file_errors(made, "the journal of edits cannot be made anew"):
+        with explain_file_errors(made, msg("the journal of edits cannot be made anew")):
             if _lies_there(made.with_name(f"{made.name}-wal")):
                 raise OSError(errno.EIO, "its log could not be emptied")
             made.replace(folder / NEXT)
@@ -81,7 +82,7 @@ def finish_replacing(folder: Path) -> Path | None:
     Gives the name that the journal before is kept aside as. Raises OutputError where that fails.
     """
     _clear(folder)
-    with explain_file_errors(folder / JOURNAL, "the journal cannot be kept aside"):
+    with explain_file_errors(folder / JOURNAL, msg("the journal cannot be kept aside")):
         if not _lies_there(folder / NEXT):
             return None
         aside = _moved_aside(folder)

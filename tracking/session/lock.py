@@ -12,6 +12,7 @@ from pathlib import Path
 
 from tracking.errors import SessionError
 from tracking.owned_files import open_file
+from tracking.translation import msg
 
 _MOST_HOLDER_BYTES = 4096
 """Of what the lock says about its holder: a number and a computer's name."""
@@ -99,7 +100,7 @@ class SessionLock:
             *(OSError, SessionError, ValueError, LookupError),
             *(TypeError, OverflowError, RecursionError),
         ):
-            return "another program"
+            return msg("another program")
 
     def _said(self) -> bytes:
         """What stands after the byte that is locked."""

@@ -12,12 +12,14 @@ from __future__ import annotations
 import logging
 from pathlib import Path
 
+from tracking.translation import msg
+
 LOGGER = "tracking.session.notes"
 _log = logging.getLogger(LOGGER)
 _log.setLevel(logging.INFO)
 _log.addHandler(logging.NullHandler())
 
-MAY_MISS = "edits made after the session was saved last may be missing"
+MAY_MISS = msg("edits made after the session was saved last may be missing")
 _CHANGED = (
     "{path} is damaged: its checksum does not hold, so names, texts or whole edits and labels in "
     "it may be wrong or missing; compare it with a copy or a backup"

@@ -20,6 +20,7 @@ from tracking.session.session_state import SessionState
 from tracking.session.session_writer import companions, keep_damaged
 from tracking.session.stamps import now
 from tracking.session.store import Store
+from tracking.translation import msg
 
 
 class OnDisk(SessionState):
@@ -30,9 +31,10 @@ class OnDisk(SessionState):
         if not store.make_sure(self._is_own_file):
             self._saved, self._base = -1, self._content  # what no journal holds goes into the file
         if store.others_aside is not None:
-            what = (
-                "another program edited this session meanwhile; its edits are kept aside as "
-                f"{store.others_aside}"
+            what = msg(
+                "another program edited this session meanwhile; its edits are kept "
+                "aside as {aside}",
+                aside=store.others_aside,
             )
             self._findings.append(Finding(now(), self._without_folder(what)))
             raise SessionError(
@@ -105,10 +107,16 @@ class OnDisk(SessionState):
             if self._saved < 0:
                 self.save()
         except (OutputError, SessionError) as why:
-            lost = f"edits made after {self._path} was saved last may be lost: {why.reason}"
+            lost = msg(
+                "edits made after {path} was saved last may be lost: {reason}",
+                path=self._path,
+                reason=why.reason,
+            )
             raise type(why)(lost, why.to_do) from why
         if store.others_aside is not None:
-            tell(f"edits of another program are kept aside as {store.others_aside}")
+            tell(
+                msg("edits of another program are kept aside as {aside}", aside=store.others_aside)
+            )
 
     def _refuse_read_only(self) -> None:
         if self.read_only:
@@ -126,9 +134,9 @@ class OnDisk(SessionState):
         """Stay open for reading only."""
         self._let_go(keep_journal=True)
         self._why_read_only = why
-        self._notes.append(f"Open for reading only: {why}")
+        self._notes.append(msg("Open for reading only: {why}", why=why))
         if not self._recovered and self._path is not None and edits_wait(self._path):
-            self._notes.append("edits made after it was saved last are not shown here")
+            self._notes.append(msg("edits made after it was saved last are not shown here"))
 
     # Saving
 

@@ -25,6 +25,7 @@ from tracking.session.notes import MAY_MISS, tell_damage
 from tracking.session.recovery import MissingSteps, explain_misfit, find_missing_steps
 from tracking.session.session_reader import read_session
 from tracking.session.session_writer import companions, file_state
+from tracking.translation import msg
 
 _MOST_KEPT = 5
 """Journals kept aside that are looked through when a session is opened."""
@@ -67,9 +68,13 @@ def notes_on_kept(path: Path, stamps: Stamps, history: History) -> dict[Path, st
             lost = sum((one.id, one.time, one.author, one.text) not in known for one in made)
             if lost:
                 verb = "is" if lost == 1 else "are"
-                notes[kept] = (
-                    f"{counted(lost, 'edit')} made after the last save of {path} {verb} not in it, "
-                    f"but kept aside as {kept}"
+                notes[kept] = msg(
+                    "{edits} made after the last save of {path} {verb} not in it, but "
+                    "kept aside as {kept}",
+                    edits=counted(lost, "edit"),
+                    path=path,
+                    verb=verb,
+                    kept=kept,
                 )
     return notes
 
@@ -106,7 +111,15 @@ def _read(path: Path) -> ReadSession:
         for step in steps:
             edited.replay(step.act, step.entry)
             made += 1
-        note = f"the journal of edits is damaged ({problem}): {MAY_MISS}" if problem else ""
+        note = (
+            msg(
+                "the journal of edits is damaged ({problem}): {may_miss}",
+                problem=problem,
+                may_miss=MAY_MISS,
+            )
+            if problem
+            else ""
+        )
     except EditError as why:
         note = f"{explain_misfit(steps[made:])} ({why}): {MAY_MISS}"
     except SessionError as why:

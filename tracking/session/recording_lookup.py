@@ -174,7 +174,11 @@ def _moved(
     expected += [named for asked in search for named in _named(asked, _name(reference))]
     # The file's own path is only compared, never looked at: it may lead to another machine.
     if os.path.abspath(place) not in map(os.path.abspath, expected):  # noqa: PTH100
-        yield f'recording "{reference.name}" has moved; it was found at {place}'
+        yield msg(
+            'recording "{name}" has moved; it was found at {place}',
+            name=reference.name,
+            place=place,
+        )
 
 
 def _changes(reference: RecordingReference, recording: Recording) -> Iterator[str]:
@@ -183,11 +187,15 @@ def _changes(reference: RecordingReference, recording: Recording) -> Iterator[st
         changed = _changed_parts(reference.manifest, recording.manifest_text)
         if changed:
             yield (
-                f"{recording.folder / _MANIFEST} has changed since the tracks were made "
-                f"({', '.join(changed)}); it counts as it is now"
+                msg(
+                    "{folder} has changed since the tracks were made ({changed}); it "
+                    "counts as it is now",
+                    folder=recording.folder / _MANIFEST,
+                    changed=", ".join(changed),
+                )
             )
     if recording.calibration_text != reference.calibration:
-        yield "the calibration has changed since the tracks were made; it counts as it is now"
+        yield msg("the calibration has changed since the tracks were made; it counts as it is now")
 
 
 def _changed_parts(then: str, now: str) -> Sequence[str]:
@@ -197,7 +205,7 @@ def _changed_parts(then: str, now: str) -> Sequence[str]:
     try:
         before, after = (parse_manifest(text, _MANIFEST, "") for text in (then, now))
     except RecordingError:
-        return ("all of it",)
+        return (msg("all of it"),)
     names = [field.name for field in fields(before)]
     return [name for name in names if getattr(before, name) != getattr(after, name)]
 

@@ -12,6 +12,7 @@ from tracking.session.image import Stamps
 from tracking.session.journal import Journal, Step
 from tracking.session.notes import MAY_MISS
 from tracking.session.store import Store
+from tracking.translation import Message, count_msg, msg
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,21 +57,38 @@ def recover(edited: EditedTracks, store: Store, stamps: Stamps) -> Recovery:
         missing = find_missing_steps(journal, stamps)
     except SessionError as why:
         reason = why.reason
-        return _replaced(store, stamps, (), lambda kept: f"{reason}; it was {kept}: {MAY_MISS}")
-    steps, made, misfit = missing.steps, 0, ""
+        return _replaced(
+            store,
+            stamps,
+            (),
+            lambda kept: msg(
+                "{reason}; it was {kept}: {may_miss}", reason=reason, kept=kept, may_miss=MAY_MISS
+            ),
+        )
+    steps, made, misfit = missing.steps, 0, Message()
     try:
         for step in steps:
             edited.replay(step.act, step.entry)
             made += 1
     except EditError as why:
-        misfit = str(why)
+        misfit = why.message
     if not (misfit or missing.problem):
         return _gone_on_with(journal, stamps, steps, store.kept_aside)
 
     def damage(kept: str) -> str:
         if misfit:
-            return f"{explain_misfit(steps[made:])} ({misfit}); {kept}"
-        return f"the journal of edits is damaged ({missing.problem}); it was {kept}: {MAY_MISS}"
+            return msg(
+                "{edits} ({why}); {kept}",
+                edits=explain_misfit(steps[made:]),
+                why=misfit,
+                kept=kept,
+            )
+        return msg(
+            "the journal of edits is damaged ({problem}); it was {kept}: {may_miss}",
+            problem=missing.problem,
+            kept=kept,
+            may_miss=MAY_MISS,
+        )
 
     return _replaced(store, stamps, steps[:made], damage)
 
@@ -79,8 +97,10 @@ def _gone_on_with(
     journal: Journal, stamps: Stamps, steps: Sequence[Step], aside: Path | None
 ) -> Recovery:
     """Let a sound journal build on the file. aside: see `Store.kept_aside`."""
-    cut_short = (
-        f"a journal was kept aside as {aside} when the session was opened before: {MAY_MISS}"
+    cut_short = msg(
+        "a journal was kept aside as {aside} when the session was opened before: {may_miss}",
+        aside=aside,
+        may_miss=MAY_MISS,
     )
     failed = None
     try:
@@ -99,16 +119,18 @@ def _replaced(
     """
     failed: OutputError | None = None
     try:
-        kept = f"kept aside as {store.replace_journal(stamps.session, stamps.save, steps)}"
+        kept = msg(
+            "kept aside as {place}", place=store.replace_journal(stamps.session, stamps.save, steps)
+        )
     except OutputError as why:
-        kept, failed = "left where it is", why
+        kept, failed = msg("left where it is"), why
     return Recovery(len(steps), _told(steps), (damage(kept),), failed)
 
 
 def explain_misfit(steps: Sequence[Step]) -> str:
     """How many edits these are, and that they do not fit the session."""
     left = len({step.entry.id for step in steps})
-    return f"{_edits(left)} {'does' if left == 1 else 'do'} not fit"
+    return count_msg(left, "{n} edit does not fit", "{n} edits do not fit")
 
 
 def find_missing_steps(journal: Journal, stamps: Stamps) -> MissingSteps:
@@ -138,7 +160,11 @@ def find_missing_steps(journal: Journal, stamps: Stamps) -> MissingSteps:
 
 
 def _lost(acknowledged: int, there: int) -> str:
-    return f"{there} of {acknowledged} steps are left" if acknowledged > there else ""
+    return (
+        msg("{there} of {acknowledged} steps are left", there=there, acknowledged=acknowledged)
+        if acknowledged > there
+        else ""
+    )
 
 
 def _told(steps: Sequence[Step]) -> tuple[str, ...]:
@@ -146,14 +172,18 @@ def _told(steps: Sequence[Step]) -> tuple[str, ...]:
     last = {step.entry.id: step.act for step in steps}
     made = {step.entry.id for step in steps if step.act == "apply"}
     undone = {edit for edit, act in last.items() if act == "undo"}
-    which = f", {len(made & undone)} of them undone again" if made & undone else ""
+    which = msg(", {count} of them undone again", count=len(made & undone)) if made & undone else ""
     told = {
-        f"made after the session was saved last{which}": made,
-        "undone after the session was saved last": undone - made,
-        "redone after the session was saved last": last.keys() - made - undone,
+        msg("made after the session was saved last{which}", which=which): made,
+        msg("undone after the session was saved last"): undone - made,
+        msg("redone after the session was saved last"): last.keys() - made - undone,
     }
-    return tuple(f"Recovered: {_edits(len(some))} {how}" for how, some in told.items() if some)
+    return tuple(
+        msg("Recovered: {edits} {how}", edits=_edits(len(some)), how=how)
+        for how, some in told.items()
+        if some
+    )
 
 
 def _edits(number: int) -> str:
-    return "1 edit" if number == 1 else f"{number} edits"
+    return "1 edit" if number == 1 else msg("{number} edits", number=number)

@@ -34,6 +34,7 @@ from tracking.session.session_writer import find_backups
 from tracking.session.stamps import now
 from tracking.session.table_reader import PendingColumns
 from tracking.tracks import LARGEST_NUMBER, TrackTable
+from tracking.translation import msg
 from tracking.untrusted import DAMAGED, verdicts_of
 
 _MOST_FPS, _WIDEST = 1e6, 1 << 20
@@ -149,9 +150,9 @@ def inspect_files(paths: Sequence[Path]) -> list[dict[str, Any]]:
 def _way_out(path: Path, refused: str) -> str:
     """What can be done about a file that is refused, for the end of a message."""
     if find_backups(path):
-        return f"; trackwright restore {path.name} has back what was saved before"
+        return msg("; trackwright restore {name} has back what was saved before", name=path.name)
     if refused == DAMAGED:
-        return "; no older save is kept: bring a copy of it, or track the recording again"
+        return msg("; no older save is kept: bring a copy of it, or track the recording again")
     return ""
 
 

@@ -20,6 +20,7 @@ from tracking.atomic_output import check_target
 from tracking.errors import OutputError, UnsafeFileError
 from tracking.owned_files import SAFE_FLAGS, check_file, check_folder, sync_folder
 from tracking.session.image_file import ImageFile
+from tracking.translation import msg
 
 MAX_BACKUPS = 5
 UNLIMITED = 999_999
@@ -120,7 +121,7 @@ def keep_damaged(path: Path, file: Path | None = None) -> Path:
     """
     file = path if file is None else file
     kept = free_name(companions(path) / f"damaged-{path.suffix}")
-    with explain_file_errors(kept, "the damaged file cannot be kept"):
+    with explain_file_errors(kept, msg("the damaged file cannot be kept")):
         try:
             os.link(file, kept)
         except OSError:  # a disk without second names
@@ -167,14 +168,14 @@ def explain_file_errors(path: Path, failed: str = "the session was not saved") -
         yield
     except OSError as why:
         reason = {
-            errno.ENOSPC: "no space is left on the disk; make room",
-            errno.EDQUOT: "your share of the disk is used up; make room",
-            errno.EFBIG: "it would be larger than a file may be here; choose another disk",
-            errno.EACCES: "you may not write there; choose another folder",
-            errno.EPERM: "you may not write there; choose another folder",
-            errno.EROFS: "the disk is read-only; choose another folder",
-            errno.ENOENT: "its folder does not exist; choose another",
-        }.get(why.errno or 0, f"{why.strerror or why}; try another place")
+            errno.ENOSPC: msg("no space is left on the disk; make room"),
+            errno.EDQUOT: msg("your share of the disk is used up; make room"),
+            errno.EFBIG: msg("it would be larger than a file may be here; choose another disk"),
+            errno.EACCES: msg("you may not write there; choose another folder"),
+            errno.EPERM: msg("you may not write there; choose another folder"),
+            errno.EROFS: msg("the disk is read-only; choose another folder"),
+            errno.ENOENT: msg("its folder does not exist; choose another"),
+        }.get(why.errno or 0, msg("{reason}; try another place", reason=why.strerror or why))
         raise OutputError(
             "{path}: {failed}: {reason}", path=path, failed=failed, reason=reason
         ) from why

@@ -19,6 +19,7 @@ from tracking.session.journal import Act, Journal, Step
 from tracking.session.journal_files import JOURNAL
 from tracking.session.lock import SessionLock
 from tracking.session.session_writer import clear_leftovers, companions, explain_file_errors
+from tracking.translation import msg
 
 _TRIES = 20
 """Of taking the lock in a folder that another program takes away at that moment."""
@@ -53,7 +54,7 @@ class Store:
         no place for a file.
         """
         check_target(path)
-        with explain_file_errors(path, "its folder cannot be written to"):
+        with explain_file_errors(path, msg("its folder cannot be written to")):
             lock = _locked(path)
             try:
                 clear_leftovers(path)
@@ -137,7 +138,7 @@ class Store:
         return known and not self._doubted and self._lock.is_in_place
 
     def _lock_again(self, is_own: Callable[[], bool]) -> None:
-        with explain_file_errors(self._path, "its folder cannot be written to"):
+        with explain_file_errors(self._path, msg("its folder cannot be written to")):
             lock = _locked(self._path)
         if not is_own():
             lock.release()
@@ -208,7 +209,7 @@ class Store:
 
     def _sync_folder(self) -> None:
         """What is journalled must not vanish with the folder it lies in, which may be new."""
-        with explain_file_errors(self._path, "its folder cannot be written to"):
+        with explain_file_errors(self._path, msg("its folder cannot be written to")):
             sync_folder(self._path.parent)
 
     @property

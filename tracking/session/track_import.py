@@ -20,6 +20,7 @@ from tracking.formats.row_rules import BOX
 from tracking.progress import Progress, no_progress
 from tracking.recording.fingerprint import Fingerprint, fingerprint
 from tracking.session.document import Session
+from tracking.session.import_notes import differing_footage, note_on_outside
 from tracking.session.imported_ids import id_of_zero, new_ids
 from tracking.session.stamps import software
 from tracking.tracks import (
@@ -37,6 +38,7 @@ from tracking.tracks import (
     TrackTable,
     empty,
 )
+from tracking.translation import msg
 
 if TYPE_CHECKING:
     from tracking.geometry import View
@@ -133,7 +135,7 @@ def fit_to_recording(
 
     Raises EditError for a tolerance that is none, FormatError where no ids are left.
     """
-    notes = [*imported.notes, *_differing_footage(imported, filmed)]
+    notes = [*imported.notes, *differing_footage(imported, filmed)]
     found = Importable(
         imported.columns,
         imported.labels,
@@ -209,25 +211,6 @@ def take_into(
     return session.apply(change)
 
 
-def _differing_footage(imported: Imported, filmed: Filmed) -> list[str]:
-    """What the file says otherwise of the footage than the recording does."""
-    notes = []
-    if None not in (imported.size_px, filmed.size_px) and imported.size_px != filmed.size_px:
-        (width, height), own = imported.size_px or (0, 0), filmed.size_px or (0, 0)
-        notes.append(
-            f"the file is of images of {width} x {height} px, the recording's are "
-            f"{own[0]} x {own[1]}; boxes are imported unchanged"
-        )
-    if imported.fps and filmed.fps and abs(imported.fps - filmed.fps) > 0.01 * filmed.fps:
-        notes.append(
-            f"the file is of {imported.fps:g} frames per second, the recording of {filmed.fps:g}; "
-            "frames are matched by their number"
-        )
-    if imported.frames and filmed.frames and imported.frames != filmed.frames:
-        notes.append(f"the file is of {imported.frames} frames, the recording has {filmed.frames}")
-    return notes
-
-
 def _within(found: Importable, imported: Imported, frames: int | None) -> Importable:
     """What lies in the recording's frames; rows beyond are bad, told as the file counts them.
 
@@ -240,12 +223,18 @@ def _within(found: Importable, imported: Imported, frames: int | None) -> Import
     for row in np.flatnonzero(beyond)[: MOST_TOLD - len(told)].tolist():
         track, first = int(found.rows["track"][row]), imported.first_frame
         frame = int(found.rows["frame"][row]) + first
-        place = f"track {track}, frame {frame}"
-        if imported.place_of is not None:
-            place = imported.place_of(row)
-        reason = (
-            f"track {track} is in frame {frame}, the recording has only {frames} frames, "
-            f"counted from {first} in this file"
+        place = (
+            msg("track {track}, frame {frame}", track=track, frame=frame)
+            if imported.place_of is None
+            else imported.place_of(row)
+        )
+        reason = msg(
+            "track {track} is in frame {frame}, the recording has only {frames} "
+            "frames, counted from {first} in this file",
+            track=track,
+            frame=frame,
+            frames=frames,
+            first=first,
         )
         told.append(BadRow(place, reason))
     count = found.bad_count + int(beyond.sum())
@@ -253,15 +242,8 @@ def _within(found: Importable, imported: Imported, frames: int | None) -> Import
 
 
 def _with_note_on_outside(found: Importable, size_px: tuple[int, int]) -> Importable:
-    """Says how many boxes lie wholly outside of pictures of that size."""
-    left, top, width, height = (found.rows[name] for name in BOX)
-    outside = (left >= size_px[0]) | (top >= size_px[1]) | (left + width <= 0) | (top + height <= 0)
-    count, boxes = int(outside.sum()), int(np.isfinite(left).sum())
-    if not count:
-        return found
-    lie = "boxes lies" if count == 1 else "boxes lie"
-    note = f"{count} of {boxes} {lie} outside of the image: are these tracks of this recording?"
-    return replace(found, notes=(*found.notes, note))
+    note = note_on_outside(found.rows, size_px)
+    return replace(found, notes=(*found.notes, note)) if note else found
 
 
 def _with_places(found: Importable, imported: Imported, view: View, *, is_new: bool) -> Importable:
@@ -275,15 +257,17 @@ def _with_places(found: Importable, imported: Imported, view: View, *, is_new: b
         return found  # a place that is known is followed from where it was, see `plan_import`
     if imported.boxes_reach_feet:
         rows: Columns = on_the_floor(found.rows, view)
-        note = "places on the floor are told from the boxes' feet: the file has none"
+        note = msg("places on the floor are told from the boxes' feet: the file has none")
     else:
         rows = _below_heads(found.rows, imported.head_heights_m, view)
-        note = "places on the floor are told from heads at the heights that the file has"
+        note = msg("places on the floor are told from heads at the heights that the file has")
     placed, total = int(np.isfinite(rows["x"]).sum()), len(rows["x"])
     if not placed:
-        note = "there are no places on the floor: the file has none, nor boxes that reach the feet"
+        note = msg(
+            "there are no places on the floor: the file has none, nor boxes that reach the feet"
+        )
     elif placed < total:
-        note += f"; {total - placed} of {total} rows have no place"
+        note += msg("; {lost} of {total} rows have no place", lost=total - placed, total=total)
     return replace(found, rows=rows, notes=(*found.notes, note) if total else found.notes)
 
 
@@ -302,7 +286,7 @@ def _only_people(found: Importable) -> Importable:
     others = [track for track, label in found.labels.items() if not is_person(label)]
     if not others:
         return found
-    notes = (*found.notes, f"{len(others)} tracks that are no people are left out")
+    notes = (*found.notes, msg("{count} tracks that are no people are left out", count=len(others)))
     return _with_rows(replace(found, notes=notes), ~np.isin(found.rows["track"], others))
 
 
@@ -321,7 +305,13 @@ def _with_shares(found: Importable) -> Importable:
         beyond = int(np.count_nonzero((rows[name] < 0) | (rows[name] > 1)))
         if beyond:
             rows[name] = np.clip(rows[name], 0, 1)
-            notes.append(f"{name} is beyond 0 to 1 in {beyond} rows and cut to that")
+            notes.append(
+                msg(
+                    "{name} is beyond 0 to 1 in {beyond} rows and cut to that",
+                    name=name,
+                    beyond=beyond,
+                )
+            )
     return replace(found, rows=rows, notes=tuple(notes))
 
 
@@ -361,7 +351,10 @@ def _with_ids(
     renamed = _renamed(found, new)
     if not (found.rows["track"] == of_zero).any():
         return renamed
-    note = f"track 0 of the file is track {new.get(of_zero, of_zero)} here: ids are positive"
+    note = msg(
+        "track 0 of the file is track {track} here: ids are positive",
+        track=new.get(of_zero, of_zero),
+    )
     return replace(renamed, notes=(*renamed.notes, note))
 
 

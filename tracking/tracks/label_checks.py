@@ -26,6 +26,7 @@ from tracking.tracks.labels import (
 )
 from tracking.tracks.part_labels import PART_SOURCES, PartLabel
 from tracking.tracks.validation import LARGEST_NUMBER
+from tracking.translation import msg
 
 MOST_CORNERS = 500
 LONGEST_NAME, LONGEST_KEY, LONGEST_VALUE = 200, 100, 2_000
@@ -37,7 +38,7 @@ _FARTHEST = 1e9
 def check_part_label(label: PartLabel) -> None:
     """Refuse a rectangle without area, an unknown part, a frame or track that cannot be."""
     _check_place(label.frame, label.track, first_track=1)
-    what = f"part label of track {label.track} in frame {label.frame}"
+    what = msg("part label of track {track} in frame {frame}", track=label.track, frame=label.frame)
     if not 0 <= label.part < PARTS:
         raise EditError(
             "{what}: part {part} is none; 0 head, 1 torso, 2 hip-leg", what=what, part=label.part
@@ -74,7 +75,7 @@ def check_part_label(label: PartLabel) -> None:
 
 def check_verdict(verdict: Verdict) -> None:
     """Refuse an unknown decision, and a review item that can be none."""
-    check_name(verdict.kind, "the kind of a review item")
+    check_name(verdict.kind, msg("the kind of a review item"))
     for track in verdict.tracks:
         _check_place(verdict.frame, track, first_track=1)
     _check_place(verdict.frame, 0, first_track=0)
@@ -88,13 +89,13 @@ def check_verdict(verdict: Verdict) -> None:
 
 def check_occluder(occluder: Occluder) -> None:
     """Refuse what is no polygon. Edges may cross: it is drawn in a picture, not measured."""
-    _check_polygon(occluder.polygon, f"occluder {occluder.name!r}")
+    _check_polygon(occluder.polygon, msg("occluder {name!r}", name=occluder.name))
 
 
 def check_line(line: CountingLine) -> None:
     """Refuse a line without length or with an end that is no place."""
-    what = f"counting line {line.name!r}"
-    check_name(line.name, "a counting line")
+    what = msg("counting line {name!r}", name=line.name)
+    check_name(line.name, msg("a counting line"))
     _check_corners((line.start, line.end), what)
     if line.start == line.end:
         raise EditError("{what} has no length; draw it from one place to another", what=what)
@@ -102,7 +103,7 @@ def check_line(line: CountingLine) -> None:
 
 def check_region(region: Region) -> None:
     """Refuse what is no polygon, and one whose edges cross: what lies in it could not be said."""
-    what = f"region {region.name!r}"
+    what = msg("region {name!r}", name=region.name)
     check_name(region.name, "a region")
     _check_polygon(region.polygon, what)
     if _edges_cross(np.asarray(region.polygon, float)):

@@ -22,6 +22,7 @@ from tracking.tracks.row_keys import row_keys
 from tracking.tracks.run import ParticleColumn
 from tracking.tracks.table_rewrite import Rewriting
 from tracking.tracks.validation import LARGEST_NUMBER, between, check_tracks, checked_columns
+from tracking.translation import msg
 
 Slots = NDArray[np.int64]
 Frames = NDArray[np.int32]
@@ -199,7 +200,7 @@ class TrackTable:
             EditError: a row to take out is not there, a place is taken, or the moves could not be
                 undone exactly because the receiving track has rows of its own in the range.
         """
-        added = checked_columns(rows, CORRECTED_COLUMNS, "rows to add")
+        added = checked_columns(rows, CORRECTED_COLUMNS, msg("rows to add"))
         plan = Rewriting(self._of)
         plan.take_out(out, self._rows)
         plan.move(moves)
@@ -318,6 +319,13 @@ def check_known(table: TrackTable, *tracks: int) -> None:
         if track not in table:
             known = table.track_ids
             span = (
-                f"there are {len(known)}, from {known[0]} to {known[-1]}" if known else "no tracks"
+                msg(
+                    "there are {count}, from {first} to {last}",
+                    count=len(known),
+                    first=known[0],
+                    last=known[-1],
+                )
+                if known
+                else msg("no tracks")
             )
             raise EditError("track {track} is not in the table ({span})", track=track, span=span)

@@ -15,6 +15,7 @@ from tracking.tracks.validation import (
     check_tracks,
     is_sorted_strictly,
 )
+from tracking.translation import msg
 
 Slots = NDArray[np.int64]
 Frames = NDArray[np.int32]
@@ -83,7 +84,7 @@ class Rewriting:
 
     def put_in(self, rows: Columns, first_slot: int) -> None:
         """Add rows, which get slots from first_slot on."""
-        check_tracks(rows, "rows to add")
+        check_tracks(rows, msg("rows to add"))
         for track, chosen in _rows_by_track(rows["track"]):
             self._arrive(track, first_slot + chosen, rows["frame"][chosen])
 

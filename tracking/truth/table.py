@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from tracking.arrays import Floats
 from tracking.errors import FormatError
+from tracking.translation import msg
 
 MOST_BYTES = 256 << 20
 """Three hours of twenty people at 20 frames a second are as large; read, it takes twice that."""
@@ -97,7 +98,13 @@ def _numbers(path: Path, stream: Iterable[str], table: TruthTable) -> tuple[Rows
     for line in lines:
         try:
             if len(line) != len(table.header):
-                raise ValueError(f"{len(line)} values where the header names {len(table.header)}")
+                raise ValueError(
+                    msg(
+                        "{count} values where the header names {count_header}",
+                        count=len(line),
+                        count_header=len(table.header),
+                    )
+                )
             numbers, more = table.row(line)
             whole.extend((lines.line_num, *numbers))
         except (ValueError, KeyError, OverflowError) as error:

@@ -85,7 +85,7 @@ class Kind:
     @property
     def choose(self) -> str:
         """What to do instead."""
-        return f"choose a {self.name} that trackwright saved"
+        return msg("choose a {name} that trackwright saved", name=self.name)
 
 
 def check_signature(path: Path, kind: Kind) -> None:
@@ -94,7 +94,7 @@ def check_signature(path: Path, kind: Kind) -> None:
         start = raw.read(len(SIGNATURE))
     if start != SIGNATURE:
         raise Refused(
-            "is {what}; {choose}", what="not an HDF5 file" if start else "empty", choose=kind.choose
+            "is not an HDF5 file; {choose}" if start else "is empty; {choose}", choose=kind.choose
         )
 
 

@@ -328,7 +328,7 @@ class Comparison:
             title=self._title(one),
             people=tuple(self._person(track) for track in one.tracks),
             when=span_text(one.start / self._fps, (one.end - 1) / self._fps),
-            text=one.text,
+            text=tr(one.text),
             ticked=number in self._ticked,
             locked=locked if one.protected else "",
         )

@@ -66,7 +66,7 @@ def _line(one: Backup) -> BackupLine:
         edits=count_text(one.edits, "{n} edit", "{n} edits"),
         tracks=count_text(one.tracks, "{n} track", "{n} tracks"),
         size=_size(one.size_bytes),
-        problem=one.problem,
+        problem=tr(one.problem),
     )
 
 

@@ -165,8 +165,8 @@ def import_scene(read: ReadFile, fitted: FittedTracks | None, own: int) -> Impor
     found = fitted.found
     return ImportScene(
         lines=_lines(fitted, own),
-        notes=found.notes,
-        bad=tuple((row.place, row.reason) for row in found.bad_rows),
+        notes=tuple(map(tr, found.notes)),
+        bad=tuple((tr(row.place), tr(row.reason)) for row in found.bad_rows),
         bad_count=found.bad_count,
         classes=classes,
         why_not=_why_not(fitted),

@@ -75,7 +75,7 @@ class HistoryWalk(Controller):
 
     def tell_why_not(self, edit: int) -> None:
         """Say in the menu that opens why an edit cannot be undone alone."""
-        self._panel.say_why_not_alone(self._document.why_not_alone(edit))
+        self._panel.say_why_not_alone(tr(self._document.why_not_alone(edit)))
 
     def go_back_to(self, edit: int) -> None:
         """Undo or redo until this edit is the last one in force; thousands of them in slices."""

@@ -219,7 +219,7 @@ class RunList:
             self._figures_of(number),
             why_not_corrected=self._why_not_corrected(number),
             why_not_compared=self._why_not_compared(number),
-            notes="\n".join(run.notes),
+            notes="\n".join(map(tr, run.notes)),
         )
 
     def _why_not_corrected(self, number: int) -> str:

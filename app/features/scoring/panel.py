@@ -162,7 +162,7 @@ class ScorePanel(Panel):
         self._way.setCurrentIndex(int(scene.on_floor))
         self._show_threshold(scene)
         self._say(self._message, scene.message)
-        self._say(self._notes, "\n".join(scene.notes))
+        self._say(self._notes, "\n".join(map(tr, scene.notes)))
         self._say(self._moved, scene.moved)
         self.table.setVisible(bool(scene.rows))
         self._report.setEnabled(bool(scene.rows))

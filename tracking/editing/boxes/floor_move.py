@@ -19,6 +19,7 @@ from tracking.editing.core.change import Change
 from tracking.errors import EditError
 from tracking.geometry import View
 from tracking.tracks import TrackTable
+from tracking.translation import msg
 
 
 def plan_drag(
@@ -66,5 +67,5 @@ def plan_drag(
     for name, value in zip((*SIDES, "x", "y"), (*box, *there[0]), strict=True):
         row[name][0] = value
     vouch_for(row)
-    text = f"Drag {track} on the floor in frame {frame}"
+    text = msg("Drag {track} on the floor in frame {frame}", track=track, frame=frame)
     return key_row_change(table, row, Way(how, view, fps), ("drag", text))

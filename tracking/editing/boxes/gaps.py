@@ -14,6 +14,7 @@ from tracking.editing.core.selection import Rows, rows_in, stack_rows
 from tracking.errors import EditError
 from tracking.geometry import View
 from tracking.tracks import TrackTable, check_known
+from tracking.translation import msg
 
 Gap = tuple[int, int]
 """A half-open range of frames between two rows of a track that has none in them."""
@@ -48,7 +49,7 @@ def plan_fill_gap(
             frame=frame,
             track=track,
         )
-    text = f"Fill the gap of {track} {scope_text(*gap)}"
+    text = msg("Fill the gap of {track} {where}", track=track, where=scope_text(*gap))
     rows = _filling(table, track, [gap], Way(how, view, fps))
     return Change("fill", text, gap[0], State(), State(rows=rows), Scope(*gap))
 
@@ -80,8 +81,13 @@ def plan_fill_gaps(
             who=tracks_text(chosen),
             frames=frames_text(longest),
         )
-    gaps_text = "the gap" if len(filled) == 1 else f"{len(filled)} gaps"
-    text = f"Fill {gaps_text} of {tracks_text(chosen)} of up to {frames_text(longest)}"
+    gaps_text = msg("the gap") if len(filled) == 1 else msg("{count} gaps", count=len(filled))
+    text = msg(
+        "Fill {gaps_text} of {who} of up to {frames}",
+        gaps_text=gaps_text,
+        who=tracks_text(chosen),
+        frames=frames_text(longest),
+    )
     scope = Scope(min(start for start, _ in filled), max(end for _, end in filled))
     return Change("fill", text, int(rows["frame"][0]), State(), State(rows=rows), scope)
 

@@ -28,6 +28,7 @@ from tracking.tracks import (
     check_known,
     empty,
 )
+from tracking.translation import msg
 
 TOLERANCE_M = 0.15
 """Of places, where nobody says another."""
@@ -89,7 +90,13 @@ def plan_thin(
             "track {track}: no row can be left out; allow a larger tolerance", track=track
         )
     count = len(old["frame"])
-    text = f"Thin {track} {scope_text(start, end)} to {int(keys.sum())} keyframes of {count} boxes"
+    text = msg(
+        "Thin {track} {where} to {keys} keyframes of {count} boxes",
+        track=track,
+        where=scope_text(start, end),
+        keys=int(keys.sum()),
+        count=count,
+    )
     frame, scope = int(old["frame"][0]), Scope(start, end)
     return Change("thin", text, frame, State(rows=before), State(rows=after), scope)
 

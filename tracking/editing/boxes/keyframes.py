@@ -21,6 +21,7 @@ from tracking.editing.core.selection import Rows, rows_differ, select_rows, stac
 from tracking.errors import EditError
 from tracking.geometry import View
 from tracking.tracks import Columns, Source, TrackTable, check_known
+from tracking.translation import msg
 
 
 def keyframes_of(
@@ -70,7 +71,7 @@ def key_row_change(
     kind, text = kind_and_text
     following = len(after["frame"]) - 1
     if following:
-        text += f"; {frames_text(following)} around it interpolated"
+        text += msg("; {frames} around it interpolated", frames=frames_text(following))
     return Change(kind, text, frame, State(rows=before), State(rows=after), scope)
 
 
@@ -86,7 +87,7 @@ def plan_add_keyframe(table: TrackTable, track: int, frame: int) -> Change:
         raise EditError(
             "frame {frame} is a keyframe of track {track} already", frame=frame, track=track
         )
-    text = f"Make frame {frame} a keyframe of {track}"
+    text = msg("Make frame {frame} a keyframe of {track}", frame=frame, track=track)
     scope = Scope(frame, frame + 1)
     return Change("keyframe", text, frame, State(rows=old), State(rows=new), scope)
 
@@ -112,7 +113,7 @@ def plan_delete_keyframe(
             track=track,
         )
     old = rows_around(table, track, frame)
-    text = f"Delete the keyframe of {track} in frame {frame}"
+    text = msg("Delete the keyframe of {track} in frame {frame}", track=track, frame=frame)
     if _held_on_both_sides(old, frame):
         new = select_rows(old, slice(None))
         new["source"][new["frame"] == frame] = Source.INTERPOLATED
@@ -123,7 +124,7 @@ def plan_delete_keyframe(
     before, after = compare_windows(old, new)
     gone = len(before["frame"]) - len(after["frame"])
     if gone > 1:
-        text += f", and the {frames_text(gone - 1)} interpolated from it"
+        text += msg(", and the {frames} interpolated from it", frames=frames_text(gone - 1))
     scope = Scope(frame, frame + 1)
     return Change("keyframe", text, frame, State(rows=before), State(rows=after), scope)
 
@@ -150,7 +151,9 @@ def plan_interpolate(
     fast = np.asarray(old["source"] == Source.PERSON)
     fast[:1] = fast[-1:] = True
     ends, between = select_rows(old, fast), select_rows(old, ~fast)
-    frames = _frames_between(ends, f"track {track} {scope_text(start, end)}")
+    frames = _frames_between(
+        ends, msg("track {track} {where}", track=track, where=scope_text(start, end))
+    )
     first, stop = int(ends["frame"][0]), int(ends["frame"][-1]) + 1
     way, where = Way(how, view, fps), scope_text(first, stop)
     before, after = compare_windows(between, interpolate_between(ends, frames, way, between))
@@ -160,7 +163,13 @@ def plan_interpolate(
             track=track,
             where=where,
         )
-    text = f"Interpolate {track} {where}, {_way_text(way)}between {len(ends['frame'])} keyframes"
+    text = msg(
+        "Interpolate {track} {where}, {way}between {count} keyframes",
+        track=track,
+        where=where,
+        way=_way_text(way),
+        count=len(ends["frame"]),
+    )
     scope = Scope(first, stop)
     return Change("interpolate", text, first, State(rows=before), State(rows=after), scope)
 
@@ -182,7 +191,7 @@ def _frames_between(ends: Columns, what: str) -> NDArray[np.int32]:
 
 
 def _way_text(way: Way) -> str:
-    return {"floor": "along the floor ", "linear": "straight ", None: ""}[way.how]
+    return {"floor": msg("along the floor "), "linear": "straight ", None: ""}[way.how]
 
 
 def standing_row(table: TrackTable, track: int, frame: int) -> Rows:

@@ -38,6 +38,7 @@ from tracking.tracks import (
     check_known,
     next_track,
 )
+from tracking.translation import msg
 
 _SAME_PX = 0.5
 _SAME_SIZE_PX = 1e-3
@@ -76,9 +77,17 @@ def plan_delete_tracks(
     rows = stack_rows(parts.values())
     first = min(table.frame_range(track)[0] for track in touched)
     stop = max(table.frame_range(track)[1] for track in touched)
-    text = f"Delete {who} {scope_text(start, None if end is None or end >= stop else end)}"
+    text = msg(
+        "Delete {who} {where}",
+        who=who,
+        where=scope_text(start, None if end is None or end >= stop else end),
+    )
     if start <= first and (end is None or end >= stop):
-        text = f"Delete track {who}" if len(touched) == 1 else f"Delete tracks {who}"
+        text = (
+            msg("Delete track {who}", who=who)
+            if len(touched) == 1
+            else msg("Delete tracks {who}", who=who)
+        )
     frame = int(rows["frame"][0])
     return Change("delete", text, frame, State(rows=rows), State(), Scope(start, end))
 
@@ -115,7 +124,12 @@ def plan_move_box(
     resized = abs(row["width"][0] - box[2]) + abs(row["height"][0] - box[3]) > _SAME_SIZE_PX
     place = _followed(row, box, view) if position is None else position
     _place(row, box, place)
-    text = f"{'Resize' if resized else 'Move'} the box of {track} in frame {frame}"
+    text = msg(
+        "{what} the box of {track} in frame {frame}",
+        what="Resize" if resized else "Move",
+        track=track,
+        frame=frame,
+    )
     return key_row_change(table, row, Way(how, view, fps), ("move", text))
 
 
@@ -163,7 +177,12 @@ def plan_draw_box(
         position = body_position(view, box)
     row = _drawn(owner, frame)
     _place(row, box, position or (np.nan, np.nan))
-    text = f"Draw {'new track' if track is None else 'a box of'} {owner} in frame {frame}"
+    text = msg(
+        "Draw {what} {owner} in frame {frame}",
+        what="new track" if track is None else "a box of",
+        owner=owner,
+        frame=frame,
+    )
     return key_row_change(table, row, Way(how, view, fps), ("draw", text), join=join)
 
 
@@ -254,6 +273,6 @@ def plan_mark_occluded(
         )
     new = select_rows(old, slice(None))
     new["visibility"][:] = wanted
-    text = f"Mark {who} as {state} {where}"
+    text = msg("Mark {who} as {state} {where}", who=who, state=state, where=where)
     frame, scope = int(old["frame"][0]), Scope(start, end)
     return Change("occluded", text, frame, State(rows=old), State(rows=new), scope)

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 from tracking.errors import EditError
 from tracking.tracks import LARGEST_NUMBER, TrackTable, check_known
+from tracking.translation import msg
 
 _SCOPE = re.compile(r"(\d{1,10}):(\d{1,10})?", re.ASCII)
 _NAMED = 4
@@ -53,23 +54,27 @@ class Scope:
 def scope_text(start: int, end: int | None) -> str:
     """The frames of an edit in words, the last one named, not the one after."""
     if end is None:
-        return f"from frame {start} on"
+        return msg("from frame {start} on", start=start)
     if end == start + 1:
-        return f"in frame {start}"
-    return f"in frames {start} to {end - 1}"
+        return msg("in frame {start}", start=start)
+    return msg("in frames {start} to {last}", start=start, last=end - 1)
 
 
 def tracks_text(tracks: Sequence[int]) -> str:
     """Tracks in words: "4", "4 and 7", "1, 2, 4, 7 and 8 more"."""
     if len(tracks) > _NAMED + 1:
-        return f"{', '.join(map(str, tracks[:_NAMED]))} and {len(tracks) - _NAMED} more"
+        return msg(
+            "{first} and {n} more",
+            first=", ".join(map(str, tracks[:_NAMED])),
+            n=len(tracks) - _NAMED,
+        )
     *first, last = map(str, tracks)
-    return f"{', '.join(first)} and {last}" if first else last
+    return msg("{first} and {last}", first=", ".join(first), last=last) if first else last
 
 
 def frames_text(count: int) -> str:
     """A number of frames in words."""
-    return f"{count} frame" if count == 1 else f"{count} frames"
+    return msg("{count} frame", count=count) if count == 1 else msg("{count} frames", count=count)
 
 
 def check_scope(start: int, end: int | None) -> None:

@@ -11,6 +11,7 @@ from tracking.arrays import Floats
 from tracking.editing.identity.courses import Courses, Frames, courses_of, swap_gain
 from tracking.errors import EditError
 from tracking.tracks import CLOTHES, Columns, TrackTable, check_known
+from tracking.translation import joined, msg
 
 _REACH_M = 0.55
 _APART_WEIGHT = 2.0
@@ -91,7 +92,9 @@ def propose_swap_frames(
     courses, frames = _meeting(table, a, b, near)
     if not (len(both) and len(frames)):
         later = max(table.frame_range(a)[0], table.frame_range(b)[0])
-        return (SwapFrame(later, 1.0, "they never stand in one frame; the later one begins here"),)
+        return (
+            SwapFrame(later, 1.0, msg("they never stand in one frame; the later one begins here")),
+        )
     judged = _judged(courses, frames, looks_changed(signals, a, b, frames), near)
     first = _frame_in_flagged(judged, near, flagged)
     if first is not None:
@@ -218,13 +221,17 @@ def _around(frames: Frames, share: Floats, at: int) -> float:
 
 
 def _text(walks: float, looks: float, apart: float, courses: Courses) -> str:
-    unit = "m" if courses.in_metres else "m or so"
-    reasons = [f"{apart:.1f} {unit} apart"]
+    reasons = [
+        msg(
+            "{apart:.1f} m apart" if courses.in_metres else "{apart:.1f} m or so apart",
+            apart=apart,
+        )
+    ]
     if walks > _SPEAKS:
-        reasons.append("each walks on as the other did")
+        reasons.append(msg("each walks on as the other did"))
     if looks > _SPEAKS:
-        reasons.append("their appearances swap")
-    return ", ".join(reasons)
+        reasons.append(msg("their appearances swap"))
+    return joined(", ", reasons)
 
 
 def looks_changed(signals: Columns | None, a: int, b: int, cuts: NDArray[np.int32]) -> Floats:

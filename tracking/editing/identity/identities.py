@@ -9,6 +9,7 @@ from tracking.editing.core.change import Change, State, Stretches
 from tracking.editing.core.scope import Scope, check_id, check_scope, scope_text
 from tracking.errors import EditError
 from tracking.tracks import TrackTable, between, check_known, next_track
+from tracking.translation import msg
 
 
 def plan_swap(table: TrackTable, a: int, b: int, start: int, end: int | None = None) -> Change:
@@ -31,7 +32,7 @@ def plan_swap(table: TrackTable, a: int, b: int, start: int, end: int | None = N
     before = np.concatenate(both)
     after = before.copy()
     after[:, 0] = np.where(before[:, 0] == a, b, a)
-    text = f"Swap {a} and {b} {scope_text(start, end)}"
+    text = msg("Swap {a} and {b} {where}", a=a, b=b, where=scope_text(start, end))
     return Change("swap", text, start, State(before), State(after), Scope(start, end))
 
 
@@ -53,7 +54,9 @@ def plan_split(table: TrackTable, track: int, frame: int) -> Change:
         )
     new = next_track(table)
     before = _stretch(table, track, frame, end)
-    text = f"Split {track} at frame {frame}; the rest is {new}"
+    text = msg(
+        "Split {track} at frame {frame}; the rest is {new}", track=track, frame=frame, new=new
+    )
     after = State(assign_to(before, new))
     return Change("split", text, frame, State(before), after, Scope(frame))
 
@@ -88,7 +91,7 @@ def plan_reassign(
             frame=both[0],
         )
     before = stretches_of(track, moving, staying)
-    text = f"Give {track} to {to} {scope_text(start, end)}"
+    text = msg("Give {track} to {to} {where}", track=track, to=to, where=scope_text(start, end))
     first, after = int(moving[0]), State(assign_to(before, to))
     return Change("reassign", text, first, State(before), after, Scope(start, end))
 

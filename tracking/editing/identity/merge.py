@@ -24,6 +24,7 @@ from tracking.editing.identity.identities import assign_to, stretches_of
 from tracking.errors import EditError
 from tracking.geometry import View
 from tracking.tracks import Labels, TrackLabel, TrackTable, check_known
+from tracking.translation import Message, msg
 
 Keep = Literal["first", "second", "surer"]
 Frames = NDArray[np.int32]
@@ -139,16 +140,24 @@ def _bridges(
     return interpolate_between(ends, np.concatenate(missing), way, no_rows())
 
 
-def _text(tracks: tuple[int, ...], keep: Keep, shared: int, filled: int) -> str:
-    text = f"Merge {tracks_text(tracks[1:])} into {tracks[0]}"
+_SURER = msg("the surer row")
+
+
+def _text(tracks: tuple[int, ...], keep: Keep, shared: int, filled: int) -> Message:
+    text = msg("Merge {who} into {track}", who=tracks_text(tracks[1:]), track=tracks[0])
     if shared:
-        whose = {"first": tracks[0], "second": tracks[-1], "surer": "the surer row"}[keep]
-        who = "both" if len(tracks) == 2 else "several"
+        whose: object = {"first": tracks[0], "second": tracks[-1], "surer": _SURER}[keep]
+        who = msg("both") if len(tracks) == 2 else msg("several")
         if len(tracks) > 2 and keep != "surer":
-            whose = f"the {'first' if keep == 'first' else 'last'} of them"
-        text += f"; where {who} stand ({frames_text(shared)}), {whose} is kept"
+            whose = msg("the first of them") if keep == "first" else msg("the last of them")
+        text += msg(
+            "; where {who} stand ({frames}), {whose} is kept",
+            who=who,
+            frames=frames_text(shared),
+            whose=whose,
+        )
     if filled:
-        text += f"; {frames_text(filled)} between them interpolated"
+        text += msg("; {frames} between them interpolated", frames=frames_text(filled))
     return text
 
 

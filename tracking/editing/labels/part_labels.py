@@ -9,8 +9,13 @@ from tracking.editing.core.change import Change, LabelState, State
 from tracking.editing.core.scope import Scope
 from tracking.errors import EditError
 from tracking.tracks import PART_NAMES, Labels, PartKey, PartLabel, check_part_label
+from tracking.translation import count_msg, msg
 
-SAID_OF_PART = {True: "on its part", False: "off its part", None: "unsure"}
+SAID_OF_PART = {
+    True: msg("on its part"),
+    False: msg("off its part"),
+    None: msg("unsure"),
+}
 """What a part label says, by `PartLabel.on_part`."""
 
 
@@ -30,9 +35,9 @@ def plan_label_part(labels: Labels, given: PartLabel | Iterable[PartLabel]) -> C
     if not changed:
         raise EditError("the parts are labelled so already; nothing to change")
     out = [labels.parts[label.key] for label in changed if label.key in labels.parts]
-    text = f"Label {_named(changed)}"
+    text = msg("Label {named}", named=_named(changed))
     if len(changed) == 1:
-        text += f": {SAID_OF_PART[changed[0].on_part]}"
+        text += ": " + SAID_OF_PART[changed[0].on_part]
     return _change("label", text, out, changed)
 
 
@@ -54,7 +59,7 @@ def plan_unlabel_part(labels: Labels, *keys: PartKey) -> Change:
         gone.append(label)
     if not gone:
         raise EditError("no part is named; choose one that has a label")
-    return _change("unlabel", f"Delete the label of {_named(gone)}", gone, [])
+    return _change("unlabel", msg("Delete the label of {named}", named=_named(gone)), gone, [])
 
 
 def with_parts_carried(change: Change, labels: Labels) -> Change:
@@ -88,10 +93,19 @@ def _named(labels: Sequence[PartLabel]) -> str:
     """One part by its name, several by their number and frames."""
     if len(labels) == 1:
         only = labels[0]
-        return f"the {PART_NAMES[only.part]} of {only.track} in frame {only.frame}"
+        return msg(
+            "the {part} of {track} in frame {frame}",
+            part=PART_NAMES[only.part],
+            track=only.track,
+            frame=only.frame,
+        )
     frames = sorted({label.frame for label in labels})
-    where = f"frame {frames[0]}" if len(frames) == 1 else f"frames {frames[0]} to {frames[-1]}"
-    return f"{len(labels)} parts in {where}"
+    where = (
+        msg("frame {first}", first=frames[0])
+        if len(frames) == 1
+        else msg("frames {first} to {last}", first=frames[0], last=frames[-1])
+    )
+    return count_msg(len(labels), "{n} part in {where}", "{n} parts in {where}", where=where)
 
 
 def _change(kind: str, text: str, out: Iterable[PartLabel], into: Iterable[PartLabel]) -> Change:

@@ -21,8 +21,9 @@ from tracking.tracks import (
     check_reviewed,
     check_verdict,
 )
+from tracking.translation import msg
 
-_SAID = {"right": "Looked at, right", "fixed": "Put right", "dismissed": "Dismiss"}
+_SAID = {"right": msg("Looked at, right"), "fixed": msg("Put right"), "dismissed": "Dismiss"}
 
 
 def plan_mark_reviewed(
@@ -55,7 +56,7 @@ def plan_mark_reviewed(
         raise EditError(
             "{who}: marked as reviewed already {where}", who=who, where=scope_text(start, end)
         )
-    text = f"Mark {who} as reviewed {scope_text(start, end)}"
+    text = msg("Mark {who} as reviewed {where}", who=who, where=scope_text(start, end))
     return _change("reviewed", text, Scope(start, end), labels.reviewed, new)
 
 
@@ -80,9 +81,13 @@ def plan_unmark_reviewed(
         together = any(
             seen.track == 0 and seen.start < end and start < seen.end for seen in labels.reviewed
         )
-        why = "marked for all tracks together; unmark all" if together else "not marked as reviewed"
+        why = (
+            msg("marked for all tracks together; unmark all")
+            if together
+            else msg("not marked as reviewed")
+        )
         raise EditError("{who}: {why} {where}", who=who, why=why, where=scope_text(start, end))
-    text = f"Unmark {who} as reviewed {scope_text(start, end)}"
+    text = msg("Unmark {who} as reviewed {where}", who=who, where=scope_text(start, end))
     return _change("unreviewed", text, Scope(start, end), labels.reviewed, tuple(new))
 
 
@@ -92,7 +97,12 @@ def plan_verdict(labels: Labels, verdict: Verdict, text: str = "") -> Change:
     Raises EditError for an unknown decision, and where that was said already.
     """
     before, after = _verdicts(labels, verdict)
-    named = text or f"{verdict.kind} of {_listed(verdict.tracks)} in frame {verdict.frame}"
+    named = text or msg(
+        "{kind} of {tracks} in frame {frame}",
+        kind=verdict.kind,
+        tracks=_listed(verdict.tracks),
+        frame=verdict.frame,
+    )
     line = f"{_SAID[verdict.decision]}: {' '.join(writable(named).split())}"
     return Change("verdict", line, verdict.frame, State(labels=before), State(labels=after))
 
@@ -154,8 +164,12 @@ def _with_rows(ranges: Sequence[ReviewedRange], table: TrackTable) -> list[Revie
 def _who(ranges: Sequence[ReviewedRange]) -> str:
     tracks = tuple(dict.fromkeys(seen.track for seen in ranges))
     if 0 in tracks:
-        return "all tracks"
-    return f"track {tracks[0]}" if len(tracks) == 1 else f"tracks {tracks_text(tracks)}"
+        return msg("all tracks")
+    return (
+        msg("track {track}", track=tracks[0])
+        if len(tracks) == 1
+        else msg("tracks {who}", who=tracks_text(tracks))
+    )
 
 
 def _listed(tracks: Sequence[int]) -> str:

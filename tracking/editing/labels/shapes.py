@@ -19,9 +19,10 @@ from tracking.tracks import (
     check_occluder,
     check_region,
 )
+from tracking.translation import msg
 
 _Drawn = TypeVar("_Drawn", Occluder, CountingLine, Region)
-_CALLED = {"occluders": "occluder", "lines": "counting line", "regions": "region"}
+_CALLED = {"occluders": "occluder", "lines": msg("counting line"), "regions": "region"}
 
 
 def plan_occluders(labels: Labels, occluders: Sequence[Occluder], frame: int = 0) -> Change:
@@ -77,7 +78,7 @@ def _exchange(
     names = [item.name for item in new]
     for item in new:
         check(item)
-        check_name(item.name, f"the {what}")
+        check_name(item.name, msg("the {what}", what=what))
         if names.count(item.name) > 1:
             raise EditError(
                 "two {what}s are called {name!r}; give each a name of its own",
@@ -94,11 +95,21 @@ def _exchange(
 def _text(out: Sequence[_Drawn], into: Sequence[_Drawn], what: str) -> str:
     """What is done in words: one thing by its name, several by their number."""
     if len(into) == 1 and not out:
-        return f'Draw {what} "{into[0].name}"'
+        return msg('Draw {what} "{name}"', what=what, name=into[0].name)
     if len(out) == 1 and not into:
-        return f'Delete {what} "{out[0].name}"'
+        return msg('Delete {what} "{name}"', what=what, name=out[0].name)
     if len(out) == len(into) == 1:
         if out[0].name == into[0].name:
-            return f'Change {what} "{into[0].name}"'
-        return f'Put {what} "{into[0].name}" in place of "{out[0].name}"'
-    return f"Change {what}s: {len(into)} drawn, {len(out)} deleted"
+            return msg('Change {what} "{name}"', what=what, name=into[0].name)
+        return msg(
+            'Put {what} "{name}" in place of "{out_name}"',
+            what=what,
+            name=into[0].name,
+            out_name=out[0].name,
+        )
+    return msg(
+        "Change {what}s: {count} drawn, {count_out} deleted",
+        what=what,
+        count=len(into),
+        count_out=len(out),
+    )

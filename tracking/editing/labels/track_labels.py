@@ -15,6 +15,7 @@ from tracking.tracks import (
     TrackTable,
     check_known,
 )
+from tracking.translation import msg
 
 LONGEST_NOTES = 20_000
 """Characters a person may write; what a file says is read whatever its length."""
@@ -25,9 +26,13 @@ def plan_rename(
 ) -> Change:
     """Name a track; "" takes the name away. frame: where to look at it, else its first."""
     name = " ".join(writable(name).split())
-    _check_length(name, LONGEST_NAME, f"track {track}: a name")
+    _check_length(name, LONGEST_NAME, msg("track {track}: a name", track=track))
     label = replace(labels.of_track(track), name=name)
-    text = f'Name {track} "{name}"' if name else f"Delete the name of {track}"
+    text = (
+        msg('Name {track} "{name}"', track=track, name=name)
+        if name
+        else msg("Delete the name of {track}", track=track)
+    )
     return _relabel(table, labels, track, label, ("rename", text), frame)
 
 
@@ -43,14 +48,20 @@ def plan_set_attribute(
     key = writable(key).strip()
     if not key:
         raise EditError("track {track}: an attribute needs a name", track=track)
-    _check_length(key, LONGEST_KEY, f"track {track}: an attribute's name")
-    _check_length(value or "", LONGEST_VALUE, f"track {track}: an attribute's value")
+    _check_length(key, LONGEST_KEY, msg("track {track}: an attribute's name", track=track))
+    _check_length(
+        value or "", LONGEST_VALUE, msg("track {track}: an attribute's value", track=track)
+    )
     attributes = dict(labels.of_track(track).attributes)
     attributes.pop(key, None)
     if value is not None:
         attributes[key] = writable(value)
     label = replace(labels.of_track(track), attributes=dict(sorted(attributes.items())))
-    text = f"Delete {key} of {track}" if value is None else f"Set {key} of {track} to {value}"
+    text = (
+        msg("Delete {key} of {track}", key=key, track=track)
+        if value is None
+        else msg("Set {key} of {track} to {value}", key=key, track=track, value=value)
+    )
     return _relabel(table, labels, track, label, ("attribute", " ".join(text.split())), frame)
 
 
@@ -58,9 +69,11 @@ def plan_set_notes(
     table: TrackTable, labels: Labels, track: int, notes: str, frame: int | None = None
 ) -> Change:
     """Write a track's notes anew."""
-    _check_length(notes, LONGEST_NOTES, f"track {track}: notes")
+    _check_length(notes, LONGEST_NOTES, msg("track {track}: notes", track=track))
     label = replace(labels.of_track(track), notes=writable(notes))
-    return _relabel(table, labels, track, label, ("notes", f"Write notes on {track}"), frame)
+    return _relabel(
+        table, labels, track, label, ("notes", msg("Write notes on {track}", track=track)), frame
+    )
 
 
 def writable(text: str) -> str:

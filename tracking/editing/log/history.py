@@ -298,6 +298,10 @@ class History:
             entry, in_force = self._entries[entry.undoes - 1], not in_force
 
 
+def _without_end(text: str) -> str:
+    return text if len(text) <= _LONGEST_TEXT else f"{text[: _LONGEST_TEXT - 1]}…"
+
+
 def plan_undo_alone(history: History, labels: Labels, number: int) -> Change:
     """Take one edit of the log back, and leave in force what was done after it.
 
@@ -311,9 +315,9 @@ def plan_undo_alone(history: History, labels: Labels, number: int) -> Change:
     entry = history.entry(number)
     old = entry.change.inverse
     before, after = _as_labelled_now(old.before.labels.tracks, old.after.labels.tracks, labels)
-    text = f"Undo edit {number} alone: {entry.text}"
+    text = msg("Undo edit {number} alone: {text}", number=number, text=entry.text)
     if len(text) > _LONGEST_TEXT:
-        text = f"{text[: _LONGEST_TEXT - 1]}…"
+        text = text.cut_by(_without_end)
     return Change(
         UNDO,
         text,

@@ -16,6 +16,7 @@ from tracking.tracks import (
     TrackLabel,
     Verdict,
 )
+from tracking.translation import msg
 
 
 def labels_as_json(labels: LabelState) -> dict[str, Any]:
@@ -108,7 +109,7 @@ def _part_from_json(values: Sequence[Any]) -> PartLabel:
     author, reason = who or ("", "")
     box = (float(left), float(top), float(width), float(height))
     if not (on_part is None or isinstance(on_part, bool)):
-        raise ValueError(f"on part is {on_part!r}; it is true, false or null")
+        raise ValueError(msg("on part is {on_part!r}; it is true, false or null", on_part=on_part))
     said = (int(frame), int(track), int(part), box, on_part)
     return PartLabel(*said, str(source), str(author), str(reason))
 

@@ -22,6 +22,7 @@ from tracking.editing.core.change import Change, State, no_rows, no_stretches
 from tracking.editing.log.label_text import labels_as_json, labels_from_json
 from tracking.errors import EditError
 from tracking.tracks import CORRECTED_COLUMNS, Columns, check_tracks, row_keys
+from tracking.translation import msg
 
 LARGEST_TEXT = 2**28
 """Characters: some three million rows that a tracker made."""
@@ -189,7 +190,7 @@ def _rows_from_json(parts: Mapping[str, Any]) -> Columns:
         column = np.frombuffer(plain, dtype.newbyteorder("<"), count, at)
         rows[name] = column.astype(dtype, copy=False)
         at += column.nbytes
-    check_tracks(rows, "an edit in the log")
+    check_tracks(rows, msg("an edit in the log"))
     return rows
 
 

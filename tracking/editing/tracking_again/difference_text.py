@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from tracking.editing.core.scope import frames_text, scope_text
 from tracking.tracks import TrackTable
+from tracking.translation import msg
 
 _NO_METRES = 1e-9
 
@@ -61,26 +62,46 @@ def _identity(stretch: Stretch, ends: Ends) -> str:
     to_the_end = stretch.end >= min(ends.frames[1], max(stops))
     where = scope_text(stretch.start, None if to_the_end else stretch.end)
     if stretch.mutual:
-        return f"{stretch.track} and {stretch.other} are swapped {where}"
-    new = "" if stretch.other in ends.table else "new track "
-    return f"{stretch.track} becomes {new}{stretch.other} {where}"
+        return msg(
+            "{track} and {other} are swapped {where}",
+            track=stretch.track,
+            other=stretch.other,
+            where=where,
+        )
+    new = "" if stretch.other in ends.table else msg("new track ")
+    return msg(
+        "{track} becomes {new}{other} {where}",
+        track=stretch.track,
+        new=new,
+        other=stretch.other,
+        where=where,
+    )
 
 
 def _moved(stretch: Stretch, ends: Ends) -> str:
-    far = f", by up to {stretch.metres:.1f} m" if stretch.metres > _NO_METRES else ""
-    return f"{stretch.track} stands elsewhere for {ends.time(stretch.rows)}{far}"
+    far = (
+        msg(", by up to {metres:.1f} m", metres=stretch.metres)
+        if stretch.metres > _NO_METRES
+        else ""
+    )
+    return msg(
+        "{track} stands elsewhere for {time}{far}",
+        track=stretch.track,
+        time=ends.time(stretch.rows),
+        far=far,
+    )
 
 
 def _added(stretch: Stretch, ends: Ends) -> str:
     first, stop = ends.table.frame_range(stretch.track)
     time = ends.time(stretch.rows)
     if first == stop:
-        return f"{stretch.track} is a new track of {time}"
+        return msg("{track} is a new track of {time}", track=stretch.track, time=time)
     if stretch.start >= stop:
-        return f"{stretch.track} is tracked {time} longer"
+        return msg("{track} is tracked {time} longer", track=stretch.track, time=time)
     if stretch.end <= first:
-        return f"{stretch.track} is found {time} earlier"
-    return f"{stretch.track} is found for {time} where it had a gap"
+        return msg("{track} is found {time} earlier", track=stretch.track, time=time)
+    return msg("{track} is found for {time} where it had a gap", track=stretch.track, time=time)
 
 
 def _removed(stretch: Stretch, ends: Ends) -> str:
@@ -89,9 +110,9 @@ def _removed(stretch: Stretch, ends: Ends) -> str:
     at_start = stretch.start <= max(first, ends.frames[0])
     at_end = stretch.end >= min(stop, ends.frames[1])
     if at_start and at_end:
-        return f"{stretch.track} is not found, for {time}"
+        return msg("{track} is not found, for {time}", track=stretch.track, time=time)
     if at_end:
-        return f"{stretch.track} ends {time} earlier"
+        return msg("{track} ends {time} earlier", track=stretch.track, time=time)
     if at_start:
-        return f"{stretch.track} is found {time} later"
-    return f"{stretch.track} is lost for {time}"
+        return msg("{track} is found {time} later", track=stretch.track, time=time)
+    return msg("{track} is lost for {time}", track=stretch.track, time=time)

@@ -22,6 +22,7 @@ from tracking.editing.tracking_again.protection import (
 )
 from tracking.errors import EditError
 from tracking.tracks import Columns, Labels, Run, TrackTable
+from tracking.translation import msg
 
 
 def plan_take(
@@ -63,8 +64,14 @@ def plan_take(
             "nothing to take {where}: {why}", where=_where(found, table), why=_why(found)
         )
     touched = np.union1d(before["track"], after["track"]).tolist()
-    again = "as tracked again by" if run.known_tracks else "from the run of"
-    text = f"Take {tracks_text(touched)} {_where(found, table)}, {again} {run.tracker}"
+    again = msg("as tracked again by") if run.known_tracks else msg("from the run of")
+    text = msg(
+        "Take {who} {where}, {again} {tracker}",
+        who=tracks_text(touched),
+        where=_where(found, table),
+        again=again,
+        tracker=run.tracker,
+    )
     first = min(int(rows["frame"][0]) for rows in (before, after) if len(rows["frame"]))
     return Change("take", text, first, State(rows=before), State(rows=after), Scope(*found.frames))
 
@@ -109,5 +116,5 @@ def _where(found: Alignment, table: TrackTable) -> str:
 def _why(found: Alignment) -> str:
     """Why there is nothing to take."""
     if found.guarded.any() or found.barred.any():
-        return "what the run says otherwise is protected, or not of the tracks asked for"
-    return "the run says the same there, or nothing of the tracks asked for"
+        return msg("what the run says otherwise is protected, or not of the tracks asked for")
+    return msg("the run says the same there, or nothing of the tracks asked for")

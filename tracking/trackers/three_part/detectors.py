@@ -8,8 +8,9 @@ from typing import Any
 
 from tracking.errors import FormatError
 from tracking.failure import Detector, built_in_detector, load_detector
+from tracking.translation import msg
 
-NO_DETECTOR = (
+NO_DETECTOR = msg(
     "no part-failure detector: lost parts are neither found nor put back; "
     "name one with --detector or the setting detector"
 )

@@ -1,0 +1,80 @@
+"""What goes wrong is told in the user's language, at the command line and in the window."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from app.cli.failure import run_reporting_errors
+from app.cli.output import say
+from app.core.error_messages import explain
+from app.core.tracking_process.messages import (
+    packed_error,
+    packed_notes,
+    unpacked_error,
+    unpacked_notes,
+)
+from tests.pseudo import TRANSLATED, Pseudo
+from tracking.errors import FormatError
+from tracking.formats import format_of
+from tracking.session.session_reader import check_file
+from tracking.translation import Message, msg, tr, use_catalogue
+
+
+@pytest.fixture
+def pseudo() -> Iterator[None]:
+    use_catalogue(Pseudo())
+    yield
+    use_catalogue(None)
+
+
+@pytest.fixture
+def empty(tmp_path: Path) -> Path:
+    path = tmp_path / "empty.txt"
+    path.touch()
+    return path
+
+
+@pytest.mark.usefixtures("pseudo")
+def test_the_line_of_an_error_at_the_command_line(empty: Path, capsys) -> None:
+    assert run_reporting_errors(lambda: format_of(empty), debug=False) == 1
+    assert capsys.readouterr().err == f"trackwright: ⟦{empty} is empty; name a file with tracks⟧\n"
+
+
+@pytest.mark.usefixtures("pseudo")
+def test_a_note_at_the_command_line(capsys) -> None:
+    say(msg("note: {note}", note=msg("{n} rows are left out", n=3)))
+    assert capsys.readouterr().err == "⟦note: ⟦3 rows are left out⟧⟧\n"
+
+
+@pytest.mark.usefixtures("pseudo")
+def test_the_message_of_an_error_in_the_window(empty: Path) -> None:
+    with pytest.raises(FormatError) as caught:
+        format_of(empty)
+    assert explain(caught.value) == f"⟦{empty} is empty; name a file with tracks⟧"
+
+
+def test_the_window_leaves_out_what_is_typed_at_the_command_line() -> None:
+    error = FormatError("a is unknown", "choose one", option="--format")
+    assert explain(error) == "a is unknown; choose one"
+
+
+@pytest.mark.usefixtures("pseudo")
+def test_what_a_program_of_its_own_finds_in_a_file(tmp_path: Path) -> None:
+    path = tmp_path / "session.h5"
+    path.write_bytes(b"no HDF5")
+    with pytest.raises(Exception, match="is not an HDF5 file") as caught:
+        check_file(path)
+    assert f"{TRANSLATED}is not an HDF5 file" in explain(caught.value)
+
+
+@pytest.mark.usefixtures("pseudo")
+def test_errors_and_notes_of_a_tracker_in_a_process_of_its_own() -> None:
+    error = FormatError("{path} is empty", "name {what}", option="--x", path="a", what=msg("one"))
+    same = unpacked_error(packed_error(error, ""))
+    assert (str(same), explain(same)) == (str(error), explain(error))
+    (note,) = unpacked_notes(packed_notes([msg("{n} frames are broken", n=2)]))
+    assert isinstance(note, Message)
+    assert tr(note) == "⟦2 frames are broken⟧"
