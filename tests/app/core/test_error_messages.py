@@ -20,7 +20,7 @@ def test_a_bug_is_logged_with_where_it_came_from_and_told_as_one(caplog):
 
 
 def test_options_of_the_command_line_are_left_out():
-    error = FormatError("the truth has no boxes", "match by floor distance (--match floor)")
+    error = FormatError("the truth has no boxes", "match by floor distance", option="--match floor")
     assert explain(error) == "the truth has no boxes; match by floor distance"
     assert explain(FormatError("a.txt is unknown")) == "a.txt is unknown"
 
