@@ -19,7 +19,7 @@ from tests.benchmarks.footage.failures import save_worst_frame
 from tests.benchmarks.footage.measures import Figures, figures_of
 from tests.benchmarks.footage.others import follow_public_detections
 from tests.benchmarks.footage.recordings import Footage, all_footage, footage_names
-from tests.benchmarks.footage.table import COLUMNS, cell, changes, table
+from tests.benchmarks.footage.table import COLUMNS, cells, changes, table
 from tests.benchmarks.pages import DOCS, template
 from tests.benchmarks.runner import Case, runs_over, sources
 from tracking.trackers import TRACKERS
@@ -63,7 +63,7 @@ def keep(found: Mapping[str, Mapping[str, Figures]], kinds: Mapping[str, str]) -
 
 def write_page(figures: Mapping[str, Any]) -> None:
     """The page of the figures kept."""
-    text = template("footage/page.md.j2").render(**figures, columns=tuple(COLUMNS), cell=cell)
+    text = template("footage/page.md.j2").render(**figures, columns=tuple(COLUMNS), cells=cells)
     PAGE.write_text(re.sub(r"\n{3,}", "\n\n", text).strip() + "\n", encoding="utf-8")
 
 

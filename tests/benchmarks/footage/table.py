@@ -57,6 +57,11 @@ def cell(row: Figures, column: str) -> str:
     return "" if found is None else f"{found:.{digits}f}"
 
 
+def cells(row: Figures) -> list[str]:
+    """A row's figures for people, by `COLUMNS`; - where there is none."""
+    return [cell(row, column) or "-" for column in COLUMNS]
+
+
 _EITHER = ("misses", "false")
 """Told by boxes where nothing is known of the floor."""
 

@@ -30,8 +30,10 @@ and what these leave empty would push it outwards and make it short."""
 _HIDDEN_CUT_BALANCE = 0.1
 """The same seen steeply with the near side hidden, too: what a spheroid leaves empty at its sides
 would push it outwards, and nothing that is seen holds it."""
-_HEIGHT_SD_M = 0.3
-"""Of the body heights of people: how unlikely it is that one is far from the usual."""
+_HEIGHT_SD_M, _STEEP_HEIGHT_SD_M = 0.3, 0.15
+"""Of the body heights of people: how unlikely it is that one is far from the usual. It counts in
+every frame, so from the side, where head and feet tell the height, little; seen steeply they do
+not."""
 _LEAN_S = 0.05
 """Who walks leans ahead: seconds of walking by which the body's axis is before where he stands."""
 _SHARPNESS = 40.0
@@ -91,7 +93,8 @@ def judge_and_weigh(
         log_weight = _gains(windows, seen, own, balance, ~short & ~steep)
         rows = np.flatnonzero(~steep)
         log_weight[rows] += _feet_gains(people, judged, own, axes, rows, flat, settings)
-        log_weight -= 0.5 * ((tall - settings.initial_height_m) / _HEIGHT_SD_M) ** 2
+        spread_m = np.where(steep, _STEEP_HEIGHT_SD_M, _HEIGHT_SD_M)[:, None]
+        log_weight -= 0.5 * ((tall - settings.initial_height_m) / spread_m) ** 2
     if alike is not None:
         log_weight += alike
     log_weight[is_taken(people, settings) | ~np.isfinite(seen.u)] = -np.inf
