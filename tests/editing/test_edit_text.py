@@ -51,7 +51,7 @@ def test_an_edit_that_could_not_be_read_again_is_refused(monkeypatch: pytest.Mon
     monkeypatch.setattr("tracking.editing.log.text.LARGEST_TEXT", longest)
     assert len(state_from_text(state_as_text(side)).rows["frame"]) == 9
     monkeypatch.setattr("tracking.editing.log.text.LARGEST_TEXT", longest - 1)
-    with pytest.raises(EditError, match="an edit of 9 rows is larger than the log can keep"):
+    with pytest.raises(EditError, match="an edit of 9 rows is larger than the history can keep"):
         state_as_text(side)
 
 
@@ -61,6 +61,6 @@ def test_what_the_log_will_not_keep_is_told_before_it_is_tried(
     change = plan_delete(table_of({1: [(0, 90_000)]}), 1)
     assert rows_beyond_the_log(change) == 0
     monkeypatch.setattr("tracking.editing.log.text.LARGEST_TEXT", 2 * 90_000)
-    with pytest.raises(EditError, match="larger than the log can keep"):
+    with pytest.raises(EditError, match="larger than the history can keep"):
         state_as_text(change.before)
     assert rows_beyond_the_log(change) == rows_beyond_the_log(change.inverse) == 90_000

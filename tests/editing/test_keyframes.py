@@ -145,7 +145,7 @@ def test_a_keyframe_let_go_is_interpolated_from_its_neighbours() -> None:
 def test_the_last_keyframe_let_go_takes_along_what_hung_on_it() -> None:
     table = annotated((0, 10, 20))
     change = plan_delete_keyframe(table, 1, 20)
-    assert change.text.endswith("in frame 20 away, and the 9 frames interpolated from it")
+    assert change.text.endswith("in frame 20, and the 9 frames interpolated from it")
     do(table, change)
     assert frames(table, 1) == list(range(11))
 

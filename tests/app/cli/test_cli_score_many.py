@@ -133,8 +133,8 @@ def test_what_is_missing_or_called_alike_is_one_line(
         ((tracker / "gone", "--truth", truths), "gone: No such file or directory"),
         ((tracker, "--truth", truths / "gone"), "gone: No such file or directory"),
         ((tracker, "--truth", truths), "are both called A-01; remove one"),
-        ((tracker, "--truth", truths / "A-01"), "the truth is one sequence"),
-        ((tracker, "--truth", tracker / "data" / "A-01.txt"), "the truth is one sequence"),
+        ((tracker, "--truth", truths / "A-01"), "the ground truth is one sequence"),
+        ((tracker, "--truth", tracker / "data" / "A-01.txt"), "the ground truth is one sequence"),
     ):
         status, out, err = trackwright("score", *words)
         assert (status, out, err.count("\n")) == (1, "", 1)

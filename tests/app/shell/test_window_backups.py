@@ -75,4 +75,4 @@ def test_a_session_saved_once_has_no_backup(window, controller, qtbot):
     window.files.said.connect(said.append)
     window.run_command("file.restore")
     qtbot.waitUntil(lambda: bool(said))
-    assert "No backup" in said[0]
+    assert "There is no backup yet" in said[0]

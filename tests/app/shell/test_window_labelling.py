@@ -249,7 +249,7 @@ def test_a_click_where_a_tool_does_not_draw_is_answered(window, controller, pres
     controller.labelling.said.connect(said.append)
     press(Key.Key_2, _ALT)
     window.workspace.right.picture_clicked.emit(5.0, 5.0)
-    assert said == ["Occluders are drawn in the left camera"]
+    assert said == ["Occluders are drawn in the left image"]
     controller.labelling.leave()
     window.workspace.right.picture_clicked.emit(5.0, 5.0)
     assert len(said) == 1

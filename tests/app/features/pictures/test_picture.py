@@ -279,7 +279,7 @@ def test_the_camera_is_told_to_screen_readers(view):
 
 def test_the_one_camera_of_a_recording_is_not_called_a_camera(view):
     view.set_alone(True)
-    assert view.accessibleName() == "Picture"
+    assert view.accessibleName() == "Image"
     view.set_alone(False)
     assert view.accessibleName() == "Left camera"
 
