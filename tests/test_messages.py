@@ -172,3 +172,17 @@ def test_data_nested_without_end_is_refused() -> None:
         data = {"text": "{a}", "values": {"a": data}}
     with pytest.raises(ValueError, match="a message is a text"):
         message_from(data)
+
+
+def test_values_of_a_message_are_changed_wherever_they_are_nested() -> None:
+    inner = Message("{path} is damaged", path=Path("/a/copy"))
+    outer = Message(
+        "{n} edit of {name}: {why}", "{n} edits of {name}: {why}", n=2, name=7, why=inner
+    )
+
+    def named(value: object) -> object:
+        return Path("/mine") if isinstance(value, Path) else value
+
+    assert str(outer.with_values(named)) == "2 edits of 7: /mine is damaged"
+    assert outer.with_values(named).translated() == "2 edits of 7: /mine is damaged"
+    assert "/a/copy" in outer

@@ -90,6 +90,15 @@ class Message(str):
         message._cut = cut
         return message
 
+    def with_values(self, change: Callable[[object], object]) -> Message:
+        """The same sentence with each value as `change` makes it, in nested messages, too."""
+        values = {
+            name: value.with_values(change) if isinstance(value, Message) else change(value)
+            for name, value in self.values.items()
+        }
+        message = Message(self.template, self.many, **values)
+        return message.cut_by(self._cut) if self._cut else message
+
     def _looked_up(self) -> str:
         if self.many:
             return _catalogue.ngettext(self.template, self.many, int(str(self.values["n"])))

@@ -218,7 +218,12 @@ def _copied(main: Path) -> Iterator[Journal]:
             with contextlib.closing(Journal(copy)) as journal:
                 yield journal
         except (SessionError, OutputError) as why:  # of the copy, which nobody knows
-            raise type(why)(why.reason.replace(str(copy), str(main)), why.to_do) from why
+
+            def named(value: object) -> object:
+                of_file = isinstance(value, str | Path)
+                return str(value).replace(str(copy), str(main)) if of_file else value
+
+            raise type(why)(why.reason.with_values(named), why.to_do) from why
 
 
 def _copy(main: Path, copy: Path, ending: str, most_bytes: int) -> None:

@@ -69,18 +69,14 @@ def plan_thin(
     check_known(table, track)
     check_scope(start, end)
     old = table.of_track(track, start, end)
-    if len(old["frame"]) < 3:
+    count, where = len(old["frame"]), scope_text(start, end)
+    if count < 3:
         raise EditError(
             "track {track} has fewer than three boxes {where}; nothing to thin",
             track=track,
-            where=scope_text(start, end),
+            where=where,
         )
-    if not (tolerance_px > 0 and tolerance_m > 0):
-        raise EditError(
-            "tolerances of {tolerance_px} px and {tolerance_m} m: both are above 0",
-            tolerance_px=tolerance_px,
-            tolerance_m=tolerance_m,
-        )
+    _check_tolerances(tolerance_px, tolerance_m)
     way = Way(how, view, fps)
     keys = _kept(old, way, (tolerance_px, tolerance_m))
     new = _thinned(old, keys, way)
@@ -89,16 +85,24 @@ def plan_thin(
         raise EditError(
             "track {track}: no row can be left out; allow a larger tolerance", track=track
         )
-    count = len(old["frame"])
     text = msg(
         "Thin {track} {where} to {keys} keyframes of {count} boxes",
         track=track,
-        where=scope_text(start, end),
+        where=where,
         keys=int(keys.sum()),
         count=count,
     )
     frame, scope = int(old["frame"][0]), Scope(start, end)
     return Change("thin", text, frame, State(rows=before), State(rows=after), scope)
+
+
+def _check_tolerances(tolerance_px: float, tolerance_m: float) -> None:
+    if not (tolerance_px > 0 and tolerance_m > 0):
+        raise EditError(
+            "tolerances of {tolerance_px} px and {tolerance_m} m: both are above 0",
+            tolerance_px=tolerance_px,
+            tolerance_m=tolerance_m,
+        )
 
 
 def thin_tracks(
