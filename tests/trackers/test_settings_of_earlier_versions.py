@@ -6,12 +6,14 @@ with these names wrote them.
 
 from __future__ import annotations
 
+import dataclasses
 import json
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from tracking.detections import DetectionSettings
 from tracking.errors import SettingsError
 from tracking.settings import former_names
 from tracking.trackers import (
@@ -25,8 +27,11 @@ from tracking.trackers import (
 
 GOLDEN = Path(__file__).parents[1] / "golden" / "settings" / "before-renaming.json"
 KEPT: dict[str, dict[str, Any]] = json.loads(GOLDEN.read_text())
+DETECTIONS = frozenset(
+    f"detections.{field.name}" for field in dataclasses.fields(DetectionSettings)
+)
 CAME_LATER = {"three-part": {"smooth"}, "three-part-joint": {"smooth"}}
-"""Settings there were none of before."""
+"""Settings there were none of before, beside `DETECTIONS` of all trackers."""
 FORMER = [
     (name, former, present)
     for name, spec in TRACKERS.items()
@@ -40,7 +45,7 @@ def test_the_defaults_of_an_earlier_version_are_the_defaults(name: str) -> None:
     spec = TRACKERS[name]
     present = present_settings(name, KEPT[name])
     known = {field.name for field in settings_fields(spec.settings_type)}
-    assert present.keys() == known - CAME_LATER.get(name, set())
+    assert present.keys() == known - DETECTIONS - CAME_LATER.get(name, set())
     assert settings_from(spec.settings_type, present) == spec.settings_type()
     assert changed_settings(name, present) == {}
 

@@ -208,6 +208,11 @@ def _numbers_in_a_row(head: bytes) -> int:
     return Counter(lengths).most_common(1)[0][0] if len(lengths) * 2 > len(lines) else 0
 
 
+def is_mot(head: bytes) -> bool:
+    """Whether a text is MOT text of any dialect, by its first bytes."""
+    return _numbers_in_a_row(head) > 0
+
+
 def lacks_commas(head: bytes) -> bool:
     """Whether a text would be MOT text with commas in place of its spaces or semicolons."""
     return b"," not in head and _numbers_in_a_row(_DIVIDERS.sub(b",", head)) > 0

@@ -22,6 +22,7 @@ from tracking.foreground import (
 from tracking.geometry import Ground, Rectification
 from tracking.people.detections import Detections
 from tracking.people.finder import PeopleFinder
+from tracking.people.given_boxes import BoxSource
 from tracking.people.observation import Observation, Overlays
 from tracking.people.one_camera import OneCamera
 from tracking.people.settings import PeopleSettings
@@ -57,6 +58,7 @@ class StereoPerception:
         ground: where the floor is.
         fps: frames a second of the recording.
         foreground, stereo, people: settings; None for the usual ones.
+        boxes: of another program's detector; None: people are seen by the foreground alone.
 
     Attributes:
         images: whether the right camera fails, and whether either is late.
@@ -73,8 +75,10 @@ class StereoPerception:
         foreground: ForegroundSettings | None = None,
         stereo: StereoSettings | None = None,
         people: PeopleSettings | None = None,
+        boxes: BoxSource | None = None,
     ) -> None:
         self._rectification = rectification
+        self._boxes = boxes
         self._shrink = shrink_of(rectification.size[0])
         _require_size(rectification.size, self._shrink, stereo or StereoSettings())
         lines = SightLines(rectification, self._shrink)

@@ -20,6 +20,7 @@ from tracking.geometry import View
 from tracking.people import upright
 from tracking.people.body_scale import Standing
 from tracking.people.ghosts import without_ghosts
+from tracking.people.given_boxes import BoxSource
 from tracking.people.observation import Observation, Overlays
 from tracking.people.region_features import described, in_full
 from tracking.people.regions_of_people import people_regions
@@ -39,6 +40,7 @@ class SingleCameraPerception:
         fps: frames a second of the recording.
         view: the camera over its floor; None: nothing is known in metres.
         foreground, people: settings; None for the usual ones.
+        boxes: of another program's detector; None: people are seen by the foreground alone.
     """
 
     stereo_watch: None = None
@@ -50,12 +52,14 @@ class SingleCameraPerception:
         view: View | None = None,
         foreground: ForegroundSettings | None = None,
         people: PeopleSettings | None = None,
+        boxes: BoxSource | None = None,
     ) -> None:
         self._background = BackgroundModel(fps, foreground)
         self._shadows = ShadowRemover(foreground)
         self._shade = ShadeColour()
         self._view = view
         self._settings = people or PeopleSettings()
+        self._boxes = boxes
 
     @property
     def notes(self) -> tuple[str, ...]:

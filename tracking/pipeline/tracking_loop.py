@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from tracking.detections import box_source
 from tracking.errors import SettingsError
 from tracking.people import RangedShare, StereoWatch, first_lag
 from tracking.pipeline.run_buffer import KeptSteps
@@ -200,7 +201,9 @@ class Tracking:
 
     def _work(self) -> Generator[StepResult]:
         timed = self._stages.timed
-        perception, tracker = self._spec.build(self._recording, self._settings, self._seed)
+        boxes = timed("learn", box_source, self._recording, self._settings.detections)
+        asked = (self._recording, self._settings, self._seed, boxes)
+        perception, tracker = self._spec.build(*asked)
         self._perception, self._tracker = perception, tracker
         timed("learn", self._learn, perception)
         watch, instants = perception.stereo_watch, Instants(self._recording)

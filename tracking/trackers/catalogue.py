@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
-from typing import Any
+from typing import Any, Protocol
 
 from tracking.errors import CalibrationError, RecordingError, SettingsError
+from tracking.people.given_boxes import BoxSource
 from tracking.recording import Recording
 from tracking.settings import (
     former_names,
@@ -40,6 +41,15 @@ from tracking.trackers.three_part import (
 )
 
 
+class Build(Protocol):
+    """Makes a tracker."""
+
+    def __call__(
+        self, recording: Recording, settings: Any, seed: int, boxes: BoxSource | None = None, /
+    ) -> tuple[Perception, Tracker]:
+        """Perception and tracker at their start; see `TrackerSpec`."""
+
+
 def _no_detector(settings: Mapping[str, Any]) -> str:  # noqa: ARG001 - of trackers that use one
     return ""
 
@@ -54,7 +64,8 @@ class TrackerSpec:
         paper: key of the source in the papers' list, e.g. "Kawashita2014"; "" for one of our own.
         needs_stereo, needs_calibration: of the recording.
         settings_type: a frozen dataclass; see `settings_fields`.
-        build: (recording, settings, seed) -> perception and tracker, both at their start.
+        build: (recording, settings, seed, boxes) -> perception and tracker, both at their start;
+            boxes are those of another program that the settings name, None without any.
         detector: (settings by their dotted names) -> fingerprint of the failure detector they
             name; "" for none.
         finisher: how a run is looked over from both ends, where its settings say `smooth`.
@@ -68,7 +79,7 @@ class TrackerSpec:
     needs_stereo: bool
     needs_calibration: bool
     settings_type: type
-    build: Callable[[Recording, Any, int], tuple[Perception, Tracker]]
+    build: Build
     detector: Callable[[Mapping[str, Any]], str] = _no_detector
     finisher: Finisher = field(default_factory=Finisher)
     overlays: TrackerOverlays = field(default_factory=TrackerOverlays)

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from tracking.foreground import BackgroundModel, ForegroundSettings, ShadowRemover, Subtraction
 from tracking.people import Detections, Observation, Overlays
+from tracking.people.given_boxes import BoxSource
 from tracking.recording.frame import Image, StereoFrame
 from tracking.trackers.flow.half_resolution import double, halve
 from tracking.trackers.flow.silhouettes import BODY, SHADE
@@ -44,14 +45,21 @@ class FlowPerception:
     Args:
         fps: frames a second of the recording.
         foreground: settings; None for the usual ones.
+        boxes: of another program's detector; None: people are seen by the foreground alone.
     """
 
     stereo_watch: None = None
     """It looks with one camera."""
 
-    def __init__(self, fps: float, foreground: ForegroundSettings | None = None) -> None:
+    def __init__(
+        self,
+        fps: float,
+        foreground: ForegroundSettings | None = None,
+        boxes: BoxSource | None = None,
+    ) -> None:
         self._background = BackgroundModel(fps, foreground)
         self._shadows = ShadowRemover(foreground)
+        self._boxes = boxes
 
     @property
     def notes(self) -> tuple[str, ...]:

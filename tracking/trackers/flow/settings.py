@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from tracking.detections import DetectionSettings
 from tracking.foreground import ForegroundSettings
 from tracking.setting import setting, stage
 
@@ -280,3 +281,4 @@ class FlowSettings:
     points: PointSettings = stage(PointSettings)
     clusters: ClusterSettings = stage(ClusterSettings)
     foreground: ForegroundSettings = stage(ForegroundSettings, expert=("absorb_person_s",))
+    detections: DetectionSettings = stage(DetectionSettings)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from tracking.errors import CalibrationError
+from tracking.people.given_boxes import BoxSource
 from tracking.recording import Recording
 from tracking.trackers.flow.perception import FlowPerception
 from tracking.trackers.flow.settings import FlowSettings
@@ -13,6 +14,7 @@ def build_flow(
     recording: Recording,
     settings: FlowSettings,
     seed: int,  # noqa: ARG001 - of every tracker; nothing here is random
+    boxes: BoxSource | None = None,
 ) -> tuple[FlowPerception, FlowTracker]:
     """Perception and tracker; raises `CalibrationError` where the floor is not known."""
     if recording.view is None:
@@ -21,5 +23,5 @@ def build_flow(
             "choose a tracker that works in pixels",
             name=recording.name,
         )
-    perception = FlowPerception(recording.fps, settings.foreground)
+    perception = FlowPerception(recording.fps, settings.foreground, boxes)
     return perception, FlowTracker(recording.view, recording.fps, settings)

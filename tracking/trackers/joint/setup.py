@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from tracking.people import StereoPerception
+from tracking.people.given_boxes import BoxSource
 from tracking.recording import Recording
 from tracking.trackers.joint.settings import JointSettings
 from tracking.trackers.joint.tracker import JointTracker
@@ -10,8 +11,8 @@ from tracking.trackers.stereo.setup import perception_and_view
 
 
 def build_joint(
-    recording: Recording, settings: JointSettings, seed: int
+    recording: Recording, settings: JointSettings, seed: int, boxes: BoxSource | None = None
 ) -> tuple[StereoPerception, JointTracker]:
     """Perception and tracker at their start."""
-    perception, view = perception_and_view(recording, settings)
+    perception, view = perception_and_view(recording, settings, boxes)
     return perception, JointTracker(view, settings, seed)

@@ -20,6 +20,7 @@ from tracking.foreground import (
 )
 from tracking.geometry import FlatView, View
 from tracking.people import Detections, Observation, Overlays
+from tracking.people.given_boxes import BoxSource
 from tracking.people.working_scale import shrink_of, shrunk
 from tracking.recording.frame import Image, StereoFrame
 
@@ -67,6 +68,7 @@ class SpheroidPerception:
     Args:
         fps: frames a second. view: the camera over its floor.
         foreground, ramp: settings; None for the usual ones.
+        boxes: of another program's detector; None: people are seen by the foreground alone.
     """
 
     stereo_watch: None = None
@@ -78,9 +80,11 @@ class SpheroidPerception:
         view: View,
         foreground: ForegroundSettings | None = None,
         ramp_settings: RampSettings | None = None,
+        boxes: BoxSource | None = None,
     ) -> None:
         self.flat = FlatView(view, shrink_of(view.camera.width))
         self.camera = CameraWatch(fps)
+        self._boxes = boxes
         self._background = BackgroundModel(fps, foreground)
         self._shadows = ShadowWeights()
         self._ramp = ramp_settings or RampSettings()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from tracking.detections import DetectionSettings
 from tracking.errors import SettingsError
 from tracking.foreground import ForegroundSettings, RampSettings
 from tracking.setting import setting, stage
@@ -179,6 +180,7 @@ class SpheroidSettings:
     )
     ramp: RampSettings = stage(RampSettings)
     foreground: ForegroundSettings = stage(_sensitive, expert=("shadow_threshold",))
+    detections: DetectionSettings = stage(DetectionSettings)
 
     @property
     def newcomer_m(self) -> float:

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from tracking.errors import CalibrationError
 from tracking.geometry import FlatView
+from tracking.people.given_boxes import BoxSource
 from tracking.recording import Recording
 from tracking.trackers.shared.occluders import Polygons, occluder_mask, occluders_from
 from tracking.trackers.spheroid.perception import SpheroidPerception
@@ -15,7 +16,7 @@ from tracking.trackers.spheroid.tracker import SpheroidTracker
 
 
 def build_spheroid(
-    recording: Recording, settings: SpheroidSettings, seed: int
+    recording: Recording, settings: SpheroidSettings, seed: int, boxes: BoxSource | None = None
 ) -> tuple[SpheroidPerception, SpheroidTracker]:
     """Perception and tracker at their start; of a stereo recording the left camera is looked at.
 
@@ -29,7 +30,7 @@ def build_spheroid(
             "[ground] to recording.toml, or choose a tracker that works in pixels",
             name=recording.name,
         )
-    perception = SpheroidPerception(recording.fps, view, settings.foreground, settings.ramp)
+    perception = SpheroidPerception(recording.fps, view, settings.foreground, settings.ramp, boxes)
     hidden = _hidden(occluders_from(settings.occluders), perception.flat)
     return perception, SpheroidTracker(
         perception, settings, perception.flat.covered & ~hidden, seed

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.people import Detections, StereoPerception
+from tracking.people.given_boxes import BoxSource
 from tracking.recording import Recording
 from tracking.setting import setting
 from tracking.trackers.stereo.paper import PaperTracker
@@ -92,11 +93,11 @@ class HalvesOfFirstFrames:
 
 
 def build(
-    recording: Recording, settings: StereoColourSettings, seed: int
+    recording: Recording, settings: StereoColourSettings, seed: int, boxes: BoxSource | None = None
 ) -> tuple[StereoPerception, StereoTracker | PaperTracker]:
     """Perception and tracker at their start."""
     follow = PaperTracker if settings.paper else StereoTracker
     if settings.paper:
         settings = replace(settings, people=replace(settings.people, hue_by_saturation=False))
-    perception, view = perception_and_view(recording, settings)
+    perception, view = perception_and_view(recording, settings, boxes)
     return perception, follow(view, settings, HalvesOfFirstFrames(settings), seed)

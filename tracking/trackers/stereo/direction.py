@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.people import Detections, StereoPerception
+from tracking.people.given_boxes import BoxSource
 from tracking.recording import Recording
 from tracking.setting import setting
 from tracking.trackers.stereo.paper import PaperTracker
@@ -39,9 +40,12 @@ class MiddleUpdated(WalkingCues):
 
 
 def build(
-    recording: Recording, settings: StereoDirectionSettings, seed: int
+    recording: Recording,
+    settings: StereoDirectionSettings,
+    seed: int,
+    boxes: BoxSource | None = None,
 ) -> tuple[StereoPerception, StereoTracker | PaperTracker]:
     """Perception and tracker at their start."""
-    perception, view = perception_and_view(recording, settings)
+    perception, view = perception_and_view(recording, settings, boxes)
     follow = PaperTracker if settings.paper else StereoTracker
     return perception, follow(view, settings, MiddleUpdated(settings), seed)

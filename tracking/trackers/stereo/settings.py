@@ -5,6 +5,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
 
+from tracking.detections import DetectionSettings
 from tracking.foreground import ForegroundSettings
 from tracking.people import PeopleSettings
 from tracking.setting import setting, stage
@@ -127,6 +128,7 @@ class StereoFilterSettings(ABC):
     foreground: ForegroundSettings = stage(ForegroundSettings)
     stereo: StereoSettings = stage(StereoSettings)
     people: PeopleSettings = stage(PeopleSettings)
+    detections: DetectionSettings = stage(DetectionSettings)
 
     @property
     @abstractmethod

@@ -5,12 +5,13 @@ from __future__ import annotations
 from tracking.errors import CalibrationError
 from tracking.geometry import View
 from tracking.people import StereoPerception
+from tracking.people.given_boxes import BoxSource
 from tracking.recording import Recording
 from tracking.trackers.stereo.settings import StereoFilterSettings
 
 
 def perception_and_view(
-    recording: Recording, settings: StereoFilterSettings
+    recording: Recording, settings: StereoFilterSettings, boxes: BoxSource | None = None
 ) -> tuple[StereoPerception, View]:
     """Stereo perception at its start, and the camera that people are seen by.
 
@@ -30,5 +31,6 @@ def perception_and_view(
         foreground=settings.foreground,
         stereo=settings.stereo,
         people=settings.people,
+        boxes=boxes,
     )
     return perception, view

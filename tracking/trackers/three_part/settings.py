@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from tracking.detections import DetectionSettings
 from tracking.errors import SettingsError
 from tracking.foreground import ForegroundSettings
 from tracking.people import PeopleSettings
@@ -158,6 +159,7 @@ class WholeBodySettings:
     )
     foreground: ForegroundSettings = stage(ForegroundSettings)
     people: PeopleSettings = stage(PeopleSettings)
+    detections: DetectionSettings = stage(DetectionSettings)
 
     def __post_init__(self) -> None:
         """Check what belongs together, before any work; raises `SettingsError`."""

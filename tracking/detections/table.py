@@ -1,0 +1,111 @@
+"""Boxes of a whole recording, frame by frame, and which of them are used."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from tracking.arrays import Flags, Floats, Integers
+from tracking.people.given_boxes import MOST_BOXES, FrameBoxes
+
+_TWO_KINDS = 0.72
+"""Share of the scores' variance that lies between two kinds of boxes; less, and they are one. A
+uniform distribution has 0.75 and a normal one 0.64, cut in the middle."""
+_MOST_DROPPED = 0.5
+_INSIDE = 0.9
+"""A box of which this share lies in a surer one is of the same person."""
+_COMPARED = 4 * MOST_BOXES
+"""The surest boxes of a frame, which are compared pair by pair."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class BoxTable:
+    """Boxes of one camera, sorted by frame.
+
+    Attributes:
+        frame: (n,) from 0.
+        box: (n, 4) left, top, width, height in 0-based px of the picture as recorded.
+        score: (n,) larger is surer; all 1 where the file tells none.
+    """
+
+    frame: Integers
+    box: Floats
+    score: Floats
+
+    @classmethod
+    def sorted_by_frame(cls, frame: Integers, box: Floats, score: Floats) -> BoxTable:
+        """The table of boxes in any order; those of a frame stay in theirs."""
+        order = np.argsort(frame, kind="stable")
+        return cls(frame[order], box[order], score[order])
+
+    def __len__(self) -> int:
+        """The number of boxes."""
+        return len(self.frame)
+
+    def of(self, frame: int) -> FrameBoxes:
+        """All boxes of a frame."""
+        start, stop = np.searchsorted(self.frame, (frame, frame + 1))
+        return FrameBoxes(self.box[start:stop], self.score[start:stop])
+
+    def select(self, kept: Flags) -> BoxTable:
+        """Some of the boxes."""
+        return BoxTable(self.frame[kept], self.box[kept], self.score[kept])
+
+    def sure(self, least_score: float | None) -> BoxTable:
+        """Those with this score or more; None: with the one that is learnt from the scores."""
+        least = learnt_threshold(self.score) if least_score is None else least_score
+        return self.select(self.score >= least)
+
+
+def learnt_threshold(score: Floats) -> float:
+    """The score that parts two kinds of boxes best [Otsu1979]; the lowest if there is one kind.
+
+    Detectors say how sure they are in units of their own; what is common to them is that boxes of
+    people have high scores and are more. Without scores it is minus infinity.
+
+    Args:
+        score: (n,) finite.
+    """
+    known = np.sort(score)
+    if not len(known):
+        return -np.inf
+    if known[0] == known[-1]:
+        return float(known[0])
+    known_less = known - known[0]  # sums of large scores would lose what tells them apart
+    rows = np.arange(1, len(known))
+    share = rows / len(known)
+    sums = np.cumsum(known_less)
+    below, above = sums[:-1] / rows, (sums[-1] - sums[:-1]) / (len(known) - rows)
+    between = share * (1 - share) * (above - below) ** 2
+    between[known[1:] == known[:-1]] = 0.0  # equal scores stay together
+    best = int(between.argmax())
+    if between[best] < _TWO_KINDS * known_less.var() or share[best] > _MOST_DROPPED:
+        return float(known[0])
+    return float(known[best + 1])
+
+
+def one_each(boxes: FrameBoxes, max_overlap: float) -> FrameBoxes:
+    """One box for each person: of two on one the surer one, at most `MOST_BOXES`, in their order.
+
+    Args:
+        boxes: of one frame.
+        max_overlap: intersection over union above which two boxes are of one person.
+    """
+    order = np.argsort(-boxes.score, kind="stable")[:_COMPARED]
+    overlap, inside = _overlaps(boxes.box[order])
+    twice = np.tril((overlap > max_overlap) | (inside > _INSIDE), -1)
+    kept = np.ones(len(order), np.bool_)
+    for k in np.flatnonzero(twice.any(axis=1)).tolist():
+        kept[k] = not (twice[k] & kept).any()
+    rows = np.sort(order[kept][:MOST_BOXES])
+    return FrameBoxes(boxes.box[rows], boxes.score[rows])
+
+
+def _overlaps(box: Floats) -> tuple[Floats, Floats]:
+    """(n, n) intersection over union, and the share of the n-th box that lies in each other."""
+    low, high = box[:, :2], box[:, :2] + box[:, 2:]
+    shared = np.minimum(high[:, None], high) - np.maximum(low[:, None], low)
+    area, common = box[:, 2:].prod(axis=1), shared.clip(0.0).prod(axis=2)
+    union = area[:, None] + area - common
+    return common / np.maximum(union, 1e-9), common / np.maximum(area, 1e-9)[:, None]

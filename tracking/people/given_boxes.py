@@ -1,0 +1,42 @@
+"""People by the boxes of another program's detector: what perception is given."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Protocol
+
+from tracking.arrays import Floats
+
+MOST_BOXES = 200
+"""In a frame: labels of 8 bits tell apart no more, with those of the foreground beside them."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class FrameBoxes:
+    """What a detector says of one frame.
+
+    Attributes:
+        box: (n, 4) left, top, width, height in 0-based px of the picture as recorded.
+        score: (n,) how sure it is, in its own unit; larger is surer.
+    """
+
+    box: Floats
+    score: Floats
+
+    def __len__(self) -> int:
+        """The number of boxes."""
+        return len(self.box)
+
+
+class BoxSource(Protocol):
+    """Boxes of a recording, one for each person, sure enough to be used."""
+
+    @property
+    def only(self) -> bool:
+        """Whether no people are looked for in the foreground beside them."""
+
+    def of(self, frame: int) -> FrameBoxes:
+        """The boxes of a frame, at most `MOST_BOXES`; none where the frame has none."""
+
+    def of_right(self, frame: int) -> FrameBoxes | None:
+        """Those of the right camera's frame; None where nothing is known of that camera."""
