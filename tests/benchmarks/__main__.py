@@ -13,6 +13,8 @@ from tests.benchmarks.tables import table
 
 GROUPS = {
     "pipeline": "pipeline.measure",
+    "pipeline_720p": "pipeline.pipeline_720p",
+    "two_processes": "two_processes.measure",
     "filter": "filter.measure",
     "scoring": "scorers.measure",
     "session": "session.measure",
@@ -25,7 +27,7 @@ GROUPS = {
 
 
 def main() -> None:
-    """Print the figures of each group; everything runs on one core.
+    """Print the figures of each group; every process runs on one core.
 
     How far it is goes to standard error.
     A figure called `vs_` is our time over a peer's in the same run; null without the peer.

@@ -42,6 +42,7 @@ class Clip:
         seconds: of the scene's length; the scene's own if None.
         people: the scene's own if None.
         cameras: 1 for the left camera alone; the scene's own if None.
+        size: width and height of the images, px; the scene's own if None.
         disturbances: what is out of the ordinary.
     """
 
@@ -50,6 +51,7 @@ class Clip:
     seconds: float | None = None
     people: int | None = None
     cameras: int | None = None
+    size: tuple[int, int] | None = None
     disturbances: Disturbances = NO_DISTURBANCES
 
     @property
@@ -61,6 +63,7 @@ class Clip:
             ("s", self.seconds),
             ("p", self.people),
             ("cameras", self.cameras),
+            ("rows", self.size and self.size[1]),
             ("from", disturbances.begin_s or None),
             ("dim", disturbances.dimmed_s),
             ("bump", disturbances.bumped_s),
@@ -97,6 +100,7 @@ def folder_of(clip: Clip, kept: Path | None = None) -> Path:
             clip.seconds,
             clip.people,
             clip.seed,
+            size=clip.size,
             cameras=clip.cameras,
             disturbances=clip.disturbances,
         )

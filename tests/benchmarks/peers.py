@@ -135,8 +135,9 @@ class OneCamera(Timed):
 class Obvious(Timed):
     """The obvious way: MOG2 with shadows on both cameras, SGBM, regions, filters.
 
-    Everything is done on whole pictures at their full size. SGBM searches 64 disparities with the
-    other parameters of OpenCV's own example. What is foreground and has a disparity is opened
+    Everything is done on whole pictures at their full size. SGBM searches 64 disparities,
+    more where people can have more, with the other parameters of OpenCV's own example. What is
+    foreground and has a disparity is opened
     and cut into regions, each placed on the floor by its median disparity. A particle filter for
     each person (`PersonFilters`) then follows the nearest of them by place and colour.
 
@@ -148,10 +149,11 @@ class Obvious(Timed):
         super().__init__()
         self._rectification = _rectification(recording)
         least, count = _search(self._rectification)
-        self._least = max(0, least + count - _DISPARITIES)
+        searched = max(count, _DISPARITIES)
+        self._least = max(0, least + count - searched)
         self._images = [cv2.createBackgroundSubtractorMOG2(detectShadows=True) for _ in range(2)]
         self._matcher = cv2.StereoSGBM.create(
-            self._least, _DISPARITIES, 5, P1=8 * 25, P2=32 * 25, disp12MaxDiff=1,
+            self._least, searched, 5, P1=8 * 25, P2=32 * 25, disp12MaxDiff=1,
             uniquenessRatio=10, speckleWindowSize=100, speckleRange=32,
         )  # fmt: skip
         self._filters = PersonFilters(particles)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 
@@ -45,6 +45,7 @@ PIPELINE = Speed(
     {"primitives": Primitives, "obvious": partial(Obvious, particles=PARTICLES)},
 )
 """Sixteen people, of whom fifteen or all are in view in the frames that count."""
+PIPELINE_720P = replace(PIPELINE, clip=replace(PIPELINE.clip, size=(1280, 720)))
 SPHEROID = Speed(Clip("plaza", 5101, 12.0, 11, cameras=1), "spheroid", range(8, 13), _ONE_CAMERA)
 PARTS = Speed(Clip("walkway", 4101, cameras=1), "three-part", range(5, 6), _ONE_CAMERA)
 FLOW = Speed(
@@ -103,6 +104,11 @@ def measure(what: Speed = PIPELINE) -> dict[str, float | None]:
     if not counted:
         raise RuntimeError(f"never were {what.people} people followed in {what.clip.name}")
     return _figures(ours, {name: spent for name, (_, _, spent) in peers.items()}, counted, people)
+
+
+def pipeline_720p() -> dict[str, float | None]:
+    """The same as `pipeline` on images of 1280 x 720; see there."""
+    return measure(PIPELINE_720P)
 
 
 def spheroid() -> dict[str, float | None]:

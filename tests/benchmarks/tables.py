@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 _UNITS = {
     "vs": "times theirs",
+    "speed_up": "times one process",
     "off_the_line": "share",
     "share": "share",
     "us_per_person": "\u00b5s a person",

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.benchmarks import pipeline
+from tests.benchmarks import pipeline, two_processes
 from tests.benchmarks.__main__ import GROUPS
 from tests.benchmarks.pipeline import FLOW, PIPELINE, Speed
 from tests.benchmarks.tables import table
@@ -45,3 +45,25 @@ def test_a_tracker_is_timed_beside_what_others_would_do(
         assert ratio * figures[f"{peer}_frame_ms"] == pytest.approx(figures["cpu_ms"])
         assert len(parts) > 2
     assert table("speed", "How fast.", figures)
+
+
+def test_two_commands_are_timed_against_one(
+    rendered: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(two_processes, "recording", lambda: rendered)
+    monkeypatch.setattr(two_processes, "_ROUNDS", 1)
+    figures = two_processes.measure()
+    expected = 2 * figures["one_ms"] / figures["both_ms"]
+    assert 0.0 < figures["speed_up"] == pytest.approx(expected)
+    assert "times one process" in table("two", "How much sooner.", figures)
+
+
+def test_a_command_that_fails_is_not_timed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(two_processes, "recording", lambda: tmp_path)
+    with pytest.raises(RuntimeError, match="track failed:\\ntrackwright: "):
+        two_processes.measure()
+
+
+def test_the_larger_recording_is_the_same_scene_in_720_rows() -> None:
+    larger = pipeline.PIPELINE_720P.clip
+    assert (larger.size, larger.name) == ((1280, 720), f"{PIPELINE.clip.name}-rows720")
