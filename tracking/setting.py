@@ -39,12 +39,12 @@ def setting(
     return dataclasses.field(default=default, metadata=about_it)
 
 
-def stage(default_factory: Callable[[], Any], expert: tuple[str, ...] = ()) -> Any:
+def stage(default_factory: Callable[[], Any], unused: tuple[str, ...] = ()) -> Any:
     """A dataclass field that holds the settings of an earlier stage.
 
     Args:
         default_factory: makes the settings of the stage.
-        expert: names of settings of the stage that are expert settings in this tracker too,
-            beside those that the stage itself marks so.
+        unused: names of settings of the stage that this tracker does nothing with. They are not
+            offered, and refused like those of another tracker.
     """
-    return dataclasses.field(default_factory=default_factory, metadata={"expert": expert})
+    return dataclasses.field(default_factory=default_factory, metadata={"unused": unused})

@@ -85,8 +85,12 @@ def former_names(settings_type: type) -> dict[str, str]:
 def with_present_names(settings_type: type, values: Mapping[str, Any]) -> dict[str, Any]:
     """Values that were kept under former names, under the present ones.
 
-    A value that is there under both names is the present name's. Names of no setting stay.
+    A value that is there under both names is the present name's. Settings of a stage that the
+    tracker does nothing with, and was given by earlier versions, are left out. Names of no setting
+    stay.
     """
+    unused = _unused_names(settings_type)
+    values = {name: value for name, value in values.items() if name not in unused}
     present = former_names(settings_type)
     renamed = {present[name]: value for name, value in values.items() if name in present}
     return renamed | {name: value for name, value in values.items() if name not in present}
@@ -117,15 +121,28 @@ def settings_from_text(settings_type: type, texts: Mapping[str, str]) -> Any:
     return settings_from(settings_type, values)
 
 
-def _fields(settings: Any, prefix: str, expert: Container[str] = ()) -> Iterator[SettingField]:
-    """The settings of one stage and of those before it; `expert` names more expert settings."""
+def _unused_names(settings_type: type) -> set[str]:
+    """Dotted names, former ones too, of settings of stages that the tracker does nothing with."""
+    return {
+        f"{stage.name}.{name}"
+        for stage in dataclasses.fields(settings_type)
+        if "unused" in stage.metadata
+        for field in _fields(getattr(settings_type(), stage.name), "")
+        if field.name in stage.metadata["unused"]
+        for name in (field.name, *field.formerly)
+    }
+
+
+def _fields(settings: Any, prefix: str, unused: Container[str] = ()) -> Iterator[SettingField]:
+    """The settings of one stage, but for the `unused` ones, and of those before it."""
     hints = get_type_hints(type(settings))
     for field in dataclasses.fields(settings):
-        value = getattr(settings, field.name)
+        value, about = getattr(settings, field.name), field.metadata
         if dataclasses.is_dataclass(value):
-            yield from _fields(value, f"{prefix}{field.name}.", field.metadata.get("expert", ()))
+            yield from _fields(value, f"{prefix}{field.name}.", about.get("unused", ()))
             continue
-        about = field.metadata
+        if field.name in unused:
+            continue
         hint = hints[field.name]
         kind = hint if hint in (bool, int, float, str) else type(value)
         allowed = about.get("range")
@@ -139,7 +156,7 @@ def _fields(settings: Any, prefix: str, expert: Container[str] = ()) -> Iterator
             about.get("odd", False),
             tuple(prefix + former for former in about.get("formerly", ())),
             about.get("group", RESULT),
-            about.get("expert", False) or field.name in expert,
+            about.get("expert", False),
         )
 
 

@@ -1,12 +1,12 @@
-"""Which settings of a tracker are offered to everybody, and which on request."""
+"""Which settings of a tracker are offered to everybody, which on request, and which not at all."""
 
 import dataclasses
 
 import pytest
 
-from tracking.setting import setting, stage
+from tracking.errors import SettingsError
 from tracking.settings import settings_fields
-from tracking.trackers import TRACKERS
+from tracking.trackers import TRACKERS, parse_settings, present_settings
 
 MOST = 20
 """More would not be read."""
@@ -19,34 +19,36 @@ def test_a_tracker_offers_at_most_twenty_settings(name):
 
 
 @pytest.mark.parametrize("name", TRACKERS)
-def test_stages_name_expert_settings_that_they_offer_otherwise(name):
+def test_what_a_tracker_does_not_use_is_a_setting_of_the_stage(name):
     settings = TRACKERS[name].settings_type()
     for field in dataclasses.fields(settings):
         inner = getattr(settings, field.name)
         if dataclasses.is_dataclass(inner):
-            offered = {one.name for one in settings_fields(type(inner)) if not one.expert}
-            assert set(field.metadata.get("expert", ())) <= offered
+            offered = {one.name for one in settings_fields(type(inner))}
+            assert set(field.metadata["unused"]) <= offered
 
 
-@dataclasses.dataclass(frozen=True)
-class Inner:
-    plain: float = setting(1.0, "", None, "Left alone.")
-    rare: float = setting(1.0, "", None, "Rarely changed.", expert=True)
-    of_no_use: float = setting(1.0, "", None, "Of no use to the outer one.")
+@pytest.mark.parametrize(
+    ("name", "unused"),
+    [
+        ("spheroid", "foreground.shadow_threshold"),
+        ("spheroid", "foreground.shadow_darkest"),
+        ("flow", "foreground.absorb_person_s"),
+        ("three-part", "people.min_area_m2"),
+        ("stereo-joint", "foreground.learn_s"),
+    ],
+)
+def test_a_setting_that_a_tracker_does_nothing_with_is_refused_and_read_in_older_sessions(
+    name, unused
+):
+    spec = TRACKERS[name]
+    assert unused not in {field.name for field in settings_fields(spec.settings_type)}
+    with pytest.raises(SettingsError, match=f"{unused}"):
+        parse_settings(spec, {unused: "0.4"})
+    assert present_settings(name, {unused: 0.4, "particles": 7}) == {"particles": 7}
 
 
-@dataclasses.dataclass(frozen=True)
-class Outer:
-    own: float = setting(1.0, "", None, "Its own.")
-    inner: Inner = stage(Inner, expert=("of_no_use",))
-
-
-def test_a_tracker_marks_settings_of_an_earlier_stage_as_expert_too():
-    expert = {field.name: field.expert for field in settings_fields(Outer)}
-    assert expert == {
-        "own": False,
-        "inner.plain": False,
-        "inner.rare": True,
-        "inner.of_no_use": True,
-    }
-    assert not any(field.expert for field in settings_fields(Inner) if field.name != "rare")
+def test_a_tracker_that_does_not_use_a_setting_names_those_that_do():
+    with pytest.raises(SettingsError) as error:
+        parse_settings(TRACKERS["flow"], {"foreground.floor_shadow_threshold": "0.4"})
+    assert "flow has no setting foreground.floor_shadow_threshold (stereo-joint" in str(error.value)

@@ -37,6 +37,9 @@ _LIT_AFTER_S = (0.8, 1.6)
 of people who walk by keep still for less, and less light is told from people anyway."""
 _PATCHES_EVERY = 2
 """Updates of the background between two searches for such patches."""
+_LEARN_S = 1.5
+"""How long changes become background ten times faster where nothing was learnt beforehand, so that
+people who stand in the first frames leave a ghost for less time."""
 _NOISE_AT_FIRST = 2.0
 _OPENING = cv2.getStructuringElement(cv2.MORPH_CROSS, (3, 3))
 
@@ -284,7 +287,7 @@ class BackgroundModel:
 
     def _absorb_after_s(self) -> float:
         elapsed_s = self._frames * self._period_s / self._every
-        learning = not self._primed and elapsed_s < self._settings.learn_s
+        learning = not self._primed and elapsed_s < _LEARN_S
         return self._settings.absorb_s / 10 if learning else self._settings.absorb_s
 
 

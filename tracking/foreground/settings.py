@@ -48,14 +48,6 @@ class ForegroundSettings:
         "Seconds until a still object as tall as a person becomes background; higher: people who "
         "stand very still are detected longer",
     )
-    learn_s: float = setting(
-        1.5,
-        "s",
-        (0.0, 60.0),
-        "Seconds at the start in which changes become background ten times faster; higher: "
-        "people who stand in the first frames leave a ghost for less time",
-        expert=True,
-    )
     updates_hz: float = setting(
         4.0,
         "Hz",

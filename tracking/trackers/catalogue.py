@@ -240,13 +240,21 @@ def detector_of(name: str, settings: Mapping[str, Any]) -> str:
     return spec.detector(settings) if spec is not None else ""
 
 
+_GONE = frozenset({"foreground.learn_s"})
+"""Settings of earlier versions that did nothing in any tracker."""
+
+
 def present_settings(name: str, settings: Mapping[str, Any]) -> dict[str, Any]:
     """A kept run's settings by their present names, whatever version of the tracker made it.
 
-    Those of a tracker that is not in the catalogue stay as they are.
+    Those that never did anything are left out. Those of a tracker that is not in the catalogue stay
+    as they are.
     """
     spec = TRACKERS.get(name)
-    return dict(settings) if spec is None else with_present_names(spec.settings_type, settings)
+    if spec is None:
+        return dict(settings)
+    settings = {key: value for key, value in settings.items() if key not in _GONE}
+    return with_present_names(spec.settings_type, settings)
 
 
 def changed_settings(name: str, settings: Mapping[str, Any]) -> dict[str, Any]:

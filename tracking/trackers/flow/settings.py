@@ -8,6 +8,9 @@ from tracking.detections import DetectionSettings
 from tracking.foreground import ForegroundSettings
 from tracking.setting import setting, stage
 
+_UNUSED = ("absorb_person_s", "floor_shadow_threshold")
+"""The background is not told where people are, and nothing is known of distances."""
+
 
 @dataclass(frozen=True, slots=True)
 class PointSettings:
@@ -280,5 +283,5 @@ class FlowSettings:
     )
     points: PointSettings = stage(PointSettings)
     clusters: ClusterSettings = stage(ClusterSettings)
-    foreground: ForegroundSettings = stage(ForegroundSettings, expert=("absorb_person_s",))
+    foreground: ForegroundSettings = stage(ForegroundSettings, unused=_UNUSED)
     detections: DetectionSettings = stage(DetectionSettings)

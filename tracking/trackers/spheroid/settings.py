@@ -11,6 +11,11 @@ from tracking.setting import setting, stage
 from tracking.trackers.shared.occluders import occluders_from
 
 _PAPER_HEIGHT_M = 1.8
+_UNUSED = (
+    *("shadow_threshold", "floor_shadow_threshold", "shadow_texture", "shadow_hue"),
+    *("shadow_constant", "shadow_min_brightness"),
+)
+"""`ShadowWeights` learns beside people what a shadow is."""
 
 
 def _sensitive() -> ForegroundSettings:
@@ -179,7 +184,7 @@ class SpheroidSettings:
         expert=True,
     )
     ramp: RampSettings = stage(RampSettings)
-    foreground: ForegroundSettings = stage(_sensitive, expert=("shadow_threshold",))
+    foreground: ForegroundSettings = stage(_sensitive, unused=_UNUSED)
     detections: DetectionSettings = stage(DetectionSettings)
 
     @property

@@ -11,6 +11,12 @@ from tracking.people import PeopleSettings
 from tracking.setting import setting, stage
 from tracking.trackers.shared.occluders import occluders_from
 
+_OF_TWO_CAMERAS = (
+    *("min_area_m2", "min_point_height_m", "min_height_m", "body_depth_m"),
+    "disparity_noise_px",
+)
+"""Settings of finding people by distances, which one camera does not tell."""
+
 
 @dataclass(frozen=True, slots=True)
 class Aids:
@@ -158,7 +164,7 @@ class WholeBodySettings:
         expert=True,
     )
     foreground: ForegroundSettings = stage(ForegroundSettings)
-    people: PeopleSettings = stage(PeopleSettings)
+    people: PeopleSettings = stage(PeopleSettings, unused=_OF_TWO_CAMERAS)
     detections: DetectionSettings = stage(DetectionSettings)
 
     def __post_init__(self) -> None:
