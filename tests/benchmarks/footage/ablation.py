@@ -25,8 +25,7 @@ from scipy.stats import t as student
 
 from tests.benchmarks.command import one_core, parser_of, real_data, telling
 from tests.benchmarks.footage.measures import Figures, figures_of
-from tests.benchmarks.footage.mechanism import Mechanism
-from tests.benchmarks.footage.mechanisms import MECHANISMS
+from tests.benchmarks.footage.mechanisms import MECHANISMS, Mechanism
 from tests.benchmarks.footage.recordings import REAL, Footage, all_footage
 from tests.benchmarks.pages import DOCS, template
 from tests.benchmarks.runner import Case, KeptRun, replacing, runs_over, sources

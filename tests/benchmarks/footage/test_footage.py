@@ -8,19 +8,14 @@ import numpy as np
 import pytest
 
 from tests.benchmarks.footage import recordings
-from tests.benchmarks.footage.ablation import worth_of
 from tests.benchmarks.footage.failures import save_worst_frame
 from tests.benchmarks.footage.measures import box_figures, figures_of
-from tests.benchmarks.footage.mechanisms import MECHANISMS
 from tests.benchmarks.footage.overhead import passages_found
 from tests.benchmarks.footage.recordings import BY_EYE, OTHER_RENDERER, REAL, Footage
 from tests.benchmarks.footage.table import cell, changes, table
-from tests.benchmarks.runner import Case, KeptRun, replacing
-from tracking.filtering import resample
+from tests.benchmarks.runner import Case, KeptRun, fresh_runs
 from tracking.formats import read_mot
-from tracking.settings import settings_from
 from tracking.synthesis import Disturbances, render_recording
-from tracking.trackers import tracker_named
 from tracking.tracks.run import Run
 
 
@@ -123,40 +118,7 @@ def test_footage_that_is_missing_is_left_out(
     assert "it is left out" in capsys.readouterr().err
 
 
-def test_a_worth_is_sure_when_seeds_agree() -> None:
-    clear = worth_of([[0.8, 0.81], [0.6, 0.61]], [[0.7, 0.71], [0.5, 0.51]])
-    assert clear.mean == pytest.approx(0.1)
-    assert clear.is_sure
-    assert not worth_of([[0.8, 0.6], [0.6, 0.8]], [[0.7, 0.7], [0.8, 0.55]]).is_sure
-    assert not worth_of([[0.8]], [[0.1]]).is_sure
-
-
-def test_values_are_replaced_wherever_they_were_imported_and_put_back() -> None:
-    from tracking.trackers.stereo import filter as stereo_filter
-
-    asked = (("tracking.filtering.particles.resample", f"{__name__}.stand_in"),)
-    with replacing(asked):
-        assert stereo_filter.resample is stand_in
-    assert stereo_filter.resample is resample
-
-
-def stand_in() -> None:
-    """In the place of something else."""
-
-
-@pytest.mark.parametrize("tracker", MECHANISMS)
-def test_each_mechanism_can_be_left_out(tracker: str) -> None:
-    spec = tracker_named(tracker)
-    for mechanism in MECHANISMS[tracker]:
-        settings = settings_from(spec.settings_type, dict(mechanism.settings))
-        assert (settings != spec.settings_type()) or mechanism.replaced
-        with replacing(mechanism.replaced):
-            pass  # every name is there
-
-
 def test_a_case_of_some_frames_ends_there(rendered: Footage) -> None:
-    from tests.benchmarks.runner import fresh_runs
-
     ((_, kept),) = fresh_runs(rendered.folder, [Case("spheroid", frames=8)])
     assert kept.times["frames"][0] == 8
     assert kept.run.frames == (0, 8)
