@@ -76,7 +76,7 @@ def _row(name: str, group: Sequence[Case]) -> str:
 def _measured(case: Case) -> ReviewMeasures:
     found = find_review_items(case.table, case.run, case.fps, view=case.view)
     review_items = rank(found, "yield")
-    return review_measures(review_items, case.errors, case.table, case.frames, case.fps)
+    return review_measures(review_items, case.errors, case.frames, case.fps)
 
 
 def _enough(measured: Sequence[ReviewMeasures], errors: int) -> str:

@@ -13,7 +13,7 @@ import os
 import sys
 import time
 from collections.abc import Iterable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass, replace
 from functools import cache
 from importlib import import_module
@@ -26,6 +26,7 @@ from tests.benchmarks.clips import LIBRARIES, clips_cache, hash_of_files, source
 from tests.benchmarks.command import tell
 from tests.benchmarks.timing import Stopwatch
 from tracking.failure import built_in_detector
+from tracking.people import Observation
 from tracking.pipeline import KeptSteps, background_samples, begin_pairing
 from tracking.recording import Instants, Recording, open_recording
 from tracking.settings import settings_from, settings_values
@@ -208,18 +209,10 @@ def _seeing_alike(cases: Sequence[Case]) -> Iterator[list[Case]]:
 def _tracked(recording: Recording, cases: list[Case]) -> Iterator[tuple[Case, KeptRun]]:
     built = [_build(recording, case) for case in cases]
     perception = built[0][0]
-    perception.learn(background_samples(recording))
     steps = [KeptSteps() for _ in cases]
     seeing, following = Stopwatch(), [Stopwatch() for _ in cases]
-    pairing, instants = perception.stereo_watch, Instants(recording)
-    if pairing is not None:
-        begin_pairing(pairing, instants, 0)
     frames = min(cases[0].frames or recording.frame_count, recording.frame_count)
-    for frame in instants.frames(0, frames):
-        with seeing:
-            seen = perception.observe(frame)
-        if pairing is not None:
-            instants.lag = pairing.pairing
+    for seen in observations(recording, perception, frames, seeing):
         for (_, tracker), own, watch in zip(built, steps, following, strict=True):
             with watch:
                 step = tracker.step(seen)
@@ -231,6 +224,22 @@ def _tracked(recording: Recording, cases: list[Case]) -> Iterator[tuple[Case, Ke
         named = zip(("frames", "seeing_s", "following_s"), times, strict=True)
         run = replace(run, notes=(*tracker.notes, *perception.notes))
         yield case, KeptRun(run, {name: np.array([value], float) for name, value in named})
+
+
+def observations(
+    recording: Recording, perception: Perception, frames: int, watch: Stopwatch | None = None
+) -> Iterator[Observation]:
+    """What is seen in the first so many frames; `watch` adds up how long looking takes."""
+    perception.learn(background_samples(recording))
+    pairing, instants = perception.stereo_watch, Instants(recording)
+    if pairing is not None:
+        begin_pairing(pairing, instants, 0)
+    for frame in instants.frames(0, frames):
+        with watch or nullcontext():
+            seen = perception.observe(frame)
+        if pairing is not None:
+            instants.lag = pairing.pairing
+        yield seen
 
 
 def _build(recording: Recording, case: Case) -> tuple[Perception, Tracker]:

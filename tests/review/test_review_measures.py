@@ -32,26 +32,25 @@ def test_an_error_is_found_where_its_moment_is_watched_and_one_of_its_tracks(
     table: TrackTable,
 ) -> None:
     errors = [error(100, 1, 2), error(100, 3), error(130, 1)]
-    measured = review_measures([item((1, 2), 90, 110)], errors, table, FRAMES, FPS)
+    measured = review_measures([item((1, 2), 90, 110)], errors, FRAMES, FPS)
     assert (measured.errors, measured.found.tolist()) == (3, [1])
 
 
 def test_footage_is_the_union_of_the_stretches(table: TrackTable) -> None:
     items = [item((1,), 0, 60), item((2,), 30, 90), item((1,), 0, 120)]
-    measured = review_measures(items, [], table, FRAMES, FPS)
+    measured = review_measures(items, [], FRAMES, FPS)
     np.testing.assert_allclose(measured.footage, [0.05, 0.075, 0.1])
-    np.testing.assert_allclose(measured.people, [0.025, 0.05, 0.075])
 
 
 def test_recall_counts_what_fits_into_the_footage_allowed(table: TrackTable) -> None:
     items = [item((1,), 0, 60), item((1,), 600, 660), item((1,), 900, 960)]
     errors = [error(30, 1), error(630, 1), error(930, 1), error(400, 1)]
-    measured = review_measures(items, errors, table, FRAMES, FPS)
+    measured = review_measures(items, errors, FRAMES, FPS)
     assert [measured.recall(share) for share in (0.04, 0.05, 0.1, 1.0)] == [0, 0.25, 0.5, 0.75]
 
 
 def test_without_errors_there_is_no_recall(table: TrackTable) -> None:
-    assert math.isnan(review_measures([], [], table, FRAMES, FPS).recall(1.0))
+    assert math.isnan(review_measures([], [], FRAMES, FPS).recall(1.0))
 
 
 def test_the_meter_tells_decisions_and_fixes_a_minute() -> None:

@@ -81,11 +81,6 @@ class KeptSteps:
         settled, waiting = self._state
         return self._first, self._first + settled + len(waiting)
 
-    @property
-    def spooled_bytes(self) -> int:
-        """What is put aside."""
-        return self._spool.size
-
     def add(self, steps: Iterable[StepResult]) -> None:
         """Take further steps. Raises OutputError where there is no room for their particles."""
         for step in steps:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from tracking.arrays import Floats
 from tracking.review.review_item import ReviewItem
-from tracking.tracks import Labels, TrackTable
+from tracking.tracks import Labels
 
 
 class Mistake(Protocol):
@@ -34,7 +34,6 @@ class ReviewMeasures:
         errors: how many mistakes there are. minutes: length of the footage.
         footage: (k,) share of the footage's frames watched after each review item: the union of the
             stretches so far; who watches them sees everybody in them.
-        people: (k,) share of the tracks' rows watched: of each review item those of its own tracks.
         found: (k,) mistakes found by then: their moment lies in a stretch watched, and they name
             one of the tracks that the stretch is about.
     """
@@ -42,7 +41,6 @@ class ReviewMeasures:
     errors: int
     minutes: float
     footage: Floats
-    people: Floats
     found: NDArray[np.int64]
 
     def found_within(self, footage: float) -> int:
@@ -54,16 +52,10 @@ class ReviewMeasures:
         """The share of the mistakes found with this share of the footage; NaN without mistakes."""
         return self.found_within(footage) / self.errors if self.errors else float("nan")
 
-    def people_within(self, footage: float) -> float:
-        """The share of the tracks' rows watched by then."""
-        done = int(np.searchsorted(self.footage, footage + 1e-12, "right"))
-        return float(self.people[done - 1]) if done else 0.0
-
 
 def review_measures(
     items: Sequence[ReviewItem],
     errors: Iterable[Mistake],
-    table: TrackTable,
     frames: int,
     fps: float,
 ) -> ReviewMeasures:
@@ -71,44 +63,27 @@ def review_measures(
 
     Args:
         errors: known mistakes, e.g. of `tracking.scoring.identity_errors`.
-        table: the tracks the review items are about. frames: length of the footage; fps: its rate.
+        frames: length of the footage; fps: its rate.
     """
     missing = list(errors)
     total, found = len(missing), 0
     seen = np.zeros(max(frames, 1), np.bool_)
-    rows: dict[int, NDArray[np.bool_]] = {}
-    footage, people, counts = [], [], []
-    watched_rows = 0
+    footage, counts = [], []
     for one in items:
         seen[one.start : one.end] = True
-        watched_rows += sum(_newly(table, rows, track, one.start, one.end) for track in one.tracks)
         left = [error for error in missing if not _shows(one, error)]
         found += len(missing) - len(left)
         missing = left
         footage.append(float(np.count_nonzero(seen)) / len(seen))
-        people.append(watched_rows / max(len(table), 1))
         counts.append(found)
-    return ReviewMeasures(
-        total, frames / fps / 60.0, np.array(footage), np.array(people), np.array(counts, np.int64)
-    )
+    minutes = frames / fps / 60.0
+    return ReviewMeasures(total, minutes, np.array(footage), np.array(counts, np.int64))
 
 
 def _shows(item: ReviewItem, error: Mistake) -> bool:
     """Whether watching the review item's stretch shows the mistake."""
     inside = item.start <= error.frame < item.end
     return inside and not set(item.tracks).isdisjoint(error.tracks)
-
-
-def _newly(
-    table: TrackTable, rows: dict[int, NDArray[np.bool_]], track: int, start: int, end: int
-) -> int:
-    """How many of a track's rows are watched for the first time."""
-    frames = table.frames_of_track(track)
-    watched = rows.setdefault(track, np.zeros(len(frames), np.bool_))
-    low, high = np.searchsorted(frames, (start, end))
-    new = int(np.count_nonzero(~watched[low:high]))
-    watched[low:high] = True
-    return new
 
 
 @dataclass(frozen=True, slots=True)

@@ -77,6 +77,13 @@ class Job(QObject):
         """Block until the thread has ended; for the end of the program and for tests."""
         self._work.wait()
 
+    def end_untold(self) -> None:
+        """Stop, and block until the thread has ended; nobody is told anything."""
+        self.blockSignals(True)
+        self.cancel()
+        self.wait()
+        self.deleteLater()
+
     def _report(self, result: object, error: Exception | None) -> None:
         if error is None:
             self.done.emit(result)

@@ -81,9 +81,7 @@ class Work(QObject):
         """Stop and wait; nothing is reported any more."""
         if self._job is not None:
             job, self._job = self._job, None
-            job.blockSignals(True)
-            job.cancel()
-            job.wait()
+            job.end_untold()
             self._strip.finish()
 
     def _show(self, done: int, total: int) -> None:

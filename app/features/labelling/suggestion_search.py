@@ -60,10 +60,7 @@ class SuggestionSearch(QObject):
         self.queue = SuggestionQueue()
         if self._job is not None:
             job, self._job = self._job, None
-            job.blockSignals(True)
-            job.cancel()
-            job.wait()
-            job.deleteLater()
+            job.end_untold()
 
     def shown(self, scene: LabellingScene) -> LabellingScene:
         """The panel's scene with the suggestions, where they are asked for."""

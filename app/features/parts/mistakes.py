@@ -79,10 +79,7 @@ class MistakesList(QListWidget):
         """End the thread."""
         if self._job is not None:
             job, self._job = self._job, None
-            job.blockSignals(True)
-            job.cancel()
-            job.wait()
-            job.deleteLater()
+            job.end_untold()
 
     def _begin(self) -> None:
         missing = [one for one in self._items if one not in self._pictures]

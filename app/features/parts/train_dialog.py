@@ -245,7 +245,5 @@ class TrainDialog(QDialog):
         """Close, once nothing is read any more."""
         if self._job is not None:
             job, self._job = self._job, None
-            job.blockSignals(True)
-            job.wait()
-            job.deleteLater()
+            job.end_untold()
         super().done(result)

@@ -73,7 +73,7 @@ def measure_queue(
     assert recording.truth_path is not None
     truth = ScoringTable.from_columns(read_mot(recording.truth_path), dont_cares=True)
     errors = identity_errors(truth, ScoringTable.from_columns(table.columns()))
-    return review_measures(items, errors, table, recording.frame_count, recording.fps)
+    return review_measures(items, errors, recording.frame_count, recording.fps)
 
 
 def measures_text(measures: ReviewMeasures) -> str:

@@ -78,10 +78,7 @@ class ReviewSearch(QObject):
         self._again = False
         if self._job is not None:
             job, self._job = self._job, None
-            job.blockSignals(True)
-            job.cancel()
-            job.wait()
-            job.deleteLater()
+            job.end_untold()
         self._found, self._finder = None, ReviewItemFinder()
         self._tell("", "")
 

@@ -281,9 +281,7 @@ class RunsDialog(QDialog):
     def _stop(self) -> None:
         if self._job is not None:
             job, self._job = self._job, None
-            job.blockSignals(True)
-            job.cancel()
-            job.wait()
+            job.end_untold()
 
 
 def _title(figure: Figure) -> str:

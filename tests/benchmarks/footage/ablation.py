@@ -28,13 +28,12 @@ from tests.benchmarks.footage.measures import Figures, figures_of
 from tests.benchmarks.footage.mechanisms import MECHANISMS, Mechanism
 from tests.benchmarks.footage.recordings import REAL, Footage, all_footage
 from tests.benchmarks.pages import DOCS, template
-from tests.benchmarks.runner import Case, KeptRun, replacing, runs_over, sources
+from tests.benchmarks.runner import Case, KeptRun, observations, replacing, runs_over, sources
 from tracking.people import Observation
-from tracking.pipeline import KeptSteps, background_samples, begin_pairing
-from tracking.recording import Instants, Recording
+from tracking.pipeline import KeptSteps
+from tracking.recording import Recording
 from tracking.settings import settings_values
 from tracking.trackers import tracker_named
-from tracking.trackers.shared.protocol import Perception
 from tracking.tracks.columns import PARTICLE_COLUMNS, empty
 
 FIGURES = DOCS / "results" / "ablation.json"
@@ -176,28 +175,14 @@ def _steps_over(recording: Recording, cases: Sequence[Case]) -> dict[Case, KeptS
     for case in cases:
         with replacing(case.replaced):
             perception, tracker = spec.build(recording, case.chosen(), case.seed)
-            frames = _observations(recording, perception, case.frames)
+            wanted = min(case.frames or recording.frame_count, recording.frame_count)
+            frames = observations(recording, perception, wanted)
             if spec.needs_stereo:
                 seen = seen or list(frames)
             for one in seen or frames:
                 step = tracker.step(one)
                 steps[case].add([replace(step, particles=empty(PARTICLE_COLUMNS))])
     return steps
-
-
-def _observations(
-    recording: Recording, perception: Perception, wanted: int
-) -> Iterator[Observation]:
-    """What is seen in the first frames."""
-    perception.learn(background_samples(recording))
-    pairing, instants = perception.stereo_watch, Instants(recording)
-    if pairing is not None:
-        begin_pairing(pairing, instants, 0)
-    for frame in instants.frames(0, min(wanted or recording.frame_count, recording.frame_count)):
-        seen = perception.observe(frame)
-        if pairing is not None:
-            instants.lag = pairing.pairing
-        yield seen
 
 
 def _case(tracker: str, mechanism: Mechanism | None, seed: int, frames: int) -> Case:
