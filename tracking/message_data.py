@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import contextlib
+import json
 from collections.abc import Mapping
 from string import Formatter
 from typing import Any, Final
@@ -12,6 +14,10 @@ _LONGEST_TEMPLATE: Final = 2000
 _LONGEST_SPEC: Final = 4
 """Of a number in a sentence, such as ".1f": a wider one would fill the memory."""
 _DEEPEST: Final = 20
+_LONGEST_SENTENCE: Final = 100_000
+"""A few templates within each other, each of them several times, would fill the memory."""
+_LONGEST_KEPT: Final = 4000
+"""Characters of a sentence of a log, and of its values as data: edits tell of less."""
 
 
 def message_data(message: str) -> dict[str, Any] | str:
@@ -42,9 +48,34 @@ def message_from(data: object, depth: int = 0) -> Message:
         elif not isinstance(template, str):
             raise ValueError("a message without a text")
     try:
-        return Message(str(text), str(many), **known)
+        message = Message(str(text), str(many), **known)
     except LookupError as why:
         raise ValueError("a message lacks a value") from why
+    if len(message) > _LONGEST_SENTENCE:
+        raise ValueError("a message that is longer than any real one")
+    return message
+
+
+def kept_values(message: str) -> str:
+    """What a log keeps of a message beside its English sentence, as JSON; "" where that is all."""
+    if not isinstance(message, Message) or not message.values:
+        return ""
+    data = json.dumps(message_data(message), separators=(",", ":"))
+    return data if len(data) <= _LONGEST_KEPT else ""
+
+
+def kept_message(sentence: str, values: str) -> Message:
+    """The message of a line of a log: see `kept_values`.
+
+    The sentence alone where an older program kept no more, and where the values are damaged or
+    say anything else than the sentence does.
+    """
+    if 0 < len(values) <= _LONGEST_KEPT:
+        with contextlib.suppress(ValueError, RecursionError):
+            message = message_from(json.loads(values))
+            if message == sentence:
+                return message
+    return Message(sentence)
 
 
 def _plain(value: object) -> object:

@@ -50,6 +50,16 @@ def run_log(path: Path, csv: Path | None, *, as_json: bool) -> None:
 def _line(history: History, entry: Entry) -> str:
     """An edit as it is printed."""
     taker = history.taken_back_by(entry.id)
-    fate = "undone" if entry.undone else msg("undone by {taker}", taker=taker) if taker else ""
-    text = f"{entry.text} ({fate})" if fate else entry.text
-    return f"{entry.id:>6}  {entry.time[:19]}  {entry.author or '-'}  frame {entry.frame}  {text}"
+    text = entry.text
+    if entry.undone:
+        text = msg("{text} (undone)", text=text)
+    elif taker:
+        text = msg("{text} (undone by {taker})", text=text, taker=taker)
+    return msg(
+        "{id:>6}  {time}  {author}  frame {frame}  {text}",
+        id=entry.id,
+        time=entry.time[:19],
+        author=entry.author or "-",
+        frame=entry.frame,
+        text=text,
+    )

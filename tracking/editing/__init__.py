@@ -38,6 +38,7 @@ from tracking.editing.labels.review_labels import (
 from tracking.editing.labels.shapes import plan_lines, plan_occluders, plan_regions
 from tracking.editing.labels.track_labels import plan_rename, plan_set_attribute, plan_set_notes
 from tracking.editing.log.edit_footprint import footprint_of
+from tracking.editing.log.former_logs import up_to_date
 from tracking.editing.log.history import Entry, History, StoredChange, plan_undo_alone
 from tracking.editing.log.text import rows_beyond_the_log, state_as_text, state_from_text
 from tracking.editing.log.touch_index import TOUCHED_COLUMNS, TouchIndex

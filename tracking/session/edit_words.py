@@ -133,7 +133,7 @@ def _drawn(what: str, one: Occluder | Region) -> str:
 def _part(label: PartLabel) -> str:
     return msg(
         "{part} of {track} in frame {frame}: {said}",
-        part=PART_NAMES[label.part],
+        part=msg(PART_NAMES[label.part]),
         track=label.track,
         frame=label.frame,
         said=SAID_OF_PART[label.on_part],

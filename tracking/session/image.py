@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from tracking.editing import TOUCHED_COLUMNS, Entry, History, TouchIndex
 from tracking.failure import FEATURE_NAMES, SAMPLE_COLUMNS, Samples
+from tracking.message_data import kept_values
 from tracking.session.findings import Finding, write_findings
 from tracking.session.image_file import ImageFile
 from tracking.session.label_tables import tables_of
@@ -228,10 +229,10 @@ def _edit_columns(edits: Sequence[Entry]) -> dict[str, Any]:
         if dtype == TEXT
         else np.array([getattr(entry, name) for entry in edits], dtype)
         for name, dtype in TABLES["edits"].columns.items()
-        if name != "scope"
+        if name not in ("scope", "message")
     }
     scopes = [entry.scope.as_text if entry.scope else "" for entry in edits]
-    return {**columns, "scope": scopes}
+    return {**columns, "scope": scopes, "message": [kept_values(entry.text) for entry in edits]}
 
 
 class Trajectory:

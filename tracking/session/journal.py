@@ -27,15 +27,15 @@ from tracking.session.journal_rows import Act as Act
 from tracking.session.journal_rows import (
     Contents,
     Row,
-    checksum,
     first_checksum,
     number_rows,
+    row_checksum,
     row_of,
     steps_of,
     text_bytes,
 )
 from tracking.session.journal_rows import Step as Step
-from tracking.session.journal_schema import INSERT, open_checked
+from tracking.session.journal_schema import INSERT, SELECT, open_checked
 from tracking.session.lock import identity
 from tracking.session.step_count import StepCount
 
@@ -202,7 +202,7 @@ class Journal:
         with translate_errors(self._path, "written"), self._transaction():
             rows = self._rows_from(self._last - 1)
             kept = rows[0][-1] if len(rows) > 1 else self._first_checksum()
-            if checksum(kept, rows[-1][:-1]) != failed[1] or kept != before:
+            if row_checksum(kept, rows[-1][:-1]) != failed[1] or kept != before:
                 return False
             self._base.execute("DELETE FROM steps WHERE number = ?", (self._last,))
         self._last -= 1
@@ -211,7 +211,7 @@ class Journal:
         return True
 
     def _rows_from(self, number: int) -> list[Row]:
-        select = "SELECT * FROM steps WHERE number >= ? ORDER BY number"
+        select = f"{SELECT} WHERE number >= ? ORDER BY number"
         with TimeLimit().enforce(self._base, LONGEST_CELL):
             return self._base.execute(select, (number,)).fetchall()
 

@@ -8,7 +8,8 @@ from collections.abc import Iterator
 
 from tracking.session.journal_faults import is_damage
 from tracking.session.journal_limits import LONGEST_CELL, TimeLimit
-from tracking.session.journal_rows import Pieces, Row, checksum, text_bytes
+from tracking.session.journal_rows import COLUMNS, Pieces, Row, row_checksum, text_bytes
+from tracking.session.journal_schema import SELECT
 
 _PIECE_BYTES = 1 << 20
 
@@ -66,11 +67,11 @@ def _left(left: int, size_bytes: int) -> int:
 
 def _small_rows(base: sqlite3.Connection, number: int) -> Iterator[Row]:
     with contextlib.closing(base.cursor()) as rows:
-        yield from rows.execute("SELECT * FROM steps WHERE number >= ? ORDER BY number", (number,))
+        yield from rows.execute(f"{SELECT} WHERE number >= ? ORDER BY number", (number,))
 
 
 def _row(base: sqlite3.Connection, number: int) -> Row | None:
-    row: Row | None = base.execute("SELECT * FROM steps WHERE number = ?", (number,)).fetchone()
+    row: Row | None = base.execute(f"{SELECT} WHERE number = ?", (number,)).fetchone()
     return row
 
 
@@ -78,18 +79,18 @@ def _large_row(
     base: sqlite3.Connection, number: int, before: str, left: int, limit: TimeLimit
 ) -> Row:
     """A row that is not read before it is known to be as it was written."""
-    names = "number, act, edit, time, author, kind, text, frame, undoes, scope, checksum"
+    names = ", ".join(name for name in COLUMNS if name not in ("before", "after"))
     small = base.execute(f"SELECT {names} FROM steps WHERE number = ?", (number,)).fetchone()
     if small is None:
         raise ValueError(f"step {number} is damaged")
-    *said, undoes, scope, wanted = small
+    *said, undoes, scope, message, wanted = small
     with (
         base.blobopen("steps", "before", number, readonly=True) as one,
         base.blobopen("steps", "after", number, readonly=True) as other,
     ):
         _left(left, len(one) + len(other))
         sides = (Pieces(len(side), _parts(side, limit)) for side in (one, other))
-        found = checksum(before, (*said, *sides, undoes, scope))
+        found = row_checksum(before, (*said, *sides, undoes, scope, message))
     if found != wanted:
         raise ValueError(f"step {number} is damaged: it is not what its checksum says")
     limit.renew()

@@ -3,18 +3,23 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
-from tracking.editing import Entry, Scope
+from tracking.editing import Entry, Scope, up_to_date
 from tracking.errors import EditError
+from tracking.message_data import kept_message, kept_values
 
 Act = Literal["apply", "undo", "redo"]
 _ACTS = frozenset({"apply", "undo", "redo"})
 Row = tuple[Any, ...]
-"""Number, act, edit, time, author, kind, text, frame, before, after, undoes, scope, checksum."""
-_TYPES = (int, str, int, str, str, str, str, int, str, str, int, str, str)
+"""A value for each of `COLUMNS`."""
+COLUMNS = (
+    *("number", "act", "edit", "time", "author", "kind", "text", "frame"),
+    *("before", "after", "undoes", "scope", "message", "checksum"),
+)
+_TYPES = (int, str, int, str, str, str, str, int, str, str, int, str, str, str)
 _CHECKSUM_BYTES = 8
 """Damage is found out by them, not malice."""
 
@@ -73,8 +78,9 @@ def row_of(step: Step, before: str) -> Row:
         *(entry.text, entry.frame),
         *((entry.before, entry.after) if applied else ("", "")),
         *(entry.undoes, entry.scope.as_text if entry.scope else ""),
+        kept_values(entry.text) if applied else "",
     )
-    return (*values, checksum(before, values))
+    return (*values, row_checksum(before, values))
 
 
 def number_rows(rows: Iterable[Row], session: str, save: str) -> Iterator[Row]:
@@ -82,7 +88,7 @@ def number_rows(rows: Iterable[Row], session: str, save: str) -> Iterator[Row]:
     before = first_checksum(session, save)
     for number, row in enumerate(rows, 1):
         values = (number, *row[1:-1])
-        before = checksum(before, values)
+        before = row_checksum(before, values)
         yield (*values, before)
 
 
@@ -91,18 +97,27 @@ def steps_of(rows: Iterable[Row], before: str) -> Iterator[Step]:
     for number, row in enumerate(rows, 1):
         if tuple(map(type, row)) != _TYPES or row[0] != number or row[1] not in _ACTS:
             raise ValueError(f"step {number} is damaged")
-        before = checksum(before, row[:-1])
+        before = row_checksum(before, row[:-1])
         if row[-1] != before:
             raise ValueError(f"step {number} is damaged: it is not what its checksum says")
         yield _step(row)
 
 
 def _step(row: Row) -> Step:
-    number, act, *said, undoes, scope, _ = row
+    number, act, *said, undoes, scope, message, _ = row
     try:
-        return Step(number, act, replace(Entry(*said), undoes=undoes, scope=Scope.of_text(scope)))
+        made = replace(Entry(*said), undoes=undoes, scope=Scope.of_text(scope))
+        return Step(number, act, up_to_date(replace(made, text=kept_message(made.text, message))))
     except EditError as why:
         raise ValueError(f"step {number} is damaged: {why}") from why
+
+
+def row_checksum(before: str, values: Sequence[Any]) -> str:
+    """Of a step's values but its checksum.
+
+    A message that is not there does not count: older programs, which kept none, made it so.
+    """
+    return checksum(before, values if values[-1] else values[:-1])
 
 
 def checksum(before: str, values: Iterable[Any]) -> str:

@@ -30,7 +30,7 @@ from tracking.session.journal_limits import (
     PROCESSOR_S,
     TimeLimit,
 )
-from tracking.session.journal_rows import checksum, first_checksum
+from tracking.session.journal_rows import COLUMNS, first_checksum, row_checksum
 
 _ORIGIN = {"session": "TEXT NOT NULL", "save": "TEXT NOT NULL"}
 _STEPS = {
@@ -49,11 +49,13 @@ _LATER_COLUMNS = {
     "undoes": "INTEGER NOT NULL DEFAULT 0",
     "scope": "TEXT NOT NULL DEFAULT ''",
     "checksum": "TEXT NOT NULL DEFAULT ''",
+    "message": "TEXT NOT NULL DEFAULT ''",
 }
 """What a journal that an older program left behind lacks, in this order."""
 _COLUMNS: Mapping[str, str] = MappingProxyType({**_STEPS, **_LATER_COLUMNS})
 
-INSERT = f"INSERT INTO steps VALUES ({', '.join('?' * len(_COLUMNS))})"
+SELECT = f"SELECT {', '.join(COLUMNS)} FROM steps"
+INSERT = f"INSERT INTO steps ({', '.join(COLUMNS)}) VALUES ({', '.join('?' * len(COLUMNS))})"
 _READ_BYTES = 1 << 20
 _READING = frozenset({sqlite3.SQLITE_SELECT, sqlite3.SQLITE_READ, sqlite3.SQLITE_PRAGMA})
 _WRITING = frozenset(
@@ -93,7 +95,7 @@ def open_checked(base: sqlite3.Connection, path: Path, limit: TimeLimit) -> str:
     if not lines:
         _make_tables(base)
     elif lacking:
-        if problem:
+        if problem and "checksum" in lacking:
             raise SessionError(
                 "{path}: the journal of edits is damaged ({problem})", path=path, problem=problem
             )
@@ -177,8 +179,9 @@ def _bring_up_to_date(base: sqlite3.Connection, lacking: list[str]) -> None:
     base.execute("BEGIN IMMEDIATE")
     for name in lacking:
         base.execute(f"ALTER TABLE steps ADD COLUMN {name} {_LATER_COLUMNS[name]}")
-    for session, save in base.execute("SELECT session, save FROM origin LIMIT 1").fetchall():
-        _give_checksums(base, session, save)
+    if "checksum" in lacking:
+        for session, save in base.execute("SELECT session, save FROM origin LIMIT 1").fetchall():
+            _give_checksums(base, session, save)
     base.execute("COMMIT")
 
 
@@ -188,8 +191,8 @@ def _give_checksums(base: sqlite3.Connection, session: str, save: str) -> None:
     numbers = base.execute("SELECT number FROM steps ORDER BY number").fetchall()
     update = "UPDATE steps SET number = ?, checksum = ? WHERE number = ?"
     for new, old in enumerate(numbers, 1):
-        row = base.execute("SELECT * FROM steps WHERE number = ?", old).fetchone()
-        before = checksum(before, (new, *row[1:-1]))
+        row = base.execute(f"{SELECT} WHERE number = ?", old).fetchone()
+        before = row_checksum(before, (new, *row[1:-1]))
         base.execute(update, (new, before, *old))
 
 

@@ -30,7 +30,7 @@ from tracking.tracks import (
 )
 
 FORMAT = "trackwright-session"
-VERSION = (1, 5)
+VERSION = (1, 6)
 """Major: older programs cannot read it. Minor: they can, and miss something."""
 
 CHUNK_ROWS = 65_536
@@ -130,7 +130,7 @@ TABLES: Mapping[str, Table] = MappingProxyType(
                 time=TEXT,  # UTC, ISO 8601
                 author=TEXT,
                 kind=TEXT,
-                text=TEXT,
+                text=TEXT,  # English
                 frame=np.int64,
                 before=TEXT,  # JSON, see tracking.editing.log.text
                 after=TEXT,
@@ -138,8 +138,9 @@ TABLES: Mapping[str, Table] = MappingProxyType(
                 abandoned=np.bool_,  # undone and not to be redone
                 undoes=np.int64,  # the older edit that this one takes back alone; 0: none
                 scope=TEXT,  # the frames it was made for, "834:900" or "834:"; "": none
+                message=TEXT,  # JSON, see tracking.message_data.kept_values; came with 1.6
             ),
-            (_later("undoes"), _later("scope")),
+            (_later("undoes"), _later("scope"), _later("message")),
         ),
         "edits/touched": Table(TOUCHED_COLUMNS, is_later=True),
     }

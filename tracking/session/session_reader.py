@@ -10,8 +10,9 @@ from typing import Any
 
 import h5py
 
-from tracking.editing import Entry, History, Scope, TouchIndex, footprint_of
+from tracking.editing import Entry, History, Scope, TouchIndex, footprint_of, up_to_date
 from tracking.errors import EditError, SessionError
+from tracking.message_data import kept_message
 from tracking.recording import Fingerprint
 from tracking.session import inspection
 from tracking.session.findings import CHECKSUM, Finding, read_findings
@@ -200,10 +201,12 @@ def _read_colours(file: h5py.File) -> dict[int, int]:
 
 def read_edits(file: h5py.File) -> tuple[Entry, ...]:
     """The log."""
-    return tuple(
-        Entry(**{**row, "scope": Scope.of_text(row.get("scope", ""))})
-        for row in read_rows(file["edits"])
-    )
+    return tuple(_read_entry(**row) for row in read_rows(file["edits"]))
+
+
+def _read_entry(text: str, scope: str = "", message: str = "", **others: Any) -> Entry:
+    said = kept_message(text, message)
+    return up_to_date(Entry(text=said, scope=Scope.of_text(scope), **others))
 
 
 def _read_touched(group: h5py.Group, edits: Sequence[Entry]) -> TouchIndex:

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from tracking.translation import N_
+
 HEAD, TORSO, HIP_LEG = range(3)
 """As tables number them, and in the order of arrays with a place for each part."""
 
-PART_NAMES = ("head", "torso", "hip-leg")
-"""By the number of the part."""
+PART_NAMES = (N_("head"), N_("torso"), N_("hip-leg"))
+"""By the number of the part; in messages they are translated."""
 
 PARTS = len(PART_NAMES)
 

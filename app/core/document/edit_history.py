@@ -6,6 +6,7 @@ from datetime import datetime
 
 import numpy as np
 
+from app.core.i18n import tr
 from app.core.scenes import Colour, HistoryItem, MarkKind, TimelineMark, TrackCard
 from app.core.tracks.track_reader import TrackReader
 from tracking.editing import Change, Entry, History
@@ -72,7 +73,7 @@ class HistoryList:
         if item is None or (item.undone, item.taken_by) != (entry.undone, taken_by):
             item = HistoryItem(
                 edit=entry.id,
-                text=entry.text,
+                text=tr(entry.text),
                 when=local_time(entry.time),
                 author=entry.author,
                 frame=entry.frame,
@@ -111,9 +112,9 @@ class EditMarks:
         if entry.id not in self._marks_of_edit:
             kind = MarkKind.SWAP if entry.kind == "swap" else MarkKind.EDIT
             change = entry.change
-            first = _first_frames(change)
+            first, said = _first_frames(change), tr(entry.text)
             self._marks_of_edit[entry.id] = tuple(
-                TimelineMark(kind, max(entry.frame, first.get(track, 0)), track, entry.text)
+                TimelineMark(kind, max(entry.frame, first.get(track, 0)), track, said)
                 for track in change.tracks
             )
         for mark in self._marks_of_edit[entry.id]:

@@ -32,7 +32,7 @@ def preview_scene(
     details = lines if change is None else (*lines, *_details(flow, change, on))
     choices = tuple(row for row in (_choice_row(flow, row) for row in (0, 1)) if row is not None)
     return EditPreview(
-        title=_title(flow) if change is None else change.text,
+        title=_title(flow) if change is None else tr(change.text),
         details=details,
         frame=flow.cut,
         end=flow.end if flow.has_end else None,

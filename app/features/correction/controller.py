@@ -245,7 +245,7 @@ class EditController(Controller):
             if go and not self._is_seen(change):
                 self._playback.pause()
                 self._playback.go(change.frame)
-            self.said.emit(said.format(text=change.text))
+            self.said.emit(said.format(text=tr(change.text)))
         self.changed.emit()
         return change is not None
 

@@ -13,6 +13,7 @@ from app.features.review.scene import Order, ReviewKind
 from tracking.editing import Change, plan_verdict, with_verdict
 from tracking.review import ReviewItem, ReviewItemKey, filter_undecided, rank
 from tracking.tracks import Labels, TrackTable, Verdict
+from tracking.translation import Message, msg
 
 _KINDS: Final = {
     "exchange": N_("Likely swap"),
@@ -39,8 +40,11 @@ _FIXES: Final = frozenset({"swap", "split", "merge", "delete"})
 
 def kind_title(kind: str) -> str:
     """A kind of review item in words."""
-    known = _KINDS.get(kind)
-    return tr(known) if known else kind.replace("_", " ").capitalize()
+    return tr(_title(kind))
+
+
+def _title(kind: str) -> Message:
+    return msg(_KINDS.get(kind) or kind.replace("_", " ").capitalize())
 
 
 def is_fixable(item: ReviewItem) -> bool:
@@ -232,6 +236,6 @@ def _verdict(item: ReviewItem, decision: str) -> Verdict:
     return Verdict(item.kind, item.tracks, item.frame, decision)
 
 
-def _named(item: ReviewItem) -> str:
+def _named(item: ReviewItem) -> Message:
     who = ", ".join(str(track) for track in item.tracks)
-    return f"{kind_title(item.kind)} {who} in frame {item.frame}"
+    return msg("{kind} {who} in frame {frame}", kind=_title(item.kind), who=who, frame=item.frame)

@@ -95,7 +95,6 @@ def names_of_data(window) -> set[str]:
         "Anna",
         window.windowTitle(),
         *TRACKERS,
-        *(entry.text for entry in document.session.history),  # kept in English with the session
         *(key for command in window.registry.commands for key in command.keys),
     }
 

@@ -21,7 +21,7 @@ from tracking.editing.core.selection import Rows, rows_differ, select_rows, stac
 from tracking.errors import EditError
 from tracking.geometry import View
 from tracking.tracks import Columns, Source, TrackTable, check_known
-from tracking.translation import msg
+from tracking.translation import Message, msg
 
 
 def keyframes_of(
@@ -36,7 +36,7 @@ def key_row_change(
     table: TrackTable,
     row: Columns,
     way: Way,
-    kind_and_text: tuple[str, str],
+    kind_and_text: tuple[str, Message],
     *,
     join: bool = False,
 ) -> Change:
@@ -191,7 +191,7 @@ def _frames_between(ends: Columns, what: str) -> NDArray[np.int32]:
 
 
 def _way_text(way: Way) -> str:
-    return {"floor": msg("along the floor "), "linear": "straight ", None: ""}[way.how]
+    return {"floor": msg("along the floor "), "linear": msg("straight "), None: ""}[way.how]
 
 
 def standing_row(table: TrackTable, track: int, frame: int) -> Rows:

@@ -125,8 +125,9 @@ def plan_move_box(
     place = _followed(row, box, view) if position is None else position
     _place(row, box, place)
     text = msg(
-        "{what} the box of {track} in frame {frame}",
-        what="Resize" if resized else "Move",
+        "Resize the box of {track} in frame {frame}"
+        if resized
+        else "Move the box of {track} in frame {frame}",
         track=track,
         frame=frame,
     )
@@ -178,8 +179,9 @@ def plan_draw_box(
     row = _drawn(owner, frame)
     _place(row, box, position or (np.nan, np.nan))
     text = msg(
-        "Draw {what} {owner} in frame {frame}",
-        what="new track" if track is None else "a box of",
+        "Draw new track {owner} in frame {frame}"
+        if track is None
+        else "Draw a box of {owner} in frame {frame}",
         owner=owner,
         frame=frame,
     )
@@ -266,7 +268,7 @@ def plan_mark_occluded(
         )
     wanted = np.float32(0.0 if occluded else 1.0)
     old = select_rows(rows, rows["visibility"] != wanted)
-    state = "occluded" if occluded else "visible"
+    state = msg("occluded") if occluded else msg("visible")
     if not len(old["frame"]):
         raise EditError(
             "{who}: marked as {state} {where} already", who=who, state=state, where=where

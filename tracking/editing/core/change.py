@@ -13,6 +13,7 @@ from tracking.editing.core.label_state import apply_label_state
 from tracking.editing.core.scope import Scope
 from tracking.errors import EditError
 from tracking.tracks import CORRECTED_COLUMNS, Columns, Labels, TrackTable, empty
+from tracking.translation import Message
 
 Stretches = NDArray[np.int64]
 _NO_ROWS: Columns = MappingProxyType(empty(CORRECTED_COLUMNS))
@@ -50,14 +51,14 @@ class Change:
 
     Attributes:
         kind: one word, e.g. "swap".
-        text: what is done, as people read it, e.g. "Swap 4 and 7 from frame 834 on".
+        text: what is done, e.g. "Swap 4 and 7 from frame 834 on"; translated where it is shown.
         frame: where to look at it.
         before, after: the two sides.
         scope: the frames it was made for; None: it is about no stretch of frames.
     """
 
     kind: str
-    text: str
+    text: Message
     frame: int
     before: State
     after: State

@@ -9,7 +9,7 @@ from tracking.editing.core.change import Change, LabelState, State
 from tracking.editing.core.scope import Scope
 from tracking.errors import EditError
 from tracking.tracks import PART_NAMES, Labels, PartKey, PartLabel, check_part_label
-from tracking.translation import count_msg, msg
+from tracking.translation import Message, count_msg, msg
 
 SAID_OF_PART = {
     True: msg("on its part"),
@@ -95,7 +95,7 @@ def _named(labels: Sequence[PartLabel]) -> str:
         only = labels[0]
         return msg(
             "the {part} of {track} in frame {frame}",
-            part=PART_NAMES[only.part],
+            part=msg(PART_NAMES[only.part]),
             track=only.track,
             frame=only.frame,
         )
@@ -108,7 +108,9 @@ def _named(labels: Sequence[PartLabel]) -> str:
     return count_msg(len(labels), "{n} part in {where}", "{n} parts in {where}", where=where)
 
 
-def _change(kind: str, text: str, out: Iterable[PartLabel], into: Iterable[PartLabel]) -> Change:
+def _change(
+    kind: str, text: Message, out: Iterable[PartLabel], into: Iterable[PartLabel]
+) -> Change:
     before, after = LabelState(parts=_sorted(out)), LabelState(parts=_sorted(into))
     frames = {label.frame for label in (*before.parts, *after.parts)}
     scope = Scope(min(frames), max(frames) + 1)

@@ -21,9 +21,9 @@ from tracking.tracks import (
     check_reviewed,
     check_verdict,
 )
-from tracking.translation import msg
+from tracking.translation import Message, msg
 
-_SAID = {"right": msg("Looked at, right"), "fixed": msg("Put right"), "dismissed": "Dismiss"}
+_SAID = {"right": msg("Looked at, right"), "fixed": msg("Put right"), "dismissed": msg("Dismiss")}
 
 
 def plan_mark_reviewed(
@@ -92,18 +92,19 @@ def plan_unmark_reviewed(
 
 
 def plan_verdict(labels: Labels, verdict: Verdict, text: str = "") -> Change:
-    """Say what came of looking at a review item. text: what it was, for the log.
+    """Say what came of looking at a review item. text: what it was, for the log; may be a message.
 
     Raises EditError for an unknown decision, and where that was said already.
     """
     before, after = _verdicts(labels, verdict)
     named = text or msg(
         "{kind} of {tracks} in frame {frame}",
-        kind=verdict.kind,
+        kind=" ".join(verdict.kind.split()),
         tracks=_listed(verdict.tracks),
         frame=verdict.frame,
     )
-    line = f"{_SAID[verdict.decision]}: {' '.join(writable(named).split())}"
+    what = named if isinstance(named, Message) else " ".join(writable(named).split())
+    line = msg("{said}: {what}", said=_SAID[verdict.decision], what=what)
     return Change("verdict", line, verdict.frame, State(labels=before), State(labels=after))
 
 
@@ -174,7 +175,7 @@ def _who(ranges: Sequence[ReviewedRange]) -> str:
 
 def _listed(tracks: Sequence[int]) -> str:
     """The tracks of a review item, which may be of nobody."""
-    return tracks_text(tracks) if tracks else "nobody"
+    return tracks_text(tracks) if tracks else msg("nobody")
 
 
 def _without(seen: ReviewedRange, start: int, end: int) -> list[ReviewedRange]:
@@ -199,7 +200,7 @@ def _joined(ranges: Sequence[ReviewedRange]) -> tuple[ReviewedRange, ...]:
 
 def _change(
     kind: str,
-    text: str,
+    text: Message,
     scope: Scope,
     old: tuple[ReviewedRange, ...],
     new: tuple[ReviewedRange, ...],

@@ -19,10 +19,14 @@ from tracking.tracks import (
     check_occluder,
     check_region,
 )
-from tracking.translation import msg
+from tracking.translation import Message, msg
 
 _Drawn = TypeVar("_Drawn", Occluder, CountingLine, Region)
-_CALLED = {"occluders": "occluder", "lines": msg("counting line"), "regions": "region"}
+_CALLED = {
+    "occluders": msg("occluder"),
+    "lines": msg("counting line"),
+    "regions": msg("region"),
+}
 
 
 def plan_occluders(labels: Labels, occluders: Sequence[Occluder], frame: int = 0) -> Change:
@@ -92,7 +96,7 @@ def _exchange(
     return out, into
 
 
-def _text(out: Sequence[_Drawn], into: Sequence[_Drawn], what: str) -> str:
+def _text(out: Sequence[_Drawn], into: Sequence[_Drawn], what: str) -> Message:
     """What is done in words: one thing by its name, several by their number."""
     if len(into) == 1 and not out:
         return msg('Draw {what} "{name}"', what=what, name=into[0].name)

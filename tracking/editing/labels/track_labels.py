@@ -15,7 +15,7 @@ from tracking.tracks import (
     TrackTable,
     check_known,
 )
-from tracking.translation import msg
+from tracking.translation import Message, msg
 
 LONGEST_NOTES = 20_000
 """Characters a person may write; what a file says is read whatever its length."""
@@ -57,12 +57,13 @@ def plan_set_attribute(
     if value is not None:
         attributes[key] = writable(value)
     label = replace(labels.of_track(track), attributes=dict(sorted(attributes.items())))
+    said, line = " ".join(key.split()), " ".join((value or "").split())
     text = (
-        msg("Delete {key} of {track}", key=key, track=track)
+        msg("Delete {key} of {track}", key=said, track=track)
         if value is None
-        else msg("Set {key} of {track} to {value}", key=key, track=track, value=value)
+        else msg("Set {key} of {track} to {value}", key=said, track=track, value=line or '""')
     )
-    return _relabel(table, labels, track, label, ("attribute", " ".join(text.split())), frame)
+    return _relabel(table, labels, track, label, ("attribute", text), frame)
 
 
 def plan_set_notes(
@@ -102,7 +103,7 @@ def _relabel(
     labels: Labels,
     track: int,
     label: TrackLabel,
-    kind_and_text: tuple[str, str],
+    kind_and_text: tuple[str, Message],
     frame: int | None,
 ) -> Change:
     check_known(table, track)

@@ -32,7 +32,7 @@ class Entry:
         id: from 1, in the order the edits were made.
         time: UTC, ISO 8601 to the millisecond.
         author: who made it.
-        kind, text, frame: of the change; one word, a line as people read it, where to look at it.
+        kind, text, frame: of the change; one word, what is done, where to look at it.
         before, after: the two sides of the change as text (see `state_as_text`).
         undone: whether it is taken back.
         abandoned: taken back, and then something else was done: it cannot be redone.
@@ -44,7 +44,7 @@ class Entry:
     time: str
     author: str
     kind: str
-    text: str
+    text: Message
     frame: int
     before: str
     after: str
@@ -157,7 +157,7 @@ class History:
         found = self._traces.get(number)
         if found is None:
             entry = self.entry(number)
-            is_cut = parts_at_its_frame(entry.kind, entry.text, entry.scope)
+            is_cut = parts_at_its_frame(entry.kind, entry.scope)
             found = Trace.of_texts(entry.before, entry.after, is_cut=is_cut)
             found = self._traces[number] = found or Trace.of(entry.change)
         return found
@@ -298,8 +298,13 @@ class History:
             entry, in_force = self._entries[entry.undoes - 1], not in_force
 
 
-def _without_end(text: str) -> str:
-    return text if len(text) <= _LONGEST_TEXT else f"{text[: _LONGEST_TEXT - 1]}…"
+def _undo_text(entry: Entry) -> Message:
+    """What taking an edit back is called; an edit that undoes one that undoes one ... is cut."""
+    whole = msg("Undo edit {number} alone: {text}", number=entry.id, text=entry.text)
+    if len(whole) <= _LONGEST_TEXT:
+        return whole
+    kept = len(entry.text) - (len(whole) - _LONGEST_TEXT) - 1
+    return msg("Undo edit {number} alone: {text}", number=entry.id, text=f"{entry.text[:kept]}…")
 
 
 def plan_undo_alone(history: History, labels: Labels, number: int) -> Change:
@@ -315,12 +320,9 @@ def plan_undo_alone(history: History, labels: Labels, number: int) -> Change:
     entry = history.entry(number)
     old = entry.change.inverse
     before, after = _as_labelled_now(old.before.labels.tracks, old.after.labels.tracks, labels)
-    text = msg("Undo edit {number} alone: {text}", number=number, text=entry.text)
-    if len(text) > _LONGEST_TEXT:
-        text = text.cut_by(_without_end)
     return Change(
         UNDO,
-        text,
+        _undo_text(entry),
         entry.frame,
         replace(old.before, labels=replace(old.before.labels, tracks=before)),
         replace(old.after, labels=replace(old.after.labels, tracks=after)),

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -15,9 +14,6 @@ from tracking.tracks import Columns, pairs_of, row_keys
 
 Handed = tuple[int, int, int, int]
 Placed = tuple[int, int, int]
-
-_FROM_HERE_ON = re.compile(r"\bfrom frame \d+ on\b")
-"""What logs that keep no scope say of a swap from here on."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -47,7 +43,7 @@ class Trace:
         old, new = cells_of(before), cells_of(after)
         replaced = np.isin(old, new)
         gone = {name: column[~replaced] for name, column in before.items()}
-        is_cut = parts_at_its_frame(change.kind, change.text, change.scope)
+        is_cut = parts_at_its_frame(change.kind, change.scope)
         return cls(handed, _tracks_of(handed) if is_cut else (), _stretches(new), gone)
 
     @classmethod
@@ -79,14 +75,9 @@ def cells_of(rows: Columns) -> NDArray[np.int64]:
     return row_keys(rows["track"], rows["frame"])
 
 
-def parts_at_its_frame(kind: str, text: str, scope: Scope | None) -> bool:
-    """Whether an edit is a swap or a split "from here on": nothing is meant by what comes later.
-
-    scope: None where an older program kept none; then its text, which that program made, tells.
-    """
-    if kind != "swap":
-        return kind == "split"
-    return _FROM_HERE_ON.search(text) is not None if scope is None else scope.end is None
+def parts_at_its_frame(kind: str, scope: Scope | None) -> bool:
+    """Whether an edit is a swap or a split "from here on": nothing is meant by what comes later."""
+    return kind == "split" or (kind == "swap" and scope is not None and scope.end is None)
 
 
 def _tracks_of(handed: tuple[Handed, ...]) -> tuple[int, ...]:
