@@ -108,6 +108,16 @@ def _run(run: Mapping[str, Any]) -> str:
                 detector=run["detector"],
             )
         )
+    said += [
+        msg(
+            "{count} boxes of {file} ({format}, {fingerprint})",
+            count=given["count"],
+            file=_short(given["file"]),
+            format=given["format"],
+            fingerprint=given["fingerprint"][:12],
+        )
+        for given in run["detections_input"]
+    ]
     said += [f"{name} {_short(_shown(value))}" for name, value in run["settings"].items()]
     return ", ".join(said)
 

@@ -45,6 +45,8 @@ class Order:
         tracker: name; None: the best one for the recording.
         setting: KEY=VALUE each. frames: A:B; None: all. seed: of all random numbers.
         detector: of part failures. occluders: a session in which they are drawn.
+        detections, detections_right: boxes of another program, of the left (or only) camera and of
+            the right one.
     """
 
     tracker: Annotated[
@@ -71,6 +73,16 @@ class Order:
         Path | None, typer.Option(help="A part-failure detector made by train.")
     ] = None
     occluders: Annotated[Path | None, typer.Option(help="A session with drawn occluders.")] = None
+    detections: Annotated[
+        Path | None,
+        typer.Option(
+            help="Boxes of another program: MOT det.txt, COCO JSON or a folder of YOLO text; of "
+            "the left camera."
+        ),
+    ] = None
+    detections_right: Annotated[Path | None, typer.Option(help="The same of the right camera.")] = (
+        None
+    )
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from app.cli.option_groups import Order
 from app.cli.sessions import open_session
-from tracking.errors import SessionError, SettingsError
+from tracking.errors import FormatError, SessionError, SettingsError
 from tracking.failure import load_detector
 from tracking.trackers import (
     TrackerSpec,
@@ -23,7 +23,7 @@ def settings_texts(spec: TrackerSpec, order: Order) -> tuple[str, ...]:
 
     Raises:
         SettingsError: the tracker has no such setting, or there is no such detector.
-        FormatError: the detector cannot be read.
+        FormatError: the detector cannot be read, or there are no such detections.
         SessionError: the occluders' session cannot be read, or nothing is drawn in it.
     """
     known = {field.name for field in settings_fields(spec.settings_type)}
@@ -54,8 +54,19 @@ def _named(order: Order) -> Iterator[tuple[str, str]]:
         refuse_missing_detector(str(order.detector))
         load_detector(order.detector)  # told before any work where it cannot be read
         yield "detector", str(order.detector)
+    if order.detections is not None:
+        yield "detections.file", _absolute(order.detections)
+    if order.detections_right is not None:
+        yield "detections.file_right", _absolute(order.detections_right)
     if order.occluders is not None:
         yield "occluders", _drawn_in(order.occluders)
+
+
+def _absolute(path: Path) -> str:
+    """A file's place whatever folder it is read from; a link stays one."""
+    if not path.exists():
+        raise FormatError("{path}: there is no such file; check the path", path=path)
+    return str(path.absolute())
 
 
 def _drawn_in(path: Path) -> str:

@@ -23,7 +23,8 @@ def source_of(tracks: Tracks) -> Source:
     if tracks.is_text and recording is None:
         recording, told = _manifest_beside(tracks)
         fps = fps or told
-    return Source(str(tracks.path), recording, tracks.frames or None, fps, tracks.tracker)
+    of_tracker = tracks.tracker, tracks.detections
+    return Source(str(tracks.path), recording, tracks.frames or None, fps, *of_tracker)
 
 
 def disagreement(truth: Source, result: Source) -> str | None:

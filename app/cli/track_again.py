@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import closing, contextmanager
 from dataclasses import asdict, dataclass, fields
 from pathlib import Path
@@ -24,6 +24,7 @@ from app.cli.track import (
     settings_of,
 )
 from app.core.document.document_loader import open_path, remember_place
+from tracking.detections import is_inside
 from tracking.editing import Change, Difference, differences, plan_take
 from tracking.errors import EditError, RecordingError, SessionError, SettingsError
 from tracking.pipeline import track
@@ -194,9 +195,12 @@ def _tracked_again(
             start=request.start,
             last=recording.frame_count - 1,
         )
-    name, settings = _tracker(session, recording, order)
+    name, settings = _tracker(session, recording, request, order)
     stop = recording.frame_count if request.until is None else request.until
-    resume = Resume.of(session.tracks, request.start, recording.fps) if request.start else None
+    resume = None
+    if request.start:
+        given = session.detections_input
+        resume = Resume.of(session.tracks, request.start, recording.fps, detections_input=given)
     asked = (name, settings, order.seed, (request.start, stop), resume)
     spool = (request.out or request.session).parent
     with track(recording, *asked, spool=spool) as work:
@@ -207,7 +211,9 @@ def _tracked_again(
         )
 
 
-def _tracker(session: Session, recording: Recording, order: Order) -> tuple[str, Any]:
+def _tracker(
+    session: Session, recording: Recording, request: TrackAgainRequest, order: Order
+) -> tuple[str, Any]:
     """The tracker's name and settings: those of the run that was corrected, but for what is typed.
 
     Where that run is not one of a tracker that is built, as an imported one: the best tracker.
@@ -221,7 +227,20 @@ def _tracker(session: Session, recording: Recording, order: Order) -> tuple[str,
         return spec.name, typed
     named = {text.partition("=")[0].strip() for text in texts}
     values = {k: v for k, v in settings_values(typed).items() if k in named}
+    if not request.allow_outside:
+        _refuse_outside({k: v for k, v in known.settings.items() if k not in named})
     return spec.name, settings_from(spec.settings_type, {**known.settings, **values})
+
+
+def _refuse_outside(settings: Mapping[str, Any]) -> None:
+    """Refuse detections that a session, not the user, names outside of the recording's folder."""
+    for name in ("detections.file", "detections.file_right"):
+        if not is_inside(named := str(settings.get(name, ""))):
+            raise SettingsError(
+                "{named}: these detections, which the tracks were made with, are not in the folder "
+                "of the recording: name them (--detections), or add --allow-outside",
+                named=named,
+            )
 
 
 def _taken(session: Session, recording: Recording, run: Run) -> Change | None:

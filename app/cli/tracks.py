@@ -32,6 +32,7 @@ class Tracks:
         notes: what the user should know of a file, a line each.
         dont_cares: in a truth, rows of confidence 0 are not counted.
         recording, tracker: names a session has them by.
+        detections: the files of another program's detections that a session's tracker was given.
     """
 
     columns: Columns
@@ -47,6 +48,7 @@ class Tracks:
     dont_cares: bool = False
     recording: str | None = None
     tracker: str | None = None
+    detections: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -157,6 +159,7 @@ def _of_session(path: Path) -> Tracks:
             lines=tuple(session.labels.lines),
             recording=footage.name,
             tracker=None if run is None else run.tracker,
+            detections=tuple(given.file for given in session.detections_input),
         )
 
 

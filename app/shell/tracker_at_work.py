@@ -136,7 +136,12 @@ class TrackerAtWork(Controller):
         session, first = self._document.session, frames[0] if frames is not None else 0
         resume = None
         if session is not None and first > 0:
-            resume = Resume.of(session.tracks, first, self._document.recording.fps)
+            resume = Resume.of(
+                session.tracks,
+                first,
+                self._document.recording.fps,
+                detections_input=session.detections_input,
+            )
         self.track(tracker, settings, seed, frames, resume)
         self._again = True
 

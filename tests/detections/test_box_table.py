@@ -2,13 +2,21 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from tracking.detections import BoxTable, DetectionSettings, GivenBoxes, learnt_threshold
+from tracking.detections import (
+    BoxTable,
+    DetectionSettings,
+    DetectionsFile,
+    GivenBoxes,
+    learnt_threshold,
+)
 from tracking.detections.table import one_each
 from tracking.errors import SettingsError
 from tracking.people.given_boxes import MOST_BOXES, FrameBoxes
@@ -35,7 +43,14 @@ def test_the_threshold_lies_between_two_kinds_of_scores_whatever_their_unit() ->
 
 
 @pytest.mark.parametrize(
-    "scores", [[0.7] * 5, [0.3], list(np.random.default_rng(2).normal(0.8, 0.1, 500))]
+    "scores",
+    [
+        [0.7] * 5,
+        [0.3],
+        list(np.random.default_rng(2).normal(0.8, 0.1, 500)),
+        list(np.linspace(0.2, 0.9, 80)),
+        list(np.random.default_rng(3).uniform(0.0, 1.0, 40)),
+    ],
 )
 def test_scores_of_one_kind_are_all_used(scores: list[float]) -> None:
     assert learnt_threshold(np.array(scores)) == min(scores)
@@ -86,7 +101,13 @@ def test_a_frame_gives_its_surest_boxes_and_not_too_many() -> None:
 
 
 def test_boxes_given_are_sure_and_of_the_camera_asked_for() -> None:
-    left, right = table([0, 0, 1], [0.9, 0.1, 0.8]), table([0], [0.7])
+    left, right = (
+        DetectionsFile(Path(f"{name}.txt"), "mot", "MOTChallenge text", name, held, ())
+        for name, held in (
+            ("left", table([0, 0, 1], [0.9, 0.1, 0.8])),
+            ("right", table([0], [0.7])),
+        )
+    )
     settings = DetectionSettings(file="det.txt", use="only", min_score="0.5")
     given_boxes = GivenBoxes(left, right, settings)
     assert given_boxes.only
@@ -94,6 +115,9 @@ def test_boxes_given_are_sure_and_of_the_camera_asked_for() -> None:
     found = given_boxes.of_right(0)
     assert found is not None
     assert found.score.tolist() == [0.7]
+    assert [one.camera for one in given_boxes.inputs] == ["left", "right"]
+    assert [one.count for one in given_boxes.inputs] == [3, 1]
+    assert "2 of 3 boxes are used, those with a score from 0.8 on" in given_boxes.notes[0]
     assert GivenBoxes(left, None, DetectionSettings()).of_right(0) is None
 
 

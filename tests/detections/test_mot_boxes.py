@@ -8,8 +8,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tracking.detections import read_detections, reading
+from tracking.detections import DetectionsFile, Footage, reading
 from tracking.errors import FormatError
+
+
+def read_detections(path: Path) -> DetectionsFile:
+    """Of a recording with pictures of 640 x 480 px."""
+    return reading.read_detections(path, Footage(600, (640, 480)))
 
 
 def written(folder: Path, text: str) -> Path:

@@ -231,6 +231,7 @@ def test_info_tells_what_the_session_holds(session: Session) -> None:
     assert (told["tracks"], told["edits"], told["undone_edits"]) == (4, 1, 0)
     run = {"tracker": "stereo-direction", "frames": [0, FRAMES], "seed": 0, "detector": ""}
     run |= {"detector_from": None, "settings": {"eta": 0.25, "particles": 10}, "notes": []}
+    run |= {"detections_input": []}
     assert told["runs"] == [run]
     assert told["recording"] == "recording"
     json.dumps(told)

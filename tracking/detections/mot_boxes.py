@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from tracking.arrays import Floats
 from tracking.detections.box_reading import BoxReading
+from tracking.detections.frame_numbers import Footage
 from tracking.formats.delimited_text import NumberRows, RowShape, pieces_of
 from tracking.formats.mot import FIRST_FRAME, UNKNOWN
 from tracking.translation import Message, msg
@@ -21,7 +22,7 @@ _SHAPE = RowShape("MOT text", least=6, most=10, comment="#")
 _CONFIDENCE = 6
 
 
-def read_mot_boxes(boxes: BoxReading) -> None:
+def read_mot_boxes(boxes: BoxReading, _footage: Footage) -> None:
     """All boxes of the file; raises FormatError where it is no such text."""
     boxes.no_score = UNKNOWN
     reading = boxes.reading

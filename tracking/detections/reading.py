@@ -5,13 +5,18 @@ from __future__ import annotations
 import hashlib
 import os
 import stat
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
+import numpy as np
+
 from tracking.detections.box_reading import BoxReading
+from tracking.detections.coco_boxes import is_coco, read_coco_boxes
+from tracking.detections.frame_numbers import Footage
 from tracking.detections.mot_boxes import read_mot_boxes
 from tracking.detections.table import BoxTable
+from tracking.detections.yolo_boxes import frame_texts, is_yolo, read_small, read_yolo_boxes
 from tracking.errors import FormatError, explain_unreadable
 from tracking.formats.mot import is_mot, lacks_commas
 from tracking.formats.read_result import Reading
@@ -30,27 +35,32 @@ class BoxFormat:
 
     Attributes:
         name: as sessions and reports have it. title: what people call it.
+        read: takes the boxes of a file in, that are of some footage.
         recognises: whether a file is of it, by its first `HEAD_BYTES` bytes; never raises.
-        read: takes the boxes of a file in.
     """
 
     name: str
     title: str
+    read: Callable[[BoxReading, Footage], None]
     recognises: Callable[[bytes], bool]
-    read: Callable[[BoxReading], None]
 
 
-_FORMATS = (BoxFormat("mot", "MOTChallenge text", is_mot, read_mot_boxes),)
+_YOLO = BoxFormat("yolo", "YOLO text", read_yolo_boxes, lambda _: False)
+_FILES = (
+    BoxFormat("coco", "COCO JSON", read_coco_boxes, is_coco),
+    BoxFormat("mot", "MOTChallenge text", read_mot_boxes, is_mot),
+)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class DetectionsFile:
-    """What a file of detections holds.
+    """What a file of detections, or a folder of them, holds of some footage.
 
     Attributes:
         path: of the file. format: its name. title: what people call that.
-        fingerprint: SHA-256 of all its bytes, in hex.
-        table: the boxes that are valid. notes: what else the user should know, a line each.
+        fingerprint: SHA-256 of all bytes, in hex.
+        table: the boxes that are valid and in the footage.
+        notes: what else the user should know, a line each.
     """
 
     path: Path
@@ -61,72 +71,140 @@ class DetectionsFile:
     notes: tuple[Message, ...]
 
 
-def read_detections(path: Path, report: Progress = no_progress) -> DetectionsFile:
-    """The boxes of a file; invalid ones are left out and told.
+def read_detections(path: Path, footage: Footage, report: Progress = no_progress) -> DetectionsFile:
+    """The boxes of a file; those that are invalid or not of the footage are left out and told.
 
     Raises FormatError where it is missing, a link, too large, of no known format or without any
     box that can be used.
     """
-    _check_place(path)
-    with explain_unreadable(path):
-        head, fingerprint = _looked_through(path)
-    known = _format_of(path, head)
+    known, fingerprint = _looked_through(path)
     boxes = BoxReading(Reading(path, report))
-    known.read(boxes)
-    table = boxes.table()
-    notes = _notes(boxes.reading)
-    return DetectionsFile(path, known.name, known.title, fingerprint, table, notes)
+    known.read(boxes, footage)
+    table, told = _in_footage(path, boxes.table(), footage)
+    notes = [*boxes.reading.notes, *_invalid(boxes.reading), *told]
+    return DetectionsFile(
+        path,
+        known.name,
+        known.title,
+        fingerprint,
+        table,
+        tuple(msg("{file}: {note}", file=path.name, note=note) for note in notes),
+    )
 
 
-def _check_place(path: Path) -> None:
-    """Refuse what is no plain file of a size that is read."""
+def _looked_through(path: Path) -> tuple[BoxFormat, str]:
+    """The format of a file or folder, and the SHA-256 of all its bytes."""
     with explain_unreadable(path):
         state = os.lstat(path)
     if stat.S_ISLNK(state.st_mode):
         raise FormatError(
             "{path} is a link, which is not followed; name the file it leads to", path=path
         )
+    digest = hashlib.sha256()
+    if stat.S_ISDIR(state.st_mode):
+        for part in _parts_of_folder(path):
+            digest.update(part)
+        return _YOLO, digest.hexdigest()
     if not stat.S_ISREG(state.st_mode):
         raise FormatError("{path} is no file of detections; name one", path=path)
     if not state.st_size:
         raise FormatError("{path} is empty; give a file of detections", path=path)
-    if state.st_size > MOST_BYTES:
+    _check_size(path, state.st_size)
+    head = b""
+    with explain_unreadable(path), path.open("rb") as stream:
+        while block := stream.read(_BLOCK):
+            head = head or block[:HEAD_BYTES]
+            digest.update(block)
+    return _format_of(path, head), digest.hexdigest()
+
+
+def _parts_of_folder(folder: Path) -> Iterator[bytes]:
+    """Name, length and bytes of each file of a folder of YOLO text, in their order."""
+    if not is_yolo(folder):
+        raise FormatError(
+            "{path} is a folder without text files; give one of YOLO text, or a file", path=folder
+        )
+    size = 0
+    for file in frame_texts(Reading(folder)):
+        held = read_small(file)
+        size += len(held)
+        _check_size(folder, size)
+        yield os.fsencode(file.name)
+        yield f" {len(held)} ".encode()
+        yield held
+
+
+def _check_size(path: Path, size: int) -> None:
+    if size > MOST_BYTES:
         raise FormatError(
             "{path} is larger than {size} MB; split it first", path=path, size=MOST_BYTES >> 20
         )
 
 
-def _looked_through(path: Path) -> tuple[bytes, str]:
-    """The first `HEAD_BYTES` bytes of a file, and the SHA-256 of all."""
-    digest, head = hashlib.sha256(), b""
-    with path.open("rb") as stream:
-        while block := stream.read(_BLOCK):
-            head = head or block[:HEAD_BYTES]
-            digest.update(block)
-    return head, digest.hexdigest()
-
-
 def _format_of(path: Path, head: bytes) -> BoxFormat:
-    for known in _FORMATS:
+    for known in _FILES:
         if known.recognises(head):
             return known
     if lacks_commas(head):
-        raise FormatError("{path}: no commas between values; MOT text wants them", path=path)
+        raise FormatError(
+            "{path}: no commas between values; MOT text wants them, and YOLO text is given as the "
+            "folder of its files",
+            path=path,
+        )
     raise FormatError(
         "{path} is no file of detections; give MOT text, COCO JSON or a folder of YOLO text",
         path=path,
     )
 
 
-def _notes(reading: Reading) -> tuple[Message, ...]:
-    if not reading.bad_count:
-        return ()
-    first = reading.bad_rows[0]
-    told = msg(
-        "{path}: {boxes} cannot be used, the first in {place}: {reason}",
-        path=reading.path.name,
-        boxes=count_msg(reading.bad_count, "{n} box", "{n} boxes"),
-        place=first.place,
-        reason=first.reason,
-    )
-    return (told,)
+def _in_footage(
+    path: Path, table: BoxTable, footage: Footage
+) -> tuple[BoxTable, tuple[Message, ...]]:
+    """The boxes that are of frames there are and lie, at least in part, in their pictures.
+
+    One that reaches beyond the picture stays whole: where feet are cut off it tells where they
+    are. Raises FormatError where no box is left.
+    """
+    later = table.frame >= footage.frames
+    low, high = table.box[:, :2], table.box[:, :2] + table.box[:, 2:]
+    outside = ((low >= footage.size_px) | (high <= 0)).any(axis=1) & ~later
+    width, height = footage.size_px
+    if (later | outside).all():
+        raise FormatError(
+            "{path}: none of its boxes is in the {frames} frames of {width} x {height} px; is it "
+            "of this recording?",
+            path=path,
+            frames=footage.frames,
+            width=width,
+            height=height,
+        )
+    told = []
+    if beyond := int(np.count_nonzero(later)):
+        told.append(
+            msg(
+                "{boxes} of frames after the last one, {last}, not used",
+                boxes=count_msg(beyond, "{n} box", "{n} boxes"),
+                last=footage.frames - 1,
+            )
+        )
+    if beside := int(np.count_nonzero(outside)):
+        told.append(
+            msg(
+                "{boxes} outside of the picture of {width} x {height} px, not used",
+                boxes=count_msg(beside, "{n} box", "{n} boxes"),
+                width=width,
+                height=height,
+            )
+        )
+    return table.select(~(later | outside)) if told else table, tuple(told)
+
+
+def _invalid(reading: Reading) -> Iterator[Message]:
+    if reading.bad_count:
+        first = reading.bad_rows[0]
+        yield msg(
+            "{boxes} cannot be used, the first in {place}: {reason}",
+            boxes=count_msg(reading.bad_count, "{n} box", "{n} boxes"),
+            place=first.place,
+            reason=first.reason,
+        )

@@ -2,27 +2,50 @@
 
 from __future__ import annotations
 
-from pathlib import Path
+import os
+from dataclasses import replace
+from pathlib import Path, PurePosixPath, PureWindowsPath
+from typing import Any
 
-from tracking.detections.reading import read_detections
+from tracking.detections.frame_numbers import Footage
+from tracking.detections.reading import DetectionsFile, read_detections
 from tracking.detections.settings import ONLY, DetectionSettings
 from tracking.detections.table import BoxTable, one_each
+from tracking.errors import RecordingError
 from tracking.people.given_boxes import FrameBoxes
 from tracking.recording import Recording
+from tracking.tracks import DetectionsInput
+from tracking.translation import Message, msg
 
 
 class GivenBoxes:
-    """A `BoxSource` of one table, or of one for each camera.
+    """A `BoxSource` of one file, or of one for each camera.
 
     Args:
-        left: boxes of the left (or only) camera. right: of the right one, None: nothing is known.
-        settings: which of them are used.
+        left: of the left (or only) camera. right: of the right one, None: nothing is known.
+        settings: which of the boxes are used.
+
+    Attributes:
+        inputs: which files these are, as a run keeps it.
+        notes: what the user should know of them, a line each.
     """
 
-    def __init__(self, left: BoxTable, right: BoxTable | None, settings: DetectionSettings) -> None:
-        self._left = left.sure(settings.least_score)
-        self._right = None if right is None else right.sure(settings.least_score)
+    def __init__(
+        self, left: DetectionsFile, right: DetectionsFile | None, settings: DetectionSettings
+    ) -> None:
         self._settings = settings
+        self._left = left.table.sure(settings.least_score)
+        self._right = None if right is None else right.table.sure(settings.least_score)
+        files = [("left", left, self._left)]
+        if right is not None and self._right is not None:
+            files.append(("right", right, self._right))
+        self.inputs: tuple[DetectionsInput, ...] = tuple(
+            DetectionsInput(camera, file.path.name, file.format, file.fingerprint, len(file.table))
+            for camera, file, _ in files
+        )
+        self.notes: tuple[Message, ...] = tuple(
+            note for _, file, used in files for note in (_used_of(file, used), *file.notes)
+        )
 
     @property
     def only(self) -> bool:
@@ -40,20 +63,69 @@ class GivenBoxes:
         return one_each(self._right.of(frame), self._settings.max_overlap)
 
 
+def _used_of(file: DetectionsFile, used: BoxTable) -> Message:
+    return msg(
+        "{file} ({title}): {used} of {count} boxes are used"
+        if len(used) in (0, len(file.table))
+        else "{file} ({title}): {used} of {count} boxes are used, those with a score from "
+        "{least:.3g} on",
+        file=file.path.name,
+        title=file.title,
+        used=len(used),
+        count=len(file.table),
+        least=float(used.score.min()) if len(used) else 0.0,
+    )
+
+
 def box_source(recording: Recording, settings: DetectionSettings) -> GivenBoxes | None:
     """The boxes that settings name, of a recording; None where they name no file.
 
-    Raises FormatError where a file cannot be read.
+    Raises FormatError where a file cannot be read, RecordingError where there is one of a right
+    camera that the recording does not have.
     """
     if not settings.file:
         return None
-    left = read_detections(place_of(recording, settings.file)).table
+    if settings.file_right and not recording.is_stereo:
+        raise RecordingError(
+            "recording {name} has one camera: leave out the detections of the right one",
+            name=recording.name,
+        )
+    left = read_detections(place_of(recording, settings.file), Footage.of(recording))
     right = None
     if settings.file_right:
-        right = read_detections(place_of(recording, settings.file_right)).table
+        footage = Footage.of(recording, right=True)
+        right = read_detections(place_of(recording, settings.file_right), footage)
     return GivenBoxes(left, right, settings)
 
 
 def place_of(recording: Recording, named: str) -> Path:
     """Where a file is that a setting names: relative paths begin in the recording's folder."""
     return recording.folder / named
+
+
+def is_inside(named: str) -> bool:
+    """Whether a path of a setting stays within the recording's folder on every system."""
+    parts = (*PurePosixPath(named).parts, *PureWindowsPath(named).parts)
+    return not (PurePosixPath(named).root or PureWindowsPath(named).anchor) and ".." not in parts
+
+
+def with_relative_paths(recording: Recording, settings: Any) -> Any:
+    """The settings of a tracker with paths inside of the recording's folder made relative to it.
+
+    So they hold wherever the folder is put.
+    """
+    named: DetectionSettings = settings.detections
+    if not named.file:
+        return settings
+    folder = Path(os.path.realpath(recording.folder))
+    file, right = (_relative_to(folder, path) for path in (named.file, named.file_right))
+    return replace(settings, detections=replace(named, file=file, file_right=right))
+
+
+def _relative_to(folder: Path, named: str) -> str:
+    """The path itself where it is relative, or outside; a link stays one."""
+    path = Path(os.path.normpath(named))
+    if not path.is_absolute():
+        return named
+    place = Path(os.path.realpath(path.parent), path.name)
+    return str(place.relative_to(folder)) if place.is_relative_to(folder) else named

@@ -125,10 +125,10 @@ class _File:
         metadata = video.get("metadata")
         for known in (video, metadata if isinstance(metadata, dict) else {}):
             self._fps = self._fps or _fps_of(known)
-        self._size_px = self._size_px or _size_of(video)
+        self._size_px = self._size_px or size_of(video)
 
     def _take_images(self, at: int, image: Mapping[str, Any]) -> None:
-        number, frame = whole_of(image.get("id")), _frame_of(image)
+        number, frame = whole_of(image.get("id")), frame_of(image)
         if number is None or frame is None:
             self._reading.bad(f"images[{at}]", msg("its id or frame_index is no whole number"))
         elif number in self._images:
@@ -137,7 +137,7 @@ class _File:
             )
         else:
             self._images[number] = frame
-        self._size_px = self._size_px or _size_of(image)
+        self._size_px = self._size_px or size_of(image)
 
     def _take_tracks(self, _at: int, track: dict[str, Any]) -> None:
         number = whole_of(track.get("id"))
@@ -158,7 +158,7 @@ class _File:
                 f"annotations[{at}]", msg("its track_id or image_id is no whole number")
             )
             return
-        numbers = _numbers_of(box)
+        numbers = numbers_of(box)
         if numbers is None:
             self._reading.bad(f"annotations[{at}]", msg("its bbox is not four numbers"))
             return
@@ -243,7 +243,8 @@ def _track_said(row: Mapping[str, Any]) -> Any:
     return next((one for one in told if one is not None), None)
 
 
-def _frame_of(image: Mapping[str, Any]) -> int | None:
+def frame_of(image: Mapping[str, Any]) -> int | None:
+    """The frame an image says it is, from 0; None: it says none."""
     frame = whole_of(image.get("frame_index", image.get("frame_id")))
     return frame if frame is not None and 0 <= frame < MAX_FRAME else None
 
@@ -260,7 +261,8 @@ def _fps_of(known: Mapping[str, Any]) -> float | None:
     return fps if fps is not None and 0 < fps < FASTEST_FPS else None
 
 
-def _size_of(known: Mapping[str, Any]) -> tuple[int, int] | None:
+def size_of(known: Mapping[str, Any]) -> tuple[int, int] | None:
+    """Width and height in px that an image or a video says it has; None: it says none."""
     width, height = whole_of(known.get("width")), whole_of(known.get("height"))
     if width is None or height is None or not 0 < min(width, height) <= _WIDEST_PX:
         return None
@@ -271,8 +273,8 @@ def _is_number(value: Any) -> bool:
     return type(value) is float or (type(value) is int and abs(value) < _LARGEST)
 
 
-def _numbers_of(box: Any) -> array[float] | None:
-    """Four numbers; None for everything else."""
+def numbers_of(box: Any) -> array[float] | None:
+    """The four numbers of a `bbox`; None for everything else."""
     if type(box) is not list or len(box) != len(BOX):
         return None
     try:

@@ -55,19 +55,12 @@ def holds_frames(folder: Path) -> bool:
 
 
 def frame_files(reading: Reading) -> tuple[list[FrameFile], int | None]:
-    """The files of a folder by frame, and how many frames there are; None: that is not known.
+    """The JSON files of a folder by frame, and how many frames there are; None: that is not known.
 
     Links are not followed, and told as bad. Raises FormatError where it cannot be read, holds far
     too many files, or two files are of one frame.
     """
-    try:
-        files, pictures, links = _listed(reading.path)
-    except OSError as error:
-        raise FormatError(
-            "cannot read {path}: {reason}", path=reading.path, reason=error.strerror
-        ) from error
-    for name in links:
-        reading.bad(name, msg("is a link, and links are not followed"))
+    files, pictures = files_in(reading, ENDING)
     places = {name: at for at, name in enumerate(pictures)}
     if files and all(path.stem in places for path in files):
         return [FrameFile(path, places[path.stem]) for path in files], len(places)
@@ -85,8 +78,25 @@ def frame_files(reading: Reading) -> tuple[list[FrameFile], int | None]:
     return sorted(found, key=lambda each: each.frame), None
 
 
-def _listed(folder: Path) -> tuple[list[Path], list[str], list[str]]:
-    """JSON files and the names of pictures without endings, in natural order; names of links."""
+def files_in(reading: Reading, wanted: str) -> tuple[list[Path], list[str]]:
+    """Files of a folder with this ending, and the names of pictures without theirs.
+
+    Both are in natural order. Links are not followed, and told as bad. Raises FormatError where it
+    cannot be read, or holds far too many files.
+    """
+    try:
+        files, pictures, links = _listed(reading.path, wanted)
+    except OSError as error:
+        raise FormatError(
+            "cannot read {path}: {reason}", path=reading.path, reason=error.strerror
+        ) from error
+    for name in links:
+        reading.bad(name, msg("is a link, and links are not followed"))
+    return files, pictures
+
+
+def _listed(folder: Path, wanted: str = ENDING) -> tuple[list[Path], list[str], list[str]]:
+    """Files with the wanted ending and names of pictures, in natural order; names of links."""
     files, pictures, links = [], [], []
     with os.scandir(folder) as entries:
         for number, entry in enumerate(entries):
@@ -98,9 +108,9 @@ def _listed(folder: Path) -> tuple[list[Path], list[str], list[str]]:
                 )
             path = folder / entry.name
             ending = path.suffix.lower()
-            if ending == ENDING and entry.is_symlink():
+            if ending == wanted and entry.is_symlink():
                 links.append(entry.name)
-            elif ending == ENDING and entry.is_file(follow_symlinks=False):
+            elif ending == wanted and entry.is_file(follow_symlinks=False):
                 files.append(path)
             elif ending in _PICTURES:
                 pictures.append(path.stem)

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Generator, Iterator, Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from tracking.detections import box_source
+from tracking.detections import GivenBoxes, box_source, with_relative_paths
 from tracking.errors import SettingsError
 from tracking.people import RangedShare, StereoWatch, first_lag
 from tracking.pipeline.run_buffer import KeptSteps
@@ -27,7 +28,7 @@ from tracking.trackers import (
     tracker_named,
 )
 from tracking.trackers.shared.stages import Stages
-from tracking.tracks import Run
+from tracking.tracks import DetectionsInput, Run
 from tracking.translation import msg
 
 BACKGROUND_SAMPLES = 15
@@ -64,7 +65,7 @@ def track(
     spec = tracker_named(tracker or best_tracker(recording))
     require(spec, recording)
     asked = _asked_frames(recording, frames, resume)
-    settings = settings or spec.settings_type()
+    settings = with_relative_paths(recording, settings or spec.settings_type())
     require_sense(settings_values(settings))
     kept = KeptSteps(spool, asked[0]) if keep else None
     return Tracking(recording, spec, settings, seed, asked, resume, kept)
@@ -131,6 +132,7 @@ class Tracking:
         self._resume = resume
         self._tracker: Tracker | None = None
         self._perception: Perception | None = None
+        self._boxes: GivenBoxes | None = None
         self._kept = kept
         self._followed = False
         self.doubt = ""
@@ -156,16 +158,22 @@ class Tracking:
     def run(self) -> Run:
         """Everything tracked so far as one immutable run."""
         kept = self._kept or KeptSteps(first=self.frames[0])
-        return kept.run(*self._asked())
+        return replace(kept.run(*self._asked()), detections_input=self.detections_input)
 
     def run_so_far(self) -> Run | None:
         """The same of a tracker that could not go on; None: nothing can be kept of it."""
-        return None if self._kept is None else self._kept.run_so_far(*self._asked())
+        run = None if self._kept is None else self._kept.run_so_far(*self._asked())
+        return None if run is None else replace(run, detections_input=self.detections_input)
 
     def _asked(self) -> tuple[str, dict[str, Any], int, Recording, Resume | None]:
         """What was asked for, as a run has it."""
         settings = settings_values(self._settings)
         return self._spec.name, settings, self._seed, self._recording, self._resume
+
+    @property
+    def detections_input(self) -> tuple[DetectionsInput, ...]:
+        """The files of another program's detections that were read; known from the first step."""
+        return self._boxes.inputs if self._boxes is not None else ()
 
     @property
     def stage_s(self) -> dict[str, float]:
@@ -180,6 +188,7 @@ class Tracking:
     def notes(self) -> tuple[str, ...]:
         """What the user should be told of the frames tracked so far, a line each."""
         told = self._tracker.notes if self._tracker is not None else ()
+        told = (*(self._boxes.notes if self._boxes is not None else ()), *told)
         told = (*told, *(self._perception.notes if self._perception is not None else ()))
         doubt = self.doubt or self._without_distances()
         return (*told, doubt) if doubt else told
@@ -201,8 +210,10 @@ class Tracking:
 
     def _work(self) -> Generator[StepResult]:
         timed = self._stages.timed
-        boxes = timed("learn", box_source, self._recording, self._settings.detections)
-        asked = (self._recording, self._settings, self._seed, boxes)
+        self._boxes = timed("learn", box_source, self._recording, self._settings.detections)
+        if self._resume is not None:
+            self._resume.require_same(self.detections_input)
+        asked = (self._recording, self._settings, self._seed, self._boxes)
         perception, tracker = self._spec.build(*asked)
         self._perception, self._tracker = perception, tracker
         timed("learn", self._learn, perception)

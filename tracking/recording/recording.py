@@ -103,6 +103,10 @@ class Recording:
             for files in (source.files for source in self._cameras.sources)
         )
 
+    def picture_files(self, *, right: bool = False) -> tuple[Path, ...]:
+        """The files of the left (or only) camera, or of the right one: videos, or all images."""
+        return self._cameras.sources[-1 if right else 0].files
+
     def fingerprints(self) -> tuple[Fingerprint, ...]:
         """A fingerprint of each source, in the order of `sources`."""
         return tuple(fingerprint(source.name, source.files) for source in self._cameras.sources)

@@ -23,7 +23,7 @@ from tracking.session.session_reader import read_session
 from tracking.session.session_writer import UNLIMITED, file_state, find_backups, keep_damaged
 from tracking.session.stamps import make_id, now, resolve_author, software
 from tracking.session.store import Store
-from tracking.tracks import Run, TrackTable
+from tracking.tracks import DetectionsInput, Run, TrackTable
 from tracking.translation import msg
 
 if TYPE_CHECKING:
@@ -158,6 +158,11 @@ class Session(OnDisk):
         change = plan_undo_alone(self.history, self.labels, number)
         entry = self.history.draft(change, now(), self.author, undoes=number)
         return self._do("apply", entry, change)
+
+    @property
+    def detections_input(self) -> tuple[DetectionsInput, ...]:
+        """Detections of another program that the corrected tracks were made with; none if none."""
+        return () if self._adopted is None else self._runs.detections_input_of(self._adopted)
 
     def add_run(self, run: Run, *, adopt: bool = True) -> int:
         """Add a tracker's result; gives its number.

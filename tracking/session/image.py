@@ -28,7 +28,7 @@ from tracking.session.layout import (
 )
 from tracking.session.reference import RecordingReference
 from tracking.session.run_notes import write_notes
-from tracking.session.runs import StoredRun
+from tracking.session.runs import StoredRun, detections_input_rows
 from tracking.session.samples import KeptSamples
 from tracking.session.table_writer import Packer
 from tracking.tracks import (
@@ -134,6 +134,7 @@ def write_image(snapshot: Snapshot, image: ImageFile) -> None:
                 run.copy_into(image, runs.create_group(str(number)))
             else:
                 _write_run(packer, runs.create_group(str(number)), run)
+        _write_detections_input(packer, file, snapshot.runs)
         columns = snapshot.tracks.in_order()
         tracks = packer.table(file, "tracks", columns)
         tracks.attrs["count"] = len(snapshot.tracks.track_ids)
@@ -202,6 +203,14 @@ def _by_frame_and_track(columns: Columns) -> Mapping[str, ParticleColumn]:
         return columns
     order = np.lexsort((track, frame))
     return {name: ColumnInOrder(column.__getitem__, order) for name, column in columns.items()}
+
+
+def _write_detections_input(
+    packer: Packer, file: h5py.File, runs: Sequence[Run | StoredRun]
+) -> None:
+    rows = detections_input_rows(runs)
+    if rows["run"]:
+        packer.table(file, "detections_input", rows)
 
 
 def _write_colours(packer: Packer, file: h5py.File, colours: Mapping[int, int]) -> None:

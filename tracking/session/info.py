@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -18,7 +19,7 @@ from tracking.session.label_tables import read_labels
 from tracking.session.pending_edits import may_wait, read_with_waiting
 from tracking.session.reference import RecordingReference
 from tracking.session.run_notes import read_notes
-from tracking.session.runs import read_settings
+from tracking.session.runs import read_detections_input, read_settings
 from tracking.session.session_reader import (
     check_file,
     check_version,
@@ -56,7 +57,7 @@ def describe(path: Path) -> dict[str, Any]:
             "calibrated": bool(recording.calibration),
             "duration_s": recording.frame_count / recording.fps if recording.fps else 0.0,
             **(_in_file(file) if read is None else _as_opened(read.edited, read.waiting)),
-            "runs": [_run(file[f"runs/{number}"]) for number in range(len(file["runs"]))],
+            "runs": _runs(file),
             "created": text_attribute(file, "created"),
             "modified": text_attribute(file, "modified"),
             "software": text_attribute(file, "software"),
@@ -84,6 +85,17 @@ def _told(path: Path) -> Iterator[h5py.File]:
         raise SessionError(
             "{path}: the session file is damaged: {why}", path=path, why=why
         ) from why
+
+
+def _runs(file: h5py.File) -> list[dict[str, Any]]:
+    given = read_detections_input(file)
+    return [
+        {
+            **_run(file[f"runs/{number}"]),
+            "detections_input": list(map(asdict, given.get(number, ()))),
+        }
+        for number in range(len(file["runs"]))
+    ]
 
 
 def _run(group: h5py.Group) -> dict[str, Any]:

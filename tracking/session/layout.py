@@ -143,6 +143,13 @@ TABLES: Mapping[str, Table] = MappingProxyType(
             (_later("undoes"), _later("scope"), _later("message")),
         ),
         "edits/touched": Table(TOUCHED_COLUMNS, is_later=True),
+        # Where there are any. Came with 1.6.
+        "detections_input": Table(
+            column_types(
+                run=np.int64, camera=TEXT, file=TEXT, format=TEXT, fingerprint=TEXT, count=np.int64
+            ),
+            is_later=True,
+        ),
     }
 )
 """Every table, by group; those of a run are in `RUN_TABLES`."""

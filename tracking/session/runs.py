@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from collections import OrderedDict
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, fields, replace
 from pathlib import Path
 from typing import Any, overload
 
@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.errors import EditError, SessionError
-from tracking.session.hdf5 import open_readonly, read_columns, text_attribute
+from tracking.session.hdf5 import open_readonly, read_columns, read_rows, text_attribute
 from tracking.session.image_file import ImageFile
 from tracking.session.layout import CHUNK_ROWS, RUN_TABLES
 from tracking.session.run_notes import read_notes
@@ -23,6 +23,7 @@ from tracking.trackers import present_settings
 from tracking.tracks import (
     LARGEST_NUMBER,
     Columns,
+    DetectionsInput,
     Particles,
     Run,
     check_tracks,
@@ -33,6 +34,7 @@ _BLOCKS_KEPT = 16
 
 
 _SMALL_BYTES = 1 << 16
+_INPUT = "detections_input"
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,12 +74,18 @@ class StoredRun:
                 known_tracks=_known_tracks(group),
                 made=text_attribute(group, "made") if "made" in group.attrs else "",
                 notes=read_notes(group),
+                detections_input=read_detections_input(file).get(self.number, ()),
             )
 
     def tracker(self) -> str:
         """The name of its tracker, without loading it. Raises SessionError as `load`."""
         with open_readonly(self.path) as file:
             return text_attribute(file[f"runs/{self.number}"], "tracker")
+
+    def detections_input(self) -> tuple[DetectionsInput, ...]:
+        """The detections of another program that it was given. Raises SessionError as `load`."""
+        with open_readonly(self.path) as file:
+            return read_detections_input(file).get(self.number, ())
 
     def copy_into(self, image: ImageFile, target: h5py.Group) -> None:
         """Copy the run as it is, packed bytes and all, into a group of another file.
@@ -121,6 +129,31 @@ def read_settings(group: h5py.Group) -> dict[str, Any]:
     if not isinstance(settings, dict):
         raise ValueError(f"attribute settings of {group.name} does not name settings")
     return present_settings(text_attribute(group, "tracker"), settings)
+
+
+def read_detections_input(file: h5py.File) -> dict[int, tuple[DetectionsInput, ...]]:
+    """By the number of a run, the detections of another program that it was given."""
+    found: dict[int, tuple[DetectionsInput, ...]] = {}
+    for row in read_rows(file[_INPUT]) if _INPUT in file else ():
+        run = row.pop("run")
+        found[run] = (*found.get(run, ()), DetectionsInput(**row))
+    return found
+
+
+def detections_input_rows(runs: Sequence[Run | StoredRun]) -> dict[str, list[Any]]:
+    """The same as columns of the table that `read_detections_input` reads; "run" may be empty.
+
+    Raises SessionError where a run's file cannot be read.
+    """
+    rows: dict[str, list[Any]] = {"run": []}
+    rows |= {field.name: [] for field in fields(DetectionsInput)}
+    for number, run in enumerate(runs):
+        given = run.detections_input() if isinstance(run, StoredRun) else run.detections_input
+        for each in given:
+            rows["run"].append(number)
+            for name, value in asdict(each).items():
+                rows[name].append(value)
+    return rows
 
 
 def _read_table(run: h5py.Group, name: str) -> Columns:
@@ -276,6 +309,11 @@ class Runs(Sequence[Run]):
             )
         del self._held[number], self._serials[number]
         self._loaded.pop(number, None)
+
+    def detections_input_of(self, number: int) -> tuple[DetectionsInput, ...]:
+        """The detections of another program that a run was given; it need not be loaded."""
+        held = self._loaded.get(number, self._held[number])
+        return held.detections_input if isinstance(held, Run) else held.detections_input()
 
     def tracker_of(self, number: int) -> str:
         """The name of a run's tracker; quick, the run need not be loaded."""

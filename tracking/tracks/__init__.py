@@ -50,6 +50,6 @@ from tracking.tracks.part_labels import (
     PartLabels,
 )
 from tracking.tracks.row_keys import pairs_of, row_keys
-from tracking.tracks.run import ParticleColumn, Particles, Run
+from tracking.tracks.run import DetectionsInput, ParticleColumn, Particles, Run
 from tracking.tracks.table import TrackTable, check_known, next_track
 from tracking.tracks.validation import LARGEST_NUMBER, between, check_tracks, checked_columns

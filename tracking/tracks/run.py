@@ -61,6 +61,22 @@ class Particles:
 
 
 @dataclass(frozen=True, slots=True)
+class DetectionsInput:
+    """A file of another program's detections that a tracker saw people by.
+
+    Attributes:
+        camera: "left" or "right". file: its name. format: "mot", "coco" or "yolo".
+        fingerprint: SHA-256 of all its bytes, in hex. count: how many boxes it has.
+    """
+
+    camera: str
+    file: str
+    format: str
+    fingerprint: str
+    count: int
+
+
+@dataclass(frozen=True, slots=True)
 class Run:
     """One tracker's result over a recording (or a stretch of it), never changed by edits.
 
@@ -87,6 +103,7 @@ class Run:
             ids up to it are those of the corrected tracks. 0: a run with ids of its own.
         made: when it was added to a session: UTC, ISO 8601; "" where nobody knows.
         notes: what the user was told of the tracking, a line each.
+        detections_input: the files of another program's detections it was given; none if none.
     """
 
     tracker: str
@@ -108,3 +125,4 @@ class Run:
     known_tracks: int = 0
     made: str = ""
     notes: tuple[str, ...] = ()
+    detections_input: tuple[DetectionsInput, ...] = ()

@@ -16,7 +16,14 @@ import time
 import traceback
 from typing import IO
 
-from app.core.tracking_process.messages import Kind, packed_error, packed_notes, packed_steps, send
+from app.core.tracking_process.messages import (
+    Kind,
+    packed_error,
+    packed_input,
+    packed_notes,
+    packed_steps,
+    send,
+)
 from app.core.tracking_process.request import TrackingRequest
 from tracking.trackers import StepResult
 
@@ -75,6 +82,8 @@ def _track(request: TrackingRequest, answers: IO[bytes], stop: threading.Event) 
             send(answers, Kind.STEPS, packed_steps(batch))
             if tracking.notes:
                 send(answers, Kind.NOTES, packed_notes(tracking.notes))
+            if tracking.detections_input:
+                send(answers, Kind.DETECTIONS_INPUT, packed_input(tracking.detections_input))
 
 
 if __name__ == "__main__":

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import struct
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import asdict
 from enum import Enum
 from typing import IO, Any
 
@@ -23,6 +24,7 @@ from tracking.tracks import (
     TRACK_COLUMNS,
     TRACKLET_COLUMNS,
     Columns,
+    DetectionsInput,
 )
 
 _HEAD = struct.Struct("<BQ")  # kind, bytes that follow
@@ -46,6 +48,7 @@ class Kind(Enum):
     ERROR = 2
     DONE = 3
     NOTES = 4
+    DETECTIONS_INPUT = 5
 
 
 class TrackerBug(Exception):  # noqa: N818 - a report of what went wrong in the child
@@ -110,6 +113,16 @@ def packed_notes(notes: Sequence[str]) -> bytes:
 def unpacked_notes(payload: bytes) -> tuple[str, ...]:
     """What `packed_notes` packed."""
     return tuple(map(message_from, json.loads(payload)))
+
+
+def packed_input(detections_input: Sequence[DetectionsInput]) -> bytes:
+    """Which detections of another program the tracker was given, as bytes."""
+    return json.dumps([asdict(each) for each in detections_input]).encode()
+
+
+def unpacked_input(payload: bytes) -> tuple[DetectionsInput, ...]:
+    """What `packed_input` packed."""
+    return tuple(DetectionsInput(**each) for each in json.loads(payload))
 
 
 def packed_error(error: Exception, trace: str) -> bytes:

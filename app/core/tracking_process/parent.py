@@ -14,12 +14,14 @@ from app.core.tracking_process.messages import (
     Kind,
     receive,
     unpacked_error,
+    unpacked_input,
     unpacked_notes,
     unpacked_steps,
 )
 from app.core.tracking_process.request import TrackingRequest
 from tracking.errors import TrackwrightError
 from tracking.trackers import StepResult
+from tracking.tracks import DetectionsInput
 
 _GRACE_S = 3.0
 
@@ -32,10 +34,12 @@ class TrackerProcess:
 
     Attributes:
         notes: what the user should be told of the tracking, a line each; known at its end.
+        detections_input: files of another program's detections it was given; known at its end.
     """
 
     def __init__(self, request: TrackingRequest) -> None:
         self.notes: tuple[str, ...] = ()
+        self.detections_input: tuple[DetectionsInput, ...] = ()
         self._request = request
         self._lock = threading.Lock()
         self._child: subprocess.Popen[bytes] | None = None
@@ -67,6 +71,8 @@ class TrackerProcess:
                     raise unpacked_error(payload)
                 elif kind is Kind.NOTES:
                     self.notes = unpacked_notes(payload)
+                elif kind is Kind.DETECTIONS_INPUT:
+                    self.detections_input = unpacked_input(payload)
                 else:
                     return
             self._check_death(child)

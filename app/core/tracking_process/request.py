@@ -4,17 +4,18 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass, fields
+from dataclasses import asdict, dataclass, fields
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from tracking.detections import with_relative_paths
 from tracking.pipeline import Tracking, track
 from tracking.recording import OpenOptions, Recording
 from tracking.recording.recording_loader import open_from_manifest
 from tracking.trackers import Resume, settings_from, settings_values, tracker_named
-from tracking.tracks import CORRECTED_COLUMNS
+from tracking.tracks import CORRECTED_COLUMNS, DetectionsInput
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,7 +50,8 @@ class TrackingRequest:
         resume: Resume | None = None,
     ) -> TrackingRequest:
         """The same as `pipeline.track` is given; settings None takes the tracker's defaults."""
-        values = settings_values(settings or tracker_named(tracker).settings_type())
+        settings = settings or tracker_named(tracker).settings_type()
+        values = settings_values(with_relative_paths(recording, settings))
         folder = str(recording.folder.resolve())
         return cls(folder, recording.manifest_text, tracker, values, seed, frames, resume)
 
@@ -88,10 +90,13 @@ class TrackingRequest:
 def _as_json(resume: Resume) -> dict[str, Any]:
     """Plain values; Python's JSON gives every number back as it was, NaN too."""
     said = {field.name: getattr(resume, field.name) for field in fields(resume)}
-    return {**said, "rows": {name: column.tolist() for name, column in resume.rows.items()}}
+    rows = {name: column.tolist() for name, column in resume.rows.items()}
+    return {**said, "rows": rows, "detections_input": [asdict(d) for d in resume.detections_input]}
 
 
 def _from_json(said: dict[str, Any]) -> Resume:
     """What `_as_json` said."""
     rows = {name: np.array(said["rows"][name], t) for name, t in CORRECTED_COLUMNS.items()}
-    return Resume(**{**said, "rows": rows, "colour_frames": tuple(said["colour_frames"])})
+    told = tuple(DetectionsInput(**each) for each in said["detections_input"])
+    frames = tuple(said["colour_frames"])
+    return Resume(**{**said, "rows": rows, "colour_frames": frames, "detections_input": told})

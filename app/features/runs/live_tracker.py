@@ -134,7 +134,8 @@ class LiveTracker(QObject):
         return asked.tracker, asked.settings, asked.seed, self._recording, asked.resume
 
     def _told_of(self, run: Run, why: str) -> Run:
-        """The run with what is told of it; why: it ended early, "": it did not."""
+        """The run with what it was given and what is told; why: it ended early, "": it did not."""
+        run = replace(run, detections_input=self._process.detections_input)
         on_the_way = self.kept.parts("tracks", *self.kept.frames)
         self.run_summary = RunSummary.of(run, on_the_way, self._asked, why)
         return replace(run, notes=(*self.notes, *([self.run_summary.early] if why else [])))

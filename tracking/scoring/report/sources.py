@@ -33,6 +33,7 @@ def _said(source: Source) -> str:
         source.frames and f"{source.frames:,} frames",
         source.fps and f"{source.fps:g} frames per second",
         source.tracker and f"tracker {source.tracker}",
+        source.detections and f"detections {', '.join(source.detections)}",
     )
     return "".join(f", {part}" for part in parts if part)
 
@@ -44,4 +45,5 @@ def _data(source: Source) -> dict[str, Any]:
         "frames": source.frames,
         "fps": source.fps,
         "tracker": source.tracker,
+        **({"detections": list(source.detections)} if source.detections else {}),
     }

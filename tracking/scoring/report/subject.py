@@ -36,7 +36,7 @@ class Source:
     Attributes:
         place: of the file, as people named it.
         recording: its name. frames: its length. fps: frames a second.
-        tracker: who found them.
+        tracker: who found them. detections: files of another program's that it was given.
     """
 
     place: str
@@ -44,6 +44,7 @@ class Source:
     frames: int | None = None
     fps: float | None = None
     tracker: str | None = None
+    detections: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, eq=False)

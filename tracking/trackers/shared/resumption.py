@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from tracking.errors import SettingsError
 from tracking.trackers.shared.corrected_rows import is_apart, is_seen, only
 from tracking.tracks.columns import CORRECTED_COLUMNS, Columns
+from tracking.tracks.run import DetectionsInput
 from tracking.tracks.table import TrackTable
 
 Frames = NDArray[np.int32]
@@ -41,6 +42,7 @@ class Resume:
             their colours: the last ones before `frame` and earlier ones that show somebody well.
         highest_track: the highest id ever used; new people get higher ones.
         fps: frames a second.
+        detections_input: files of other programs' detections that these tracks were made with.
     """
 
     frame: int
@@ -48,9 +50,17 @@ class Resume:
     colour_frames: tuple[int, ...]
     highest_track: int
     fps: float
+    detections_input: tuple[DetectionsInput, ...] = ()
 
     @classmethod
-    def of(cls, table: TrackTable, frame: int, fps: float, learn_s: float = 1.0) -> Resume:
+    def of(
+        cls,
+        table: TrackTable,
+        frame: int,
+        fps: float,
+        learn_s: float = 1.0,
+        detections_input: tuple[DetectionsInput, ...] = (),
+    ) -> Resume:
         """What tracking again from a frame on starts with.
 
         People are followed on who stand in the frame before, and those who have no row there but
@@ -58,6 +68,7 @@ class Resume:
 
         Args:
             fps: frames a second. learn_s: how much footage before the frame is looked at whole.
+            detections_input: of the run that the corrected tracks began as.
 
         Raises `SettingsError` for a frame that has none before it.
         """
@@ -72,7 +83,30 @@ class Resume:
             rows["frame"], colour_frames
         )
         kept |= _last_of_each(rows, np.ones_like(kept)) | _last_of_each(rows, is_seen(rows))
-        return cls(frame, only(rows, kept), tuple(colour_frames.tolist()), table.highest_track, fps)
+        return cls(
+            frame,
+            only(rows, kept),
+            tuple(colour_frames.tolist()),
+            table.highest_track,
+            fps,
+            detections_input,
+        )
+
+    def require_same(self, detections_input: tuple[DetectionsInput, ...]) -> None:
+        """Refuse to go on with other detections than the tracks were made with.
+
+        Going on without any, or with some after tracks that needed none, is the user's choice.
+        Raises SettingsError that names both files.
+        """
+        known = {one.fingerprint for one in self.detections_input}
+        for given in detections_input if known else ():
+            if given.fingerprint not in known:
+                raise SettingsError(
+                    "{file} is not the file of detections that the tracks were made with, {known}: "
+                    "give that one, or track the recording anew",
+                    file=given.file,
+                    known=self.detections_input[0].file,
+                )
 
     def last(self, seconds: float) -> Columns:
         """The rows of the last seconds before the frame."""

@@ -28,8 +28,8 @@ from app.core.tracking_process.messages import (
 from tracking.errors import CalibrationError, RecordingError, TrackwrightError
 from tracking.pipeline import Tracking, run_of_steps, track
 from tracking.recording import OpenOptions, open_recording
-from tracking.trackers import Resume
-from tracking.tracks import TrackTable
+from tracking.trackers import Resume, parse_settings, tracker_named
+from tracking.tracks import DetectionsInput, TrackTable
 
 TRACKER = "stereo-direction"
 FRAMES = (30, 42)
@@ -264,3 +264,28 @@ def test_a_child_sends_what_was_tracked_before_a_bug(request_, monkeypatch):
     answers.seek(0)
     sent = [payload for kind, payload in iter(lambda: receive(answers), None) if kind is Kind.STEPS]
     assert sum(len(unpacked_steps(payload)) for payload in sent) == 2
+
+
+def test_the_parent_knows_which_detections_the_child_read(tiny_recording, tmp_path):
+    path = tmp_path / "det.txt"
+    path.write_text("1,-1,20,40,24,60,0.9\n")
+    spec = tracker_named("three-part")
+    settings = parse_settings(spec, {"detections.file": str(path)})
+    with open_recording(tiny_recording) as recording:
+        process = TrackerProcess(TrackingRequest.of(recording, "three-part", settings, 0, (0, 2)))
+        assert sum(map(len, process.batches())) == 2
+        with track(recording, "three-part", settings, 0, (0, 2)) as tracking:
+            list(tracking)
+            assert process.detections_input == tracking.run().detections_input
+    assert [one.file for one in process.detections_input] == ["det.txt"]
+    assert any("1 of 1 boxes" in note for note in process.notes)
+
+
+def test_a_request_to_go_on_keeps_the_detections_of_the_tracks(tiny_recording, resume):
+    given = (DetectionsInput("left", "det.txt", "mot", "ab", 3),)
+    resume = replace(resume, detections_input=given)
+    with open_recording(tiny_recording) as recording:
+        request = TrackingRequest.of(recording, TRACKER, None, 7, None, resume)
+    read = TrackingRequest.from_line(request.as_line()).resume
+    assert read is not None
+    assert read.detections_input == given

@@ -1,0 +1,156 @@
+"""`track --detections`: boxes of another program, kept in the session and told."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from contextlib import closing
+from pathlib import Path
+
+import h5py
+import pytest
+from command_line import Trackwright
+
+from tracking.session import Session
+
+ROWS = "".join(f"{n},-1,{20 + n},40,24,60,{0.9 - n / 1000}\n" for n in range(1, 81))
+FRAMES = ("--tracker", "three-part", "--frames", "0:6")
+
+
+@pytest.fixture
+def boxes(recording: Path) -> Path:
+    path = recording / "det.txt"
+    path.write_text(ROWS)
+    return path
+
+
+def test_the_session_says_which_detections_were_used(
+    trackwright: Trackwright, recording: Path, boxes: Path, tmp_path: Path
+) -> None:
+    out = tmp_path / "s.h5"
+    right = shutil.copy(boxes, tmp_path / "right.txt")
+    words = ("--detections", boxes, "--detections-right", right, "-o", out, *FRAMES)
+    status, _, err = trackwright("track", recording, *words)
+    assert status == 0
+    assert "det.txt (MOTChallenge text): 80 of 80 boxes are used" in err
+    with closing(Session.open(out)) as session:
+        run = session.runs[0]
+        assert run.settings["detections.file"] == "det.txt"
+        assert run.settings["detections.file_right"] == str(right)
+        assert [one.camera for one in run.detections_input] == ["left", "right"]
+        assert any("det.txt (MOTChallenge text)" in note for note in run.notes)
+    with h5py.File(out) as file:
+        kept = {name: column[()].tolist() for name, column in file["detections_input"].items()}
+    assert kept["file"] == [b"det.txt", b"right.txt"]
+    assert (kept["format"], kept["count"], kept["run"]) == ([b"mot"] * 2, [80, 80], [0, 0])
+    assert [len(each) for each in kept["fingerprint"]] == [64, 64]
+
+
+def test_info_tells_them(
+    trackwright: Trackwright, recording: Path, boxes: Path, tmp_path: Path
+) -> None:
+    out = tmp_path / "s.h5"
+    assert trackwright("track", recording, "--detections", boxes, "-o", out, *FRAMES)[0] == 0
+    (told,) = json.loads(trackwright("info", out, "--json")[1])["runs"][0]["detections_input"]
+    assert (told["file"], told["format"], told["count"]) == ("det.txt", "mot", 80)
+    assert f"80 boxes of det.txt (mot, {told['fingerprint'][:12]})" in trackwright("info", out)[1]
+
+
+def test_they_stay_with_their_run_when_the_session_is_saved_again(
+    trackwright: Trackwright, recording: Path, boxes: Path, tmp_path: Path
+) -> None:
+    out = tmp_path / "s.h5"
+    assert trackwright("track", recording, "--detections", boxes, "-o", out, *FRAMES)[0] == 0
+    with closing(Session.open(out)) as session:
+        given = session.detections_input
+        assert [one.file for one in given] == ["det.txt"]
+        session.save(tmp_path / "copy.h5")
+    with closing(Session.open(tmp_path / "copy.h5")) as session:
+        assert session.detections_input == given
+        assert session.runs[0].detections_input == given
+
+
+def test_without_detections_a_session_has_none(
+    trackwright: Trackwright, recording: Path, tmp_path: Path
+) -> None:
+    out = tmp_path / "s.h5"
+    assert trackwright("track", recording, "-o", out, *FRAMES)[0] == 0
+    with h5py.File(out) as file:
+        assert "detections_input" not in file
+
+
+def test_tracking_again_refuses_another_file_in_one_line(
+    trackwright: Trackwright, recording: Path, boxes: Path, tmp_path: Path
+) -> None:
+    out, other = tmp_path / "s.h5", recording / "other.txt"
+    other.write_text(ROWS.replace("24,60", "25,60"))
+    assert trackwright("track", recording, "--detections", boxes, "-o", out, *FRAMES)[0] == 0
+    again = ("track", "--again", out, "--from", "3", "--until", "6")
+    status, _, err = trackwright(*again, "--detections", other)
+    assert status == 1 or status == 2
+    assert "other.txt is not the file of detections that the tracks were made with, det.txt" in err
+    assert trackwright(*again)[0] == 0  # with the same ones
+    boxes.write_text(other.read_text())
+    status, _, err = trackwright(*again)
+    assert status != 0
+    assert "det.txt is not the file of detections" in err
+
+
+def test_tracking_again_reads_no_file_outside_that_only_the_session_names(
+    trackwright: Trackwright, recording: Path, boxes: Path, tmp_path: Path
+) -> None:
+    out, outside = tmp_path / "s.h5", Path(shutil.move(boxes, tmp_path / "det.txt"))
+    assert trackwright("track", recording, "--detections", outside, "-o", out, *FRAMES)[0] == 0
+    again = ("track", "--again", out, "--from", "3", "--until", "6")
+    status, _, err = trackwright(*again)
+    assert status != 0
+    assert "not in the folder of the recording" in err
+    assert trackwright(*again, "--allow-outside")[0] == 0
+    assert trackwright(*again, "--detections", outside)[0] == 0
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "said"),
+    [
+        ("missing.txt", None, "there is no such file"),
+        ("empty.txt", "", "is empty"),
+        ("prose.txt", "People walk.\n", "is no file of detections"),
+        ("later.txt", "999,-1,1,1,9,9,1\n", "is it of this recording"),
+        ("cut.json", '[{"image_id": 1, "bbox": [1', "character"),
+    ],
+)
+def test_what_cannot_be_read_ends_in_one_line_and_makes_no_session(
+    trackwright: Trackwright, recording: Path, tmp_path: Path, name: str, text: str | None, said
+) -> None:
+    path, out = tmp_path / name, tmp_path / "s.h5"
+    if text is not None:
+        path.write_text(text)
+    status, printed, err = trackwright("track", recording, "--detections", path, "-o", out, *FRAMES)
+    assert (status, printed) == (1, "")
+    (line,) = [line for line in err.splitlines() if line.startswith("error")] or [err.strip()]
+    assert said in line
+    assert name in line
+    assert not out.exists()
+
+
+def test_detections_of_the_right_camera_alone_or_of_none_are_refused(
+    trackwright: Trackwright, recording: Path, boxes: Path, tmp_path: Path
+) -> None:
+    words = ("-o", tmp_path / "s.h5", *FRAMES)
+    status, _, err = trackwright("track", recording, "--detections-right", boxes, *words)
+    assert status != 0
+    assert "give those of the left one" in err
+    given = ("--detections", boxes, "--detections-right", boxes)
+    status, _, err = trackwright("track", recording / "left.mp4", *given, *words)
+    assert status != 0
+    assert "has one camera" in err
+
+
+def test_a_score_report_names_them(
+    trackwright: Trackwright, recording: Path, boxes: Path, tmp_path: Path
+) -> None:
+    out, report = tmp_path / "s.h5", tmp_path / "report"
+    assert trackwright("track", recording, "--detections", boxes, "-o", out, *FRAMES)[0] == 0
+    words = ("--truth", recording / "truth.txt", "--report", report)
+    assert trackwright("score", out, *words)[0] == 0
+    assert any("detections det.txt" in page.read_text() for page in report.glob("*.html"))

@@ -1,0 +1,139 @@
+"""A folder of YOLO text: a file a frame, a box a row, `class cx cy w h` and perhaps a confidence.
+
+The centre and the sides are shares of the picture. Class 0 is people, or where the folder has a
+`classes.txt` (or `obj.names`), the one that is called person in it.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from pathlib import Path
+
+import numpy as np
+
+from tracking.detections.box_reading import BoxReading
+from tracking.detections.coco_boxes import PEOPLE
+from tracking.detections.frame_numbers import Footage
+from tracking.errors import FormatError
+from tracking.formats.read_result import Reading
+from tracking.formats.xanylabeling_folder import files_in
+from tracking.owned_files import SAFE_FLAGS
+from tracking.translation import msg
+
+ENDING = ".txt"
+_NAMES = ("classes.txt", "obj.names")
+_MOST_FILE_BYTES = 1 << 20
+"""Of one frame: ten thousand boxes."""
+_NUMBER = r"[-+]?(?:nan|inf|(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?)"
+_FIELDS = 6
+"""Of a row with a confidence; trackers append an id."""
+_ROW = re.compile(rf"\d+(?:[ \t]+{_NUMBER}){{4,6}}[ \t\r]*", re.IGNORECASE)
+_FARTHEST = 10.0
+"""Shares of a picture beyond which a number is none."""
+
+
+def is_yolo(folder: Path) -> bool:
+    """Whether a folder has text files, as far as told by their names."""
+    try:
+        with os.scandir(folder) as entries:
+            return any(entry.name.lower().endswith(ENDING) for entry in entries)
+    except OSError:
+        return False
+
+
+def frame_texts(reading: Reading) -> list[Path]:
+    """The text files of a folder, in natural order; links are told as bad.
+
+    Raises FormatError where it cannot be read or holds far too many files.
+    """
+    return [path for path in files_in(reading, ENDING)[0] if path.name not in _NAMES]
+
+
+def read_yolo_boxes(boxes: BoxReading, footage: Footage) -> None:
+    """All boxes of people in the folder's files.
+
+    Raises FormatError where a file cannot be read or is no such text.
+    """
+    reading = boxes.reading
+    files = frame_texts(reading)
+    frames, told = footage.frames_of_names([path.stem for path in files])
+    reading.notes += [told] if told else []
+    people = _people_in(reading.path)
+    for at, (path, frame) in enumerate(zip(files, frames.tolist(), strict=True)):
+        reading.report(at, len(files))
+        if frame < 0:
+            reading.bad(path.name, msg("its name has no number of a frame"))
+        else:
+            _take(boxes, path, frame, people, footage)
+
+
+def read_small(path: Path) -> bytes:
+    """The bytes of a plain file of a folder.
+
+    Raises FormatError where it is a link or anything but a file, or larger than a frame's.
+    """
+    try:
+        with os.fdopen(os.open(path, os.O_RDONLY | SAFE_FLAGS), "rb") as stream:
+            held = stream.read(_MOST_FILE_BYTES + 1)
+    except OSError as error:
+        raise FormatError(
+            "cannot read {path}: {reason}; check the path", path=path, reason=error.strerror
+        ) from error
+    if len(held) > _MOST_FILE_BYTES:
+        raise FormatError(
+            "{path} is larger than {size} kB; is it the text of one frame?",
+            path=path,
+            size=_MOST_FILE_BYTES >> 10,
+        )
+    return held
+
+
+def _people_in(folder: Path) -> int:
+    """The class of people, by the names the folder has; 0 where it has none.
+
+    Raises FormatError where none of the names is person.
+    """
+    for path in (folder / name for name in _NAMES):
+        if not path.is_file() or path.is_symlink():
+            continue
+        names = read_small(path).decode("utf-8", "replace").split("\n")
+        for number, name in enumerate(names):
+            if name.strip().lower() in PEOPLE:
+                return number
+        raise FormatError(
+            "{path}: none of the classes is person; rename the one of people", path=path
+        )
+    return 0
+
+
+def _take(boxes: BoxReading, path: Path, frame: int, people: int, footage: Footage) -> None:
+    """The boxes of one file."""
+    rows, lines = [], []
+    for number, line in enumerate(read_small(path).decode("utf-8", "replace").split("\n"), 1):
+        if not line.strip():
+            continue
+        if not _ROW.fullmatch(line.strip()):
+            boxes.reading.bad(
+                msg("{file}, line {line}", file=path.name, line=number),
+                msg("it is no row of YOLO text: class, centre, width, height and confidence"),
+            )
+            continue
+        fields = [float(field) for field in line.split()]
+        boxes.reading.good += 1
+        if fields[0] == people:
+            rows.append([*fields[1:5], fields[5] if len(fields) >= _FIELDS else np.nan])
+            lines.append(number)
+    if not rows:
+        return
+    table = np.array(rows)
+    share = table[:, :4]
+    share[(np.abs(share) > _FARTHEST).any(axis=1)] = np.nan
+    width, height = footage.size_px
+    centre, size = share[:, :2] * (width, height), share[:, 2:] * (width, height)
+    boxes.add(
+        np.full(len(table), float(frame)),
+        np.column_stack((centre - size / 2, size)),
+        table[:, 4],
+        lambda row: msg("{file}, line {line}", file=path.name, line=lines[row]),
+    )
