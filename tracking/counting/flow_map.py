@@ -28,8 +28,6 @@ class FlowMap:
         left, bottom: its corner, m. cell_m: the side of a cell.
         density: (rows, columns) people a square metre, the mean over all frames.
         velocity: (rows, columns, 2) the mean of who was there, m/s; NaN where nobody was.
-        steadiness: (rows, columns) 0 to 1, the mean velocity's length by the mean speed: 1 where
-            all go one way, 0 where as many go to as fro; NaN where nobody moved.
         frames: how many frames the means are over.
     """
 
@@ -38,7 +36,6 @@ class FlowMap:
     cell_m: float
     density: Floats
     velocity: Floats
-    steadiness: Floats
     frames: int
 
     @property
@@ -86,9 +83,7 @@ def flow_map(
 
 def _over(place: Floats, velocity: Floats, frames: int, cell_m: float) -> FlowMap:
     if not len(place):
-        return FlowMap(
-            0.0, 0.0, cell_m, np.zeros((0, 0)), np.zeros((0, 0, 2)), np.zeros((0, 0)), frames
-        )
+        return FlowMap(0.0, 0.0, cell_m, np.zeros((0, 0)), np.zeros((0, 0, 2)), frames)
     widest = float((place.max(axis=0) - place.min(axis=0)).max())
     cell_m = max(cell_m, widest / (_MOST_CELLS - 1))
     cell = np.floor(place / cell_m).astype(np.int64)
@@ -97,7 +92,7 @@ def _over(place: Floats, velocity: Floats, frames: int, cell_m: float) -> FlowMa
     at = (cell[:, 1] - first[1]) * columns + cell[:, 0] - first[0]
     density = np.bincount(at, minlength=rows * columns) / (frames * cell_m**2)
     moving = np.isfinite(velocity).all(axis=1)
-    mean, steadiness = _means(at[moving], velocity[moving], rows * columns)
+    mean = _means(at[moving], velocity[moving], rows * columns)
     left, bottom = (first * cell_m).tolist()
     return FlowMap(
         left,
@@ -105,21 +100,16 @@ def _over(place: Floats, velocity: Floats, frames: int, cell_m: float) -> FlowMa
         cell_m,
         density.reshape(rows, columns),
         mean.reshape(rows, columns, 2),
-        steadiness.reshape(rows, columns),
         frames,
     )
 
 
-def _means(at: Integers, velocity: Floats, cells: int) -> tuple[Floats, Floats]:
-    """(cells, 2) mean velocity and (cells,) its length by the mean speed."""
+def _means(at: Integers, velocity: Floats, cells: int) -> Floats:
+    """(cells, 2) mean velocity, m/s; NaN where nobody moved."""
     number = np.bincount(at, minlength=cells)
     sums = [np.bincount(at, part, minlength=cells) for part in velocity.T]
     total = np.column_stack(sums).astype(np.float64)
-    speed = np.bincount(at, np.hypot(velocity[:, 0], velocity[:, 1]), minlength=cells)
     there: Flags = number > 0
     mean = np.full((cells, 2), np.nan)
     mean[there] = total[there] / number[there, None]
-    steadiness = np.full(cells, np.nan)
-    walked = speed > 0
-    steadiness[walked] = np.minimum(np.hypot(*total[walked].T) / speed[walked], 1.0)
-    return mean, steadiness
+    return mean

@@ -5,17 +5,19 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 
-from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QObject, QRect, Qt, QTimer, Signal
+from PySide6.QtGui import QFontMetrics
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QStatusBar, QWidget
 
 from app.core.i18n import tr
-from app.core.widgets.few_lines import cut_to_lines
 
 _PASSES_MS = 60_000
 _LINES = 2
 """More of a text is shown once it is asked for: it would lie over the overview and lanes."""
 _EDGE_PX, _APART_PX = 16, 12
 _MOVES = (QEvent.Type.Resize, QEvent.Type.Show, QEvent.Type.Hide)
+_HIGH_PX = 1_000_000
+_ELLIPSIS = "\u2026"
 _READ_S = 4.0
 """After this time a passing word has been read by whoever goes on working."""
 
@@ -118,7 +120,7 @@ class NoticeBar(QFrame):
 
     def _cut(self, width: int, buttons: list[QPushButton]) -> str:
         room = width - 2 * _EDGE_PX - sum(_APART_PX + one.sizeHint().width() for one in buttons)
-        return cut_to_lines(self._said, self._text.fontMetrics(), room, _LINES)
+        return _cut_to_lines(self._said, self._text.fontMetrics(), room, _LINES)
 
     @property
     def least_height(self) -> int:
@@ -201,3 +203,24 @@ class NoticeBar(QFrame):
         self.hide()
         if self._do is not None:
             self._do()
+
+
+def _cut_to_lines(text: str, metrics: QFontMetrics, width: int, lines: int) -> str:
+    """The text, or its first words and an ellipsis where all would take more lines."""
+    room = QRect(0, 0, max(1, width - metrics.averageCharWidth()), _HIGH_PX)
+
+    def fits(part: str) -> bool:
+        taken = metrics.boundingRect(room, Qt.TextFlag.TextWordWrap, part)
+        return taken.height() <= lines * metrics.lineSpacing()
+
+    if fits(text):
+        return text
+    words = text.split(" ")
+    low, high = 1, len(words)
+    while low < high:
+        middle = (low + high + 1) // 2
+        if fits(" ".join(words[:middle]) + _ELLIPSIS):
+            low = middle
+        else:
+            high = middle - 1
+    return " ".join(words[:low]) + _ELLIPSIS

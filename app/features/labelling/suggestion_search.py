@@ -7,14 +7,20 @@ from dataclasses import replace
 
 from PySide6.QtCore import QObject, Signal
 
+from app.core.colours.palette import NOBODY
+from app.core.document.detector_choice import DetectorChoice
 from app.core.document.document import Document
 from app.core.error_messages import explain
-from app.core.i18n import tr
+from app.core.i18n import time_text, tr
 from app.core.jobs.jobs import Job, Progress
 from app.core.scenes.labels import SuggestedPart, Tool
+from app.core.scenes.part_names import no_parts, part_name
 from app.features.labelling.scene import LabellingScene
-from app.features.labelling.suggested_parts import suggestions_for
 from app.features.labelling.suggestion_list import SuggestionQueue
+from tracking.errors import EditError
+from tracking.failure import Suggestion, suggest
+from tracking.session.provenance import parts_by_now
+from tracking.tracks import Labels, Run, TrackTable
 
 
 class SuggestionSearch(QObject):
@@ -105,3 +111,33 @@ class SuggestionSearch(QObject):
         if self._job is not None:
             self._job.deleteLater()
             self._job = None
+
+
+def suggestions_for(
+    table: TrackTable,
+    run: Run | None,
+    labels: Labels,
+    fps: float,
+    choice: DetectorChoice,
+) -> tuple[SuggestedPart, ...]:
+    """The parts nearest to the detector's operating point, the nearest first, in no colour yet.
+
+    On any thread: it reads nothing that may change meanwhile.
+    Raises EditError where no parts were tracked, FormatError where the detector is gone.
+    """
+    if run is None or not len(run.parts["frame"]):
+        raise EditError(no_parts())
+    parts = parts_by_now(table, run, table.track_ids)
+    found = suggest(parts, fps, choice.load(), labels.parts)
+    return tuple(_suggested(one, labels, fps, choice.name_in_text) for one in found)
+
+
+def _suggested(one: Suggestion, labels: Labels, fps: float, scored_by: str) -> SuggestedPart:
+    return SuggestedPart(
+        key=one.key,
+        reason=f"unsure: score {one.score:+z.2f} of {scored_by}",
+        title=part_name(one.part),
+        label=labels.title(one.track),
+        colour=NOBODY,
+        when=time_text(one.frame / fps),
+    )

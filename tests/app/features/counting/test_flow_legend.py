@@ -16,7 +16,7 @@ from tracking.counting import FlowMap
 def _scene():
     density = np.array([[1.0, 0.25]])
     nobody_moves = np.zeros((1, 2, 2))
-    return flow_scene(FlowMap(0.0, 0.0, 1.0, density, nobody_moves, np.zeros((1, 2)), 9))
+    return flow_scene(FlowMap(0.0, 0.0, 1.0, density, nobody_moves, 9))
 
 
 @pytest.mark.parametrize("name", ["dark", "light"])
