@@ -1,5 +1,9 @@
 """Pages of results: sections measured one by one, kept as JSON, and written by a template.
 
+Without --report: the figures on the clips for choosing settings, printed as the page would have
+them. With it: on the clips reported, kept one by one in docs/results, and the page made of them.
+--rewrite only makes the page and its diagrams anew.
+
 A page is a template with a block a section, in the page's order; `introduction` comes first. A
 block is given the figures of all sections by their names and what else the page declares.
 """
@@ -132,7 +136,10 @@ class Page:
         """Read the command line, measure, and print or write."""
         one_core()
         parser, page = parser_of(self.subject, self.about), f"docs/results/{self.subject}.md"
-        parser.add_argument("--report", action="store_true", help=f"measure and write {page}")
+        told = (
+            f"on the clips reported, and write {page}; else on those for choosing settings, printed"
+        )
+        parser.add_argument("--report", action="store_true", help=f"measure {told}")
         parser.add_argument("--rewrite", action="store_true", help="only write it anew")
         parser.add_argument("--only", nargs="+", choices=self.measures, help="these sections")
         asked = parser.parse_args()

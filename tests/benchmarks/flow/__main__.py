@@ -1,9 +1,4 @@
-"""Flow: `python -m tests.benchmarks.flow [--report] [--only SECTION ...]`.
-
-Without --report: the figures on the clips for choosing settings, printed as the page would have
-them. With it: on the clips reported, kept one by one in docs/results/flow.json, and the page made
-of them. --rewrite only makes the page and its picture anew.
-"""
+"""Flow: `python -m tests.benchmarks.flow [--report] [--only SECTION ...]`."""
 
 from __future__ import annotations
 

@@ -1,9 +1,4 @@
-"""Body parts: `python -m tests.benchmarks.parts [--report] [--only SECTION ...]`.
-
-Without --report: the figures on the scenes for choosing settings, printed as the page would have
-them. With it: on the scenes reported, kept one by one in docs/results/parts.json, and the page made
-of them. --rewrite only makes the page and its diagrams anew.
-"""
+"""Body parts: `python -m tests.benchmarks.parts [--report] [--only SECTION ...]`."""
 
 from __future__ import annotations
 

@@ -1,9 +1,4 @@
-"""Spheroids: `python -m tests.benchmarks.spheroid [--report] [--only SECTION ...]`.
-
-Without --report: the figures on the clips for choosing settings, printed as the page would have
-them. With it: on the clips reported, kept one by one in docs/results/spheroid.json, and the page
-made of them. --rewrite only makes the page anew.
-"""
+"""Spheroids: `python -m tests.benchmarks.spheroid [--report] [--only SECTION ...]`."""
 
 from __future__ import annotations
 

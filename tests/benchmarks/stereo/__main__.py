@@ -1,9 +1,6 @@
 """Stereo trackers: `python -m tests.benchmarks.stereo [--report] [--only SECTION ...]`.
 
-Without --report: the figures on the clips for choosing settings, printed as the page would have
-them; fresh clips are left alone. With it: on the clips reported, goals and trackers on fresh ones,
-kept one by one in docs/results/stereo.json, and the page made of them. --rewrite only makes the
-page anew. Clips are kept in the user's cache.
+Only with --report fresh clips are looked at: goals and trackers are measured on them.
 """
 
 from __future__ import annotations
