@@ -37,12 +37,17 @@ def run_review(path: Path, order: str, most: int | None, *, as_json: bool) -> No
     if not shown:
         print_line(_nothing(len(found)))
         return
-    print_line(
-        f"{'frame':>8}  {'sure':>4}  {'rows':>6}  what may be wrong (what would put it right)"
-    )
+    print_line(msg("   frame  sure    rows  what may be wrong (what would put it right)"))
     for one in shown:
         print_line(
-            f"{one.frame:>8}  {one.likelihood:4.0%}  {one.cost:>6.0f}  {one.text} ({one.fix})"
+            msg(
+                "{frame:>8}  {likelihood:4.0%}  {cost:>6.0f}  {text} ({fix})",
+                frame=one.frame,
+                likelihood=one.likelihood,
+                cost=one.cost,
+                text=one.text,
+                fix=one.fix,
+            )
         )
 
 

@@ -17,12 +17,14 @@ from walks_on_a_floor import (
     with_column,
 )
 
+from tests.pseudo import Pseudo
 from tracking.review.core.evidence import gather_evidence
 from tracking.review.core.findings import FlaggedPlaces
 from tracking.review.core.material import Material
-from tracking.review.reason_phrases import sentence
+from tracking.review.reason_phrases import WORDS, sentence
 from tracking.review.reasons import REASONS
 from tracking.tracks import PART_COLUMNS, Run, TrackTable
+from tracking.translation import tr, use_catalogue
 
 
 def found(kind: str, run: Run, table: TrackTable | None = None) -> FlaggedPlaces:
@@ -199,3 +201,18 @@ def test_who_walks_on_while_hidden_is_no_reversal() -> None:
 def test_a_moment_that_is_not_the_very_one_is_said_to_be_about_then() -> None:
     said = sentence("colour", 3, 0, 0.0, 7.2, about=True)
     assert said == "3 has other colours from about 00:07 on"
+
+
+def test_a_reason_is_translated_with_all_its_words() -> None:
+    use_catalogue(Pseudo())
+    try:
+        assert tr(sentence("part", 3, 0, 7, 7.2, about=True)) == (
+            "⟦the ⟦⟦⟦head⟧, ⟦torso⟧⟧ and ⟦hip-leg⟧⟧ of 3 failed at ⟦about 00:07⟧⟧"
+        )
+        for kind, words in WORDS.items():
+            for second in (2 if words.two else 0, 0 if words.one else 2):
+                said = sentence(kind, 1, second, 1.0, 7.2, on_floor=False)
+                assert tr(said) != said
+                assert tr(said).startswith("⟦")
+    finally:
+        use_catalogue(None)

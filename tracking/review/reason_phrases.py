@@ -1,4 +1,4 @@
-"""Reasons in words, and what would put them right."""
+"""Reasons as messages, and what would put them right."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from types import MappingProxyType
 
 from tracking.review.core.evidence import BODY_M
 from tracking.tracks import PART_NAMES
+from tracking.translation import N_, Message, joined, msg
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,46 +30,50 @@ class Words:
 WORDS: Mapping[str, Words] = MappingProxyType(
     {
         "exchange": Words(
-            "", "{a} and {b} look like each other from {time} on: their colours swapped"
+            "", N_("{a} and {b} look like each other from {time} on: their colours swapped")
         ),
-        "turn": Words("", "{a} goes on as {b} was walking and {b} as {a}, {way} off, at {time}"),
-        "crossing": Words("", "{a} and {b} passed within {way} at {time}"),
-        "shared": Words("", "{a} and {b} were seen as one for {figure:.1f} s until {time}"),
+        "turn": Words(
+            "", N_("{a} goes on as {b} was walking and {b} as {a}, {way} off, at {time}")
+        ),
+        "crossing": Words("", N_("{a} and {b} passed within {way} at {time}")),
+        "shared": Words("", N_("{a} and {b} were seen as one for {figure:.1f} s until {time}")),
         "lost": Words(
             "",
-            "{a} ends in the middle of the {ground}, and {b} begins near it at {time}",
+            N_("{a} ends in the middle of the {ground}, and {b} begins near it at {time}"),
             fix_two="merge",
         ),
         "ended": Words(
-            "{a} ends in the middle of the {ground} at {time}",
-            "{a} ends in the middle of the {ground} at {time}, beside {b}",
+            N_("{a} ends in the middle of the {ground} at {time}"),
+            N_("{a} ends in the middle of the {ground} at {time}, beside {b}"),
             fix_two="look",
         ),
         "begun": Words(
-            "{a} begins in the middle of the {ground} at {time}",
-            "{a} begins in the middle of the {ground} at {time}, beside {b}",
+            N_("{a} begins in the middle of the {ground} at {time}"),
+            N_("{a} begins in the middle of the {ground} at {time}, beside {b}"),
             fix_two="look",
         ),
-        "colour": Words("{a} has other colours from {time} on", fix_one="split"),
-        "height": Words("the height of {a} changes by {figure:.2f} m at {time}", fix_one="split"),
-        "jump": Words("{a} jumps by {way} at {time}", fix_one="split"),
-        "reversal": Words("{a} turns back at {way}/s, half hidden, at {time}", fix_one="split"),
+        "colour": Words(N_("{a} has other colours from {time} on"), fix_one="split"),
+        "height": Words(
+            N_("the height of {a} changes by {figure:.2f} m at {time}"), fix_one="split"
+        ),
+        "jump": Words(N_("{a} jumps by {way} at {time}"), fix_one="split"),
+        "reversal": Words(N_("{a} turns back at {way}/s, half hidden, at {time}"), fix_one="split"),
         "predicted": Words(
-            "{a} was out of sight for {figure:.1f} s and is seen again at {time}",
-            "{a} was out of sight for {figure:.1f} s and is seen again at {time}, beside {b}",
+            N_("{a} was out of sight for {figure:.1f} s and is seen again at {time}"),
+            N_("{a} was out of sight for {figure:.1f} s and is seen again at {time}, beside {b}"),
             fix_one="split",
         ),
         "drift": Words(
-            "{a} is not seen any more from {time} on and goes on for {figure:.1f} s",
+            N_("{a} is not seen any more from {time} on and goes on for {figure:.1f} s"),
             fix_one="delete",
         ),
         "margin": Words(
-            "another choice for {a} would have been nearly as good at {time}",
-            "another choice for {a} would have been nearly as good at {time}, beside {b}",
+            N_("another choice for {a} would have been nearly as good at {time}"),
+            N_("another choice for {a} would have been nearly as good at {time}, beside {b}"),
         ),
-        "spread": Words("the particles of {a} spread over {way} at {time}"),
-        "split": Words("the particles of {a} fall in two at {time}"),
-        "part": Words("the {parts} of {a} failed at {time}"),
+        "spread": Words(N_("the particles of {a} spread over {way} at {time}")),
+        "split": Words(N_("the particles of {a} fall in two at {time}")),
+        "part": Words(N_("the {parts} of {a} failed at {time}")),
     }
 )
 """By kind of reason."""
@@ -86,27 +91,33 @@ def sentence(
     *,
     on_floor: bool = True,
     about: bool = False,
-) -> str:
+) -> Message:
     """A reason as a sentence, e.g. "4 and 7 passed within 0.3 m at 00:41".
 
     Where the floor is not known (`on_floor`), ways are said in body heights: see `Evidence.place`.
     Of a moment that is not the very one it is said that it is `about` then.
     """
     words = WORDS[kind]
-    said = words.two if second else words.one
-    parts = _parts(int(figure)) if kind == "part" else ""
-    way = f"{figure:.1f} m" if on_floor else f"{figure / BODY_M:.1f} body heights"
-    ground = "floor" if on_floor else "image"
-    time = f"about {clock(seconds)}" if about else clock(seconds)
-    return said.format(
-        a=first, b=second, figure=figure, way=way, ground=ground, time=time, parts=parts
+    return msg(
+        words.two if second else words.one,
+        a=first,
+        b=second,
+        figure=figure,
+        way=msg("{metres:.1f} m", metres=figure)
+        if on_floor
+        else msg("{heights:.1f} body heights", heights=figure / BODY_M),
+        ground=msg("floor") if on_floor else msg("image"),
+        time=msg("about {time}", time=clock(seconds)) if about else clock(seconds),
+        parts=_parts(int(figure)) if kind == "part" else "",
     )
 
 
-def _parts(which: int) -> str:
+def _parts(which: int) -> Message:
     """The parts of a sum of 1 head, 2 torso, 4 hip-leg: "head", "head, torso and hip-leg"."""
-    names = [name for part, name in enumerate(PART_NAMES) if which >> part & 1]
-    return " and ".join((", ".join(names[:-1]), names[-1]) if len(names) > 1 else names)
+    names = [msg(name) for part, name in enumerate(PART_NAMES) if which >> part & 1]
+    if len(names) < 2:
+        return joined("", names)
+    return msg("{first} and {last}", first=joined(", ", names[:-1]), last=names[-1])
 
 
 def fix(kind: str, second: int) -> str:

@@ -9,6 +9,7 @@ import numpy as np
 
 from tracking.review.reason_groups import Places, Reasons
 from tracking.review.reason_phrases import sentence
+from tracking.translation import Message
 
 _SAME_MOMENT_S = 0.25
 
@@ -51,7 +52,7 @@ class Speaker:
         """Whom a reason is about; 0 for nobody else."""
         return self.columns[1][reason], self.columns[2][reason]
 
-    def describe(self, place: int, leader: int, frame: int) -> list[str]:
+    def describe(self, place: int, leader: int, frame: int) -> list[Message]:
         """Sentences: the leader's, then the strongest of each other kind.
 
         The leader's is told for `frame`, that of the place, so that one moment is named alone.
@@ -63,7 +64,7 @@ class Speaker:
         others = [self._sentence(row, self.columns[3][row]) for row in strongest.values()]
         return [self._sentence(leader, frame), *others]
 
-    def _sentence(self, row: int, frame: int) -> str:
+    def _sentence(self, row: int, frame: int) -> Message:
         """A reason told for a frame: with "about" where its own lies elsewhere."""
         own_s, told_s = self.columns[3][row] / self.fps, frame / self.fps
         return sentence(

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from tracking.translation import Message
+
 ReviewItemKey = tuple[str, tuple[int, ...], int]
 """Kind, tracks and frame: what a verdict is about."""
 
@@ -19,9 +21,9 @@ class ReviewItem:
         start, end: half-open stretch to watch, from just before to just after.
         likelihood: 0 to 1, how likely the tracks are wrong here.
         cost: rows of tracks that would be wrong until one of the tracks ends or they meet again.
-        text: why it is there, in words; the strongest reason.
+        text: why it is there, to be translated where it is shown; the strongest reason.
         fix: what would put it right: "swap", "split", "merge", "delete" or "look".
-        others: the further reasons that fell on the same people at the same time, in words.
+        others: the further reasons that fell on the same people at the same time.
     """
 
     kind: str
@@ -31,9 +33,9 @@ class ReviewItem:
     end: int
     likelihood: float
     cost: float
-    text: str
+    text: Message
     fix: str
-    others: tuple[str, ...] = ()
+    others: tuple[Message, ...] = ()
 
     @property
     def key(self) -> ReviewItemKey:

@@ -376,7 +376,7 @@ class ReviewController(Controller):
         """What there is to watch, from a little before, and further reasons."""
         fps = self._document.recording.fps
         span = span_text(self._start_of(review_item) / fps, (review_item.end - 1) / fps)
-        return "; ".join((tr("Watch {span}", span=span), *review_item.others))
+        return "; ".join((tr("Watch {span}", span=span), *map(tr, review_item.others)))
 
     def _meter_text(self) -> str:
         session = self._document.session

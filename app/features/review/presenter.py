@@ -183,7 +183,7 @@ class ReviewQueue:
         """What is left as marks of the timeline, one a person."""
         return tuple(
             TimelineMark(
-                MarkKind.REVIEW_ITEM, one.frame, track, f"{kind_title(one.kind)}: {one.text}"
+                MarkKind.REVIEW_ITEM, one.frame, track, f"{kind_title(one.kind)}: {tr(one.text)}"
             )
             for one in self._open
             for track in one.tracks
@@ -212,8 +212,8 @@ class ReviewQueue:
             ),
             frame=item.frame,
             when=time_text(item.frame / self._fps),
-            why=item.text,
-            others=item.others,
+            why=tr(item.text),
+            others=tuple(map(tr, item.others)),
             likelihood=item.likelihood,
         )
 
