@@ -36,7 +36,7 @@ from tracking.errors import CountingError, SettingsError
 from tracking.session import Session
 from tracking.settings import settings_from
 from tracking.tracks import CountingLine, Region
-from tracking.translation import msg, tr
+from tracking.translation import joined, msg, tr
 
 _OPTIONS = {"step_s": "--step", "jitter_m": "--jitter", "jitter_px": "--jitter-px"}
 """How each setting is typed."""
@@ -153,12 +153,15 @@ def _places(session: Session, named: Places) -> Places:
 def _say_what(places: Places, run: int | None) -> None:
     tracks = msg("the corrected tracks") if run is None else msg("run {run}", run=run)
     origin = msg("drawn in the session") if places.drawn else msg("as named")
-    names = [
-        f"{word} {', '.join(item.name for item in items)}"
-        for word, items in (("lines", places.lines), ("regions", places.regions))
-        if items
-    ]
-    say(f"{tracks}; {'; '.join(names)}, {origin}")
+    lines, regions = (
+        ", ".join(item.name for item in items) for items in (places.lines, places.regions)
+    )
+    named = (
+        lines and msg("lines {names}", names=lines),
+        regions and msg("regions {names}", names=regions),
+    )
+    what = joined("; ", filter(None, named))
+    say(msg("{tracks}; {what}, {origin}", tracks=tracks, what=what, origin=origin))
 
 
 def _ways(line: LineCount) -> tuple[tuple[str, int], tuple[str, int]]:

@@ -8,7 +8,6 @@ from typing import Any
 
 from app.cli.output import print_json, print_line, say
 from tracking.errors import SessionError
-from tracking.recording.plurals import counted
 from tracking.session import (
     Backup,
     Session,
@@ -17,7 +16,7 @@ from tracking.session import (
     list_backups,
     replace_damaged,
 )
-from tracking.translation import msg
+from tracking.translation import count_msg, joined, msg
 
 
 def run_accept(path: Path, *, as_json: bool) -> None:
@@ -107,9 +106,14 @@ def _facts(backup: Backup) -> dict[str, Any]:
 
 def _line(backup: Backup) -> str:
     if backup.problem:
-        return f"{backup.number}  {backup.problem}"
+        return msg("{number}  {problem}", number=backup.number, problem=backup.problem)
     when = backup.saved[:19].replace("T", " ")
-    size = f"{backup.size_bytes / 2**20:.1f} MB"
-    held = f"{counted(backup.edits, 'edit')}, {counted(backup.tracks, 'track')}"
-    line = f"{backup.number}  saved {when} UTC  {held}  {size}"
-    return f"{line}  {backup.damage}" if backup.damage else line
+    line = msg(
+        "{number}  saved {when} UTC  {edits}, {tracks}  {size:.1f} MB",
+        number=backup.number,
+        when=when,
+        edits=count_msg(backup.edits, "{n} edit", "{n} edits"),
+        tracks=count_msg(backup.tracks, "{n} track", "{n} tracks"),
+        size=backup.size_bytes / 2**20,
+    )
+    return joined("  ", filter(None, (line, backup.damage)))

@@ -40,7 +40,7 @@ class _Notes(logging.Handler):
         self._said: set[str] = set()
 
     def emit(self, record: logging.LogRecord) -> None:
-        note = record.getMessage()
+        note = record.msg  # a message
         if note not in self._said:
             self._said.add(note)
             say(msg("note: {note}", note=note))

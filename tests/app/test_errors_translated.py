@@ -9,6 +9,8 @@ import pytest
 
 from app.cli.failure import run_reporting_errors
 from app.cli.output import say
+from app.cli.restore import _line
+from app.cli.sessions import print_notes
 from app.core.error_messages import explain
 from app.core.tracking_process.messages import (
     packed_error,
@@ -19,6 +21,9 @@ from app.core.tracking_process.messages import (
 from tests.pseudo import TRANSLATED, Pseudo
 from tracking.errors import FormatError
 from tracking.formats import format_of
+from tracking.session import session_reader
+from tracking.session.backups import Backup
+from tracking.session.notes import note_of_change, note_of_missing_seal, tell_damage
 from tracking.session.session_reader import check_file
 from tracking.translation import Message, msg, tr, use_catalogue
 
@@ -78,3 +83,33 @@ def test_errors_and_notes_of_a_tracker_in_a_process_of_its_own() -> None:
     (note,) = unpacked_notes(packed_notes([msg("{n} frames are broken", n=2)]))
     assert isinstance(note, Message)
     assert tr(note) == "⟦2 frames are broken⟧"
+
+
+@pytest.mark.usefixtures("pseudo")
+def test_what_is_damaged_of_a_session_is_told_at_the_command_line(capsys) -> None:
+    with print_notes():
+        for note_of in (note_of_change, note_of_missing_seal):
+            tell_damage(note_of(Path("100 %s")))
+    first, second = capsys.readouterr().err.splitlines()
+    assert first.startswith("⟦note: ⟦100 %s is damaged: its checksum")
+    assert second.startswith("⟦note: ⟦100 %s is damaged at its end")
+
+
+@pytest.mark.usefixtures("pseudo")
+def test_a_backup_is_listed_with_its_counts() -> None:
+    backup = Backup(1, Path("a"), 3 << 20, "2024-05-01T10:00:00.000Z", 1, 0, 2)
+    listed = "1  saved 2024-05-01 10:00:00 UTC  1 edit, 2 tracks  3.0 MB"
+    assert _line(backup) == listed
+    assert tr(_line(backup)) == f"⟦{listed}⟧".replace("1 edit, 2 tracks", "⟦1 edit⟧, ⟦2 tracks⟧")
+
+
+def test_the_way_out_hangs_on_what_is_known_of_a_file_and_not_on_its_sentence(
+    empty: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    verdict = {"refused": msg(" is odd")}
+    monkeypatch.setattr(session_reader, "inspect_files", lambda _: [verdict])
+    with pytest.raises(Exception, match=r"is odd$"):
+        check_file(empty)
+    verdict["unreadable"] = True
+    with pytest.raises(Exception, match="bring a copy of it"):
+        check_file(empty)

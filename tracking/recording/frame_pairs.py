@@ -9,8 +9,7 @@ from numpy.typing import NDArray
 
 from tracking.recording.images import ImageSource, frame_numbers
 from tracking.recording.pictures import PictureSource
-from tracking.recording.plurals import counted
-from tracking.translation import msg
+from tracking.translation import count_msg, msg
 
 _SAME_CLOCK_SHARE = 0.9
 
@@ -99,6 +98,6 @@ def _by_key(left: NDArray[np.float64], right: NDArray[np.float64]) -> Pairing | 
     note = msg(
         "the cameras lost different frames; they are paired by when they were taken, "
         "and in {frames} the right image is the one before",
-        frames=counted(alone, "frame"),
+        frames=count_msg(alone, "{n} frame", "{n} frames"),
     )
     return Pairing(filled.astype(np.int64), (note,))

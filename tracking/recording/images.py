@@ -14,8 +14,7 @@ from numpy.typing import NDArray
 from tracking.errors import RecordingError
 from tracking.recording.frame import Image
 from tracking.recording.image_headers import looks_odd, why_not_decoded
-from tracking.recording.plurals import counted
-from tracking.translation import msg
+from tracking.translation import count_msg, msg
 
 IMAGE_SUFFIXES = frozenset(
     (".png", ".jpg", ".jpeg", ".bmp", ".pgm", ".ppm", ".tif", ".tiff", ".webp")
@@ -97,7 +96,7 @@ class ImageSource:
                 msg(
                     "{name}: {numbers} missing among the images; frames are counted image by image",
                     name=self.name,
-                    numbers=counted(gaps, "number"),
+                    numbers=count_msg(gaps, "{n} number", "{n} numbers"),
                 )
             )
         if self._lost:
@@ -106,7 +105,7 @@ class ImageSource:
                     "{name}: {images} broken or of another size, first {first}; the image "
                     "before is shown",
                     name=self.name,
-                    images=counted(len(self._lost), "image"),
+                    images=count_msg(len(self._lost), "{n} image", "{n} images"),
                     first=self._files[min(self._lost)].name,
                 )
             )

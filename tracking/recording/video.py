@@ -16,9 +16,8 @@ from numpy.typing import NDArray
 from tracking.errors import RecordingError
 from tracking.recording.frame import Image
 from tracking.recording.packet_index import PacketIndex, index_video, open_video
-from tracking.recording.plurals import counted
 from tracking.recording.video_cursor import NumberedFrame, VideoCursor
-from tracking.translation import msg
+from tracking.translation import count_msg, msg
 
 _RECENT_BYTES = 48 * 1024 * 1024
 _STEPS_BACK = 2
@@ -102,7 +101,7 @@ class VideoSource:
                 msg(
                     "{name}: {frames} before the first whole image left out",
                     name=self.name,
-                    frames=counted(self._index.left_out, "frame"),
+                    frames=count_msg(self._index.left_out, "{n} frame", "{n} frames"),
                 )
             )
         if self._promised > len(self._index.number):
@@ -119,7 +118,7 @@ class VideoSource:
                 msg(
                     "{name}: {frames}, first {first}; the image before is shown",
                     name=self.name,
-                    frames=counted(len(self._lost), "broken frame"),
+                    frames=count_msg(len(self._lost), "{n} broken frame", "{n} broken frames"),
                     first=min(self._lost),
                 )
             )
@@ -344,7 +343,7 @@ def pace_of(times_s: NDArray[np.float64] | None, told_fps: float | None) -> Pace
         (
             msg(
                 "{frames} not recorded, first after {first}",
-                frames=counted(int(missing[gaps].sum()), "frame"),
+                frames=count_msg(int(missing[gaps].sum()), "{n} frame", "{n} frames"),
                 first=gaps[0],
             ),
         ),

@@ -12,7 +12,7 @@ from __future__ import annotations
 import logging
 from pathlib import Path
 
-from tracking.translation import msg
+from tracking.translation import Message, msg
 
 LOGGER = "tracking.session.notes"
 _log = logging.getLogger(LOGGER)
@@ -20,34 +20,34 @@ _log.setLevel(logging.INFO)
 _log.addHandler(logging.NullHandler())
 
 MAY_MISS = msg("edits made after the session was saved last may be missing")
-_CHANGED = (
-    "{path} is damaged: its checksum does not hold, so names, texts or whole edits and labels in "
-    "it may be wrong or missing; compare it with a copy or a backup"
-)
-_NO_SEAL = (
-    "{path} is damaged at its end, or another program wrote into it: the checksum that every save "
-    "ends with is gone, so it cannot be told whether names, texts, edits and labels in it are as "
-    "they were saved; compare it with a copy or a backup"
-)
 
 
 def tell(note: str) -> str:
     """Say a note, a line; gives it."""
-    _log.info("%s", note)
+    _log.info(note)
     return note
 
 
 def tell_damage(note: str) -> str:
     """Say what is damaged or may be missing, in a line; gives it."""
-    _log.warning("%s", note)
+    _log.warning(note)
     return note
 
 
-def note_of_change(path: Path) -> str:
+def note_of_change(path: Path) -> Message:
     """The note on a file that is not as it was saved."""
-    return _CHANGED.format(path=path)
+    return msg(
+        "{path} is damaged: its checksum does not hold, so names, texts or whole edits and labels "
+        "in it may be wrong or missing; compare it with a copy or a backup",
+        path=path,
+    )
 
 
-def note_of_missing_seal(path: Path) -> str:
+def note_of_missing_seal(path: Path) -> Message:
     """The note on a file that must have a checksum and has none."""
-    return _NO_SEAL.format(path=path)
+    return msg(
+        "{path} is damaged at its end, or another program wrote into it: the checksum that every "
+        "save ends with is gone, so it cannot be told whether names, texts, edits and labels in it "
+        "are as they were saved; compare it with a copy or a backup",
+        path=path,
+    )

@@ -14,7 +14,6 @@ from pathlib import Path
 from tracking.editing import History
 from tracking.errors import EditError, OutputError, SessionError, UnsafeFileError
 from tracking.owned_files import check_folder, open_file
-from tracking.recording.plurals import counted
 from tracking.session.edited_tracks import EditedTracks
 from tracking.session.image import Snapshot, Stamps
 from tracking.session.journal import ENDINGS, Journal, Step
@@ -25,7 +24,7 @@ from tracking.session.notes import MAY_MISS, tell_damage
 from tracking.session.recovery import MissingSteps, explain_misfit, find_missing_steps
 from tracking.session.session_reader import read_session
 from tracking.session.session_writer import companions, file_state
-from tracking.translation import msg
+from tracking.translation import Message, count_msg, msg
 
 _MOST_KEPT = 5
 """Journals kept aside that are looked through when a session is opened."""
@@ -67,13 +66,13 @@ def notes_on_kept(path: Path, stamps: Stamps, history: History) -> dict[Path, st
             ]
             lost = sum((one.id, one.time, one.author, one.text) not in known for one in made)
             if lost:
-                verb = "is" if lost == 1 else "are"
-                notes[kept] = msg(
-                    "{edits} made after the last save of {path} {verb} not in it, but "
-                    "kept aside as {kept}",
-                    edits=counted(lost, "edit"),
+                notes[kept] = count_msg(
+                    lost,
+                    "{n} edit made after the last save of {path} is not in it, but kept aside as "
+                    "{kept}",
+                    "{n} edits made after the last save of {path} are not in it, but kept aside as "
+                    "{kept}",
                     path=path,
-                    verb=verb,
                     kept=kept,
                 )
     return notes
@@ -118,12 +117,17 @@ def _read(path: Path) -> ReadSession:
                 may_miss=MAY_MISS,
             )
             if problem
-            else ""
+            else Message()
         )
     except EditError as why:
-        note = f"{explain_misfit(steps[made:])} ({why}): {MAY_MISS}"
+        note = msg(
+            "{misfit} ({why}): {may_miss}",
+            misfit=explain_misfit(steps[made:]),
+            why=why,
+            may_miss=MAY_MISS,
+        )
     except SessionError as why:
-        note = f"{why.reason}: {MAY_MISS}"
+        note = msg("{reason}: {may_miss}", reason=why.reason, may_miss=MAY_MISS)
     except OSError as why:
         raise OutputError(
             "{path}: the edits that wait in its journal cannot be read ({reason})",

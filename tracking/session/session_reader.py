@@ -36,7 +36,7 @@ from tracking.session.stamps import now
 from tracking.session.table_reader import PendingColumns
 from tracking.tracks import LARGEST_NUMBER, TrackTable
 from tracking.translation import msg
-from tracking.untrusted import DAMAGED, verdicts_of
+from tracking.untrusted import verdicts_of
 
 _MOST_FPS, _WIDEST = 1e6, 1 << 20
 _ALL_SEALED = (1, 5)
@@ -108,7 +108,7 @@ def check_version(path: Path) -> tuple[tuple[int, int], tuple[str, ...]]:
             "{path}{why}{way_out}",
             path=path,
             why=verdict["refused"],
-            way_out=_way_out(path, verdict["refused"]),
+            way_out=_way_out(path, unreadable="unreadable" in verdict),
         )
     version = _version(verdict)
     damaged = _damage_of(path, version)
@@ -148,11 +148,11 @@ def inspect_files(paths: Sequence[Path]) -> list[dict[str, Any]]:
     return verdicts_of(inspection.__file__, "session", paths)
 
 
-def _way_out(path: Path, refused: str) -> str:
+def _way_out(path: Path, *, unreadable: bool) -> str:
     """What can be done about a file that is refused, for the end of a message."""
     if find_backups(path):
         return msg("; trackwright restore {name} has back what was saved before", name=path.name)
-    if refused == DAMAGED:
+    if unreadable:
         return msg("; no older save is kept: bring a copy of it, or track the recording again")
     return ""
 

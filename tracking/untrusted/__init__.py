@@ -3,7 +3,6 @@
 from tracking.untrusted.named_format import named_format
 from tracking.untrusted.patience import go_on
 from tracking.untrusted.program import (
-    DAMAGED,
     bare_packages,
     limit,
     say_verdicts,

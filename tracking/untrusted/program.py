@@ -2,7 +2,8 @@
 
 Such a program takes file names and prints one line of JSON a file, as soon as it is found:
 {"version": [major, minor]} (or what else such a program tells of a file that may be read), or
-{"refused": why, "held": what}, a message that follows the file's name.
+{"refused": why, "held": what}, a message that follows the file's name; "unreadable" where nothing
+better is known than that the file is damaged.
 """
 
 from __future__ import annotations
@@ -24,7 +25,7 @@ from tracking.untrusted.walk import Refused
 
 MEMORY_BYTES = 4 << 30
 SECONDS = 10
-DAMAGED = joined(" ", ("", msg("is damaged or cut short")))
+_DAMAGED = joined(" ", ("", msg("is damaged or cut short")))
 """Why a file is refused of which nothing better is known."""
 
 
@@ -64,7 +65,7 @@ def verdict_by(
     except Refused as why:
         return {"refused": joined(" ", ("", why)), "held": why.held}
     except Exception:  # what the library says of a damaged file tells its users nothing
-        return {"refused": DAMAGED}
+        return {"refused": _DAMAGED, "unreadable": True}
 
 
 def limit(memory_bytes: int = MEMORY_BYTES) -> None:
