@@ -16,6 +16,7 @@ from tracking.errors import OutputError, SessionError
 from tracking.session import Session, describe, pending_edits
 from tracking.session.journal import Journal
 from tracking.session.journal_limits import TimeLimit
+from tracking.session.journal_schema import SELECT
 from tracking.session.session_writer import companions
 
 MIB = 1 << 20
@@ -244,7 +245,7 @@ def test_starting_over_and_taking_a_step_out_end_in_time(
 ) -> None:
     journal, other = Journal(journal_of(emptied)), Journal(journal_of(emptied))
     assert journal.origin is not None
-    row = other._base.execute("SELECT * FROM steps WHERE number = 5").fetchone()
+    row = other._base.execute(f"{SELECT} WHERE number = 5").fetchone()
     other._last, other._checksums, other._failed = 4, other._checksums[:4], (5, row[-1])
     request.getfixturevalue("no_time")
     with pytest.raises(OutputError, match="takes too long"):

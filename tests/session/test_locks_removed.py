@@ -16,6 +16,7 @@ from tracking.editing import plan_rename, plan_split
 from tracking.errors import OutputError, SessionError
 from tracking.session import Session, store
 from tracking.session.journal import Journal
+from tracking.session.journal_schema import SELECT
 from tracking.session.session_writer import companions
 from tracking.session.store import Store
 
@@ -219,7 +220,7 @@ def fail_commits(monkeypatch: pytest.MonkeyPatch) -> None:
     def failing(self: Journal, *what: object) -> None:
         checksums, last, origin = list(self._checksums), self._last, self._origin
         append(self, *what)
-        row = self._base.execute("SELECT * FROM steps WHERE number = ?", (self._last,)).fetchone()
+        row = self._base.execute(f"{SELECT} WHERE number = ?", (self._last,)).fetchone()
         self._checksums, self._last, self._origin = checksums, last, origin
         self._failed = (row[0], row[-1])
         raise OutputError("the disk failed")

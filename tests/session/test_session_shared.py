@@ -17,6 +17,7 @@ from tracking.errors import OutputError, SessionError
 from tracking.session import Session, find_backups
 from tracking.session.journal import Journal
 from tracking.session.journal_rows import number_rows
+from tracking.session.journal_schema import SELECT
 from tracking.session.session_writer import companions
 from tracking.session.store import Store
 
@@ -188,7 +189,7 @@ def unfit(path: Path, number: int) -> Path:
     with sqlite3.connect(companions(path) / "journal.sqlite") as journal:
         journal.execute("UPDATE steps SET before = '{', after = '{' WHERE number = ?", (number,))
         origin = journal.execute("SELECT session, save FROM origin").fetchone()
-        rows = journal.execute("SELECT * FROM steps ORDER BY number").fetchall()
+        rows = journal.execute(f"{SELECT} ORDER BY number").fetchall()
         for row in number_rows(rows, *origin):
             journal.execute("UPDATE steps SET checksum = ? WHERE number = ?", (row[-1], row[0]))
     journal.close()

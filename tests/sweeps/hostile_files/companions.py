@@ -119,7 +119,7 @@ _JOURNALS = {
     "an index on what is costly": _sql("CREATE INDEX i ON steps(length(hex(text)))"),
     "300,000 junk steps": _sql(
         f"{_up_to(300_000, 9)} INSERT INTO steps "
-        "SELECT i, 'apply', i, '', '', 'x', 'x', 0, '{}', '{}', 0, '', '' FROM n"
+        "SELECT i, 'apply', i, '', '', 'x', 'x', 0, '{}', '{}', 0, '', '', '' FROM n"
     ),
     "a step of 200 MB": _sql("UPDATE steps SET after = hex(zeroblob(100000000))"),
     "a step nested endlessly": _sql(f"UPDATE steps SET after = '{'[' * 100_000}'"),
