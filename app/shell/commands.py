@@ -7,6 +7,7 @@ from typing import Final
 from app.core.commands.command import Command
 from app.features.correction import commands as correction
 from app.features.counting import commands as counting
+from app.features.detections import commands as detections
 from app.features.labelling import commands as labelling
 from app.features.parts import commands as parts
 from app.features.pictures import commands as pictures
@@ -22,6 +23,7 @@ COMMANDS: Final[tuple[Command[WindowApp], ...]] = (
     *window_commands.EDIT,
     *pictures.CAMERAS,
     *pictures.OVERLAYS,
+    *detections.VIEWS,
     *labelling.VIEWS,
     *parts.VIEWS,
     *counting.COMMANDS,

@@ -13,6 +13,7 @@ from app.features.comparison.controller import ComparisonController
 from app.features.correction.controller import EditController
 from app.features.correction.drag_controller import DragController
 from app.features.counting.controller import CountController
+from app.features.detections.controller import DetectionsController
 from app.features.history.controller import HistoryWalk
 from app.features.labelling.controller import LabelController
 from app.features.parts.controller import PartsController
@@ -63,6 +64,7 @@ class RecordingController(Controller):
             self,
         )
         self.scoring = ScoreController(document, self.playback, workspace.score, surfaces, self)
+        self.detections = DetectionsController(document, surfaces, self)
         self.comparing = ComparisonController(document, self.playback, workspace.differences, self)
         self.tracking = TrackerAtWork(document, self.playback, self.comparing, self)
         self.live = self.tracking.live
@@ -92,6 +94,7 @@ class RecordingController(Controller):
             one.changed.connect(self.draw)
         self.parts.changed.connect(self.draw)
         self.counting.changed.connect(self.draw_frame)
+        self.detections.changed.connect(self.draw_frame)
         self.scoring.changed.connect(self._draw_scored)
         self.tracking.changed.connect(self.draw)
         self.colouring.changed.connect(self._draw_coloured)
@@ -110,6 +113,7 @@ class RecordingController(Controller):
         self.parts.close()
         self.counting.close()
         self.scoring.close()
+        self.detections.close()
         self.playback.close()
         try:
             if self.document.session is not None:
@@ -216,6 +220,7 @@ class RecordingController(Controller):
         view.overhead.show_scene(self.scenes.overhead.scene(state))
         self.counting.draw(state, self.view_options)
         self.scoring.draw(state, self.view_options, self.cameras)
+        self.detections.draw(state, self.view_options, self.cameras)
         counted = self.counting.texts_at(state, self.view_options)
         self.labelling.draw(self.cameras == "both", self.view_options.labels, counted)
         self.parts.draw(state, self.view_options)

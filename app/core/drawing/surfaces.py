@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QWidget
 
 from app.core.drawing.canvas import Canvas
 from app.core.scenes.flow_map import FlowScene
+from app.core.scenes.given_boxes import NO_DETECTIONS, PicturedDetections
 from app.core.scenes.ground_truth import FlooredTruth, PicturedTruth
 from app.core.scenes.labels import FloorLabels, PictureLabels
 from app.core.scenes.other_people import OtherMark, OtherPlace
@@ -38,6 +39,7 @@ class PictureSurface(Canvas):
         self._parts = PicturedParts()
         self._others: tuple[OtherMark, ...] = ()
         self._truth = PicturedTruth()
+        self._detections: PicturedDetections = NO_DETECTIONS
 
     def show_labels(self, labels: PictureLabels) -> None:
         """Draw what people drew and said at this instant."""
@@ -53,6 +55,12 @@ class PictureSurface(Canvas):
         """Draw another session's people, thin and dashed."""
         if others or self._others:
             self._others = others
+            self.update()
+
+    def show_detections(self, detections: PicturedDetections) -> None:
+        """Draw the boxes of another program's detector, thin and dashed."""
+        if detections != self._detections:
+            self._detections = detections
             self.update()
 
     def show_truth(self, truth: PicturedTruth) -> None:

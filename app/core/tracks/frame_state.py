@@ -22,6 +22,7 @@ class ViewOptions:
     grid: bool = False
     particles: bool = False
     trails: bool = True
+    detections: bool = True
     foreground: bool = False
     disparity: bool = False
     labels: bool = True
@@ -56,7 +57,7 @@ class ViewOptions:
 
 
 _LASTING = (
-    *("grid", "particles", "trails", "labels", "parts", "part_particles", "counts"),
+    *("grid", "particles", "trails", "detections", "labels", "parts", "part_particles", "counts"),
     "floor_legend",
 )
 """Panels, and what is worked out on request, are asked for anew in each recording."""

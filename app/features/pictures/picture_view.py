@@ -12,6 +12,7 @@ from PySide6.QtGui import QColor, QFontMetricsF, QImage, QPainter, QPen
 from PySide6.QtWidgets import QWidget
 
 from app.core.drawing.compare_marks import draw_other_boxes
+from app.core.drawing.detection_marks import draw_detections
 from app.core.drawing.label_marks import draw_outlines, draw_parts
 from app.core.drawing.name_plates import draw_message
 from app.core.drawing.part_cards import draw_cards
@@ -239,6 +240,7 @@ class PictureView(PictureSurface):
         draw_outlines(painter, self._labels.outlines, self.viewport, shown, theme)
         draw_preview(painter, self._scene.preview, self.viewport)
         draw_ghosts(painter, self._scene.ghosts, self.viewport)
+        draw_detections(painter, self._detections, self.viewport)
         draw_other_boxes(painter, self._others, self.viewport, theme, shown)
         captions = self._lay_out_captions(area)
         draw_people(painter, self._scene.people, self.viewport)
@@ -275,7 +277,11 @@ class PictureView(PictureSurface):
     def _words(self) -> tuple[str, str, tuple[LegendEntry, ...]]:
         """The camera's name, the message, what colours mean."""
         told = () if self._low and self._truth.floor_tells else self._truth.legend
-        return self._camera_name, self._scene.message, (*told, *self._scene.legend)
+        return (
+            self._camera_name,
+            self._scene.message,
+            (*told, *self._detections.legend, *self._scene.legend),
+        )
 
     def _lay_out_captions(self, area: QRectF) -> Captions:
         """Before people's names, which keep clear of them."""

@@ -30,6 +30,7 @@ from app.core.widgets.parts import quiet
 from app.core.widgets.settings_form import SettingsForm
 from app.core.widgets.settings_search import SettingSearch
 from app.core.widgets.user_settings import UserSettings
+from app.features.runs.detections_line import FILLED_IN, DetectionsLine
 from app.features.runs.parts_line import PartsLine
 from tracking.errors import TrackwrightError
 from tracking.recording import Recording
@@ -66,6 +67,7 @@ class TrackDialog(QDialog):
         self._title.setWordWrap(True)
         self._number_fields(recording.frame_count - 1)
         self._parts = PartsLine(asked or PartSettings(), self)
+        self._detections = DetectionsLine(recording, remembered, self)
         self._remembered = remembered
         self._search = SettingSearch(self)
         self._search.textChanged.connect(self._find)
@@ -77,7 +79,7 @@ class TrackDialog(QDialog):
         self._forms = QStackedWidget(self)
         for name in self._names:
             self._add_choice(name)
-            form = SettingsForm(TRACKERS[name], self, without=(DETECTOR, OCCLUDERS))
+            form = SettingsForm(TRACKERS[name], self, without=(DETECTOR, OCCLUDERS, *FILLED_IN))
             form.show_expert(self._expert.isChecked())
             self._forms.addWidget(_scrolled(form))
         self._choice.currentIndexChanged.connect(self._show_tracker)
@@ -127,6 +129,7 @@ class TrackDialog(QDialog):
         form.addRow(tr("Frames"), self._frames_line())
         form.addRow(tr("Seed"), self._seed)
         form.addRow("", self._refused)
+        self._detections.add_to(form)
         form.addRow("", self._parts)
         rows.addLayout(form)
         seeking = QHBoxLayout()
@@ -178,6 +181,7 @@ class TrackDialog(QDialog):
         if tracker in self._names and not self._why_not[tracker]:
             self._choice.setCurrentIndex(self._names.index(tracker))
             self.form.put_known(values)
+            self._detections.put(values)
         self._seed.setValue(seed)
 
     def put_frames(self, first: int, last: int) -> None:
@@ -199,7 +203,8 @@ class TrackDialog(QDialog):
         frames = None if chosen == self._whole else (chosen[0], chosen[1] + 1)
         name = self._names[self._choice.currentIndex()]
         asked = self._parts.asked()
-        settings = asked.filled(TRACKERS[name].settings_type, self.form.values())
+        values = {**self.form.values(), **self._detections.values()}
+        settings = asked.filled(TRACKERS[name].settings_type, values)
         return name, settings, self._seed.value(), frames
 
     def _show_tracker(self, index: int) -> None:

@@ -1,0 +1,1 @@
+"""Detections of another program over the pictures."""

@@ -1,0 +1,73 @@
+"""Detections of another program: read in the background, drawn over the pictures."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QObject, Qt
+
+from app.core.controller import Controller
+from app.core.document.document import Document
+from app.core.drawing.surfaces import Surfaces
+from app.core.jobs.latest_job import LatestJob
+from app.core.scenes import Side
+from app.core.scenes.given_boxes import NO_DETECTIONS
+from app.core.tracks.frame_state import FrameState, ViewOptions
+from app.features.detections.presenter import GivenTo, boxes_of, picture
+from tracking.detections import GivenBoxes
+from tracking.errors import SettingsError
+from tracking.progress import Progress
+
+_Found = tuple[GivenTo, GivenBoxes | None]
+
+
+class DetectionsController(Controller):
+    """Draws the boxes that the tracker of what is shown was given.
+
+    `changed`: they have been read.
+    """
+
+    def __init__(self, document: Document, surfaces: Surfaces, parent: QObject) -> None:
+        super().__init__(parent)
+        self._document, self._surfaces = document, surfaces
+        self._found: _Found | None = None
+        self._search = LatestJob("detections", self._prepare, self)
+        self._search.found.connect(self._take)
+        self._search.failed.connect(lambda _, error: self.failed.emit(error))
+        self._search.changed.connect(self.changed, Qt.ConnectionType.QueuedConnection)
+
+    def close(self) -> None:
+        """End the thread; leave nothing on the views, which outlive the document."""
+        self._search.stop()
+        self._show(None, 0, cameras="left")
+
+    def draw(self, state: FrameState, view_options: ViewOptions, cameras: str) -> None:
+        """Show a frame; what is missing for it is read."""
+        given = _given_to(state) if view_options.detections else None
+        if given is not None:
+            self._search.ask(given)
+        known = self._found is not None and self._found[0] == given
+        boxes = self._found[1] if self._found is not None and known else None
+        self._show(boxes, state.frame, cameras)
+
+    def _show(self, boxes: GivenBoxes | None, frame: int, cameras: str) -> None:
+        left = right = NO_DETECTIONS
+        if boxes is not None:
+            left = picture(boxes, Side.LEFT, frame)
+            right = picture(boxes, Side.RIGHT, frame) if cameras == "both" else right
+        self._surfaces.left.show_detections(left)
+        self._surfaces.right.show_detections(right)
+
+    def _prepare(self, given: GivenTo) -> Callable[[Progress], _Found]:
+        recording = self._document.recording
+        return lambda _: (given, boxes_of(recording, given))
+
+    def _take(self, found: _Found) -> None:
+        self._found = found
+
+
+def _given_to(state: FrameState) -> GivenTo | None:
+    try:
+        return GivenTo.of(state.run)
+    except SettingsError:
+        return None  # made by another version

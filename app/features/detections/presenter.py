@@ -1,0 +1,71 @@
+"""Which boxes of another program's detector the tracks that are shown were made with."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from app.core.i18n import tr
+from app.core.scenes import LegendEntry, Side
+from app.core.scenes.given_boxes import DETECTION, NO_DETECTIONS, PicturedDetections
+from app.core.tracks.made_by import MadeBy
+from tracking.detections import DetectionSettings, GivenBoxes, box_source
+from tracking.errors import FormatError
+from tracking.recording import Recording
+from tracking.settings import settings_from
+from tracking.tracks import DetectionsInput, Run
+
+_STAGE = "detections."
+
+
+@dataclass(frozen=True, slots=True)
+class GivenTo:
+    """The detections that a tracker was given.
+
+    Attributes:
+        settings: which, and what of them is used.
+        inputs: the files as they were then; none where it is at work still.
+    """
+
+    settings: DetectionSettings
+    inputs: tuple[DetectionsInput, ...] = ()
+
+    @classmethod
+    def of(cls, run: MadeBy | None) -> GivenTo | None:
+        """Those of what made some tracks; None: it was given none.
+
+        Raises SettingsError where settings of another version say what this one does not know.
+        """
+        values = {} if run is None else dict(run.settings)
+        if not values.get(f"{_STAGE}file"):
+            return None
+        own = {k.removeprefix(_STAGE): v for k, v in values.items() if k.startswith(_STAGE)}
+        settings: DetectionSettings = settings_from(DetectionSettings, own)
+        return cls(settings, run.detections_input if isinstance(run, Run) else ())
+
+
+def boxes_of(recording: Recording, given: GivenTo) -> GivenBoxes | None:
+    """Reads the boxes, on any thread.
+
+    Raises FormatError where they cannot be read, or are not those that the tracker was given.
+    """
+    boxes = box_source(recording, given.settings)
+    if boxes is not None and given.inputs:
+        known = {one.fingerprint for one in given.inputs}
+        for one in boxes.inputs:
+            if one.fingerprint not in known:
+                raise FormatError(
+                    "{file} has changed since the tracks were made with it; its boxes are not "
+                    "drawn",
+                    file=one.file,
+                )
+    return boxes
+
+
+def picture(boxes: GivenBoxes, side: Side, frame: int) -> PicturedDetections:
+    """The boxes of a camera in a frame."""
+    found = boxes.of(frame) if side is Side.LEFT else boxes.of_right(frame)
+    if found is None or not len(found):
+        return NO_DETECTIONS
+    entry = LegendEntry(DETECTION, tr("boxes of {file}", file=boxes.inputs[0].file))
+    rows = ((float(x), float(y), float(w), float(h)) for x, y, w, h in found.box.tolist())
+    return PicturedDetections(tuple(rows), (entry,))

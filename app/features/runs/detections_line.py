@@ -1,0 +1,154 @@
+"""Track with detections: which files of another program's boxes, and how they are used."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import QObject
+from PySide6.QtWidgets import QComboBox, QFormLayout, QHBoxLayout, QPushButton, QWidget
+
+from app.core.error_messages import explain
+from app.core.i18n import tr
+from app.core.jobs.latest_job import LatestJob
+from app.core.widgets.parts import quiet
+from app.core.widgets.questions import choose_file
+from app.core.widgets.user_settings import UserSettings
+from tracking.detections import DetectionSettings, GivenBoxes, box_source
+from tracking.detections.settings import BESIDE, ONLY
+from tracking.progress import Progress
+from tracking.recording import Recording
+from tracking.settings import settings_from
+
+FILE, RIGHT, USE = "detections.file", "detections.file_right", "detections.use"
+FILLED_IN = (FILE, RIGHT, USE)
+"""Settings of all trackers that stand here, not among the others."""
+_NAMES = ("det.txt", "detections.txt", "det/det.txt", "detections.json", "labels")
+"""What other programs call them; offered where one lies in the recording's folder."""
+_FILTER = "(*.txt *.json)"
+
+
+class FileChoice(QWidget):
+    """A file of detections of one camera, out of those found, or one that is chosen."""
+
+    def __init__(
+        self, name: str, found: tuple[str, ...], remembered: UserSettings, parent: QWidget
+    ) -> None:
+        super().__init__(parent)
+        self._remembered = remembered
+        self.files = QComboBox(self)
+        self.files.setAccessibleName(name)
+        self.files.addItem(tr("none"), "")
+        for each in found:
+            self.files.addItem(each, each)
+        line = QHBoxLayout(self)
+        line.setContentsMargins(0, 0, 0, 0)
+        line.addWidget(self.files, 1)
+        for text, folder in ((tr("File..."), False), (tr("Folder..."), True)):
+            button = QPushButton(text, self)
+            button.setAutoDefault(False)
+            button.clicked.connect(partial(self._choose, folder))
+            line.addWidget(button)
+
+    @property
+    def path(self) -> str:
+        """What is chosen, from the recording's folder or absolute; "": none."""
+        return str(self.files.currentData())
+
+    def put(self, path: str) -> None:
+        """Choose a file, which is offered from now on."""
+        at = self.files.findData(path)
+        if at < 0:
+            self.files.addItem(path, path)
+            at = self.files.count() - 1
+        self.files.setCurrentIndex(at)
+
+    def _choose(self, folder: bool) -> None:
+        title = tr("A folder of YOLO text") if folder else tr("Detections of another program")
+        filters = "" if folder else f"{tr('Detections')} {_FILTER}"
+        last = self._remembered.last_folder("detections")
+        choose_file(self, title, filters, lambda path: self.put(str(path)), last, folder=folder)
+
+
+class DetectionsLine(QObject):
+    """Rows of a form that choose detections for one camera or both, and tell what is in them."""
+
+    def __init__(self, recording: Recording, remembered: UserSettings, parent: QWidget) -> None:
+        """The controls; `add_to` gives them their places."""
+        super().__init__(parent)
+        found = tuple(name for name in _NAMES if _is_there(recording.folder / name))
+        self._left = FileChoice(tr("Detections"), found, remembered, parent)
+        self._right = FileChoice(tr("Detections of the right camera"), (), remembered, parent)
+        self._use = QComboBox(parent)
+        self._use.setAccessibleName(tr("How detections are used"))
+        self._use.addItem(tr("beside the foreground"), BESIDE)
+        self._use.addItem(tr("instead of the foreground"), ONLY)
+        self._told = quiet("", parent)
+        self._told.setWordWrap(True)
+        self._form: QFormLayout | None = None
+        self._stereo = recording.is_stereo
+        self._look = LatestJob("detections", partial(_reading, recording), self)
+        self._look.found.connect(self._tell)
+        self._look.failed.connect(self._refuse)
+        for box in (self._left.files, self._right.files, self._use):
+            box.currentIndexChanged.connect(self._follow)
+
+    def add_to(self, form: QFormLayout) -> None:
+        """Put the rows into a form, below those it has."""
+        self._form = form
+        form.addRow(tr("Detections"), self._left)
+        form.addRow(tr("Right camera"), self._right)
+        form.addRow(tr("Used"), self._use)
+        form.addRow("", self._told)
+        self._follow()
+
+    def values(self) -> dict[str, str]:
+        """The settings that are not as they come, by their dotted names."""
+        if not self._left.path:
+            return {}
+        chosen = {FILE: self._left.path}
+        if self._stereo and self._right.path:
+            chosen[RIGHT] = self._right.path
+        if self._use.currentData() != BESIDE:
+            chosen[USE] = str(self._use.currentData())
+        return chosen
+
+    def put(self, values: Mapping[str, Any]) -> None:
+        """Choose what the settings of a run say."""
+        self._left.put(str(values.get(FILE, "")))
+        self._right.put(str(values.get(RIGHT, "")))
+        self._use.setCurrentIndex(max(0, self._use.findData(values.get(USE, BESIDE))))
+
+    def _follow(self) -> None:
+        """Show what is to be said of a file once there is one, and have it read."""
+        some = bool(self._left.path)
+        if self._form is not None:
+            self._form.setRowVisible(self._right, some and self._stereo)
+            self._form.setRowVisible(self._use, some)
+            self._form.setRowVisible(self._told, some)
+        self._look.stop()
+        if some:
+            self._told.setText(tr("Reading detections..."))
+            values = {name.partition(".")[2]: value for name, value in self.values().items()}
+            self._look.ask(settings_from(DetectionSettings, values))
+
+    def _tell(self, boxes: GivenBoxes) -> None:
+        self._told.setText("\n".join(tr(note) for note in boxes.notes))
+
+    def _refuse(self, _: object, error: Exception) -> None:
+        self._told.setText(explain(error))
+
+
+def _is_there(path: Path) -> bool:
+    try:
+        return path.exists() and not path.is_symlink()
+    except OSError:
+        return False
+
+
+def _reading(
+    recording: Recording, settings: DetectionSettings
+) -> Callable[[Progress], GivenBoxes | None]:
+    return lambda _: box_source(recording, settings)

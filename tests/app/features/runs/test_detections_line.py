@@ -1,0 +1,66 @@
+"""Track with detections: what the dialog offers, asks for and tells."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from app.core.widgets.user_settings import UserSettings
+from app.features.runs.track_dialog import TrackDialog
+from tracking.recording import open_recording
+
+ROWS = "".join(f"{n},-1,{20 + n},40,24,60,{0.9 if n % 5 else 0.1}\n" for n in range(1, 81))
+
+
+@pytest.fixture
+def dialog(qtbot: QtBot, tiny_recording: Path, remembered: UserSettings, tmp_path: Path):
+    folder = Path(shutil.copytree(tiny_recording, tmp_path / "tiny"))
+    (folder / "det.txt").write_text(ROWS)
+    with open_recording(folder) as recording:
+        asked = TrackDialog(recording, "three-part", remembered)
+        qtbot.addWidget(asked)
+        asked.show()
+        yield asked
+
+
+def test_a_file_beside_the_recording_is_offered_and_none_is_used_unasked(dialog) -> None:
+    offered = dialog._detections._left.files
+    assert [offered.itemText(row) for row in range(offered.count())] == ["none", "det.txt"]
+    assert dialog.answer()[1].detections.file == ""
+    assert not dialog._detections._use.isVisible()
+
+
+def test_a_chosen_file_is_read_and_its_format_count_and_threshold_are_told(dialog, qtbot) -> None:
+    line = dialog._detections
+    line._left.put("det.txt")
+    qtbot.waitUntil(lambda: "boxes" in line._told.text())
+    assert "det.txt (MOTChallenge text): 64 of 80 boxes are used" in line._told.text()
+    assert "from 0.9 on" in line._told.text()
+    assert dialog.answer()[1].detections.file == "det.txt"
+
+
+def test_the_right_camera_and_the_way_they_are_used_are_asked_for_then(dialog) -> None:
+    line = dialog._detections
+    line._right.put("det.txt")
+    assert dialog.answer()[1].detections.file_right == ""  # nothing without the left one
+    line._left.put("det.txt")
+    line._use.setCurrentIndex(1)
+    assert line._right.isVisible()
+    chosen = dialog.answer()[1].detections
+    assert (chosen.file_right, chosen.use) == ("det.txt", "only")
+
+
+def test_a_file_that_cannot_be_read_is_told(dialog, qtbot, tmp_path: Path) -> None:
+    line, path = dialog._detections, tmp_path / "prose.txt"
+    path.write_text("People walk.\n")
+    line._left.put(str(path))
+    qtbot.waitUntil(lambda: "no file of detections" in line._told.text())
+
+
+def test_the_settings_of_a_run_fill_them_in(dialog) -> None:
+    values = {"detections.file": "boxes.json", "detections.use": "only"}
+    dialog.put_settings("three-part", values, 3)
+    assert dialog._detections.values() == values

@@ -1,0 +1,75 @@
+"""Detections of another program in the window: chosen, tracked with, drawn, kept."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from app.features.runs.track_dialog import TrackDialog
+from app.shell.main_window import MainWindow
+
+ROWS = "".join(f"{n},-1,{20 + n},40,24,60,0.9\n" for n in range(1, 81))
+
+
+@pytest.fixture
+def tracked(window: MainWindow, qtbot: QtBot, tiny_recording: Path, tmp_path: Path) -> MainWindow:
+    """A window in which ten frames were tracked with det.txt."""
+    folder = Path(shutil.copytree(tiny_recording, tmp_path / "tiny"))
+    (folder / "det.txt").write_text(ROWS)
+    window.files.open_path(folder)
+    qtbot.waitUntil(
+        lambda: window.controller is not None and window.controller.playback.frame is not None
+    )
+    window.run_command("tracks.track")
+    dialog = window.findChild(TrackDialog)
+    dialog.put_settings("three-part", {"detections.file": "det.txt"}, 0)
+    dialog.put_frames(0, 9)
+    dialog.accept()
+    qtbot.waitUntil(
+        lambda: (
+            window.files.session is not None
+            and len(window.files.session.runs) == 1
+            and not window.controller.live.running
+        ),
+        timeout=60_000,
+    )
+    window.controller.playback.pause()
+    window.controller.playback.go(4)
+    return window
+
+
+def test_boxes_are_drawn_over_the_picture_until_they_are_switched_off(tracked, qtbot) -> None:
+    view = tracked.workspace.left
+    qtbot.waitUntil(lambda: view._detections.boxes == ((24.0, 39.0, 24.0, 60.0),), timeout=20_000)
+    assert [entry.text for entry in view._detections.legend] == ["boxes of det.txt"]
+    with_boxes = view.grab().toImage()
+    tracked.run_command("view.detections")
+    assert view._detections.boxes == ()
+    assert view.grab().toImage() != with_boxes
+    tracked.run_command("view.detections")
+    assert len(view._detections.boxes) == 1
+
+
+def test_the_run_says_which_detections_the_process_read(tracked) -> None:
+    run = tracked.files.session.runs[0]
+    (given,) = run.detections_input
+    assert (given.file, given.format, given.count) == ("det.txt", "mot", 80)
+    assert run.settings["detections.file"] == "det.txt"
+
+
+def test_boxes_of_a_file_that_has_changed_since_are_not_drawn_and_that_is_told(
+    tracked, qtbot
+) -> None:
+    path = Path(tracked.controller.document.recording.folder) / "det.txt"
+    path.write_text(ROWS.replace("24,60", "30,60"))
+    told = []
+    tracked.controller.failed.connect(told.append)
+    tracked.controller.detections._found = None
+    tracked.controller.detections._search.stop()
+    tracked.controller.draw_frame()
+    qtbot.waitUntil(lambda: bool(told), timeout=20_000)
+    assert "det.txt has changed since the tracks were made with it" in str(told[0])
+    assert tracked.workspace.left._detections.boxes == ()
