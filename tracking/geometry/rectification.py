@@ -128,13 +128,15 @@ class Rectification:
         offset = self.disparity_offset_px
         return self._recorded(self._right, self._rig.right_rotation, points, offset)
 
-    def rectified_from_recorded(self, points: Floats) -> Floats:
-        """Rectified left pixels (n, 2) of left pixels (n, 2) as recorded."""
+    def rectified_from_recorded(self, points: Floats, *, right: bool = False) -> Floats:
+        """Rectified pixels (n, 2) of pixels (n, 2) as recorded, both of the same camera."""
         if self.identity:
             return np.asarray(points, float).reshape(-1, 2)
-        rays = self._left.undistort(points)
-        turned = np.column_stack((rays, np.ones(len(rays)))) @ self._rig.left_rotation.T
-        return self._rectified(turned)
+        camera = self._right if right else self._left
+        rotation = self._rig.right_rotation if right else self._rig.left_rotation
+        rays = camera.undistort(points)
+        turned = np.column_stack((rays, np.ones(len(rays)))) @ rotation.T
+        return self._rectified(turned) - (self.disparity_offset_px if right else 0.0, 0.0)
 
     def world_from_disparity(self, u: Floats, v: Floats, disparity: Floats) -> Floats:
         """World points (n, 3) in metres of rectified left pixels and their disparity (n,) px.

@@ -26,6 +26,7 @@ from tracking.people.given_boxes import BoxSource
 from tracking.people.observation import Observation, Overlays
 from tracking.people.one_camera import OneCamera
 from tracking.people.settings import PeopleSettings
+from tracking.people.stereo_boxes import add_bodies
 from tracking.people.stereo_watch import StereoWatch, shows_nothing
 from tracking.people.working_scale import shrink_of, shrunk
 from tracking.recording.frame import Image, StereoFrame
@@ -144,7 +145,7 @@ class StereoPerception:
         images = self.rectify(frame)
         if not self._are_of_use(frame, images):
             return self._by_left_camera(frame, images[0])
-        left, right = self.subtract(*images)
+        left, right = self._with_bodies(frame.number, *self.subtract(*images))
         shadow = self.shade(left)
         disparity = self.match(left, right)
         people = self.find(left, shadow, disparity)
@@ -162,6 +163,7 @@ class StereoPerception:
     def _by_left_camera(self, frame: StereoFrame, image: Image) -> Observation:
         """What is seen by the left camera; the right one's background is left as it was."""
         left = self._backgrounds[0].subtract(image)
+        left, _ = self._with_bodies(frame.number, left, left)
         shadow = self.shade(left)
         size = (left.mask.shape[1], left.mask.shape[0])
         people = self._one_camera.find(left, in_size(shadow, size) & left.mask)
@@ -175,7 +177,7 @@ class StereoPerception:
         Raises:
             RecordingError: the frame has no right camera.
         """
-        left, right = self.subtract(*self.rectify(frame))
+        left, right = self._with_bodies(frame.number, *self.subtract(*self.rectify(frame)))
         shadow = self.shade(left)
         disparity = None if frame.right_lag is None else self.match(left, right)
         return self._overlays(left.mask, shadow, disparity)
@@ -203,6 +205,14 @@ class StereoPerception:
     def subtract(self, left: Image, right: Image) -> tuple[Subtraction, Subtraction]:
         """Both cameras against their backgrounds."""
         return self._backgrounds[0].subtract(left), self._backgrounds[1].subtract(right)
+
+    def _with_bodies(
+        self, frame: int, left: Subtraction, right: Subtraction
+    ) -> tuple[Subtraction, Subtraction]:
+        """Both cameras with the bodies that boxes show in the foreground."""
+        if self._boxes is None:
+            return left, right
+        return add_bodies(left, right, self._boxes, frame, self._rectification, self._shrink)
 
     def shade(self, left: Subtraction) -> Mask:
         """(rows, columns) uint8 on the grid: where the left foreground is shadow, if anywhere."""

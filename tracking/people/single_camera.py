@@ -7,7 +7,7 @@ from collections.abc import Iterable
 import cv2
 import numpy as np
 
-from tracking.arrays import Mask
+from tracking.arrays import Floats, Mask
 from tracking.foreground import (
     PERHAPS,
     BackgroundModel,
@@ -19,18 +19,23 @@ from tracking.foreground import (
 from tracking.geometry import View
 from tracking.people import upright
 from tracking.people.body_scale import Standing
+from tracking.people.box_bodies import working_boxes
+from tracking.people.box_regions import join_regions, regions_of_boxes, with_boxes
 from tracking.people.ghosts import without_ghosts
 from tracking.people.given_boxes import BoxSource
 from tracking.people.observation import Observation, Overlays
 from tracking.people.region_features import described, in_full
 from tracking.people.regions_of_people import people_regions
 from tracking.people.settings import PeopleSettings
+from tracking.people.silhouettes import Labels
 from tracking.people.working_scale import shrink_of, shrunk
 from tracking.recording.frame import Image, StereoFrame
 
 _NEAREST = cv2.INTER_NEAREST
 _PROTECTED = np.ones((17, 17), np.uint8)
 """Round people the background is not learnt."""
+_AROUND_BOXES = np.ones((5, 5), np.uint8)
+"""What borders on a body in a box is part of it."""
 
 
 class SingleCameraPerception:
@@ -60,6 +65,7 @@ class SingleCameraPerception:
         self._view = view
         self._settings = people or PeopleSettings()
         self._boxes = boxes
+        self._shrink = 1
 
     @property
     def notes(self) -> tuple[str, ...]:
@@ -76,16 +82,36 @@ class SingleCameraPerception:
     def observe(self, frame: StereoFrame) -> Observation:
         """What is seen in the frame. Frames come in order."""
         image = frame.left
+        self._shrink = shrink_of(image.shape[1])
         seen = self._background.subtract(self._working(image))
         shadow = self._shadows.shadows(seen)
-        standing = Standing(self._view, shrink_of(image.shape[1]), self._settings)
-        regions = people_regions(self._kinds(seen, shadow), standing)
-        known = self._view is not None
-        regions = without_ghosts(regions, seen.picture, seen.background, floor_known=known)
+        standing = Standing(self._view, self._shrink, self._settings)
+        kind = self._kinds(seen, shadow)
+        given, boxes = self._given(frame.number, kind)
+        regions = join_regions(given, self._beside(seen, kind, given, standing))
         people = described(regions, seen.picture, image.shape, standing, self._settings)
+        people = with_boxes(people, boxes, standing, self._shrink)
         self._remember(seen, regions)
         overlays = self._overlays(seen.mask, shadow, image)
         return Observation(frame.number, frame.time_s, people, overlays, image)
+
+    def _given(self, frame: int, kind: Mask) -> tuple[Labels, Floats]:
+        """The regions of the boxes given, and these boxes (n, 4) as recorded."""
+        none = np.zeros_like(kind), np.zeros((0, 4))
+        if self._boxes is None or not len(boxes := self._boxes.of(frame).box):
+            return none
+        labels, shown = regions_of_boxes(working_boxes(boxes, self._shrink), kind)
+        return labels, boxes[shown]
+
+    def _beside(self, seen: Subtraction, kind: Mask, given: Labels, standing: Standing) -> Labels:
+        """The regions of people in the foreground that no box explains."""
+        if self._boxes is not None and self._boxes.only:
+            return np.zeros_like(kind)
+        if given.any():
+            kind = np.where(cv2.dilate(given, _AROUND_BOXES) > 0, np.uint8(0), kind)
+        regions = people_regions(kind, standing)
+        known = self._view is not None
+        return without_ghosts(regions, seen.picture, seen.background, floor_known=known)
 
     def overlays(self, frame: StereoFrame) -> Overlays:
         """What a view may lay over a frame; nothing is remembered, frames come in any order."""

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from tracking.foreground import BackgroundModel, ForegroundSettings, ShadowRemover, Subtraction
 from tracking.people import Detections, Observation, Overlays
+from tracking.people.box_bodies import paint_bodies, working_boxes
 from tracking.people.given_boxes import BoxSource
 from tracking.recording.frame import Image, StereoFrame
 from tracking.trackers.flow.half_resolution import double, halve
@@ -73,7 +74,7 @@ class FlowPerception:
     def observe(self, frame: StereoFrame) -> FlowObservation:
         """The frame's picture and foreground. Frames come in order."""
         seen = self._background.subtract(halve(frame.left))
-        mask = self._mask(seen)
+        mask = self._mask(seen, frame.number)
         self._background.update(seen)
         people = Detections.none(frame.left.shape[:2])
         overlays = _overlays(mask, frame.left)
@@ -81,13 +82,23 @@ class FlowPerception:
 
     def overlays(self, frame: StereoFrame) -> Overlays:
         """What a view may lay over a frame; nothing is remembered, frames come in any order."""
-        return _overlays(self._mask(self._background.subtract(halve(frame.left))), frame.left)
+        return _overlays(
+            self._mask(self._background.subtract(halve(frame.left)), frame.number), frame.left
+        )
 
-    def _mask(self, seen: Subtraction) -> Mask:
+    def _mask(self, seen: Subtraction, frame: int) -> Mask:
         shadow = self._shadows.shadows(seen)
         solid = cv2.morphologyEx(seen.mask, cv2.MORPH_CLOSE, _SOLID)
         mask = np.where(solid > 0, np.uint8(BODY), np.uint8(0))
         mask[shadow == _TOLD_SHADOW] = SHADE
+        if self._boxes is None:
+            return mask
+        boxes = working_boxes(self._boxes.of(frame).box, 2)
+        solid = (mask == BODY).astype(np.uint8) * np.uint8(255)
+        painted = paint_bodies(solid, boxes, 255, only=self._boxes.only)
+        if self._boxes.only:
+            mask = np.zeros_like(mask)
+        mask[painted > 0] = BODY
         return mask
 
 

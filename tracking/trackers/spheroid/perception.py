@@ -20,6 +20,7 @@ from tracking.foreground import (
 )
 from tracking.geometry import FlatView, View
 from tracking.people import Detections, Observation, Overlays
+from tracking.people.box_bodies import paint_bodies, working_boxes
 from tracking.people.given_boxes import BoxSource
 from tracking.people.working_scale import shrink_of, shrunk
 from tracking.recording.frame import Image, StereoFrame
@@ -29,6 +30,8 @@ Picture = NDArray[np.uint8]
 _SMOOTHED = cv2.getStructuringElement(cv2.MORPH_CROSS, (3, 3))
 _SHADOW = 100
 """Weight below which foreground is shown as a shadow."""
+_BODY = 230
+"""B times 255 of a body in a box: detectors err more than foreground that differs much."""
 _PROTECTED = np.ones((9, 9), np.uint8)
 """Round people the background is not learnt."""
 
@@ -40,10 +43,12 @@ class FlatObservation(Observation):
     Attributes:
         ramp: (height, width) uint8, B times 255 in flat pixels: see `FlatView`.
         working: the picture beside its background, shrunk but not undistorted.
+        boxes: (n, 4) of another program's detector, px as recorded; its bodies are in the ramp.
     """
 
     ramp: Picture = field(kw_only=True)
     working: Subtraction = field(kw_only=True)
+    boxes: NDArray[np.float64] = field(kw_only=True)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -106,7 +111,8 @@ class SpheroidPerception:
         seen = self._background.subtract(self._working(frame.left))
         self.camera.look(frame.number, seen.picture)
         weight = self._shadows.weigh(seen)
-        flat = self.flat.flatten(self._weigh(seen, weight))
+        boxes = self._boxes_of(frame)
+        flat = self.flat.flatten(self._with_bodies(self._weigh(seen, weight), boxes))
         self._last, self._masks = seen, None
         return FlatObservation(
             frame.number,
@@ -116,6 +122,7 @@ class SpheroidPerception:
             frame.left,
             ramp=flat,
             working=seen,
+            boxes=boxes,
         )
 
     def tell(self, people: BodyMasks) -> None:
@@ -136,7 +143,19 @@ class SpheroidPerception:
         No state is kept, frames come in any order.
         """
         seen = self._background.subtract(self._working(frame.left))
-        return _in_full(self._weigh(seen, self._shadows.weigh(seen)), frame)
+        weighed = self._weigh(seen, self._shadows.weigh(seen))
+        return _in_full(self._with_bodies(weighed, self._boxes_of(frame)), frame)
+
+    def _boxes_of(self, frame: StereoFrame) -> NDArray[np.float64]:
+        """(n, 4) px as recorded."""
+        return np.zeros((0, 4)) if self._boxes is None else self._boxes.of(frame.number).box
+
+    def _with_bodies(self, weighed: Picture, boxes: NDArray[np.float64]) -> Picture:
+        """B times 255 with bodies in the boxes (n, 4) px as recorded."""
+        if self._boxes is None:
+            return weighed
+        working = working_boxes(boxes, self.flat.shrink)
+        return paint_bodies(weighed, working, _BODY, only=self._boxes.only)
 
     def _weigh(self, seen: Subtraction, weight: Picture) -> Picture:
         """B times 255 with shadows weighed down, not undistorted."""

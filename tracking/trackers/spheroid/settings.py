@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from tracking.detections import DetectionSettings
+from tracking.detections.settings import ONLY, DetectionSettings
 from tracking.errors import SettingsError
 from tracking.foreground import ForegroundSettings, RampSettings
 from tracking.setting import setting, stage
@@ -186,6 +186,11 @@ class SpheroidSettings:
     ramp: RampSettings = stage(RampSettings)
     foreground: ForegroundSettings = stage(_sensitive, unused=_UNUSED)
     detections: DetectionSettings = stage(DetectionSettings)
+
+    @property
+    def only_boxes(self) -> bool:
+        """Whether people are seen by another program's boxes alone."""
+        return bool(self.detections.file) and self.detections.use == ONLY
 
     @property
     def newcomer_m(self) -> float:

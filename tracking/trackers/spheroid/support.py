@@ -21,8 +21,9 @@ _WHOLE = 0.85
 _LEFT = 0.2
 """Share of a silhouette in the picture below which the person has left it."""
 _EDGE = 0.75
-_EMPTY_S = 0.6
-"""Who has no foreground for so long, and is in plain sight, is not there."""
+_EMPTY_S, _UNBOXED_S = 0.6, 1.5
+"""Who has no foreground for so long, or no box, and is in plain sight, is not there: detectors miss
+people now and then."""
 _QUIET_M_PER_S = 0.12
 """Slower than this, somebody stands."""
 
@@ -82,7 +83,8 @@ def should_keep(people: SpheroidPeople, settings: SpheroidSettings) -> NDArray[n
     gathered = people.spread <= settings.max_spread_m
     if settings.paper:
         return np.asarray(gathered)
+    empty_s = _UNBOXED_S if settings.only_boxes else _EMPTY_S
     in_plain_sight = people.shown > 0.5
-    patience_s = np.where(in_plain_sight, _EMPTY_S, settings.report_occluded_s)
-    patience_s = np.where(people.inside < _EDGE, np.minimum(patience_s, _EMPTY_S), patience_s)
+    patience_s = np.where(in_plain_sight, empty_s, settings.report_occluded_s)
+    patience_s = np.where(people.inside < _EDGE, np.minimum(patience_s, empty_s), patience_s)
     return np.asarray(gathered & (people.inside > _LEFT) & (people.missed_s <= patience_s))

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.people import Observation
+from tracking.people.box_bodies import in_boxes
 from tracking.trackers.shared.gating import nearest_others_m
 from tracking.trackers.shared.protocol import StepResult
 from tracking.trackers.shared.resumption import Resume
@@ -175,7 +176,7 @@ class SpheroidTracker(TrackerBase[SpheroidSettings]):
             alike = appearance_log_weights(people, colours, known, settings.colour_weight)
             alike[seen_steeply(people, flat)] *= _STEEP_COLOURS
         judged = self._judged_frame(people, seen)
-        people, windows = judge_and_weigh(people, judged, flat, settings, alike)
+        people, windows = judge_and_weigh(people, judged, flat, settings, alike, seen.boxes)
         return measure_support(people, windows, flat, settings, elapsed_s)
 
     def _terminate(self, people: SpheroidPeople, seen: FlatObservation) -> SpheroidPeople:
@@ -184,12 +185,18 @@ class SpheroidTracker(TrackerBase[SpheroidSettings]):
         if seen.time_s >= self._next_ghosts_s:
             self._next_ghosts_s = seen.time_s + _GHOST_EVERY_S
             still = np.flatnonzero(there & (people.quiet_s > _GHOST_QUIET_S))
-            outlines = silhouettes(people.select(still), self._flat, self._settings, _GHOST_SCALE)
-            there[still] = ~are_ghosts(self._flat, outlines, seen.ramp, seen.working)
+            there[still] = ~self._are_ghosts(people.select(still), seen)
         lost = self._coasting.append(people.select(~there), seen.time_s)
         kept_s = 0.0 if self._settings.paper else self._settings.coast_s
         self._coasting = lost.select(seen.time_s - lost.at_s < kept_s)
         return people.select(there)
+
+    def _are_ghosts(self, people: SpheroidPeople, seen: FlatObservation) -> Flags:
+        """(people,) who is but a hole in the background; nobody whom a detector sees."""
+        outlines = silhouettes(people, self._flat, self._settings, _GHOST_SCALE)
+        middle = self._flat.recorded_from_flat(np.column_stack((outlines.u, outlines.v)))
+        ghosts = are_ghosts(self._flat, outlines, seen.ramp, seen.working)
+        return ghosts & ~in_boxes(middle, seen.boxes)
 
     def _initiate(
         self, people: SpheroidPeople, seen: FlatObservation, look: ColourLook
@@ -204,8 +211,7 @@ class SpheroidTracker(TrackerBase[SpheroidSettings]):
         new = concatenate([self._begin(states), others])
         if len(new) == 0:
             return people
-        outlines = silhouettes(new, self._flat, settings, _GHOST_SCALE)
-        new = new.select(~are_ghosts(self._flat, outlines, seen.ramp, seen.working))
+        new = new.select(~self._are_ghosts(new, seen))
         return self._add(people, new, look, seen.time_s)
 
     def _search(self, people: SpheroidPeople, seen: FlatObservation) -> NDArray[np.float64]:

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.geometry import Ellipses, FlatView, standing_ellipses
+from tracking.trackers.spheroid.box_cues import box_log_weights, flat_boxes
 from tracking.trackers.spheroid.feet import feet_of, feet_parts, feet_scores
 from tracking.trackers.spheroid.filter_steps import weigh_hypotheses
 from tracking.trackers.spheroid.hypotheses import Floats, SpheroidPeople
@@ -40,6 +41,9 @@ _SHARPNESS = 40.0
 """Logarithm of the weight of a hypothesis that explains everything, over one of nothing."""
 _FEET = 4.0
 """The same of one whose legs end where legs are seen to end, over one without legs."""
+_BOXES_TELL = 0.08
+"""What pixels tell where people are seen by boxes alone, beside those of the foreground: a box is
+off by some 7 % of its height, and all its pixels with it."""
 
 
 def silhouettes(
@@ -71,12 +75,14 @@ def judge_and_weigh(
     flat: FlatView,
     settings: SpheroidSettings,
     alike: Floats | None = None,
+    boxes: Floats | None = None,
 ) -> tuple[SpheroidPeople, list[Window]]:
     """The people with their hypotheses weighed, and the windows in which that was done.
 
     Args:
         judged: with the silhouettes of everybody's expected places as cover.
         alike: (people, N) logarithms of weights by colour; None: colours say nothing.
+        boxes: (n, 4) of another program's detector, px as recorded; None: there are none.
     """
     axes, tall = hypotheses_of(people, settings)
     short, steep = headless(people, flat), seen_steeply(people, flat)
@@ -93,6 +99,9 @@ def judge_and_weigh(
         log_weight = _gains(windows, seen, own, balance, ~short & ~steep)
         rows = np.flatnonzero(~steep)
         log_weight[rows] += _feet_gains(people, judged, own, axes, rows, flat, settings)
+        log_weight *= _BOXES_TELL if settings.only_boxes else 1.0
+        if boxes is not None and len(boxes):
+            log_weight += box_log_weights(seen, own, flat_boxes(boxes, flat))
         spread_m = np.where(steep, _STEEP_HEIGHT_SD_M, _HEIGHT_SD_M)[:, None]
         log_weight -= 0.5 * ((tall - settings.initial_height_m) / spread_m) ** 2
     if alike is not None:

@@ -7,8 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.filtering import associate
 from tracking.people import Detections
 from tracking.trackers.three_part.people import Flags, Floats, Indices
+from tracking.tracks.boxes import overlaps
 
 _GRID = (np.arange(5) + 0.5) / 5 - 0.5
 """Where a rectangle is probed, across and down, as shares of its size from its middle."""
@@ -20,6 +22,8 @@ _TWICE = 1.8
 """The same from which on it is no longer one person."""
 _OTHERS = 0.15
 """Share of somebody's parts in other regions from which on they may be hidden there."""
+_SAME_BODY = 0.3
+"""Intersection over union from which on a detector's box may be somebody's."""
 _TAKEN = 0.1
 """The same for it to be possibly theirs: nobody new is started in it."""
 
@@ -74,6 +78,30 @@ def claims_of(rectangles: Floats, seen: Detections) -> Claims:
     alone = mine.copy()
     alone[mine] = (guests[region[mine]] <= 1) & ~seen.merged[region[mine]]
     return Claims(share, (label > 0).mean(axis=2), region, alone)
+
+
+def with_boxes(claims: Claims, boxes: Floats, seen: Detections) -> Claims:
+    """The claims with each box of a detector given to one person at most, who has no other.
+
+    A box is of one person, whoever else has parts in it; so they are associated one to one.
+
+    Args:
+        boxes: (people, 4) where people are expected.
+    """
+    given = np.flatnonzero(seen.boxed)
+    overlap = overlaps(boxes[:, None], seen.box[given])
+    pairs = associate(1.0 - overlap, overlap >= _SAME_BODY, 1.0)
+    row, region = pairs.track, given[pairs.detection]
+    share, whose, alone = claims.share.copy(), claims.region.copy(), claims.alone.copy()
+    left = np.append(seen.boxed, False)[whose]
+    whose[left], alone[left] = -1, False
+    share[:, given] = 0.0
+    share[row] = 0.0
+    share[row, region] = 1.0
+    whose[row], alone[row] = region, True
+    left[row] = False
+    support = np.where(left[:, None], 0.0, claims.support)  # what they lie on is somebody else's
+    return Claims(share, support, whose, alone)
 
 
 def seen_whole(claims: Claims, seen: Detections, height: Floats) -> Flags:

@@ -1,0 +1,73 @@
+"""Boxes of another program's detector in both rectified cameras."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from tracking.arrays import Floats
+from tracking.foreground import Subtraction
+from tracking.geometry import Rectification
+from tracking.people.box_bodies import paint_bodies, working_boxes
+from tracking.people.given_boxes import BoxSource
+
+_HEIGHTS_M = (1.3, 2.1)
+"""Of whoever fills a box from head to foot, which tells how far away they are."""
+
+
+def add_bodies(
+    left: Subtraction,
+    right: Subtraction,
+    source: BoxSource,
+    frame: int,
+    rectification: Rectification,
+    shrink: int,
+) -> tuple[Subtraction, Subtraction]:
+    """Both cameras with the bodies in the boxes as foreground, to be matched like all of it.
+
+    Args:
+        left, right: rectified, `shrink` px a pixel.
+    """
+    seen = rectified_boxes(source.of(frame).box, rectification)
+    told = source.of_right(frame)
+    if told is None:
+        there = may_be_in_right(seen, rectification)
+    else:
+        there = rectified_boxes(told.box, rectification, right=True)
+    masks = [
+        paint_bodies(each.mask, working_boxes(boxes, shrink), 255, only=source.only)
+        for each, boxes in ((left, seen), (right, there))
+    ]
+    return replace(left, mask=masks[0]), replace(right, mask=masks[1])
+
+
+def rectified_boxes(boxes: Floats, rectification: Rectification, *, right: bool = False) -> Floats:
+    """(n, 4) left, top, width, height rectified px about boxes (n, 4) px as recorded.
+
+    Args:
+        right: whether they are the right camera's.
+    """
+    low, high = boxes[:, :2], boxes[:, :2] + boxes[:, 2:]
+    middle = (low + high) / 2
+    sides = [
+        *((low[:, 0], middle[:, 1]), (high[:, 0], middle[:, 1])),
+        *((middle[:, 0], low[:, 1]), (middle[:, 0], high[:, 1])),
+    ]
+    points = np.concatenate([np.column_stack(side) for side in sides])
+    seen = rectification.rectified_from_recorded(points, right=right).reshape(4, -1, 2)
+    corners = np.column_stack((seen[0, :, 0], seen[2, :, 1], seen[1, :, 0], seen[3, :, 1]))
+    whole = corners[np.isfinite(corners).all(axis=1)]
+    return np.concatenate((whole[:, :2], whole[:, 2:] - whole[:, :2]), axis=1)
+
+
+def may_be_in_right(boxes: Floats, rectification: Rectification) -> Floats:
+    """(n, 4) what holds the people of rectified left boxes (n, 4) px in the right camera.
+
+    How far away they are, and by that how far to the left, their height in the picture tells.
+    """
+    near, far = (
+        rectification.baseline_m * boxes[:, 3] / height_m + rectification.disparity_offset_px
+        for height_m in _HEIGHTS_M
+    )
+    return np.column_stack((boxes[:, 0] - near, boxes[:, 1], boxes[:, 2] + near - far, boxes[:, 3]))
