@@ -7,7 +7,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QObject, Qt
 from PySide6.QtWidgets import QComboBox, QFormLayout, QHBoxLayout, QPushButton, QWidget
 
 from app.core.error_messages import explain
@@ -87,6 +87,7 @@ class DetectionsLine(QObject):
         self._use.addItem(tr("instead of the foreground"), ONLY)
         self._told = quiet("", parent)
         self._told.setWordWrap(True)
+        self._told.setTextFormat(Qt.TextFormat.PlainText)  # it holds names of files
         self._form: QFormLayout | None = None
         self._stereo = recording.is_stereo
         self._look = LatestJob("detections", partial(_reading, recording), self)

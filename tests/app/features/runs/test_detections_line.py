@@ -6,6 +6,7 @@ import shutil
 from pathlib import Path
 
 import pytest
+from PySide6.QtCore import Qt
 from pytestqt.qtbot import QtBot
 
 from app.core.widgets.user_settings import UserSettings
@@ -58,6 +59,7 @@ def test_a_file_that_cannot_be_read_is_told(dialog, qtbot, tmp_path: Path) -> No
     path.write_text("People walk.\n")
     line._left.put(str(path))
     qtbot.waitUntil(lambda: "no file of detections" in line._told.text())
+    assert line._told.textFormat() is Qt.TextFormat.PlainText  # a file's name is no markup
 
 
 def test_the_settings_of_a_run_fill_them_in(dialog) -> None:
