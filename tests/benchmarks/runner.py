@@ -37,11 +37,18 @@ from tracking.tracks import PARTICLE_COLUMNS, Columns, Particles
 from tracking.tracks.run import Run
 
 SEED = 0
-_SEEN_BY = ("foreground", "stereo", "people")
+_SEEN_BY = ("foreground", "stereo", "people", "detections")
 """Settings that decide what a tracker for two cameras sees."""
 _TABLES = ("tracks", "detections", "associations", "signals", "parts")
 _PACKAGES = (
-    *("errors.py", "failure/*", "filtering/**/*", "foreground/**/*", "geometry/**/*"),
+    *(
+        "detections/*",
+        "errors.py",
+        "failure/*",
+        "filtering/**/*",
+        "foreground/**/*",
+        "geometry/**/*",
+    ),
     *("people/**/*", "pipeline/**/*", "recording/**/*", "setting*.py"),
     *("stereo/**/*", "trackers/**/*", "tracks/**/*"),
 )

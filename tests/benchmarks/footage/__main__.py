@@ -17,7 +17,11 @@ from typing import Any
 from tests.benchmarks.command import one_core, parser_of, real_data
 from tests.benchmarks.footage.failures import save_worst_frame
 from tests.benchmarks.footage.measures import Figures, figures_of
-from tests.benchmarks.footage.others import follow_public_detections
+from tests.benchmarks.footage.others import (
+    follow_public_detections,
+    has_detections,
+    with_detections,
+)
 from tests.benchmarks.footage.recordings import Footage, all_footage, footage_names
 from tests.benchmarks.footage.table import COLUMNS, cells, changes, table
 from tests.benchmarks.pages import DOCS, template
@@ -77,7 +81,9 @@ def _options() -> argparse.Namespace:
     parser.add_argument("--data", type=Path, default=real_data(), help="folder of recordings")
     parser.add_argument("--clips", type=Path, help="where clips are kept, not the user's cache")
     parser.add_argument("--pictures", type=Path, help="where frames with most errors are put")
-    parser.add_argument("--others", action="store_true", help="also trackers on public detections")
+    parser.add_argument(
+        "--others", action="store_true", help="also on public detections, others and ours"
+    )
     parser.add_argument("--rewrite", action="store_true", help="only write the page anew")
     parser.add_argument("--json", action="store_true", help="figures as JSON, not as a table")
     parser.add_argument("--keep", action="store_true", help=f"in {PAGE.parent.name}/{PAGE.name}")
@@ -97,7 +103,8 @@ def main() -> None:
     before = kept_figures().get("footage", {})
     found: dict[str, dict[str, Figures]] = follow_public_detections(chosen) if asked.others else {}
     for footage in chosen:
-        ours = measure(footage, cases, asked.pictures)
+        given = with_detections(cases) if asked.others and has_detections(footage) else []
+        ours = measure(footage, [*cases, *given], asked.pictures)
         found[footage.name] = ours | found.get(footage.name, {})
         if not asked.json:
             old = before.get(footage.name, {})

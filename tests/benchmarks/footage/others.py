@@ -1,9 +1,10 @@
-"""Trackers of others over public detections, where a recording has some beside it."""
+"""Public detections beside some recordings: trackers of others over them, and ours."""
 
 from __future__ import annotations
 
 import tempfile
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +13,7 @@ from numpy.typing import NDArray
 from tests.benchmarks.command import tell
 from tests.benchmarks.footage.measures import Figures, box_figures
 from tests.benchmarks.footage.recordings import Footage
+from tests.benchmarks.runner import Case
 from tests.peers.environments import TRACKERS
 from tests.peers.follow_boxes import FOLLOWED
 from tests.peers.sequences import read_tables, write_tables
@@ -21,7 +23,7 @@ DETECTIONS = "detections.txt"
 
 def follow_public_detections(footage: Sequence[Footage]) -> dict[str, dict[str, Figures]]:
     """Figures by recording and tracker; none where the trackers are not installed."""
-    seen = {one.name: _seen(one) for one in footage if _has_detections(one)}
+    seen = {one.name: _seen(one) for one in footage if has_detections(one)}
     if not seen:
         return {}
     if not TRACKERS.installed:
@@ -42,7 +44,16 @@ def follow_public_detections(footage: Sequence[Footage]) -> dict[str, dict[str, 
     }
 
 
-def _has_detections(footage: Footage) -> bool:
+def with_detections(cases: Sequence[Case]) -> list[Case]:
+    """The same with the public detections beside a recording."""
+    given = ("detections.file", DETECTIONS)
+    return [
+        replace(case, settings=(*case.settings, given), name=f"{case} with detections")
+        for case in cases
+    ]
+
+
+def has_detections(footage: Footage) -> bool:
     return footage.labelled and (footage.folder / DETECTIONS).is_file()
 
 

@@ -10,6 +10,7 @@ import pytest
 from tests.benchmarks.footage import recordings
 from tests.benchmarks.footage.failures import save_worst_frame
 from tests.benchmarks.footage.measures import box_figures, figures_of
+from tests.benchmarks.footage.others import with_detections
 from tests.benchmarks.footage.overhead import passages_found
 from tests.benchmarks.footage.recordings import BY_EYE, OTHER_RENDERER, REAL, Footage
 from tests.benchmarks.footage.table import cell, changes, table
@@ -122,3 +123,10 @@ def test_a_case_of_some_frames_ends_there(rendered: Footage) -> None:
     ((_, kept),) = fresh_runs(rendered.folder, [Case("spheroid", frames=8)])
     assert kept.times["frames"][0] == 8
     assert kept.run.frames == (0, 8)
+
+
+def test_public_detections_are_given_to_each_tracker_as_a_case_of_its_own() -> None:
+    (case,) = with_detections([Case("spheroid", (("coast_s", 1.0),))])
+    assert str(case) == "spheroid with detections"
+    assert case.settings == (("coast_s", 1.0), ("detections.file", "detections.txt"))
+    assert case.chosen().detections.file == "detections.txt"
