@@ -109,11 +109,6 @@ def no_ghosts(_flat: Any, outlines: Any, *_: Any) -> Any:
     return np.zeros(len(outlines.u), bool)
 
 
-def no_split(people: Any, *_: Any) -> Any:
-    """Nobody is two people."""
-    return people, np.zeros((0, 4))
-
-
 def unprotected_masks(*given: Any) -> Any:
     """Body masks that keep nothing of the background as it is."""
     masks = _BODY_MASKS(*given)

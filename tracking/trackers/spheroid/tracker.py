@@ -33,7 +33,6 @@ from tracking.trackers.spheroid.perception_hints import body_masks
 from tracking.trackers.spheroid.result import clothes_of, step_result
 from tracking.trackers.spheroid.resumption import resume_people
 from tracking.trackers.spheroid.settings import SpheroidSettings
-from tracking.trackers.spheroid.split_merged import split_merged
 from tracking.trackers.spheroid.support import measure_support, seen_whole, should_keep
 from tracking.trackers.spheroid.view_model import seen_steeply
 from tracking.trackers.spheroid.weights import (
@@ -56,11 +55,6 @@ _STEEP_COLOURS = 0.15
 _GHOST_EVERY_S, _GHOST_QUIET_S = 1.0, 1.5
 """How often those who stand are looked at, and how long they must have stood."""
 _GHOST_SCALE = 1.3
-_SPLIT_SLOPE = 2.0
-"""Only who is seen more steeply than this may be two: from the side it is often a shadow, or
-somebody behind, that seems to be the second."""
-_SPLIT_SEARCHES = 3
-"""One in so many searches for new people tests whether somebody followed is two people."""
 
 
 class SpheroidTracker(TrackerBase[SpheroidSettings]):
@@ -83,8 +77,7 @@ class SpheroidTracker(TrackerBase[SpheroidSettings]):
           meet keep their identities; little of those who are seen steeply;
         - shadows are weighed down by what was learnt of them beside people (`foreground`);
         - tracks are initiated at places on the floor whose silhouettes the blobs fill, taken one
-          by one, so that a group that comes in together is taken apart; who is followed between
-          two people is put to one of them (see `split_merged`);
+          by one, so that a group that comes in together is taken apart;
         - who has left the picture or is not where he would be seen is let go before hypotheses
           spread, and who is re-identified near by, in the same colours, keeps the track;
         - boxes are drawn from the foreground round the silhouettes, not from spheroids;
@@ -207,8 +200,7 @@ class SpheroidTracker(TrackerBase[SpheroidSettings]):
             return people
         self._next_look_s = seen.time_s + settings.birth_interval_s - 1e-3
         states = self._search(people, seen)
-        people, others = self._split_merged(people, seen)
-        new = concatenate([self._begin(states), others])
+        new = self._begin(states)
         if len(new) == 0:
             return people
         new = new.select(~self._are_ghosts(new, seen))
@@ -228,20 +220,6 @@ class SpheroidTracker(TrackerBase[SpheroidSettings]):
         ready = self._candidates.searches >= settings.birth_frames
         states = np.concatenate((self._candidates.xy, self._candidates.velocity), axis=1)
         return states[ready]
-
-    def _split_merged(
-        self, people: SpheroidPeople, seen: FlatObservation
-    ) -> tuple[SpheroidPeople, SpheroidPeople]:
-        """The people, and those who were followed as one with somebody close by."""
-        if self._settings.paper:
-            return people, self._begin(np.zeros((0, 4)))
-        look = round(seen.time_s / self._settings.birth_interval_s)
-        due = (people.track + look) % _SPLIT_SEARCHES == 0
-        rows = np.flatnonzero(due & seen_steeply(people, self._flat, _SPLIT_SLOPE))
-        judged = self._judged_frame(people, seen)
-        tallest_m = self._usual_m + births.TALLER_M
-        people, states = split_merged(people, rows, judged, self._flat, tallest_m, self._settings)
-        return people, self._begin(states)
 
     def _begin(self, mean: NDArray[np.float64]) -> SpheroidPeople:
         """People without ids at these states (n, 4)."""

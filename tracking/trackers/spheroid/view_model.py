@@ -14,15 +14,15 @@ _BEFORE_M = 0.4
 """What hides the floor so far before somebody's feet hides the near side of the body."""
 
 
-def seen_steeply(people: SpheroidPeople, flat: FlatView, slope: float = 1.0) -> Flags:
-    """(people,) whom the camera looks down on by more than 45 degrees, or than another slope."""
-    return steep_places(people.xy, flat, slope)
+def seen_steeply(people: SpheroidPeople, flat: FlatView) -> Flags:
+    """(people,) whom the camera looks down on by more than 45 degrees."""
+    return steep_places(people.xy, flat)
 
 
-def steep_places(xy: NDArray[np.float64], flat: FlatView, slope: float = 1.0) -> Flags:
+def steep_places(xy: NDArray[np.float64], flat: FlatView) -> Flags:
     """(n,) whether the camera looks down so on places xy (n, 2) m of the floor."""
     camera_position = np.asarray(flat.camera_position)
-    return np.asarray(slope * np.hypot(*(xy - camera_position[:2]).T) < camera_position[2])
+    return np.asarray(np.hypot(*(xy - camera_position[:2]).T) < camera_position[2])
 
 
 def headless(people: SpheroidPeople, flat: FlatView) -> Flags:
