@@ -13,7 +13,6 @@ from tracking.trackers.flow.flow_frame import POSITIONS, FlowFrame, speeds
 from tracking.trackers.flow.kernels import KernelTable
 from tracking.trackers.flow.mode_updates import ModeUpdater
 from tracking.trackers.flow.settings import FlowSettings
-from tracking.trackers.flow.sightings import FloorGrid, Sightings
 from tracking.trackers.flow.silhouettes import draw_cover, fit_silhouettes
 from tracking.trackers.flow.track_retention import should_keep
 from tracking.trackers.flow.tracklet_owners import (
@@ -43,18 +42,12 @@ _NEW_M_S = 0.3
 """Slower clusters are nobody new."""
 _FILL, _SEEN, _OWN = 0.5, 0.2, 0.3
 """Least score, seen and own (see `Fit`) of a cluster that is somebody new."""
-_SIGHTED = (0.5, 0.15, 0.4)
-"""The same where nothing but foreground says that somebody is there."""
 _EMPTY = 0.35
 """Score below which nothing is where somebody should be."""
 _FEWEST = 2
 """Tracklets by which somebody counts as seen."""
 _APART_M = 0.4
 """So near to somebody there is nobody new."""
-_WALKED_M = 0.12
-"""So far must go who is sighted before they are followed."""
-_LOOK_S = 0.15
-"""People who are not followed yet are looked for about so often."""
 _LOST_S = 0.15
 """Who is missed for longer is out of sight."""
 _STRAY_M = WideningGate(at_once=0.4, a_second=0.4, widest=1.2)
@@ -86,9 +79,6 @@ class HeldPeople:
         self._floor = floor
         self._owners = TrackletOwners.none()
         self._modes = ModeUpdater(settings.clusters, table)
-        self._grid = FloorGrid(floor)
-        self._sightings = Sightings.none()
-        self._unlooked_s = 0.0
         self._ids = ids
         self.walkers = no_walkers()
 
@@ -163,14 +153,7 @@ class HeldPeople:
     def _initiate(
         self, walkers: Walkers, owners: TrackletOwners, seen: FlowFrame
     ) -> tuple[Walkers, TrackletOwners]:
-        """With new people: clusters of tracklets of nobody, and whoever is only seen."""
-        walkers, owners = self._add_clusters(walkers, owners, seen)
-        return self._add_sighted(walkers, owners, seen)
-
-    def _add_clusters(
-        self, walkers: Walkers, owners: TrackletOwners, seen: FlowFrame
-    ) -> tuple[Walkers, TrackletOwners]:
-        """Clusters of tracklets of nobody that move and look like somebody."""
+        """With new people: clusters of tracklets of nobody that move and look like somebody."""
         settings = self._settings
         free = np.flatnonzero((owners.owner == 0) & seen.known)
         moving = speeds(seen.tracklets.select(free), POSITIONS, seen.fps, self._floor) > _NEW_M_S
@@ -192,27 +175,6 @@ class HeldPeople:
             owner = np.full(len(rows), walkers.track[row], np.int32)
             owners = owners.assign(rows, owner, axis, seen.slope[rows], self._floor)
         return walkers, owners
-
-    def _add_sighted(
-        self, walkers: Walkers, owners: TrackletOwners, seen: FlowFrame
-    ) -> tuple[Walkers, TrackletOwners]:
-        """Whoever is seen for a while, and moves, where nobody is followed yet."""
-        if not self._settings.fit_silhouettes:
-            return walkers, owners
-        self._unlooked_s += seen.elapsed_s
-        if self._unlooked_s < _LOOK_S:
-            return walkers, owners
-        place = self._grid.find_people(walkers.place, seen.mask, _SIGHTED, _APART_M)
-        self._sightings = self._sightings.update(place, self._unlooked_s)
-        self._unlooked_s = 0.0
-        ready = self._sightings.age_s >= self._settings.confirm_s
-        way = self._sightings.place - self._sightings.first
-        ready &= np.hypot(way[:, 0], way[:, 1]) > _WALKED_M
-        for row in np.flatnonzero(ready):
-            place = self._sightings.place[row]
-            pace = way[row] / self._sightings.age_s[row]
-            walkers, _ = self._begin(walkers, place, pace)
-        return walkers, self._associate(walkers, owners, seen)
 
     def _begin(self, walkers: Walkers, place: Floats, pace: Floats) -> tuple[Walkers, int]:
         """With somebody at a place, and the row: who was lost near there, else somebody new."""

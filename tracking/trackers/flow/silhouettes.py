@@ -43,8 +43,6 @@ _BESIDE = np.array(
 )
 """Spots where a body is not: over the head, at the sides, on the floor before the feet."""
 _SPOTS = np.concatenate((_BODY, _BESIDE))
-_SPINE = slice(0, 13, 3)
-"""Of the spots of a body those on its axis, from the head to the knees."""
 _OUTLINE = ((-0.1, 1.78), (-0.22, 1.5), (-0.2, 0.8), (-0.12, 0.0))
 """Half the outline of a body that hides what is behind it: m across the sight, over the floor."""
 _FARTHEST_PX = 1e4
@@ -83,26 +81,6 @@ class Pixels:
     def of(self, spots: slice) -> Pixels:
         """Those of some of the spots."""
         return Pixels(self.at[:, spots], self.inside[:, spots])
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Spots:
-    """Where bodies at k places would be seen, and what is just beside them.
-
-    Attributes:
-        distance: (k, 1) float32 m along the floor. body, beside: the pixels.
-    """
-
-    distance: NDArray[np.float32]
-    body: Pixels
-    beside: Pixels
-
-    def select(self, rows: NDArray[np.intp]) -> Spots:
-        """Some of them."""
-        body, beside = (
-            Pixels(pixels.at[rows], pixels.inside[rows]) for pixels in (self.body, self.beside)
-        )
-        return Spots(self.distance[rows], body, beside)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -158,11 +136,6 @@ def draw_cover(place: Floats, floor: Floor) -> Cover:
     return cover
 
 
-def add_to_cover(cover: Cover, place: Floats, floor: Floor) -> Cover:
-    """The cover with one person more, at place (2,) m."""
-    return np.minimum(cover, draw_cover(place[None], floor))
-
-
 def score_silhouettes(
     place: Floats, mask: Mask, cover: Cover, floor: Floor, own: Floats | None = None
 ) -> SilhouetteScore:
@@ -176,44 +149,22 @@ def score_silhouettes(
             resolution.
         own: (k,) how far away they stand themselves in the cover; None: they are not in it.
     """
-    return score_spots(spots_at(place, floor), mask, cover, own)
-
-
-def spots_at(place: Floats, floor: Floor) -> Spots:
-    """Where bodies at places (k, 2) would be seen."""
     distance = np.hypot(place[:, 0], place[:, 1])[:, None].astype(np.float32)
     pixels = _half_pixels(_pixels(place, _SPOTS, floor), floor.view.camera.size)
     body, beside = pixels.of(slice(len(_BODY))), pixels.of(slice(len(_BODY), None))
-    return Spots(distance, body, beside)
-
-
-def score_spots(
-    spots: Spots, mask: Mask, cover: Cover, own: Floats | None = None
-) -> SilhouetteScore:
-    """`score_silhouettes` of bodies whose pixels are known."""
-    seen, nearest = _sample(mask, cover, spots.body)
-    inside = spots.body.inside
+    seen, nearest = _sample(mask, cover, body)
     free = np.isinf(nearest) | _is_same(nearest, own)
-    hidden = (nearest < spots.distance - _AHEAD_M) & ~free
-    open_ = (inside & ~hidden) * _BODY_TELLS
-    body = _share(_FILLED[seen], open_ * np.where(free, _ONE, _FOREIGN_WEIGHT))
-    around, owner = _sample(mask, cover, spots.beside)
-    unclaimed = spots.beside.inside & (np.isinf(owner) | _is_same(owner, own))
-    beside = _share(_SOLID[around], unclaimed * _BESIDE_TELLS)
-    in_sight = (inside & free).mean(axis=1)
+    hidden = (nearest < distance - _AHEAD_M) & ~free
+    open_ = (body.inside & ~hidden) * _BODY_TELLS
+    filled = _share(_FILLED[seen], open_ * np.where(free, _ONE, _FOREIGN_WEIGHT))
+    around, owner = _sample(mask, cover, beside)
+    unclaimed = beside.inside & (np.isinf(owner) | _is_same(owner, own))
+    overflow = _share(_SOLID[around], unclaimed * _BESIDE_TELLS)
     return SilhouetteScore(
-        body - _BESIDE_WEIGHT * beside, in_sight, _share(_SOLID[seen] * free, open_)
+        filled - _BESIDE_WEIGHT * overflow,
+        (body.inside & free).mean(axis=1),
+        _share(_SOLID[seen] * free, open_),
     )
-
-
-def may_stand(spots: Spots, mask: Mask, cover: Cover) -> NDArray[np.bool_]:
-    """(k,) whether anything on the axis of a body is foreground that nobody explains.
-
-    A quick look at where `score_spots` is worth its time.
-    """
-    seen, nearest = _sample(mask, cover, spots.body.of(_SPINE))
-    stirs = (seen == BODY) & np.isinf(nearest) & spots.body.of(_SPINE).inside
-    return np.asarray(stirs.any(axis=1))
 
 
 def _is_same(nearest: Cover, own: Floats | None) -> NDArray[np.bool_]:
