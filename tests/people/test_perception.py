@@ -13,6 +13,7 @@ from scipy.optimize import linear_sum_assignment
 from tracking.errors import RecordingError
 from tracking.geometry import Camera, Ground, Rectification, StereoCalibration
 from tracking.people import Observation, StereoPerception
+from tracking.people.given_boxes import FrameBoxes
 from tracking.recording import Recording, open_recording
 from tracking.recording.frame import StereoFrame
 
@@ -199,3 +200,44 @@ def test_while_the_right_camera_is_black_the_left_one_places_people(shared_data:
     assert np.mean(errors) < 0.2
     (note,) = perception.notes
     assert note.startswith("the right camera shows nothing new in frames 300 to 315: people are")
+
+
+class _GivenBoxes:
+    """Boxes of one frame of each camera; notes which frames are asked for."""
+
+    only = True
+
+    def __init__(self) -> None:
+        self.left: list[int] = []
+        self.right: list[int] = []
+
+    def of(self, frame: int) -> FrameBoxes:
+        self.left.append(frame)
+        return FrameBoxes(np.zeros((0, 4)), np.zeros(0))
+
+    def of_right(self, frame: int) -> FrameBoxes:
+        self.right.append(frame)
+        return FrameBoxes(np.zeros((0, 4)), np.zeros(0))
+
+
+def test_boxes_of_a_late_camera_are_those_of_its_own_frame() -> None:
+    source = _GivenBoxes()
+    perception = StereoPerception(rig(320, 240), Ground(2.4, 30.0), 15.0, boxes=source)
+    image = np.full((240, 320, 3), 90, np.uint8)
+    perception.learn([StereoFrame(0, 0.0, image, image)])
+    perception.overlays(StereoFrame(20, 2.0, image, image, right_lag=5))
+    perception.overlays(StereoFrame(21, 2.1, image, image, right_lag=None))
+    assert source.left == [20, 21]
+    assert source.right == [25]
+
+
+def test_whom_no_box_shows_is_not_learnt_as_background() -> None:
+    perception = StereoPerception(rig(320, 240), Ground(2.4, 30.0), 5.0, boxes=_GivenBoxes())
+    empty = np.full((240, 320, 3), 90, np.uint8)
+    person = empty.copy()
+    person[80:200, 140:180] = 220
+    perception.learn([StereoFrame(0, 0.0, empty, empty)])
+    for number in range(10):
+        left, _ = perception.subtract(person, person)
+        perception.observe(StereoFrame(number, number / 5.0, person, person))
+    assert np.abs(left.background.astype(int) - empty).max() <= 1

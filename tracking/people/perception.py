@@ -145,11 +145,12 @@ class StereoPerception:
         images = self.rectify(frame)
         if not self._are_of_use(frame, images):
             return self._by_left_camera(frame, images[0])
-        left, right = self._with_bodies(frame.number, *self.subtract(*images))
+        plain = self.subtract(*images)
+        left, right = self._with_bodies(frame, *plain)
         shadow = self.shade(left)
         disparity = self.match(left, right)
         people = self.find(left, shadow, disparity)
-        self.remember(left, right, people)
+        self.remember(*plain, people)
         overlays = self._overlays(left.mask, shadow, disparity)
         return Observation(frame.number, frame.time_s, people, overlays)
 
@@ -162,12 +163,12 @@ class StereoPerception:
 
     def _by_left_camera(self, frame: StereoFrame, image: Image) -> Observation:
         """What is seen by the left camera; the right one's background is left as it was."""
-        left = self._backgrounds[0].subtract(image)
-        left, _ = self._with_bodies(frame.number, left, left)
+        plain = self._backgrounds[0].subtract(image)
+        left, _ = self._with_bodies(frame, plain, plain)
         shadow = self.shade(left)
         size = (left.mask.shape[1], left.mask.shape[0])
         people = self._one_camera.find(left, in_size(shadow, size) & left.mask)
-        self.remember(left, None, people)
+        self.remember(plain, None, people)
         overlays = self._overlays(left.mask, shadow, None)
         return Observation(frame.number, frame.time_s, people, overlays)
 
@@ -177,7 +178,7 @@ class StereoPerception:
         Raises:
             RecordingError: the frame has no right camera.
         """
-        left, right = self._with_bodies(frame.number, *self.subtract(*self.rectify(frame)))
+        left, right = self._with_bodies(frame, *self.subtract(*self.rectify(frame)))
         shadow = self.shade(left)
         disparity = None if frame.right_lag is None else self.match(left, right)
         return self._overlays(left.mask, shadow, disparity)
@@ -207,7 +208,7 @@ class StereoPerception:
         return self._backgrounds[0].subtract(left), self._backgrounds[1].subtract(right)
 
     def _with_bodies(
-        self, frame: int, left: Subtraction, right: Subtraction
+        self, frame: StereoFrame, left: Subtraction, right: Subtraction
     ) -> tuple[Subtraction, Subtraction]:
         """Both cameras with the bodies that boxes show in the foreground."""
         if self._boxes is None:

@@ -11,6 +11,7 @@ from tracking.foreground import Subtraction
 from tracking.geometry import Rectification
 from tracking.people.box_bodies import paint_bodies, working_boxes
 from tracking.people.given_boxes import BoxSource
+from tracking.recording.frame import StereoFrame
 
 _HEIGHTS_M = (1.3, 2.1)
 """Of whoever fills a box from head to foot, which tells how far away they are."""
@@ -20,7 +21,7 @@ def add_bodies(
     left: Subtraction,
     right: Subtraction,
     source: BoxSource,
-    frame: int,
+    frame: StereoFrame,
     rectification: Rectification,
     shrink: int,
 ) -> tuple[Subtraction, Subtraction]:
@@ -29,8 +30,9 @@ def add_bodies(
     Args:
         left, right: rectified, `shrink` px a pixel.
     """
-    seen = rectified_boxes(source.of(frame).box, rectification)
-    told = source.of_right(frame)
+    seen = rectified_boxes(source.of(frame.number).box, rectification)
+    lag = frame.right_lag
+    told = None if lag is None else source.of_right(frame.number + lag)
     if told is None:
         there = may_be_in_right(seen, rectification)
     else:
