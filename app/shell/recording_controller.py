@@ -220,7 +220,9 @@ class RecordingController(Controller):
         view.overhead.show_scene(self.scenes.overhead.scene(state))
         self.counting.draw(state, self.view_options)
         self.scoring.draw(state, self.view_options, self.cameras)
-        self.detections.draw(state, self.view_options, self.cameras)
+        late = None if frame is None else frame.right_lag
+        right = None if late is None else state.frame + late
+        self.detections.draw(state, self.view_options, self.cameras, right)
         counted = self.counting.texts_at(state, self.view_options)
         self.labelling.draw(self.cameras == "both", self.view_options.labels, counted)
         self.parts.draw(state, self.view_options)

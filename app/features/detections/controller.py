@@ -39,24 +39,32 @@ class DetectionsController(Controller):
     def close(self) -> None:
         """End the thread; leave nothing on the views, which outlive the document."""
         self._search.stop()
-        self._show(None, 0, cameras="left")
+        self._show(None, 0, None)
 
-    def draw(self, state: FrameState, view_options: ViewOptions, cameras: str) -> None:
-        """Show a frame; what is missing for it is read."""
+    def draw(
+        self, state: FrameState, view_options: ViewOptions, cameras: str, right: int | None
+    ) -> None:
+        """Show a frame; what is missing for it is read.
+
+        Args:
+            right: the right camera's frame of the same instant; None: there is none.
+        """
         given = _given_to(state) if view_options.detections else None
         if given is not None:
             self._search.ask(given)
         known = self._found is not None and self._found[0] == given
         boxes = self._found[1] if self._found is not None and known else None
-        self._show(boxes, state.frame, cameras)
+        self._show(boxes, state.frame, right if cameras == "both" else None)
 
-    def _show(self, boxes: GivenBoxes | None, frame: int, cameras: str) -> None:
-        left = right = NO_DETECTIONS
+    def _show(self, boxes: GivenBoxes | None, left: int, right: int | None) -> None:
+        """The boxes of these frames of the cameras; None: none."""
+        pictured = [NO_DETECTIONS, NO_DETECTIONS]
         if boxes is not None:
-            left = picture(boxes, Side.LEFT, frame)
-            right = picture(boxes, Side.RIGHT, frame) if cameras == "both" else right
-        self._surfaces.left.show_detections(left)
-        self._surfaces.right.show_detections(right)
+            pictured[0] = picture(boxes, Side.LEFT, left)
+            if right is not None:
+                pictured[1] = picture(boxes, Side.RIGHT, right)
+        self._surfaces.left.show_detections(pictured[0])
+        self._surfaces.right.show_detections(pictured[1])
 
     def _prepare(self, given: GivenTo) -> Callable[[Progress], _Found]:
         recording = self._document.recording
