@@ -359,3 +359,15 @@ def in_this_process_or_damaged(path: Path) -> tuple[int, int]:
         return inspect(path)
     except Exception as why:  # the other process turns whatever comes into a verdict
         raise SessionError(f"{path} is damaged ({why})") from why
+
+
+def test_a_file_that_a_busy_machine_had_no_time_for_is_not_called_damaged(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    slow = tmp_path / "slow.py"
+    slow.write_text("import time\nprint('{\"version\": 1}', flush=True)\ntime.sleep(60)\n")
+    monkeypatch.setattr("tracking.untrusted.program.PATIENCE_S", 1.0)
+    sound, late = verdicts_of(str(slow), "session", [tmp_path / "one.h5", tmp_path / "other.h5"])
+    assert sound == {"version": 1}
+    assert "not checked within 1.0 s" in str(late["refused"])
+    assert "damaged" not in str(late["refused"])

@@ -25,6 +25,9 @@ from tracking.untrusted.walk import Refused
 
 MEMORY_BYTES = 4 << 30
 SECONDS = 10
+"""Of processor time that a file may cost."""
+PATIENCE_S = 120
+"""By the clock: other programs may have the processor, and that says nothing of a file."""
 _DAMAGED = joined(" ", ("", msg("is damaged or cut short")))
 """Why a file is refused of which nothing better is known."""
 
@@ -92,15 +95,23 @@ def verdicts_of(program: str, name: str, paths: Sequence[Path]) -> list[dict[str
     """
     verdicts: list[dict[str, Any]] = []
     while len(verdicts) < len(paths):
-        verdicts += _looked_over(program, paths[len(verdicts) :])
+        found, in_time = _looked_over(program, paths[len(verdicts) :])
+        verdicts += found
         if len(verdicts) < len(paths):
             why = msg("the {name} file is damaged: it cannot be read safely", name=name)
+            if not in_time:
+                why = msg(
+                    "the {name} file was not checked within {seconds} s; nothing is wrong with it "
+                    "if the machine is busy: try again",
+                    name=name,
+                    seconds=PATIENCE_S,
+                )
             verdicts.append({"refused": joined(": ", ("", why))})
     return verdicts
 
 
-def _looked_over(program: str, paths: Sequence[Path]) -> list[dict[str, Any]]:
-    """The verdicts on the first of the files, up to where the other program ended."""
+def _looked_over(program: str, paths: Sequence[Path]) -> tuple[list[dict[str, Any]], bool]:
+    """The verdicts on the first files, until the other program ended; whether it did by itself."""
     command = [sys.executable, "-P", program, *(str(path.resolve()) for path in paths)]
     try:
         done = subprocess.run(
@@ -108,13 +119,13 @@ def _looked_over(program: str, paths: Sequence[Path]) -> list[dict[str, Any]]:
             env={**os.environ, "PYTHONPATH": _search_path(), "OPENBLAS_NUM_THREADS": "1"},
             stdin=subprocess.DEVNULL,
             capture_output=True,
-            timeout=SECONDS * 2,
+            timeout=PATIENCE_S,
             creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
             check=False,
         )
-        said = done.stdout
+        said, in_time = done.stdout, True
     except subprocess.TimeoutExpired as why:
-        said = why.stdout or b""
+        said, in_time = why.stdout or b"", False
     verdicts = []
     for line in said.splitlines():
         try:
@@ -124,7 +135,7 @@ def _looked_over(program: str, paths: Sequence[Path]) -> list[dict[str, Any]]:
             verdicts.append(verdict)
         except ValueError:  # it ended within the line
             break
-    return verdicts
+    return verdicts, in_time
 
 
 def _search_path() -> str:
