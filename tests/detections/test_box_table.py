@@ -109,7 +109,7 @@ def test_boxes_given_are_sure_and_of_the_camera_asked_for() -> None:
         )
     )
     settings = DetectionSettings(file="det.txt", use="only", min_score="0.5")
-    given_boxes = GivenBoxes(left, right, settings)
+    given_boxes = GivenBoxes(left, right, settings=settings)
     assert given_boxes.only
     assert given_boxes.of(0).score.tolist() == [0.9]
     found = given_boxes.of_right(0)
@@ -118,7 +118,7 @@ def test_boxes_given_are_sure_and_of_the_camera_asked_for() -> None:
     assert [one.camera for one in given_boxes.inputs] == ["left", "right"]
     assert [one.count for one in given_boxes.inputs] == [3, 1]
     assert "2 of 3 boxes are used, those with a score from 0.8 on" in given_boxes.notes[0]
-    assert GivenBoxes(left, None, DetectionSettings()).of_right(0) is None
+    assert GivenBoxes(left, settings=DetectionSettings()).of_right(0) is None
 
 
 @pytest.mark.parametrize(

@@ -53,6 +53,13 @@ def test_of_a_data_set_only_people_are_read(tmp_path) -> None:
     assert file.table.score.tolist() == [0.9]
 
 
+def test_a_box_of_an_image_that_is_not_listed_is_told_as_such(tmp_path) -> None:
+    images = [{"id": 7, "frame_index": 4}]
+    file = read(tmp_path, data_set(images, [result(7), result(8)], ("person",)))
+    assert file.table.frame.tolist() == [4]
+    assert "annotations[1]: its image tells no frame: it is not listed" in file.notes[0]
+
+
 def test_a_data_set_without_people_is_refused(tmp_path) -> None:
     held = data_set([{"id": 1}], [result(1)], ("car", "dog"))
     with pytest.raises(FormatError, match="none of its categories is person"):

@@ -40,8 +40,36 @@ def test_frames_and_corners_counted_from_1_are_counted_from_0_here(tmp_path, row
     assert file.notes == ()
 
 
-@pytest.mark.parametrize(("scores", "read"), [((-1, -1), [1, 1]), ((-1, 2.5), [-1, 2.5])])
-def test_scores_stay_in_their_unit_and_only_minus_1_throughout_is_none(tmp_path, scores, read):
+def test_with_a_frame_0_frames_and_corners_count_from_0_and_that_is_told(tmp_path) -> None:
+    rows = "".join(f"{n},-1,11,21,30,40,0.5\n" for n in (2, 0, 1))
+    file = read_detections(written(tmp_path, rows))
+    assert file.table.frame.tolist() == [0, 1, 2]
+    assert file.table.box.tolist() == [[11, 21, 30, 40]] * 3
+    assert "counted from 0" in file.notes[0]
+
+
+@pytest.mark.parametrize("zero", ["left", "right"])
+def test_both_cameras_count_from_where_either_does(tmp_path, zero) -> None:
+    given = []
+    for name in ("left", "right"):
+        folder = tmp_path / name
+        folder.mkdir()
+        numbers = (0, 3) if name == zero else (2, 3)
+        path = written(folder, "".join(f"{n},-1,11,21,30,40,0.5\n" for n in numbers))
+        given.append((path, Footage(600, (640, 480))))
+    files = dict(zip(("left", "right"), reading.read_cameras(given), strict=True))
+    assert files.pop(zero).table.frame.tolist() == [0, 3]
+    ((_, other),) = files.items()
+    assert other.table.frame.tolist() == [2, 3]
+    assert other.table.box[0].tolist() == [11, 21, 30, 40]
+    assert "counted from 0" in other.notes[0]
+
+
+@pytest.mark.parametrize(
+    ("scores", "read"),
+    [((-1, -1), [1, 1]), ((-1, 2.5, 0.5, 2), [2, 2.5, 0.5, 2]), ((-2, 2), [-2, 2])],
+)
+def test_scores_stay_in_their_unit_and_minus_1_is_as_sure_as_half_of_them(tmp_path, scores, read):
     rows = "\n".join(f"{k + 1},-1,1,1,30,40,{score}" for k, score in enumerate(scores))
     assert read_detections(written(tmp_path, rows)).table.score.tolist() == read
 
@@ -49,7 +77,8 @@ def test_scores_stay_in_their_unit_and_only_minus_1_throughout_is_none(tmp_path,
 BAD = [
     "nan,-1,1,1,9,9,1",
     "2.5,-1,1,1,9,9,1",
-    "0,-1,1,1,9,9,1",
+    "-1,-1,1,1,9,9,1",
+    "inf,-1,1,1,9,9,1",
     "99999999,-1,1,1,9,9,1",
     "2,-1,inf,1,9,9,1",
     "2,-1,1,1,-9,9,1",

@@ -22,16 +22,25 @@ class BoxReading:
 
     Attributes:
         reading: the file as messages name it, with the rows that are invalid.
-        no_score: a file that has this as the score of all its boxes tells none.
+        no_score: a score that stands for none.
+        counts_pixels: corners count from where pictures do, which is from 1 in this format.
+        counts_pictures: frames are numbers that count pictures, from 0 or from 1.
+        has_zero: one of these is 0.
     """
 
     def __init__(self, reading: Reading) -> None:
         self.reading = reading
         self.no_score = np.nan
+        self.counts_pixels = self.counts_pictures = self.has_zero = False
         self._frames: list[Integers] = []
         self._boxes: list[Floats] = []
         self._scores: list[Floats] = []
         self._count = 0
+
+    def count(self, number: Floats | Integers) -> None:
+        """(n,) numbers that count pictures, all of them, also of those without boxes."""
+        self.counts_pictures = True
+        self.has_zero |= bool((number == 0).any())
 
     def add(
         self, frame: Floats, box: Floats, score: Floats, place_of: Callable[[int], str]
@@ -39,7 +48,8 @@ class BoxReading:
         """Some boxes.
 
         Args:
-            frame: (n,) from 0. box: (n, 4) in 0-based px. score: (n,) NaN where none is told.
+            frame: (n,) from 0, or what counts pictures. box: (n, 4) in px. score: (n,) NaN where
+                none is told.
             place_of: where in the file one of them stands.
 
         Raises FormatError where there are more than `MOST_IN_ALL`, or hardly any is valid.
@@ -60,22 +70,30 @@ class BoxReading:
         self._boxes.append(box[good])
         self._scores.append(score[good])
 
-    def table(self) -> BoxTable:
-        """All boxes that are valid.
+    def table(self, first: int) -> BoxTable:
+        """All boxes that are valid, where pictures are counted from `first`.
 
-        Raises FormatError where there is none.
+        Boxes without a score are as sure as half of the others. Raises FormatError where there is
+        no box.
         """
         if not self._count:
             raise self._nothing()
+        frame, box = np.concatenate(self._frames), np.concatenate(self._boxes)
+        if self.counts_pictures:
+            frame -= first
+            if not self.counts_pixels or first == 0:
+                self.reading.notes.append(
+                    msg(
+                        "its pictures are counted from {first}: number {first} is frame 0",
+                        first=first,
+                    )
+                )
+        if self.counts_pixels:
+            box[:, :2] -= first
         score = np.concatenate(self._scores)
-        known = np.isfinite(score)
-        if not known.any() or (score == self.no_score).all():
-            score = np.ones(len(score))
-        else:
-            score[~known] = score[known].min()
-        return BoxTable.sorted_by_frame(
-            np.concatenate(self._frames), np.concatenate(self._boxes), score
-        )
+        known = np.isfinite(score) & (score != self.no_score)
+        score[~known] = np.median(score[known]) if known.any() else 1.0
+        return BoxTable.sorted_by_frame(frame, box, score)
 
     def _nothing(self) -> FormatError:
         if not self.reading.bad_count:
@@ -93,7 +111,7 @@ def _broken_rules(frame: Floats, box: Floats, score: Floats) -> Iterator[tuple[F
     """Marks of boxes that break a rule, and the rule; each may rely on those before it."""
     finite = np.isfinite(frame) & np.isfinite(box).all(axis=1) & ~np.isinf(score)
     yield ~finite, msg("a value is not a finite number")
-    yield frame % 1 != 0, msg("the frame must be a whole number")
+    yield np.floor(frame) != frame, msg("the frame must be a whole number")
     yield (
         (frame < 0) | (frame >= MAX_FRAME),
         msg("the frame number is not one of {max_frame} frames", max_frame=MAX_FRAME),

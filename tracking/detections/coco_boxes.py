@@ -22,6 +22,7 @@ from tracking.errors import FormatError
 from tracking.formats.coco import frame_of, looks_like_coco, numbers_of, size_of
 from tracking.formats.json_numbers import number_of, whole_of
 from tracking.formats.json_stream import elements_of, values_of
+from tracking.formats.read_result import MOST_BAD
 from tracking.formats.row_rules import MAX_FRAME
 from tracking.translation import msg
 
@@ -114,13 +115,19 @@ class _File:
         """Hand the boxes of people on, by frame."""
         at, image, kind = np.asarray(self._whole, np.int64).reshape(-1, 3).T
         people = self._are_people(kind)
-        frame = self._frames(image, footage)
+        number = self._numbers(image, footage)
+        for place in at[people & (number < 0)][: MOST_BAD + 1].tolist():
+            self._reading.bad(
+                f"annotations[{place}]",
+                msg("its image tells no frame: it is not listed, or has no number"),
+            )
+        kept = people & (number >= 0)
         sides = np.asarray(self._sides, np.float64).reshape(-1, 4) * self._scale(footage)
-        places = at[people]
+        places = at[kept]
         self._boxes.add(
-            np.where(frame < 0, np.nan, frame)[people],
-            sides[people],
-            np.asarray(self._scores, np.float64)[people],
+            number[kept].astype(np.float64),
+            sides[kept],
+            np.asarray(self._scores, np.float64)[kept],
             lambda row: f"annotations[{places[row]}]",
         )
 
@@ -149,28 +156,28 @@ class _File:
             )
         return np.isin(kind, wanted)
 
-    def _frames(self, image: Integers, footage: Footage) -> Integers:
-        """(n,) the frame of each box; -1: it is of none."""
+    def _numbers(self, image: Integers, footage: Footage) -> Integers:
+        """(n,) the frame of each box, or what counts its picture; -1: it is of none."""
         if not self._images:
-            frames, told = footage.frames_of_numbers(image)
-            self._reading.notes.append(told)
-            return frames
+            self._boxes.count(image)
+            return image
         number = np.fromiter(self._images, np.int64, len(self._images))
         said = [frame for frame, _ in self._images.values()]
         if all(frame is not None for frame in said):
-            frames = np.array(said, np.int64)
+            numbers = np.array(said, np.int64)
         else:
             names = [
                 name.rpartition("/")[2].rpartition(".")[0] for _, name in self._images.values()
             ]
-            frames, told = footage.frames_of_names(names)
-            if (frames < 0).all():
-                frames, told = footage.frames_of_numbers(number)
-            self._reading.notes += [told] if told else []
+            numbers, counts = footage.numbers_of_names(names)
+            if (numbers < 0).all():
+                numbers, counts = number, True
+            if counts:
+                self._boxes.count(numbers)
         order = np.argsort(number)
         at = np.searchsorted(number[order], image).clip(max=len(number) - 1)
         found = order[at]
-        return np.where(number[found] == image, frames[found], -1)
+        return np.where(number[found] == image, numbers[found], -1)
 
     def _scale(self, footage: Footage) -> tuple[float, float, float, float]:
         """What makes sides in px of the file's images px of the recording's."""

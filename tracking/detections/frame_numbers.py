@@ -10,7 +10,6 @@ import numpy as np
 
 from tracking.arrays import Integers
 from tracking.recording import Recording
-from tracking.translation import Message, msg
 
 _MOST_DIGITS = 9
 _NUMBER = re.compile(r"[0-9]+")
@@ -37,28 +36,16 @@ class Footage:
         names = tuple(file.stem for file in files) if by_frame else ()
         return cls(recording.frame_count, recording.size, names)
 
-    def frames_of_numbers(self, number: Integers) -> tuple[Integers, Message]:
-        """(n,) frames of numbers that count pictures, and what to tell of it.
+    def numbers_of_names(self, names: Sequence[str]) -> tuple[Integers, bool]:
+        """(n,) numbers of pictures by their names without endings; -1 where a name tells none.
 
-        They count from 1, as tools do, unless there is a 0.
-        """
-        first = 0 if not len(number) or number.min() < 1 else 1
-        told = msg("its pictures are counted from {first}: number {first} is frame 0", first=first)
-        return number - first, told
-
-    def frames_of_names(self, names: Sequence[str]) -> tuple[Integers, Message]:
-        """(n,) frames of pictures by their names without endings; -1 where a name tells none.
-
-        The names of the recording's own pictures; else the last number in each.
+        Those of the recording's own pictures are their frames; else it is the last number in each,
+        which counts pictures from 0 or from 1. Returns also whether it does.
         """
         own = {name: frame for frame, name in enumerate(self.pictures)}
         if own and names and sum(name in own for name in names) * 2 > len(names):
-            return np.array([own.get(name, -1) for name in names], np.int64), Message()
-        number = np.array([_last_number(name) for name in names], np.int64)
-        known = number >= 0
-        frames = np.full(len(names), -1, np.int64)
-        frames[known], told = self.frames_of_numbers(number[known])
-        return frames, told
+            return np.array([own.get(name, -1) for name in names], np.int64), False
+        return np.array([_last_number(name) for name in names], np.int64), True
 
 
 def _last_number(name: str) -> int:

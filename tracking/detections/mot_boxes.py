@@ -1,7 +1,7 @@
 """MOTChallenge's det.txt: a box a row, `frame, id, left, top, width, height, conf` and more.
 
-Frames and pixels count from 1 there. The id is -1, as nobody is followed yet; whatever it is, it is
-passed over.
+Frames and pixels count from 1 there; a file with a frame 0 counts both from 0. The id is -1, as
+nobody is followed yet; whatever it is, it is passed over.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from tracking.arrays import Floats
 from tracking.detections.box_reading import BoxReading
 from tracking.detections.frame_numbers import Footage
 from tracking.formats.delimited_text import NumberRows, RowShape, pieces_of
-from tracking.formats.mot import FIRST_FRAME, UNKNOWN
+from tracking.formats.mot import UNKNOWN
 from tracking.translation import Message, msg
 
 _SHAPE = RowShape("MOT text", least=6, most=10, comment="#")
@@ -24,18 +24,14 @@ _CONFIDENCE = 6
 
 def read_mot_boxes(boxes: BoxReading, _footage: Footage) -> None:
     """All boxes of the file; raises FormatError where it is no such text."""
-    boxes.no_score = UNKNOWN
+    boxes.no_score, boxes.counts_pixels = UNKNOWN, True
     reading = boxes.reading
     for table, lines, _ in NumberRows(reading, _SHAPE).tables(
         pieces_of(reading.path, reading.report)
     ):
-        box = table[:, 2:_CONFIDENCE] - (1.0, 1.0, 0.0, 0.0)
-        boxes.add(
-            table[:, 0] - FIRST_FRAME,
-            box,
-            _scores(table),
-            partial(_line_of, lines),
-        )
+        boxes.count(table[:, 0])
+        box = table[:, 2:_CONFIDENCE]
+        boxes.add(table[:, 0], box, _scores(table), partial(_line_of, lines))
 
 
 def _line_of(lines: NDArray[np.int32], row: int) -> Message:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import os
 import stat
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -77,19 +77,51 @@ def read_detections(path: Path, footage: Footage, report: Progress = no_progress
     Raises FormatError where it is missing, a link, too large, of no known format or without any
     box that can be used.
     """
-    known, fingerprint = _looked_through(path)
-    boxes = BoxReading(Reading(path, report))
-    known.read(boxes, footage)
-    table, told = _in_footage(path, boxes.table(), footage)
-    notes = [*boxes.reading.notes, *_invalid(boxes.reading), *told]
-    return DetectionsFile(
-        path,
-        known.name,
-        known.title,
-        fingerprint,
-        table,
-        tuple(msg("{file}: {note}", file=path.name, note=note) for note in notes),
-    )
+    (file,) = read_cameras([(path, footage)], report)
+    return file
+
+
+def read_cameras(
+    given: Sequence[tuple[Path, Footage]], report: Progress = no_progress
+) -> tuple[DetectionsFile, ...]:
+    """The same of a file for each camera; where they count pictures, they count alike.
+
+    That is from 1, as tools do, unless one of them has a 0.
+    """
+    taken = [_Taken.of(path, footage, report) for path, footage in given]
+    first = 0 if any(each.boxes.has_zero for each in taken) else 1
+    return tuple(each.counted_from(first) for each in taken)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Taken:
+    """A file that was read, before it is known from where on it counts pictures."""
+
+    known: BoxFormat
+    fingerprint: str
+    boxes: BoxReading
+    footage: Footage
+
+    @classmethod
+    def of(cls, path: Path, footage: Footage, report: Progress) -> _Taken:
+        known, fingerprint = _looked_through(path)
+        boxes = BoxReading(Reading(path, report))
+        known.read(boxes, footage)
+        return cls(known, fingerprint, boxes, footage)
+
+    def counted_from(self, first: int) -> DetectionsFile:
+        reading, known = self.boxes.reading, self.known
+        path = reading.path
+        table, told = _in_footage(path, self.boxes.table(first), self.footage)
+        notes = [*reading.notes, *_invalid(reading), *told]
+        return DetectionsFile(
+            path,
+            known.name,
+            known.title,
+            self.fingerprint,
+            table,
+            tuple(msg("{file}: {note}", file=path.name, note=note) for note in notes),
+        )
 
 
 def _looked_through(path: Path) -> tuple[BoxFormat, str]:

@@ -8,7 +8,7 @@ from pathlib import Path, PurePosixPath, PureWindowsPath
 from typing import Any
 
 from tracking.detections.frame_numbers import Footage
-from tracking.detections.reading import DetectionsFile, read_detections
+from tracking.detections.reading import DetectionsFile, read_cameras
 from tracking.detections.settings import ONLY, DetectionSettings
 from tracking.detections.table import BoxTable, one_each
 from tracking.errors import RecordingError
@@ -31,7 +31,11 @@ class GivenBoxes:
     """
 
     def __init__(
-        self, left: DetectionsFile, right: DetectionsFile | None, settings: DetectionSettings
+        self,
+        left: DetectionsFile,
+        right: DetectionsFile | None = None,
+        *,
+        settings: DetectionSettings,
     ) -> None:
         self._settings = settings
         self._left = left.table.sure(settings.least_score)
@@ -90,12 +94,11 @@ def box_source(recording: Recording, settings: DetectionSettings) -> GivenBoxes 
             "recording {name} has one camera: leave out the detections of the right one",
             name=recording.name,
         )
-    left = read_detections(place_of(recording, settings.file), Footage.of(recording))
-    right = None
+    given = [(place_of(recording, settings.file), Footage.of(recording))]
     if settings.file_right:
-        footage = Footage.of(recording, right=True)
-        right = read_detections(place_of(recording, settings.file_right), footage)
-    return GivenBoxes(left, right, settings)
+        right = Footage.of(recording, right=True)
+        given.append((place_of(recording, settings.file_right), right))
+    return GivenBoxes(*read_cameras(given), settings=settings)
 
 
 def place_of(recording: Recording, named: str) -> Path:

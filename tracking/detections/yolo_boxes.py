@@ -57,10 +57,11 @@ def read_yolo_boxes(boxes: BoxReading, footage: Footage) -> None:
     """
     reading = boxes.reading
     files = frame_texts(reading)
-    frames, told = footage.frames_of_names([path.stem for path in files])
-    reading.notes += [told] if told else []
+    numbers, counts = footage.numbers_of_names([path.stem for path in files])
+    if counts:
+        boxes.count(numbers)
     people = _people_in(reading.path)
-    for at, (path, frame) in enumerate(zip(files, frames.tolist(), strict=True)):
+    for at, (path, frame) in enumerate(zip(files, numbers.tolist(), strict=True)):
         reading.report(at, len(files))
         if frame < 0:
             reading.bad(path.name, msg("its name has no number of a frame"))
