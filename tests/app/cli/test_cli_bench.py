@@ -45,5 +45,5 @@ def test_without_a_checkout_there_are_none(trackwright: Trackwright, checkout: P
 def test_a_group_there_is_not_is_told_in_a_line(capfd: pytest.CaptureFixture[str]) -> None:
     assert run(["bench", "--only", "nope"]) == 1
     err = capfd.readouterr().err
-    assert err.startswith("trackwright: no benchmark 'nope'; choose one of pipeline, filter")
+    assert err.startswith("trackwright: no benchmark 'nope'; choose one of pipeline, pipeline_720p")
     assert err.count("\n") == 1
