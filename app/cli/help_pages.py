@@ -5,6 +5,7 @@ Rich would draw the same in boxes, but importing it takes half of the time that 
 
 from __future__ import annotations
 
+import re
 from copy import copy
 from inspect import cleandoc
 from typing import Any
@@ -16,6 +17,7 @@ from tracking.translation import N_, tr
 
 WIDTH = 100
 """Of a page at most, in characters."""
+_LISTS = re.compile(r"<list\[(\w+)\]>")
 _ARGUMENTS, _OPTIONS, _COMMANDS = N_("Arguments"), N_("Options"), N_("Commands")
 
 
@@ -27,11 +29,16 @@ def _write_parameters(command: Any, context: typer.Context, formatter: Any) -> N
             continue
         usual = _ARGUMENTS if parameter.param_type_name == "argument" else _OPTIONS
         name = getattr(parameter, "rich_help_panel", None) or usual
-        groups.setdefault(name, []).append(record)
+        groups.setdefault(name, []).append((_LISTS.sub(_one_of, record[0]), record[1]))
     first = [name for name in (_ARGUMENTS, _OPTIONS) if name in groups]
     for name in (*first, *(one for one in groups if one not in first)):
         with formatter.section(tr(name)):
             formatter.write_dl(groups[name])
+
+
+def _one_of(found: re.Match[str]) -> str:
+    """What one of several values is, as it is written for a single one: "<path>..."."""
+    return f"<{found[1].lower()}>..."
 
 
 def _translated(parameter: Any) -> Any:

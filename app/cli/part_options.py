@@ -57,9 +57,21 @@ def _named(order: Order) -> Iterator[tuple[str, str]]:
     if order.detections is not None:
         yield "detections.file", _absolute(order.detections)
     if order.detections_right is not None:
+        _refuse_right_alone(order)
         yield "detections.file_right", _absolute(order.detections_right)
     if order.occluders is not None:
         yield "occluders", _drawn_in(order.occluders)
+
+
+def _refuse_right_alone(order: Order) -> None:
+    """Refuse detections of the right camera without those of the left, in words of the options."""
+    set_names = {text.partition("=")[0].strip() for text in order.setting or ()}
+    if order.detections is None and "detections.file" not in set_names:
+        raise SettingsError(
+            "--detections-right {path}: detections of the right camera alone are not enough; give "
+            "those of the left one with --detections",
+            path=order.detections_right,
+        )
 
 
 def _absolute(path: Path) -> str:

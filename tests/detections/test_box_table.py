@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -119,6 +120,13 @@ def test_boxes_given_are_sure_and_of_the_camera_asked_for() -> None:
     assert [one.count for one in given_boxes.inputs] == [3, 1]
     assert "2 of 3 boxes are used, those with a score from 0.8 on" in given_boxes.notes[0]
     assert GivenBoxes(left, settings=DetectionSettings()).of_right(0) is None
+    assert not given_boxes.unused
+    none = GivenBoxes(left, right, settings=replace(settings, min_score="0.95"))
+    assert none.unused
+    assert none.notes[0] == (
+        "warning: none of the 3 boxes of left.txt (MOTChallenge text) is used; lower "
+        "detections.min_score"
+    )
 
 
 @pytest.mark.parametrize(
@@ -128,6 +136,7 @@ def test_boxes_given_are_sure_and_of_the_camera_asked_for() -> None:
         ({"min_score": "high"}, "must be a number or auto"),
         ({"min_score": "nan"}, "must be a number or auto"),
         ({"file_right": "det.txt"}, "detections.file"),
+        ({"use": "only"}, "detections.use=only: there are no detections"),
     ],
 )
 def test_settings_that_make_no_sense_are_refused_by_name(values: dict[str, str], said: str) -> None:

@@ -72,6 +72,12 @@ class DetectionSettings:
                 beside=BESIDE,
                 only=ONLY,
             )
+        if self.use == ONLY and not self.file:
+            raise SettingsError(
+                "setting detections.use={use}: there are no detections; give a file of them in "
+                "detections.file",
+                use=self.use,
+            )
         if self.file_right and not self.file:
             raise SettingsError(
                 "setting detections.file_right={file_right}: detections of the right camera alone "

@@ -52,6 +52,11 @@ class GivenBoxes:
         )
 
     @property
+    def unused(self) -> bool:
+        """Whether the boxes of some file are all left out, which is hardly what is wanted."""
+        return not all(len(table) for table in (self._left, self._right) if table is not None)
+
+    @property
     def only(self) -> bool:
         """Whether no people are looked for in the foreground beside them."""
         return self._settings.use == ONLY
@@ -68,16 +73,24 @@ class GivenBoxes:
 
 
 def _used_of(file: DetectionsFile, used: BoxTable) -> Message:
+    if not len(used):
+        return msg(
+            "warning: none of the {count} boxes of {file} ({title}) is used; lower "
+            "detections.min_score",
+            count=len(file.table),
+            file=file.path.name,
+            title=file.title,
+        )
     return msg(
         "{file} ({title}): {used} of {count} boxes are used"
-        if len(used) in (0, len(file.table))
+        if len(used) == len(file.table)
         else "{file} ({title}): {used} of {count} boxes are used, those with a score from "
         "{least:.3g} on",
         file=file.path.name,
         title=file.title,
         used=len(used),
         count=len(file.table),
-        least=float(used.score.min()) if len(used) else 0.0,
+        least=float(used.score.min()),
     )
 
 

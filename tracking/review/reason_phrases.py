@@ -127,7 +127,8 @@ def fix(kind: str, second: int) -> str:
 
 
 def clock(seconds: float) -> str:
-    """Minutes and seconds, with hours where there are some: "00:41", "1:02:07"."""
-    minutes, second = divmod(int(seconds), 60)
+    """Minutes, seconds and tenths, rounded, with hours where there are some: "00:41.7"."""
+    minutes, tenths = divmod(round(10 * seconds), 600)
     hours, minute = divmod(minutes, 60)
-    return f"{hours}:{minute:02}:{second:02}" if hours else f"{minute:02}:{second:02}"
+    text = f"{minute:02}:{tenths // 10:02}.{tenths % 10}"
+    return f"{hours}:{text}" if hours else text

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
@@ -203,9 +204,13 @@ def tracker_named(name: str) -> TrackerSpec:
     """The tracker of that name; raises `SettingsError` that says what there is."""
     if name in TRACKERS:
         return TRACKERS[name]
+    near = difflib.get_close_matches(name, TRACKERS, n=1)
     raise SettingsError(
-        "tracker {name} is unknown: available are {trackers}",
+        "tracker {name} is unknown: did you mean {near}? Available are {trackers}"
+        if near
+        else "tracker {name} is unknown: available are {trackers}",
         name=name,
+        near="".join(near),
         trackers=", ".join(TRACKERS),
     )
 

@@ -139,7 +139,10 @@ def test_detections_of_the_right_camera_alone_or_of_none_are_refused(
     words = ("-o", tmp_path / "s.h5", *FRAMES)
     status, _, err = trackwright("track", recording, "--detections-right", boxes, *words)
     assert status != 0
-    assert "give those of the left one" in err
+    assert "give those of the left one with --detections" in err
+    status, _, err = trackwright("track", recording, "--set", "detections.use=only", *words)
+    assert status != 0
+    assert "detections.use=only: there are no detections" in err
     given = ("--detections", boxes, "--detections-right", boxes)
     status, _, err = trackwright("track", recording / "left.mp4", *given, *words)
     assert status != 0

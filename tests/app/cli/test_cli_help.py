@@ -45,3 +45,10 @@ def test_every_help_is_translated(pseudo, trackwright):
         helps = [" ".join(one.help.split()) for one in command.params if getattr(one, "help", "")]
         plain = re.sub(r"-\s+", "-", page)
         assert [one for one in helps if "<<" + re.sub(r"-\s+", "-", one) + ">>" not in plain] == []
+
+
+def test_what_may_be_given_several_times_is_told_without_names_of_types(trackwright):
+    page = trackwright("track", "--help")[1]
+    assert "--set <str>..." in page
+    assert "--calibration <path>..." in page
+    assert "list[" not in page

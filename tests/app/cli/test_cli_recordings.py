@@ -211,4 +211,4 @@ def test_one_tracker_is_listed_by_its_name(trackwright: Trackwright) -> None:
     status, out, _ = trackwright("trackers", "flow", "--json")
     assert (status, [one["name"] for one in json.loads(out)["trackers"]]) == (0, ["flow"])
     status, _, err = trackwright("trackers", "flaw")
-    assert (status, "tracker flaw is unknown" in err) == (2, True)
+    assert (status, "tracker flaw is unknown: did you mean flow?" in err) == (2, True)
