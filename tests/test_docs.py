@@ -4,21 +4,31 @@ from __future__ import annotations
 
 import re
 import sys
+import textwrap
 from pathlib import Path
 from types import ModuleType
-from typing import Any
+from typing import Any, cast
 from urllib.parse import unquote
 
 import numpy as np
 import pytest
+from PySide6.QtCore import QSettings
+from pytestqt.qtbot import QtBot
 from typer.main import get_command
 
+from app.__main__ import run
 from app.cli.commands.program import program
+from app.core.tracking_process.request import TrackingRequest
+from app.core.widgets.user_settings import UserSettings
+from app.features.runs.track_dialog import TrackDialog
 from tests.editing.tables_of_people import bytes_of, table_of
 from tests.trackers.people_of_three_blocks import RED_BLUE, Blocks, observations, walking
 from tracking.editing import apply_change
 from tracking.formats import FORMATS, Exported, Filmed, no_progress
-from tracking.trackers import TRACKERS, settings_fields
+from tracking.pipeline import track
+from tracking.recording import open_recording
+from tracking.synthesis import render_recording
+from tracking.trackers import TRACKERS, TrackerSpec, settings_fields
 from tracking.tracks import Labels, TrackTable
 
 ROOT = Path(__file__).parents[1]
@@ -119,6 +129,72 @@ def test_the_tracker_of_the_guide_keeps_ids() -> None:
     tracker = guide["OverlapTracker"](guide["OverlapSettings"]())
     found = [tracker.step(one).tracks["track"].tolist() for one in observations(people, 5)]
     assert found == [[1]] * 5
+
+
+@pytest.fixture
+def overlap(monkeypatch: pytest.MonkeyPatch) -> TrackerSpec:
+    """The tracker of the guide, entered into the catalogue as the guide says."""
+    module = _module("tracking/trackers/overlap.py")
+    guide = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
+    entry = guide.partition("`_BUILT` in")[2].partition("```python\n")[2].partition("   ```")[0]
+    names = {"TrackerSpec": TrackerSpec, **module}
+    (spec,) = cast("tuple[TrackerSpec]", eval(textwrap.dedent(entry), names))
+    trackers = {**TRACKERS, spec.name: spec}
+    for user in ("tracking.trackers.catalogue", "app.features.runs.track_dialog"):
+        monkeypatch.setattr(f"{user}.TRACKERS", trackers)
+    return spec
+
+
+@pytest.fixture(scope="module")
+def clip(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A few frames of three people, with a file of detections beside them."""
+    folder = tmp_path_factory.mktemp("clips") / "clip"
+    render_recording(folder, "plaza", 4.0, 3, 5, size=(320, 240), fps=8.0)
+    (folder / "det.txt").write_text("1,-1,20,40,24,60,0.9\n")
+    return folder
+
+
+def test_the_tracker_of_the_guide_tracks_a_recording(overlap: TrackerSpec, clip: Path) -> None:
+    with open_recording(clip) as recording, track(recording, overlap.name) as tracking:
+        for _ in tracking:
+            pass
+        made = tracking.run()
+    assert made.tracker == "overlap"
+    assert len(made.tracks["track"]) > 0
+
+
+def test_the_tracker_of_the_guide_can_be_asked_of_another_process(
+    overlap: TrackerSpec, clip: Path
+) -> None:
+    with open_recording(clip) as recording:
+        asked = TrackingRequest.of(recording, overlap.name, None, 0, None)
+    assert not [name for name in asked.settings if name.startswith("detections")]
+
+
+@pytest.mark.parametrize("option", ["--detections", "--detections-right"])
+def test_detections_for_the_tracker_of_the_guide_are_refused_in_one_line(
+    overlap: TrackerSpec, clip: Path, tmp_path: Path, option: str, capsys
+) -> None:
+    words = ["track", str(clip), "-o", str(tmp_path / "s.h5"), "--tracker", overlap.name]
+    assert run([*words, option, str(clip / "det.txt")]) == 2
+    (line,) = capsys.readouterr().err.splitlines()
+    assert f"tracker overlap knows no {option[2:]}: leave {option} out or choose" in line
+    assert not (tmp_path / "s.h5").exists()
+
+
+def test_the_dialog_asks_for_no_detections_for_the_tracker_of_the_guide(
+    overlap: TrackerSpec, clip: Path, tmp_path: Path, qtbot: QtBot
+) -> None:
+    kept = QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat)
+    with open_recording(clip) as recording:
+        dialog = TrackDialog(recording, "three-part", UserSettings(kept))
+        qtbot.addWidget(dialog)
+        files = dialog._detections._left
+        dialog.put_settings("three-part", {"detections.file": "det.txt"}, 0)
+        assert files.isVisibleTo(dialog)
+        dialog.put_settings(overlap.name, {}, 0)
+        assert not files.isVisibleTo(dialog)
+        assert dialog.answer()[:2] == (overlap.name, overlap.settings_type())
 
 
 def test_the_format_of_the_guide_reads_what_it_writes(tmp_path: Path) -> None:

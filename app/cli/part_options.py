@@ -1,4 +1,4 @@
-"""Options of `track` that become settings of the trackers of body parts."""
+"""Options of `track` that become settings of those trackers that have them."""
 
 from __future__ import annotations
 
@@ -26,18 +26,29 @@ def settings_texts(spec: TrackerSpec, order: Order) -> tuple[str, ...]:
         FormatError: the detector cannot be read, or there are no such detections.
         SessionError: the occluders' session cannot be read, or nothing is drawn in it.
     """
-    known = {field.name for field in settings_fields(spec.settings_type)}
+    _refuse_unknown(spec, order)
     texts = list(order.setting or ())
-    given = {"detector": order.detector, "occluders": order.occluders}
-    for name in (name for name, value in given.items() if value is not None and name not in known):
-        raise SettingsError(
-            "tracker {tracker} knows no {name}: leave --{name} out or choose {able}",
-            tracker=spec.name,
-            name=name,
-            able=body_part_tracker(),
-        )
     texts += [f"{name}={value}" for name, value in _named(order)]
     return tuple(texts)
+
+
+def _refuse_unknown(spec: TrackerSpec, order: Order) -> None:
+    """Refuse an option whose setting the tracker does not have; raises SettingsError."""
+    given = {
+        "detector": ("detector", order.detector),
+        "occluders": ("occluders", order.occluders),
+        "detections": ("detections.file", order.detections),
+        "detections-right": ("detections.file_right", order.detections_right),
+    }
+    known = {field.name for field in settings_fields(spec.settings_type)}
+    for name, (setting, value) in given.items():
+        if value is not None and setting not in known:
+            raise SettingsError(
+                "tracker {tracker} knows no {name}: leave --{name} out or choose {able}",
+                tracker=spec.name,
+                name=name,
+                able=body_part_tracker(),
+            )
 
 
 def refuse_missing_detector(name: str) -> None:

@@ -6,6 +6,7 @@ from tracking.detections.settings import DetectionSettings
 from tracking.detections.source import (
     GivenBoxes,
     box_source,
+    detections_stage,
     is_inside,
     place_of,
     with_relative_paths,
@@ -19,6 +20,7 @@ __all__ = [
     "Footage",
     "GivenBoxes",
     "box_source",
+    "detections_stage",
     "is_inside",
     "learnt_threshold",
     "place_of",

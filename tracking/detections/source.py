@@ -94,6 +94,12 @@ def _used_of(file: DetectionsFile, used: BoxTable) -> Message:
     )
 
 
+def detections_stage(settings: Any) -> DetectionSettings:
+    """What a tracker's settings say of detections; no file where it has no such stage."""
+    stage = getattr(settings, "detections", None)
+    return stage if isinstance(stage, DetectionSettings) else DetectionSettings()
+
+
 def box_source(recording: Recording, settings: DetectionSettings) -> GivenBoxes | None:
     """The boxes that settings name, of a recording; None where they name no file.
 
@@ -130,7 +136,7 @@ def with_relative_paths(recording: Recording, settings: Any) -> Any:
 
     So they hold wherever the folder is put.
     """
-    named: DetectionSettings = settings.detections
+    named = detections_stage(settings)
     if not named.file:
         return settings
     folder = Path(os.path.realpath(recording.folder))

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from tracking.detections import GivenBoxes, box_source, with_relative_paths
+from tracking.detections import GivenBoxes, box_source, detections_stage, with_relative_paths
 from tracking.errors import SettingsError
 from tracking.people import RangedShare, StereoWatch, first_lag
 from tracking.pipeline.run_buffer import KeptSteps
@@ -210,7 +210,7 @@ class Tracking:
 
     def _work(self) -> Generator[StepResult]:
         timed = self._stages.timed
-        self._boxes = timed("learn", box_source, self._recording, self._settings.detections)
+        self._boxes = timed("learn", box_source, self._recording, detections_stage(self._settings))
         if self._resume is not None:
             self._resume.require_same(self.detections_input)
         asked = (self._recording, self._settings, self._seed, self._boxes)

@@ -20,11 +20,11 @@ from tracking.detections import DetectionSettings, GivenBoxes, box_source
 from tracking.detections.settings import BESIDE, ONLY
 from tracking.progress import Progress
 from tracking.recording import Recording
-from tracking.settings import settings_from
+from tracking.settings import settings_fields, settings_from
 
 FILE, RIGHT, USE = "detections.file", "detections.file_right", "detections.use"
 FILLED_IN = (FILE, RIGHT, USE)
-"""Settings of all trackers that stand here, not among the others."""
+"""Settings of trackers that stand here, not among the others."""
 _NAMES = ("det.txt", "detections.txt", "det/det.txt", "detections.json", "labels")
 """What other programs call them; offered where one lies in the recording's folder."""
 _FILTER = "(*.txt *.json)"
@@ -89,6 +89,7 @@ class DetectionsLine(QObject):
         self._told.setWordWrap(True)
         self._told.setTextFormat(Qt.TextFormat.PlainText)  # it holds names of files
         self._form: QFormLayout | None = None
+        self._taken = True
         self._stereo = recording.is_stereo
         self._look = LatestJob("detections", partial(_reading, recording), self)
         self._look.found.connect(self._tell)
@@ -105,9 +106,17 @@ class DetectionsLine(QObject):
         form.addRow("", self._told)
         self._follow()
 
+    def show_for(self, settings_type: type) -> None:
+        """Show the rows where a tracker with these settings takes detections."""
+        self._taken = FILE in {field.name for field in settings_fields(settings_type)}
+        self._follow()
+
     def values(self) -> dict[str, str]:
-        """The settings that are not as they come, by their dotted names."""
-        if not self._left.path:
+        """The settings that are not as they come, by their dotted names.
+
+        None of a tracker that takes no detections.
+        """
+        if not (self._taken and self._left.path):
             return {}
         chosen = {FILE: self._left.path}
         if self._stereo and self._right.path:
@@ -124,8 +133,9 @@ class DetectionsLine(QObject):
 
     def _follow(self) -> None:
         """Show what is to be said of a file once there is one, and have it read."""
-        some = bool(self._left.path)
+        some = self._taken and bool(self._left.path)
         if self._form is not None:
+            self._form.setRowVisible(self._left, self._taken)
             self._form.setRowVisible(self._right, some and self._stereo)
             self._form.setRowVisible(self._use, some)
             self._form.setRowVisible(self._told, some)

@@ -94,7 +94,7 @@ def _region(
 
 def _heights(bodies: Bodies, settings: SpheroidSettings) -> Floats:
     """(n,) m: as estimated, else a newcomer's."""
-    return np.where(np.isfinite(bodies.height_m), bodies.height_m, settings.newcomer_m)
+    return np.where(np.isfinite(bodies.height_m), bodies.height_m, settings.tentative_height_m)
 
 
 def _ramp(fps: float, view: View, settings: SpheroidSettings) -> SpheroidPerception:

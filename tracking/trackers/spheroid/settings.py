@@ -193,8 +193,8 @@ class SpheroidSettings:
         return bool(self.detections.file) and self.detections.use == ONLY
 
     @property
-    def newcomer_m(self) -> float:
-        """Body height thought of a newcomer, m; as published one fixed height, everybody's."""
+    def tentative_height_m(self) -> float:
+        """Body height of a tentative track, m; as published, the fixed height of all tracks."""
         return _PAPER_HEIGHT_M if self.paper else self.initial_height_m
 
     def __post_init__(self) -> None:

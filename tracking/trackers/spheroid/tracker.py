@@ -104,7 +104,7 @@ class SpheroidTracker(TrackerBase[SpheroidSettings]):
         self._flat = perception.flat
         self._counted = counted
         self._random = np.random.default_rng(seed)
-        usual_m = self._usual_m = settings.newcomer_m
+        usual_m = self._usual_m = settings.tentative_height_m
         self._cells = FloorCells(self._flat, usual_m, settings.radius_m)
         self._people = no_people(settings.particles)
         self._coasting = CoastingPeople(self._people, np.zeros(0))
