@@ -24,7 +24,7 @@ from app.cli.track import (
     settings_of,
 )
 from app.core.document.document_loader import open_path, remember_place
-from tracking.detections import is_inside
+from tracking.detections import outside
 from tracking.editing import Change, Difference, differences, plan_take
 from tracking.errors import EditError, RecordingError, SessionError, SettingsError
 from tracking.pipeline import track
@@ -234,13 +234,12 @@ def _tracker(
 
 def _refuse_outside(settings: Mapping[str, Any]) -> None:
     """Refuse detections that a session, not the user, names outside of the recording's folder."""
-    for name in ("detections.file", "detections.file_right"):
-        if not is_inside(named := str(settings.get(name, ""))):
-            raise SettingsError(
-                "{named}: these detections, which the tracks were made with, are not in the folder "
-                "of the recording: name them (--detections), or add --allow-outside",
-                named=named,
-            )
+    if named := outside(settings):
+        raise SettingsError(
+            "{named}: these detections, which the tracks were made with, are not in the folder "
+            "of the recording: name them (--detections), or add --allow-outside",
+            named=named,
+        )
 
 
 def _taken(session: Session, recording: Recording, run: Run) -> Change | None:

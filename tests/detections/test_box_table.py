@@ -79,10 +79,19 @@ def test_of_two_boxes_on_one_person_the_surer_one_stays() -> None:
     assert kept.score.tolist() == [0.9, 0.4]
 
 
-def test_a_box_inside_a_surer_one_is_of_the_same_person() -> None:
-    assert one_each(boxes((0, 0, 50, 100, 0.9), (10, 10, 20, 30, 0.8)), 0.65).score.tolist() == [
-        0.9
-    ]
+@pytest.mark.parametrize(
+    ("inner", "max_overlap", "scores"),
+    [
+        ((10, 50, 20, 48), 0.65, [0.9]),
+        ((10, 10, 20, 60), 0.65, [0.9, 0.8]),  # feet farther up: somebody behind
+        ((10, 50, 20, 48), 1.0, [0.9, 0.8]),
+    ],
+)
+def test_a_box_inside_a_surer_one_is_of_the_same_person_if_their_feet_are(
+    inner, max_overlap, scores
+) -> None:
+    kept = one_each(boxes((0, 0, 50, 100, 0.9), (*inner, 0.8)), max_overlap)
+    assert kept.score.tolist() == scores
 
 
 def test_a_box_dropped_for_a_surer_one_drops_no_other() -> None:

@@ -93,6 +93,16 @@ def test_the_fingerprint_is_of_names_and_contents(tmp_path) -> None:
     assert one != read_detections(folder, FOOTAGE).fingerprint
 
 
+@pytest.mark.parametrize("name", ["classes.txt", "obj.names"])
+def test_the_fingerprint_is_of_the_file_too_that_says_who_is_a_person(tmp_path, name) -> None:
+    folder = folder_of(tmp_path, f_1=f"{ROW}\n1 0.5 0.5 0.5 0.5")
+    known = [read_detections(folder, FOOTAGE).fingerprint]
+    for text in ("car\nperson\n", "person\ncar\n"):
+        (folder / name).write_text(text)
+        known.append(read_detections(folder, FOOTAGE).fingerprint)
+    assert len(set(known)) == 3
+
+
 def test_boxes_of_later_frames_and_outside_of_the_picture_are_told(tmp_path) -> None:
     beside, edge = "0 1.5 0.5 0.2 0.5", "0 1.0 0.5 0.5 0.5"
     folder = folder_of(tmp_path, f_1=f"{ROW}\n{beside}\n{edge}", f_601=f"{ROW}\n{ROW}")

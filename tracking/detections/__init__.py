@@ -7,7 +7,7 @@ from tracking.detections.source import (
     GivenBoxes,
     box_source,
     detections_stage,
-    is_inside,
+    outside,
     place_of,
     with_relative_paths,
 )
@@ -21,8 +21,8 @@ __all__ = [
     "GivenBoxes",
     "box_source",
     "detections_stage",
-    "is_inside",
     "learnt_threshold",
+    "outside",
     "place_of",
     "read_detections",
     "with_relative_paths",

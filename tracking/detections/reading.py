@@ -16,7 +16,13 @@ from tracking.detections.coco_boxes import is_coco, read_coco_boxes
 from tracking.detections.frame_numbers import Footage
 from tracking.detections.mot_boxes import read_mot_boxes
 from tracking.detections.table import BoxTable
-from tracking.detections.yolo_boxes import frame_texts, is_yolo, read_small, read_yolo_boxes
+from tracking.detections.yolo_boxes import (
+    frame_texts,
+    is_yolo,
+    names_file,
+    read_small,
+    read_yolo_boxes,
+)
 from tracking.errors import FormatError, explain_unreadable
 from tracking.formats.mot import is_mot, lacks_commas
 from tracking.formats.read_result import Reading
@@ -58,7 +64,7 @@ class DetectionsFile:
 
     Attributes:
         path: of the file. format: its name. title: what people call that.
-        fingerprint: SHA-256 of all bytes, in hex.
+        fingerprint: SHA-256 of all bytes, in hex; of a folder see `_parts_of_folder`.
         table: the boxes that are valid and in the footage.
         notes: what else the user should know, a line each.
     """
@@ -157,7 +163,8 @@ def _parts_of_folder(folder: Path) -> Iterator[bytes]:
             "{path} is a folder without text files; give one of YOLO text, or a file", path=folder
         )
     size = 0
-    for file in frame_texts(Reading(folder)):
+    names = names_file(folder)  # it says who is a person
+    for file in (*frame_texts(Reading(folder)), *([names] if names else ())):
         held = read_small(file)
         size += len(held)
         _check_size(folder, size)

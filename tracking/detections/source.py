@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path, PurePosixPath, PureWindowsPath
 from typing import Any
@@ -11,7 +12,7 @@ from tracking.detections.frame_numbers import Footage
 from tracking.detections.reading import DetectionsFile, read_cameras
 from tracking.detections.settings import ONLY, DetectionSettings
 from tracking.detections.table import BoxTable, one_each
-from tracking.errors import RecordingError
+from tracking.errors import FormatError, RecordingError
 from tracking.people.given_boxes import FrameBoxes
 from tracking.recording import Recording
 from tracking.tracks import DetectionsInput
@@ -121,12 +122,35 @@ def box_source(recording: Recording, settings: DetectionSettings) -> GivenBoxes 
 
 
 def place_of(recording: Recording, named: str) -> Path:
-    """Where a file is that a setting names: relative paths begin in the recording's folder."""
-    return recording.folder / named
+    """Where a file is that a setting names: relative paths begin in the recording's folder.
+
+    Raises FormatError where links lead from there elsewhere, as they may in a copied recording.
+    """
+    place = recording.folder / named
+    if not Path(named).is_absolute():
+        real = Path(os.path.realpath(recording.folder))
+        folder = Path(os.path.normpath(real / named)).parent
+        if Path(os.path.realpath(folder)) != folder:
+            raise FormatError(
+                "{path}: the folder it is in is a link, which is not followed; name the place it "
+                "leads to",
+                path=place,
+            )
+    return place
 
 
-def is_inside(named: str) -> bool:
-    """Whether a path of a setting stays within the recording's folder on every system."""
+def outside(settings: Mapping[str, Any]) -> str:
+    """The file of detections that settings by their dotted names have outside of the folder.
+
+    That of the recording is meant; "" where there is none. What only a session names out there is
+    not read: it may come from somebody else.
+    """
+    named = (str(settings.get(name, "")) for name in ("detections.file", "detections.file_right"))
+    return next((each for each in named if not _is_inside(each)), "")
+
+
+def _is_inside(named: str) -> bool:
+    """Whether a path stays within a folder on every system."""
     parts = (*PurePosixPath(named).parts, *PureWindowsPath(named).parts)
     return not (PurePosixPath(named).root or PureWindowsPath(named).anchor) and ".." not in parts
 

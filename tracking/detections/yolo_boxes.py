@@ -50,6 +50,14 @@ def frame_texts(reading: Reading) -> list[Path]:
     return [path for path in files_in(reading, ENDING)[0] if path.name not in _NAMES]
 
 
+def names_file(folder: Path) -> Path | None:
+    """The file that names the classes; None: the folder has none that is no link."""
+    for path in (folder / name for name in _NAMES):
+        if path.is_file() and not path.is_symlink():
+            return path
+    return None
+
+
 def read_yolo_boxes(boxes: BoxReading, footage: Footage) -> None:
     """All boxes of people in the folder's files.
 
@@ -95,17 +103,13 @@ def _people_in(folder: Path) -> int:
 
     Raises FormatError where none of the names is person.
     """
-    for path in (folder / name for name in _NAMES):
-        if not path.is_file() or path.is_symlink():
-            continue
-        names = read_small(path).decode("utf-8", "replace").split("\n")
-        for number, name in enumerate(names):
-            if name.strip().lower() in PEOPLE:
-                return number
-        raise FormatError(
-            "{path}: none of the classes is person; rename the one of people", path=path
-        )
-    return 0
+    if (path := names_file(folder)) is None:
+        return 0
+    names = read_small(path).decode("utf-8", "replace").split("\n")
+    for number, name in enumerate(names):
+        if name.strip().lower() in PEOPLE:
+            return number
+    raise FormatError("{path}: none of the classes is person; rename the one of people", path=path)
 
 
 def _take(boxes: BoxReading, path: Path, frame: int, people: int, footage: Footage) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import partial
 from typing import Any, Protocol
@@ -74,6 +74,12 @@ class DetectionsInput:
     format: str
     fingerprint: str
     count: int
+
+    def is_among(self, known: Iterable[DetectionsInput]) -> bool:
+        """Whether one of them is the same boxes of the same camera, whatever their file's name."""
+        return any(
+            (one.camera, one.fingerprint) == (self.camera, self.fingerprint) for one in known
+        )
 
 
 @dataclass(frozen=True, slots=True)

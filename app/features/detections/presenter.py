@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from app.core.i18n import tr
 from app.core.scenes import LegendEntry, Side
 from app.core.scenes.given_boxes import DETECTION, NO_DETECTIONS, PicturedDetections
-from app.core.tracks.made_by import MadeBy
-from tracking.detections import DetectionSettings, GivenBoxes, box_source
+from app.core.tracks.made_by import AtWork, MadeBy
+from tracking.detections import DetectionSettings, GivenBoxes, box_source, outside
 from tracking.errors import FormatError
 from tracking.recording import Recording
 from tracking.settings import settings_from
@@ -24,10 +24,13 @@ class GivenTo:
     Attributes:
         settings: which, and what of them is used.
         inputs: the files as they were then; none where it is at work still.
+        outside: the file among them that only a session, not the user, names outside of the
+            recording's folder, which is not read then; "": none.
     """
 
     settings: DetectionSettings
     inputs: tuple[DetectionsInput, ...] = ()
+    outside: str = ""
 
     @classmethod
     def of(cls, run: MadeBy | None) -> GivenTo | None:
@@ -40,19 +43,26 @@ class GivenTo:
             return None
         own = {k.removeprefix(_STAGE): v for k, v in values.items() if k.startswith(_STAGE)}
         settings: DetectionSettings = settings_from(DetectionSettings, own)
-        return cls(settings, run.detections_input if isinstance(run, Run) else ())
+        inputs = run.detections_input if isinstance(run, Run) else ()
+        return cls(settings, inputs, "" if isinstance(run, AtWork) else outside(values))
 
 
 def boxes_of(recording: Recording, given: GivenTo) -> GivenBoxes | None:
     """Reads the boxes, on any thread.
 
-    Raises FormatError where they cannot be read, or are not those that the tracker was given.
+    Raises FormatError where they cannot be read, are not those that the tracker was given, or lie
+    where only the session says.
     """
+    if given.outside:
+        raise FormatError(
+            "{file}: these detections, which the tracks were made with, are not in the folder of "
+            "the recording; their boxes are not drawn",
+            file=given.outside,
+        )
     boxes = box_source(recording, given.settings)
     if boxes is not None and given.inputs:
-        known = {one.fingerprint for one in given.inputs}
         for one in boxes.inputs:
-            if one.fingerprint not in known:
+            if not one.is_among(given.inputs):
                 raise FormatError(
                     "{file} has changed since the tracks were made with it; its boxes are not "
                     "drawn",

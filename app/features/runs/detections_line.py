@@ -16,7 +16,7 @@ from app.core.jobs.latest_job import LatestJob
 from app.core.widgets.parts import quiet
 from app.core.widgets.questions import choose_file
 from app.core.widgets.user_settings import UserSettings
-from tracking.detections import DetectionSettings, GivenBoxes, box_source
+from tracking.detections import DetectionSettings, GivenBoxes, box_source, outside
 from tracking.detections.settings import BESIDE, ONLY
 from tracking.progress import Progress
 from tracking.recording import Recording
@@ -126,10 +126,23 @@ class DetectionsLine(QObject):
         return chosen
 
     def put(self, values: Mapping[str, Any]) -> None:
-        """Choose what the settings of a run say."""
-        self._left.put(str(values.get(FILE, "")))
-        self._right.put(str(values.get(RIGHT, "")))
+        """Choose what the settings of a run say; files outside of the recording's folder are told.
+
+        These are read where the user chooses them: a session may come from somebody else.
+        """
+        elsewhere = outside(values)
+        self._left.put("" if elsewhere else str(values.get(FILE, "")))
+        self._right.put("" if elsewhere else str(values.get(RIGHT, "")))
         self._use.setCurrentIndex(max(0, self._use.findData(values.get(USE, BESIDE))))
+        if elsewhere:
+            told = tr(
+                "The tracks were made with {file}, which is not in the folder of the recording: "
+                "choose it to use it again.",
+                file=elsewhere,
+            )
+            self._told.setText(told)
+            if self._form is not None:
+                self._form.setRowVisible(self._told, True)
 
     def _follow(self) -> None:
         """Show what is to be said of a file once there is one, and have it read."""

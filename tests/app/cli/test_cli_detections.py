@@ -109,6 +109,34 @@ def test_tracking_again_reads_no_file_outside_that_only_the_session_names(
     assert trackwright(*again, "--detections", outside)[0] == 0
 
 
+def test_tracking_again_refuses_the_files_of_the_cameras_swapped(
+    trackwright: Trackwright, recording: Path, boxes: Path, tmp_path: Path
+) -> None:
+    out, right = tmp_path / "s.h5", recording / "right.txt"
+    right.write_text(ROWS.replace("24,60", "25,60"))
+    given = ("--detections", boxes, "--detections-right", right)
+    assert trackwright("track", recording, *given, "-o", out, *FRAMES)[0] == 0
+    again = ("track", "--again", out, "--from", "3", "--until", "6")
+    swapped = ("--detections", right, "--detections-right", boxes)
+    status, _, err = trackwright(*again, *swapped)
+    assert status != 0
+    assert "right.txt is not the file of detections that the tracks were made with, det.txt" in err
+
+
+def test_links_on_the_way_from_the_recordings_folder_are_not_followed(
+    trackwright: Trackwright, recording: Path, boxes: Path, tmp_path: Path
+) -> None:
+    elsewhere, out = tmp_path / "elsewhere", tmp_path / "s.h5"
+    elsewhere.mkdir()
+    shutil.move(boxes, elsewhere / "det.txt")
+    (recording / "det").symlink_to(elsewhere)
+    named = ("--set", "detections.file=det/det.txt")
+    status, _, err = trackwright("track", recording, *named, "-o", out, *FRAMES)
+    assert status == 1
+    assert "is a link, which is not followed" in err
+    assert not out.exists()
+
+
 @pytest.mark.parametrize(
     ("name", "text", "said"),
     [

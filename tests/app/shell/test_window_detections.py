@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import shutil
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 from pytestqt.qtbot import QtBot
 
+from app.core.tracks.made_by import AtWork
+from app.features.detections.presenter import GivenTo, boxes_of
 from app.features.runs.track_dialog import TrackDialog
 from app.shell.main_window import MainWindow
+from tracking.errors import FormatError
 
 ROWS = "".join(f"{n},-1,{20 + n},40,24,60,0.9\n" for n in range(1, 81))
 
@@ -73,3 +77,25 @@ def test_boxes_of_a_file_that_has_changed_since_are_not_drawn_and_that_is_told(
     qtbot.waitUntil(lambda: bool(told), timeout=20_000)
     assert "det.txt has changed since the tracks were made with it" in str(told[0])
     assert tracked.workspace.left._detections.boxes == ()
+
+
+def test_boxes_of_a_file_outside_that_a_session_names_are_not_drawn_and_that_is_told(
+    tracked, tmp_path
+) -> None:
+    outside = tmp_path / "elsewhere.txt"
+    outside.write_text(ROWS)
+    run = tracked.files.session.runs[0]
+    session_run = replace(run, settings={**run.settings, "detections.file": str(outside)})
+    recording = tracked.controller.document.recording
+    with pytest.raises(FormatError, match="not in the folder of the recording"):
+        boxes_of(recording, GivenTo.of(session_run))
+    at_work = AtWork(session_run.tracker, session_run.settings)  # as the user asked for it
+    assert boxes_of(recording, GivenTo.of(at_work)) is not None
+
+
+def test_boxes_of_the_cameras_swapped_are_not_drawn(tracked) -> None:
+    run = tracked.files.session.runs[0]
+    (left,) = run.detections_input
+    given = GivenTo.of(replace(run, detections_input=(replace(left, camera="right"),)))
+    with pytest.raises(FormatError, match="has changed since"):
+        boxes_of(tracked.controller.document.recording, given)

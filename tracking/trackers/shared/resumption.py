@@ -98,14 +98,15 @@ class Resume:
         Going on without any, or with some after tracks that needed none, is the user's choice.
         Raises SettingsError that names both files.
         """
-        known = {one.fingerprint for one in self.detections_input}
+        known = self.detections_input
         for given in detections_input if known else ():
-            if given.fingerprint not in known:
+            if not given.is_among(known):
+                same_camera = [one.file for one in known if one.camera == given.camera]
                 raise SettingsError(
                     "{file} is not the file of detections that the tracks were made with, {known}: "
                     "give that one, or track the recording anew",
                     file=given.file,
-                    known=self.detections_input[0].file,
+                    known=same_camera[0] if same_camera else known[0].file,
                 )
 
     def last(self, seconds: float) -> Columns:

@@ -66,3 +66,20 @@ def test_the_settings_of_a_run_fill_them_in(dialog) -> None:
     values = {"detections.file": "boxes.json", "detections.use": "only"}
     dialog.put_settings("three-part", values, 3)
     assert dialog._detections.values() == values
+
+
+@pytest.mark.parametrize("name", ["detections.file", "detections.file_right"])
+def test_a_file_outside_that_a_session_names_is_not_read_but_told(
+    dialog, qtbot, tmp_path, name
+) -> None:
+    outside = tmp_path / "elsewhere.txt"
+    outside.write_text(ROWS)
+    values = {"detections.file": "det.txt", name: str(outside)}
+    line = dialog._detections
+    dialog.put_settings("three-part", values, 0)
+    assert line.values() == {}
+    assert not line._look.busy
+    assert line._told.isVisibleTo(dialog)
+    assert "elsewhere.txt, which is not in the folder of the recording" in line._told.text()
+    line._left.put(str(outside))  # the user names it
+    qtbot.waitUntil(lambda: "boxes are used" in line._told.text())
