@@ -11,6 +11,7 @@ from app.cli.sessions import open_session
 from tracking.errors import FormatError
 from tracking.formats import FORMATS, Filmed, TrackFormat, format_of, measurable
 from tracking.tracks import Columns, CountingLine
+from tracking.translation import Message
 from tracking.truth import TRUE_PARTS
 
 _TRUTH = "truth.txt"
@@ -44,7 +45,7 @@ class Tracks:
     fps: float | None = None
     size_px: tuple[int, int] | None = None
     lines: tuple[CountingLine, ...] = ()
-    notes: tuple[str, ...] = ()
+    notes: tuple[Message, ...] = ()
     dont_cares: bool = False
     recording: str | None = None
     tracker: str | None = None

@@ -144,6 +144,7 @@ def test_frames_that_were_never_recorded_are_told(tmp_path: Path) -> None:
     assert source.frame_count == 38
     assert source.fps == pytest.approx(25)
     assert "2 frames not recorded, first after 16" in source.notes[0]
+    assert source.notes[0].values["note"].values["first"] == 16  # told in any language
 
 
 def test_a_broken_frame_is_shown_as_the_one_before_and_told(tmp_path: Path) -> None:

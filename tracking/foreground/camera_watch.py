@@ -7,7 +7,7 @@ import numpy as np
 
 from tracking.arrays import Picture
 from tracking.foreground.marks import Marks, Points
-from tracking.translation import msg
+from tracking.translation import Message, msg
 
 _EVERY_S = 1.0
 _WIDE_PX = 320
@@ -78,7 +78,7 @@ class CameraWatch:
         if found < _LEFT * len(self._marks):
             self._take(now)
 
-    def notes(self, tracker: str) -> tuple[str, ...]:
+    def notes(self, tracker: str) -> tuple[Message, ...]:
         """Notes for the user of a tracker, a line; nothing while the camera stands still."""
         if self.moved_at is None or self.first is None:
             return ()

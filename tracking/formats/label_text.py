@@ -6,7 +6,7 @@ import re
 from collections.abc import Collection, Mapping
 
 from tracking.tracks import LONGEST_NAME, LONGEST_VALUE, TrackLabel
-from tracking.translation import msg
+from tracking.translation import Message, msg
 
 PERSON = "person"
 CLASS = "class"
@@ -73,7 +73,7 @@ def is_person(label: TrackLabel) -> bool:
     return label.attributes.get(CLASS, "").strip().lower() in _OF_PEOPLE
 
 
-def left_out(count: int, one: str, many: str) -> str:
+def left_out(count: int, one: str, many: str) -> Message:
     """A note that so many things of a file are not taken."""
     return (
         msg("1 {one} is left out", one=one)

@@ -14,7 +14,7 @@ from tracking.formats.read_result import BadRow, Filmed, Imported, Reading, in_o
 from tracking.formats.seqinfo import sequence_of
 from tracking.formats.track_format import TrackFormat
 from tracking.tracks import Columns
-from tracking.translation import msg
+from tracking.translation import Message, msg
 
 _MOT = "mot"
 
@@ -36,7 +36,7 @@ class Measurable:
     fps: float | None = None
     size_px: tuple[int, int] | None = None
     frames: int | None = None
-    notes: tuple[str, ...] = ()
+    notes: tuple[Message, ...] = ()
     dont_cares: bool = False
 
 

@@ -18,6 +18,7 @@ from tracking.errors import FormatError
 from tracking.formats.row_rules import broken_rules
 from tracking.progress import Progress, no_progress
 from tracking.tracks import CORRECTED_COLUMNS, LARGEST_NUMBER, Columns, TrackLabel, row_keys
+from tracking.translation import Message
 
 if TYPE_CHECKING:
     from tracking.geometry import View
@@ -123,7 +124,7 @@ class Imported:
     fps: float | None = None
     size_px: tuple[int, int] | None = None
     frames: int | None = None
-    notes: tuple[str, ...] = ()
+    notes: tuple[Message, ...] = ()
     seen_as: SeenAs | None = None
     place_of: PlaceOf | None = None
     first_frame: int = 0
@@ -141,7 +142,7 @@ class Reading:
         Whoever reads rows adds to `good` as they come.
         """
         self.path, self.report = path, report
-        self.notes: list[str] = []
+        self.notes: list[Message] = []
         self.good = self.bad_count = self._track_of_zero = 0
         self._told: list[BadRow] = []
 

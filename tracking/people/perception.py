@@ -37,6 +37,7 @@ from tracking.stereo import (
     SubtractionStereo,
     least_side_px,
 )
+from tracking.translation import Message
 
 _PROTECTED_MARGIN_PX = 8
 _NEARER_PX = 0.5
@@ -94,7 +95,7 @@ class StereoPerception:
         self.stereo_watch = StereoWatch(fps)
 
     @property
-    def notes(self) -> tuple[str, ...]:
+    def notes(self) -> tuple[Message, ...]:
         """What the user should be told of the cameras, a line each."""
         return self.stereo_watch.notes()
 

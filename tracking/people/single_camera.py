@@ -30,6 +30,7 @@ from tracking.people.settings import PeopleSettings
 from tracking.people.silhouettes import Labels
 from tracking.people.working_scale import shrink_of, shrunk
 from tracking.recording.frame import Image, StereoFrame
+from tracking.translation import Message
 
 _NEAREST = cv2.INTER_NEAREST
 _PROTECTED = np.ones((17, 17), np.uint8)
@@ -68,7 +69,7 @@ class SingleCameraPerception:
         self._shrink = 1
 
     @property
-    def notes(self) -> tuple[str, ...]:
+    def notes(self) -> tuple[Message, ...]:
         """Nothing is to be told."""
         return ()
 

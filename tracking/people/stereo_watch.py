@@ -62,7 +62,7 @@ class StereoWatch:
         self._paired = 0
         self._frozen = self._count = self._found = self._looks = self._unlike = 0
         self._failed: list[tuple[int, int]] = []
-        self._lagged: list[str] = []
+        self._lagged: list[Message] = []
 
     def begin(self, lag: int, told: int | None = None) -> None:
         """The lag is known before the first frame; told: by recording.toml, None: not told."""
@@ -78,10 +78,10 @@ class StereoWatch:
             paired = msg("{late}: images of the same instant are paired", late=_late(lag))
             self._lagged.append(paired + self._unless_told(lag))
 
-    def _unless_told(self, lag: int | None) -> str:
+    def _unless_told(self, lag: int | None) -> Message:
         """What to do where recording.toml says otherwise."""
         if self._told is None or lag == self._told:
-            return ""
+            return Message()
         return msg(
             "; recording.toml says {told}: leave `lag` out to have it looked for", told=self._told
         )
@@ -109,7 +109,7 @@ class StereoWatch:
         if self._count % self._every == 0:
             self._look_for_lag(frame)
 
-    def notes(self) -> tuple[str, ...]:
+    def notes(self) -> tuple[Message, ...]:
         """What the user should know, a line each; nothing while both cameras are well."""
         failed = [
             msg(
@@ -202,7 +202,7 @@ def _late(lag: int) -> Message:
     )
 
 
-def _first_few(lines: Sequence[str]) -> Sequence[str]:
+def _first_few(lines: Sequence[Message]) -> Sequence[Message]:
     """Not more lines than anybody reads, and how many more there are."""
     more = len(lines) - _MOST_TOLD
     return (

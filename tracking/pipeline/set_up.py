@@ -15,7 +15,7 @@ from tracking.geometry import Ground, Rectification
 from tracking.recording import Recording, StereoFrame
 from tracking.stereo import SightLines
 from tracking.trackers import changed_settings, settings_fields, settings_values
-from tracking.translation import msg
+from tracking.translation import Message, msg
 
 _MATCHING = "stereo."
 """Settings of how the cameras are matched begin so; all are numbers with a unit."""
@@ -95,7 +95,7 @@ def changed_matching(tracker: str, settings: Any) -> str:
     )
 
 
-def doubt_of(recording: Recording, frames: Sequence[StereoFrame]) -> str:
+def doubt_of(recording: Recording, frames: Sequence[StereoFrame]) -> Message:
     """What cannot be right of cameras, height and tilt, for the user; "": nothing.
 
     Args:
@@ -105,7 +105,7 @@ def doubt_of(recording: Recording, frames: Sequence[StereoFrame]) -> str:
     rectification, ground = recording.rectification, recording.ground
     frame = frames[len(frames) // 2]
     if rectification is None or ground is None or frame.right is None:
-        return ""
+        return Message()
     if _show_the_same(frames):
         return msg(
             "{name}: both cameras show the same images, which tell no distance: give "
@@ -119,7 +119,7 @@ def doubt_of(recording: Recording, frames: Sequence[StereoFrame]) -> str:
         )
     better = better_floor(scene, ground)
     if better is None:
-        return ""
+        return Message()
     return msg(
         "{name}: {ground} do not suit the scene, {better} would: check how the camera stands",
         name=recording.name,

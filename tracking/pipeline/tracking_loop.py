@@ -29,7 +29,7 @@ from tracking.trackers import (
 )
 from tracking.trackers.shared.stages import Stages
 from tracking.tracks import DetectionsInput, Run
-from tracking.translation import msg
+from tracking.translation import Message, msg
 
 BACKGROUND_SAMPLES = 15
 """Frames spread over the recording that the background is learnt from before the first step."""
@@ -135,7 +135,7 @@ class Tracking:
         self._boxes: GivenBoxes | None = None
         self._kept = kept
         self._followed = False
-        self.doubt = ""
+        self.doubt = Message()
         self._ranged = RangedShare()
         self._steps = self._work()
 
@@ -185,7 +185,7 @@ class Tracking:
         return {**self._stages.spent_s, **{f"tracker_{name}": s for name, s in inner.items()}}
 
     @property
-    def notes(self) -> tuple[str, ...]:
+    def notes(self) -> tuple[Message, ...]:
         """What the user should be told of the frames tracked so far, a line each."""
         told = self._tracker.notes if self._tracker is not None else ()
         told = (*(self._boxes.notes if self._boxes is not None else ()), *told)
@@ -193,10 +193,10 @@ class Tracking:
         doubt = self.doubt or self._without_distances()
         return (*told, doubt) if doubt else told
 
-    def _without_distances(self) -> str:
+    def _without_distances(self) -> Message:
         """What is told where hardly anything that moves has a distance; "": it has one."""
         if self._followed or not self._spec.needs_stereo or not self._ranged.is_too_small:
-            return ""
+            return Message()
         cameras = msg("are the cameras swapped, or is the calibration of other cameras?")
         changed = changed_matching(self._spec.name, self._settings)
         asked = (

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from tracking.recording.images import ImageSource, frame_numbers
 from tracking.recording.pictures import PictureSource
-from tracking.translation import count_msg, msg
+from tracking.translation import Message, count_msg, msg
 
 _SAME_CLOCK_SHARE = 0.9
 
@@ -24,7 +24,7 @@ class Pairing:
     """
 
     right: NDArray[np.int64]
-    notes: tuple[str, ...]
+    notes: tuple[Message, ...]
 
 
 def pair_frames(left: PictureSource, right: PictureSource) -> Pairing:
@@ -41,7 +41,7 @@ def pair_frames(left: PictureSource, right: PictureSource) -> Pairing:
         if paired is not None:
             return paired
     count = min(left.frame_count, right.frame_count)
-    notes: tuple[str, ...] = ()
+    notes: tuple[Message, ...] = ()
     if left.frame_count != right.frame_count:
         notes = (
             msg(

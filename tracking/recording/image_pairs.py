@@ -13,6 +13,7 @@ from tracking.errors import RecordingError
 from tracking.recording.frame import Image
 from tracking.recording.frame_pairs import pair_frames
 from tracking.recording.pictures import PictureSource
+from tracking.translation import Message
 
 Layout = Literal["side-by-side", "top-bottom"]
 Side = Literal["left", "right"]
@@ -42,7 +43,7 @@ class ImagePairs(Protocol):
         """What the pictures come from, the left (or only) one first."""
 
     @property
-    def notes(self) -> tuple[str, ...]:
+    def notes(self) -> tuple[Message, ...]:
         """Oddities of the pairing, in words."""
 
     def read(self, number: int, right_number: int) -> ImagePair:
@@ -64,7 +65,7 @@ class OneCamera:
         self.frame_count = source.frame_count
         self.size = source.size
         self.is_stereo = False
-        self.notes: tuple[str, ...] = ()
+        self.notes: tuple[Message, ...] = ()
 
     def read(self, number: int, right_number: int) -> ImagePair:  # noqa: ARG002 - as all pairs
         """One picture, and no right one."""
@@ -145,7 +146,7 @@ class SplitSource:
         self.is_stereo = True
         self.frame_count = source.frame_count
         self.size = (width // 2, height) if self._beside else (width, height // 2)
-        self.notes: tuple[str, ...] = ()
+        self.notes: tuple[Message, ...] = ()
 
     def read(self, number: int, right_number: int) -> ImagePair:
         """One picture, cut into its cameras; or each camera of another one."""

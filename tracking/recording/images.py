@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from tracking.errors import RecordingError
 from tracking.recording.frame import Image
 from tracking.recording.image_headers import looks_odd, why_not_decoded
-from tracking.translation import count_msg, msg
+from tracking.translation import Message, count_msg, msg
 
 IMAGE_SUFFIXES = frozenset(
     (".png", ".jpg", ".jpeg", ".bmp", ".pgm", ".ppm", ".tif", ".tiff", ".webp")
@@ -86,7 +86,7 @@ class ImageSource:
         return self._files
 
     @property
-    def notes(self) -> tuple[str, ...]:
+    def notes(self) -> tuple[Message, ...]:
         """Numbers missing among the file names, and images found broken up to now."""
         notes = []
         numbers = frame_numbers(self._files)

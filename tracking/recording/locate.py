@@ -18,7 +18,7 @@ from tracking.recording.manifest import (
 )
 from tracking.recording.options import OpenOptions
 from tracking.recording.places import is_pattern, place_inside
-from tracking.translation import msg
+from tracking.translation import Message, msg
 
 _KITTI_FPS = 10.0
 _VIDEO_SUFFIXES = frozenset(
@@ -46,7 +46,7 @@ class Located:
     text: str
     trusted: bool
     own: bool = False
-    notes: tuple[str, ...] = ()
+    notes: tuple[Message, ...] = ()
 
 
 def locate(path: Path, options: OpenOptions) -> Located:

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.recording.frame import Image
+from tracking.translation import Message
 
 
 class PictureSource(Protocol):
@@ -40,7 +41,7 @@ class PictureSource(Protocol):
         """The files it is made of, in order."""
 
     @property
-    def notes(self) -> tuple[str, ...]:
+    def notes(self) -> tuple[Message, ...]:
         """Oddities found up to now, in words."""
 
     def read(self, number: int) -> Image:

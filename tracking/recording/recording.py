@@ -18,7 +18,7 @@ from tracking.recording.image_pairs import ImagePairs
 from tracking.recording.locate import Located
 from tracking.recording.manifest import TRUTH_NAME
 from tracking.recording.recording_calibration import Calibrated
-from tracking.translation import msg
+from tracking.translation import Message, msg
 
 _DARK = 40
 _FLAT = 6
@@ -90,7 +90,7 @@ class Recording:
         return self.time_s(last) + 1 / self.fps
 
     @property
-    def notes(self) -> tuple[str, ...]:
+    def notes(self) -> tuple[Message, ...]:
         """Oddities to tell the user, in words; grows where broken frames are met."""
         sources = [note for source in self._cameras.sources for note in source.notes]
         return (*self._opening_notes, *self._cameras.notes, *sources)
@@ -180,7 +180,7 @@ class Recording:
                 last=self.frame_count - 1,
             )
 
-    def _first_frame_notes(self) -> tuple[str, ...]:
+    def _first_frame_notes(self) -> tuple[Message, ...]:
         sources = [source for source in self._cameras.sources if source.frame_count > 1]
         found = [first_frame_note(s.name, s.read(0), s.read(1)) for s in sources]
         return tuple(note for note in found if note is not None)
@@ -207,7 +207,7 @@ def _uneven_times(cameras: ImagePairs, fps: float, count: int) -> NDArray[np.flo
     return None if np.abs(times - even).max() < 0.5 / fps else times
 
 
-def _manifest_notes(located: Located, cameras: ImagePairs, fps: float) -> tuple[str, ...]:
+def _manifest_notes(located: Located, cameras: ImagePairs, fps: float) -> tuple[Message, ...]:
     notes = [
         msg("recording.toml: {key} means nothing here", key=key) for key in located.manifest.unknown
     ]
@@ -225,7 +225,7 @@ def _manifest_notes(located: Located, cameras: ImagePairs, fps: float) -> tuple[
     return tuple(notes)
 
 
-def first_frame_note(name: str, first: Image, second: Image) -> str | None:
+def first_frame_note(name: str, first: Image, second: Image) -> Message | None:
     """What is odd about a source's first picture, in words; None where it is like the next.
 
     Cameras often begin with a picture in another mode: letterboxed, black or grey.

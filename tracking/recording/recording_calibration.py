@@ -14,7 +14,7 @@ from tracking.geometry import (
     calibration_text,
     read_calibration,
 )
-from tracking.translation import msg
+from tracking.translation import Message, msg
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -33,7 +33,7 @@ class Calibrated:
     view: View | None
     rectification: Rectification | None
     text: str
-    notes: tuple[str, ...]
+    notes: tuple[Message, ...]
 
 
 def read_calibrated(
@@ -54,7 +54,7 @@ def read_calibrated(
         return Calibrated(None, None, None, "", ())
     calibration = read_calibration(files, size)
     calibration.check_size(size)
-    notes: tuple[str, ...] = ()
+    notes: tuple[Message, ...] = ()
     if not stereo and calibration.right is not None:
         calibration = StereoCalibration.of_one(calibration.left)
     if stereo and calibration.right is None:

@@ -17,7 +17,7 @@ from tracking.errors import RecordingError
 from tracking.recording.frame import Image
 from tracking.recording.packet_index import PacketIndex, index_video, open_video
 from tracking.recording.video_cursor import NumberedFrame, VideoCursor
-from tracking.translation import count_msg, msg
+from tracking.translation import Message, count_msg, msg
 
 _RECENT_BYTES = 48 * 1024 * 1024
 _STEPS_BACK = 2
@@ -93,9 +93,9 @@ class VideoSource:
         return (self._path,)
 
     @property
-    def notes(self) -> tuple[str, ...]:
+    def notes(self) -> tuple[Message, ...]:
         """Oddities of the stream, and frames found broken up to now."""
-        notes = [f"{self.name}: {note}" for note in self._pace.notes]
+        notes = [msg("{name}: {note}", name=self.name, note=note) for note in self._pace.notes]
         if self._index.left_out:
             notes.append(
                 msg(
@@ -299,7 +299,7 @@ class Pace:
     """
 
     fps: float | None
-    notes: tuple[str, ...]
+    notes: tuple[Message, ...]
 
 
 def pace_of(times_s: NDArray[np.float64] | None, told_fps: float | None) -> Pace:

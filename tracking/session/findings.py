@@ -9,7 +9,7 @@ from dataclasses import asdict, dataclass, fields
 import h5py
 
 from tracking.session.hdf5 import text_attribute
-from tracking.translation import msg
+from tracking.translation import Message, msg
 
 CHECKSUM = msg(
     "its checksum did not hold, so names, texts or whole edits and labels in it may be wrong or "
@@ -35,7 +35,7 @@ class Finding:
     kept: str = ""
     accepted: str = ""
 
-    def note(self, path: object) -> str:
+    def note(self, path: object) -> Message:
         """What is told of it at every reading of the session at `path`."""
         when = msg(" on {found} UTC", found=self.found[:19].replace("T", " ")) if self.found else ""
         kept = (

@@ -41,6 +41,7 @@ from tracking.tracks import (
     empty,
 )
 from tracking.tracks.growable_columns import ColumnInOrder
+from tracking.translation import Message
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,7 +91,7 @@ class Snapshot:
     touched: Columns
     newer: bool = False
     changed: bool = False
-    damage: tuple[str, ...] = ()
+    damage: tuple[Message, ...] = ()
     findings: tuple[Finding, ...] = ()
     began_as: Run | None = None
     samples: KeptSamples = field(default_factory=KeptSamples)

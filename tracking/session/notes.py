@@ -22,13 +22,13 @@ _log.addHandler(logging.NullHandler())
 MAY_MISS = msg("edits made after the session was saved last may be missing")
 
 
-def tell(note: str) -> str:
+def tell(note: Message) -> Message:
     """Say a note, a line; gives it."""
     _log.info(note)
     return note
 
 
-def tell_damage(note: str) -> str:
+def tell_damage(note: Message) -> Message:
     """Say what is damaged or may be missing, in a line; gives it."""
     _log.warning(note)
     return note

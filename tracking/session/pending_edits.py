@@ -45,17 +45,17 @@ class ReadSession:
     snapshot: Snapshot
     edited: EditedTracks
     waiting: int = 0
-    damage: tuple[str, ...] = ()
+    damage: tuple[Message, ...] = ()
 
 
-def notes_on_kept(path: Path, stamps: Stamps, history: History) -> dict[Path, str]:
+def notes_on_kept(path: Path, stamps: Stamps, history: History) -> dict[Path, Message]:
     """A line for each journal kept aside that holds edits of this save that the history lacks.
 
     Of a journal that cannot be read nothing is said: that was told when it was kept aside.
     """
     beside = list_set_aside(companions(path), _MOST_KEPT)
     known = {(one.id, one.time, one.author, one.text) for one in history} if beside else set()
-    notes: dict[Path, str] = {}
+    notes: dict[Path, Message] = {}
     for kept in beside:
         with (
             contextlib.suppress(SessionError, OutputError, OSError),

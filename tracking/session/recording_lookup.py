@@ -36,7 +36,7 @@ class FoundRecording:
 
     recording: Recording
     place: Path
-    notes: tuple[str, ...]
+    notes: tuple[Message, ...]
 
 
 def find_recording(
@@ -168,7 +168,7 @@ def _is_it(reference: RecordingReference, recording: Recording) -> bool:
 
 def _moved(
     reference: RecordingReference, session_folder: Path, search: Sequence[Path], place: Path
-) -> Iterator[str]:
+) -> Iterator[Message]:
     """Where it was found, if neither where the session says nor where the user does."""
     expected = [session_folder / reference.path]
     expected += [named for asked in search for named in _named(asked, _name(reference))]
@@ -181,7 +181,7 @@ def _moved(
         )
 
 
-def _changes(reference: RecordingReference, recording: Recording) -> Iterator[str]:
+def _changes(reference: RecordingReference, recording: Recording) -> Iterator[Message]:
     """What is not as it was when the session was made, in words."""
     if recording.own_manifest:
         changed = _changed_parts(reference.manifest, recording.manifest_text)

@@ -27,8 +27,8 @@ class Recovery:
     """
 
     steps: int = 0
-    notes: tuple[str, ...] = ()
-    damage: tuple[str, ...] = ()
+    notes: tuple[Message, ...] = ()
+    damage: tuple[Message, ...] = ()
     failed: OutputError | None = None
 
 
@@ -75,7 +75,7 @@ def recover(edited: EditedTracks, store: Store, stamps: Stamps) -> Recovery:
     if not (misfit or missing.problem):
         return _gone_on_with(journal, stamps, steps, store.kept_aside)
 
-    def damage(kept: str) -> str:
+    def damage(kept: Message) -> Message:
         if misfit:
             return msg(
                 "{edits} ({why}); {kept}",
@@ -111,7 +111,7 @@ def _gone_on_with(
 
 
 def _replaced(
-    store: Store, stamps: Stamps, steps: Sequence[Step], damage: Callable[[str], str]
+    store: Store, stamps: Stamps, steps: Sequence[Step], damage: Callable[[Message], Message]
 ) -> Recovery:
     """Keep the journal aside and go on with one that has what is sound of it.
 
@@ -167,7 +167,7 @@ def _lost(acknowledged: int, there: int) -> str:
     )
 
 
-def _told(steps: Sequence[Step]) -> tuple[str, ...]:
+def _told(steps: Sequence[Step]) -> tuple[Message, ...]:
     """How many edits were made again, undone and redone: each recovered edit is told once."""
     last = {step.entry.id: step.act for step in steps}
     made = {step.entry.id for step in steps if step.act == "apply"}
@@ -185,5 +185,5 @@ def _told(steps: Sequence[Step]) -> tuple[str, ...]:
     )
 
 
-def _edits(number: int) -> str:
-    return "1 edit" if number == 1 else msg("{number} edits", number=number)
+def _edits(number: int) -> Message:
+    return count_msg(number, "{n} edit", "{n} edits")

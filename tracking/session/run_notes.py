@@ -8,6 +8,7 @@ from collections.abc import Sequence
 import h5py
 
 from tracking.session.hdf5 import text_attribute
+from tracking.translation import Message
 
 MOST_NOTES, LONGEST_NOTE = 20, 500
 _NAME = "notes"
@@ -20,7 +21,7 @@ def write_notes(group: h5py.Group, notes: Sequence[str]) -> None:
         group.attrs[_NAME] = json.dumps(_within(notes), ensure_ascii=False)
 
 
-def read_notes(group: h5py.Group) -> tuple[str, ...]:
+def read_notes(group: h5py.Group) -> tuple[Message, ...]:
     """The notes of a run, a printable line each; none where the file has none.
 
     Of more or longer ones than are ever written the rest is left out. Raises ValueError where the
@@ -32,7 +33,7 @@ def read_notes(group: h5py.Group) -> tuple[str, ...]:
     notes = json.loads(text) if len(text) <= _LONGEST_TEXT else None
     if not isinstance(notes, list) or not all(isinstance(note, str) for note in notes):
         raise ValueError(f"attribute {_NAME} of {group.name} is no list of lines")
-    return tuple(_within(notes))
+    return tuple(Message("{text}", text=note) for note in _within(notes))
 
 
 def _within(notes: Sequence[str]) -> list[str]:

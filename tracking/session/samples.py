@@ -14,6 +14,7 @@ from tracking.session.notes import tell_damage
 from tracking.session.provenance import parts_by_now
 from tracking.tracks import Columns, Labels, PartKey, PartLabel, Run, TrackTable
 from tracking.tracks.part_labels import PartLabels
+from tracking.translation import msg
 
 _log = logging.getLogger(__name__)
 _WITHOUT = "samples of the part labels could not be made; the file has none"
@@ -131,7 +132,12 @@ class KeptSamples:
         try:
             samples = samples_from(labels, tracks, run(), *recording)
         except TrackwrightError as error:
-            tell_damage(f"{_WITHOUT}: {error}")
+            tell_damage(
+                msg(
+                    "samples of the part labels could not be made; the file has none: {error}",
+                    error=error,
+                )
+            )
             return no_samples()
         except Exception:
             _log.exception(_WITHOUT)

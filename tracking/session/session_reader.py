@@ -35,7 +35,7 @@ from tracking.session.session_writer import find_backups
 from tracking.session.stamps import now
 from tracking.session.table_reader import PendingColumns
 from tracking.tracks import LARGEST_NUMBER, TrackTable
-from tracking.translation import msg
+from tracking.translation import Message, msg
 from tracking.untrusted import verdicts_of
 
 _MOST_FPS, _WIDEST = 1e6, 1 << 20
@@ -63,7 +63,7 @@ def read_session(path: Path) -> Snapshot:
     )
 
 
-def report_findings(file: h5py.File, path: Path) -> tuple[str, ...]:
+def report_findings(file: h5py.File, path: Path) -> tuple[Message, ...]:
     """What was found damaged of the session before and nobody has accepted: told once more."""
     open_ones = [one for one in read_findings(file) if not one.accepted]
     return tuple(tell_damage(one.note(path)) for one in open_ones)
@@ -86,7 +86,7 @@ def check_file(path: Path) -> tuple[int, int]:
     return check_version(path)[0]
 
 
-def check_version(path: Path) -> tuple[tuple[int, int], tuple[str, ...]]:
+def check_version(path: Path) -> tuple[tuple[int, int], tuple[Message, ...]]:
     """The version of a file that is safe to read, and what is damaged of it, which is told."""
     try:
         is_folder, is_there = path.is_dir(), path.is_file()
@@ -120,11 +120,11 @@ def _version(verdict: Mapping[str, Any]) -> tuple[int, int]:
     return int(major), int(minor)
 
 
-def _damage_of(path: Path, version: tuple[int, int]) -> str:
+def _damage_of(path: Path, version: tuple[int, int]) -> Message:
     """What is damaged of a file that is safe to read, in a line; "" where nothing is known."""
     if _ALL_SEALED <= version <= VERSION and is_missing(path):  # a later one may seal otherwise
         return note_of_missing_seal(path)
-    return note_of_change(path) if is_changed(path) else ""
+    return note_of_change(path) if is_changed(path) else Message()
 
 
 def check_files(paths: Sequence[Path]) -> list[tuple[str, str]]:

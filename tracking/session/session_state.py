@@ -20,6 +20,7 @@ from tracking.session.samples import KeptSamples
 from tracking.session.stamps import resolve_author
 from tracking.session.store import Store
 from tracking.tracks import Labels, Run, TrackTable
+from tracking.translation import Message
 
 if TYPE_CHECKING:
     from tracking.recording import Recording
@@ -147,12 +148,12 @@ class SessionState:
         return self._recovered
 
     @property
-    def notes(self) -> tuple[str, ...]:
+    def notes(self) -> tuple[Message, ...]:
         """What the user should be told of opening, a line each."""
         return tuple(self._notes)
 
     @property
-    def damage(self) -> tuple[str, ...]:
+    def damage(self) -> tuple[Message, ...]:
         """Those of the notes that say what of it is damaged or may be missing."""
         return tuple(self._damage)
 
@@ -198,7 +199,7 @@ class Whereabouts:
         known: KnownRecordings | None,
         *,
         allow_outside: bool,
-    ) -> tuple[Recording, tuple[str, ...]]:
+    ) -> tuple[Recording, tuple[Message, ...]]:
         """The recording of a session in that folder, and what has changed, a line each.
 
         Its place is remembered here and in known. Raises RecordingMissing.

@@ -38,7 +38,7 @@ from tracking.tracks import (
     TrackTable,
     empty,
 )
-from tracking.translation import msg
+from tracking.translation import Message, msg
 
 if TYPE_CHECKING:
     from tracking.geometry import View
@@ -83,7 +83,7 @@ class Importable:
     bad_rows: tuple[BadRow, ...] = ()
     bad_count: int = 0
     thinned: ThinningResult = field(default_factory=ThinningResult)
-    notes: tuple[str, ...] = ()
+    notes: tuple[Message, ...] = ()
     view: View | None = None
     seen_as: SeenAs | None = None
 

@@ -20,6 +20,7 @@ from tracking.tracks.columns import (
     Types,
     empty,
 )
+from tracking.translation import Message
 
 
 class ParticleColumn(Protocol):
@@ -130,5 +131,5 @@ class Run:
     detector: str = ""
     known_tracks: int = 0
     made: str = ""
-    notes: tuple[str, ...] = ()
+    notes: tuple[Message, ...] = ()
     detections_input: tuple[DetectionsInput, ...] = ()

@@ -26,6 +26,7 @@ from tracking.tracks import (
     Columns,
     DetectionsInput,
 )
+from tracking.translation import Message
 
 _HEAD = struct.Struct("<BQ")  # kind, bytes that follow
 _STEP = struct.Struct("<9q")  # frame, rows of each table
@@ -105,12 +106,12 @@ def unpacked_steps(payload: bytes) -> tuple[StepResult, ...]:
     return tuple(steps)
 
 
-def packed_notes(notes: Sequence[str]) -> bytes:
+def packed_notes(notes: Sequence[Message]) -> bytes:
     """What the user should be told of the tracking, as bytes."""
     return json.dumps([message_data(note) for note in notes]).encode()
 
 
-def unpacked_notes(payload: bytes) -> tuple[str, ...]:
+def unpacked_notes(payload: bytes) -> tuple[Message, ...]:
     """What `packed_notes` packed."""
     return tuple(map(message_from, json.loads(payload)))
 

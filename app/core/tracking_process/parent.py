@@ -22,6 +22,7 @@ from app.core.tracking_process.request import TrackingRequest
 from tracking.errors import TrackwrightError
 from tracking.trackers import StepResult
 from tracking.tracks import DetectionsInput
+from tracking.translation import Message
 
 _GRACE_S = 3.0
 
@@ -38,7 +39,7 @@ class TrackerProcess:
     """
 
     def __init__(self, request: TrackingRequest) -> None:
-        self.notes: tuple[str, ...] = ()
+        self.notes: tuple[Message, ...] = ()
         self.detections_input: tuple[DetectionsInput, ...] = ()
         self._request = request
         self._lock = threading.Lock()

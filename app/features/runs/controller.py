@@ -13,6 +13,7 @@ from app.features.runs.run_summary import RunSummary
 from tracking.pipeline import KeptSteps
 from tracking.recording import Recording
 from tracking.trackers import Resume, StepResult
+from tracking.translation import Message
 
 _SPEED_OVER_S = 2.0
 
@@ -37,7 +38,7 @@ class LiveTracking(QObject):
         super().__init__(parent)
         self.tracker = ""
         self.done = 0
-        self.notes: tuple[str, ...] = ()
+        self.notes: tuple[Message, ...] = ()
         self.run_summary: RunSummary | None = None
         self._recording = recording
         self._frames = (0, recording.frame_count)

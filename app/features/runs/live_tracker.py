@@ -18,6 +18,7 @@ from tracking.pipeline import KeptSteps
 from tracking.recording import Recording
 from tracking.trackers import Resume
 from tracking.tracks import Run
+from tracking.translation import Message
 
 _log = logging.getLogger(__name__)
 _MOST_AHEAD = 50
@@ -71,7 +72,7 @@ class LiveTracker(QObject):
         self._ended.connect(self._report, Qt.ConnectionType.QueuedConnection)
 
     @property
-    def notes(self) -> tuple[str, ...]:
+    def notes(self) -> tuple[Message, ...]:
         """What the user should be told of the tracking, a line each; known at its end."""
         return self._process.notes
 

@@ -10,6 +10,7 @@ import numpy as np
 from app.core.i18n import count_text, tr
 from tracking.session import Session
 from tracking.tracks import Columns, Run, row_keys
+from tracking.translation import Message, msg
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,10 +51,10 @@ class RunSummary:
         return cls(run.tracker, run.frames, asked, tracks, len(ids), len(changed), why)
 
     @property
-    def early(self) -> str:
+    def early(self) -> Message:
         """That the tracker could not go on, and why."""
         count, whole = (stop - start for start, stop in (self.frames, self.asked))
-        return tr(
+        return msg(
             "{tracker} ended after {n} of {all} frames: {why}.",
             tracker=self.tracker,
             n=count,
@@ -64,7 +65,7 @@ class RunSummary:
     @property
     def _frames_text(self) -> str:
         if self.why:
-            return self.early
+            return tr(self.early)
         count, whole = (stop - start for start, stop in (self.frames, self.asked))
         if self.frames != self.asked:
             return tr(

@@ -12,7 +12,7 @@ import numpy as np
 
 from app.core.document.recording_match import refuse_other_recording
 from app.core.document.track_sources import name_of_run
-from app.core.i18n import count_text, tr
+from app.core.i18n import tr
 from tracking.errors import FormatError, SessionError
 from tracking.formats import FORMATS, Filmed, Measurable, format_of, is_hdf5, measurable
 from tracking.formats.read_result import in_order, positive_ids, with_all_columns
@@ -21,6 +21,7 @@ from tracking.recording import Recording
 from tracking.scoring import ScoringTable
 from tracking.session import Session
 from tracking.tracks import Columns, TrackTable
+from tracking.translation import Message, count_msg, msg
 
 
 class TruthKind(Enum):
@@ -73,7 +74,7 @@ class Truth:
     source: TruthSource
     table: ScoringTable
     people: TrackTable
-    notes: tuple[str, ...] = ()
+    notes: tuple[Message, ...] = ()
 
 
 def capture_truth(
@@ -120,8 +121,15 @@ def _of_file(source: TruthSource, found: Measurable) -> Truth:
     notes = list(found.notes)
     if found.bad_count:
         first = found.bad_rows[0]
-        left_out = count_text(found.bad_count, "{n} row is left out", "{n} rows are left out")
-        notes.append(f"{left_out}: {first.place}: {first.reason}")
+        left_out = count_msg(found.bad_count, "{n} row is left out", "{n} rows are left out")
+        notes.append(
+            msg(
+                "{left_out}: {place}: {reason}",
+                left_out=left_out,
+                place=first.place,
+                reason=first.reason,
+            )
+        )
     if found.bad_count and not len(found.columns["frame"]):
         raise FormatError(
             "{path} has no rows that can be read; choose another ground truth", path=source.path
@@ -132,7 +140,7 @@ def _of_file(source: TruthSource, found: Measurable) -> Truth:
 def _truth(
     source: TruthSource,
     columns: Columns,
-    notes: tuple[str, ...] = (),
+    notes: tuple[Message, ...] = (),
     *,
     dont_cares: bool = False,
 ) -> Truth:

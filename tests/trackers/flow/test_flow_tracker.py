@@ -179,6 +179,7 @@ def test_a_camera_that_was_moved_is_told_with_its_frame_in_one_line() -> None:
     _, tracker = tracked(VIEW, [FLOOR] * 15 + [moved] * 15)
     assert len(tracker.notes) == 1
     assert tracker.notes[0].startswith("frame 19: the camera was moved")
+    assert tracker.notes[0].values == {"frame": 19}  # so it can be told in any language
     assert "\n" not in tracker.notes[0]
 
 

@@ -16,6 +16,7 @@ from tracking.people.given_boxes import BoxSource
 from tracking.recording.frame import Image, StereoFrame
 from tracking.trackers.flow.half_resolution import double, halve
 from tracking.trackers.flow.silhouettes import BODY, SHADE
+from tracking.translation import Message
 
 Mask = NDArray[np.uint8]
 
@@ -63,7 +64,7 @@ class FlowPerception:
         self._boxes = boxes
 
     @property
-    def notes(self) -> tuple[str, ...]:
+    def notes(self) -> tuple[Message, ...]:
         """There are no notes."""
         return ()
 

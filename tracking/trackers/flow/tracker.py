@@ -25,6 +25,7 @@ from tracking.trackers.flow.settings import FlowSettings
 from tracking.trackers.shared.protocol import StepResult
 from tracking.trackers.shared.resumption import Resume
 from tracking.trackers.shared.tracker_base import TrackerBase
+from tracking.translation import Message, msg
 
 _SPACING_PX = (4.0, 24.0)
 
@@ -61,14 +62,16 @@ class FlowTracker(TrackerBase[FlowSettings]):
         self._camera = CameraWatch(fps)
 
     @property
-    def notes(self) -> tuple[str, ...]:
+    def notes(self) -> tuple[Message, ...]:
         """Notes for the user, a line each."""
         if self._camera.moved_at is None:
             return ()
         return (
-            f"frame {self._camera.moved_at}: the camera was moved: places on the floor, and "
-            "counts, are wrong from there on; cut the recording there and measure height and tilt "
-            "again",
+            msg(
+                "frame {frame}: the camera was moved: places on the floor, and counts, are wrong "
+                "from there on; cut the recording there and measure height and tilt again",
+                frame=self._camera.moved_at,
+            ),
         )
 
     def resume(self, resume: Resume, observations: Iterable[Observation]) -> None:

@@ -21,6 +21,7 @@ from tracking.tracks.columns import (
     Columns,
     empty,
 )
+from tracking.translation import Message
 
 ASSOCIATION_COLUMNS: Mapping[str, np.dtype[Any]] = MappingProxyType(
     {
@@ -72,7 +73,7 @@ class Perception(Protocol):
         """How the cameras' frames are to be paired; None: it looks with one camera."""
 
     @property
-    def notes(self) -> tuple[str, ...]:
+    def notes(self) -> tuple[Message, ...]:
         """Notes for the user about the footage, a line each."""
 
     def learn(self, frames: Sequence[StereoFrame]) -> None:
@@ -105,5 +106,5 @@ class Tracker(Protocol):
         """The frozen settings in force."""
 
     @property
-    def notes(self) -> tuple[str, ...]:
+    def notes(self) -> tuple[Message, ...]:
         """Notes for the user about the tracking, a line each."""

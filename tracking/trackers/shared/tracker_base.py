@@ -7,6 +7,8 @@ from typing import Generic, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.translation import Message
+
 SettingsT = TypeVar("SettingsT")
 
 
@@ -63,6 +65,6 @@ class TrackerBase(Generic[SettingsT]):
         return self._settings
 
     @property
-    def notes(self) -> tuple[str, ...]:
+    def notes(self) -> tuple[Message, ...]:
         """Notes for the user, a line each."""
         return ()

@@ -24,6 +24,7 @@ from tracking.people.box_bodies import paint_bodies, working_boxes
 from tracking.people.given_boxes import BoxSource
 from tracking.people.working_scale import shrink_of, shrunk
 from tracking.recording.frame import Image, StereoFrame
+from tracking.translation import Message
 
 Picture = NDArray[np.uint8]
 
@@ -97,7 +98,7 @@ class SpheroidPerception:
         self._masks: BodyMasks | None = None
 
     @property
-    def notes(self) -> tuple[str, ...]:
+    def notes(self) -> tuple[Message, ...]:
         """There are no notes."""
         return ()
 

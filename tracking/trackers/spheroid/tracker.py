@@ -41,6 +41,7 @@ from tracking.trackers.spheroid.weights import (
     judge_and_weigh,
     silhouettes,
 )
+from tracking.translation import Message
 
 Flags = NDArray[np.bool_]
 
@@ -112,7 +113,7 @@ class SpheroidTracker(TrackerBase[SpheroidSettings]):
         self._next_look_s = self._next_ghosts_s = -np.inf
 
     @property
-    def notes(self) -> tuple[str, ...]:
+    def notes(self) -> tuple[Message, ...]:
         """Notes for the user, a line each."""
         return self._perception.camera.notes("spheroid")
 

@@ -67,6 +67,7 @@ from tracking.trackers.three_part.settings import WholeBodySettings
 from tracking.trackers.three_part.silhouettes import drawn_home, legs_elsewhere
 from tracking.tracks import HIP_LEG
 from tracking.tracks.boxes import share_inside
+from tracking.translation import Message
 
 _STOOPED, _STRETCHED = 0.6, 1.1
 """Lowest and highest somebody's box is, in heights of them upright."""
@@ -134,7 +135,7 @@ class PartTracker(TrackerBase[WholeBodySettings]):
         return self._stages.spent_s
 
     @property
-    def notes(self) -> tuple[str, ...]:
+    def notes(self) -> tuple[Message, ...]:
         """Notes for the user, a line each."""
         missing = self._aids.adjust and self._watch.detector is None
         return (*((NO_DETECTOR,) if missing else ()), *self._fixed.notes("three-part"))
