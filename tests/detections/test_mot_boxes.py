@@ -145,3 +145,14 @@ def test_the_fingerprint_is_of_every_byte(tmp_path) -> None:
     other = rows.replace("\n250,-1,1,", "\n250,-1,2,")
     assert one != read_detections(written(tmp_path, other)).fingerprint
     assert np.isclose(len(one), 64)
+
+
+def test_the_boxes_are_those_that_the_fingerprint_is_of(tmp_path, monkeypatch) -> None:
+    path, format_of = written(tmp_path, "1,-1,11,21,30,40,1\n"), reading._format_of
+
+    def changed_meanwhile(*given):
+        path.write_text("1,-1,51,61,70,80,1\n")
+        return format_of(*given)
+
+    monkeypatch.setattr(reading, "_format_of", changed_meanwhile)
+    assert read_detections(path).table.box.tolist() == [[10, 20, 30, 40]]

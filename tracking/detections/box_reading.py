@@ -22,14 +22,15 @@ class BoxReading:
 
     Attributes:
         reading: the file as messages name it, with the rows that are invalid.
+        held: what the file holds; nothing of a folder.
         no_score: a score that stands for none.
         counts_pixels: corners count from where pictures do, which is from 1 in this format.
         counts_pictures: frames are numbers that count pictures, from 0 or from 1.
         has_zero: one of these is 0.
     """
 
-    def __init__(self, reading: Reading) -> None:
-        self.reading = reading
+    def __init__(self, reading: Reading, held: bytes = b"") -> None:
+        self.reading, self.held = reading, held
         self.no_score = np.nan
         self.counts_pixels = self.counts_pictures = self.has_zero = False
         self._frames: list[Integers] = []

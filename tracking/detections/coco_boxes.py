@@ -54,12 +54,10 @@ def read_coco_boxes(boxes: BoxReading, footage: Footage) -> None:
 def _elements(boxes: BoxReading) -> Iterator[tuple[str, int, Any]]:
     """The elements of each member; those of a bare list are annotations."""
     path, report = boxes.reading.path, boxes.reading.report
-    with path.open("rb") as stream:
-        is_list = stream.read(64).lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"[")
-    if not is_list:
-        yield from elements_of(path, _MEMBERS, report)
+    if not boxes.held[:64].lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"["):
+        yield from elements_of(path, _MEMBERS, report, boxes.held)
         return
-    for place, value in values_of(path, lambda place: not place, report):
+    for place, value in values_of(path, lambda place: not place, report, boxes.held):
         yield "annotations", int(place[0]) if place else 0, value
 
 

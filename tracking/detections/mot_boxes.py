@@ -27,7 +27,7 @@ def read_mot_boxes(boxes: BoxReading, _footage: Footage) -> None:
     boxes.no_score, boxes.counts_pixels = UNKNOWN, True
     reading = boxes.reading
     for table, lines, _ in NumberRows(reading, _SHAPE).tables(
-        pieces_of(reading.path, reading.report)
+        pieces_of(reading.path, reading.report, boxes.held)
     ):
         boxes.count(table[:, 0])
         box = table[:, 2:_CONFIDENCE]

@@ -27,12 +27,12 @@ from tracking.errors import FormatError, explain_unreadable
 from tracking.formats.mot import is_mot, lacks_commas
 from tracking.formats.read_result import Reading
 from tracking.formats.track_format import HEAD_BYTES
+from tracking.owned_files import SAFE_FLAGS
 from tracking.progress import Progress, no_progress
 from tracking.translation import Message, count_msg, msg
 
 MOST_BYTES = 200 << 20
 """More than five million boxes take as text."""
-_BLOCK = 1 << 20
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,9 +110,10 @@ class _Taken:
 
     @classmethod
     def of(cls, path: Path, footage: Footage, report: Progress) -> _Taken:
-        known, fingerprint = _looked_through(path)
-        boxes = BoxReading(Reading(path, report))
+        known, fingerprint, held = _looked_through(path)
+        boxes = BoxReading(Reading(path, report), held)
         known.read(boxes, footage)
+        boxes.held = b""
         return cls(known, fingerprint, boxes, footage)
 
     def counted_from(self, first: int) -> DetectionsFile:
@@ -130,30 +131,40 @@ class _Taken:
         )
 
 
-def _looked_through(path: Path) -> tuple[BoxFormat, str]:
-    """The format of a file or folder, and the SHA-256 of all its bytes."""
-    with explain_unreadable(path):
-        state = os.lstat(path)
-    if stat.S_ISLNK(state.st_mode):
+def _looked_through(path: Path) -> tuple[BoxFormat, str, bytes]:
+    """The format of a file or folder, the SHA-256 of all its bytes, and these of a file."""
+    if path.is_symlink():
         raise FormatError(
             "{path} is a link, which is not followed; name the file it leads to", path=path
         )
-    digest = hashlib.sha256()
-    if stat.S_ISDIR(state.st_mode):
+    if path.is_dir():
+        digest = hashlib.sha256()
         for part in _parts_of_folder(path):
             digest.update(part)
-        return _YOLO, digest.hexdigest()
+        return _YOLO, digest.hexdigest(), b""
+    held = _read_once(path)
+    return _format_of(path, held[:HEAD_BYTES]), hashlib.sha256(held).hexdigest(), held
+
+
+def _read_once(path: Path) -> bytes:
+    """All bytes of a plain file, so that what is read is what was looked at."""
+    with (
+        explain_unreadable(path),
+        os.fdopen(os.open(path, os.O_RDONLY | SAFE_FLAGS), "rb") as stream,
+    ):
+        state = os.fstat(stream.fileno())
+        _check_state(path, state)
+        held = stream.read(MOST_BYTES + 1)
+    _check_size(path, len(held))
+    return held
+
+
+def _check_state(path: Path, state: os.stat_result) -> None:
     if not stat.S_ISREG(state.st_mode):
         raise FormatError("{path} is no file of detections; name one", path=path)
     if not state.st_size:
         raise FormatError("{path} is empty; give a file of detections", path=path)
     _check_size(path, state.st_size)
-    head = b""
-    with explain_unreadable(path), path.open("rb") as stream:
-        while block := stream.read(_BLOCK):
-            head = head or block[:HEAD_BYTES]
-            digest.update(block)
-    return _format_of(path, head), digest.hexdigest()
 
 
 def _parts_of_folder(folder: Path) -> Iterator[bytes]:

@@ -49,21 +49,25 @@ class Piece:
     of: int
 
 
-def pieces_of(path: Path, report: Progress = no_progress) -> Iterator[Piece]:
+def pieces_of(
+    path: Path, report: Progress = no_progress, held: bytes | None = None
+) -> Iterator[Piece]:
     """The lines of a text file, some at a time; report is called with bytes.
+
+    What the file holds may be given, where it has been read.
 
     Raises FormatError where the file is missing, too large or no text, and as `lines_in`.
     """
     first, rest = 1, b""
     try:
-        if not path.is_file() and path.exists():
+        if held is None and not path.is_file() and path.exists():
             raise FormatError("{path} is no file that can be read twice; save it first", path=path)
-        size = path.stat().st_size
+        size = path.stat().st_size if held is None else len(held)
         if size > MAX_BYTES:
             raise FormatError(
                 "{path} is larger than {size} MB; split it first", path=path, size=MAX_BYTES >> 20
             )
-        with path.open("rb") as stream:
+        with path.open("rb") if held is None else io.BytesIO(held) as stream:
             count = lines_in(path, stream)
             stream.seek(0)
             while block := stream.read(_PIECE_BYTES):

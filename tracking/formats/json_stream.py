@@ -10,7 +10,7 @@ import json
 import re
 from collections.abc import Callable, Collection, Iterator
 from contextlib import contextmanager
-from io import TextIOWrapper
+from io import BytesIO, TextIOWrapper
 from pathlib import Path
 from typing import Any, BinaryIO, TextIO
 
@@ -44,7 +44,10 @@ _SOME = 1000
 
 
 def elements_of(
-    path: Path, wanted: Collection[str], report: Progress = no_progress
+    path: Path,
+    wanted: Collection[str],
+    report: Progress = no_progress,
+    held: bytes | None = None,
 ) -> Iterator[tuple[str, int, Any]]:
     """What the members of a file's one object hold: the name, and from 0 each element of an array.
 
@@ -53,16 +56,20 @@ def elements_of(
         wanted: names of members; others are passed over. A member that is no array comes whole,
             as element -1.
         report: called with bytes.
+        held: what the file holds, where it has been read.
 
     Raises FormatError where the file is missing, too large, no such JSON, or an element is too
     long or too deep.
     """
-    with _opened(path, report) as text:
+    with _opened(path, report, held) as text:
         yield from text.members(wanted)
 
 
 def values_of(
-    path: Path, inside: Callable[[JsonPath], bool], report: Progress = no_progress
+    path: Path,
+    inside: Callable[[JsonPath], bool],
+    report: Progress = no_progress,
+    held: bytes | None = None,
 ) -> Iterator[tuple[JsonPath, Any]]:
     """The values of a file with where each stands: names of members, and elements from 0.
 
@@ -71,24 +78,26 @@ def values_of(
         inside: whether an object or array at a place is entered, so that its members come one by
             one; all others come whole. It decides how deep is entered, so it must end somewhere.
         report: called with bytes.
+        held: what the file holds, where it has been read.
 
     Raises FormatError as `elements_of`.
     """
-    with _opened(path, report) as text:
+    with _opened(path, report, held) as text:
         yield from text.values((), inside)
 
 
 @contextmanager
-def _opened(path: Path, report: Progress) -> Iterator[_Text]:
+def _opened(path: Path, report: Progress, held: bytes | None) -> Iterator[_Text]:
     try:
-        size = path.stat().st_size
+        size = path.stat().st_size if held is None else len(held)
         if size > MOST_BYTES:
             raise FormatError(
                 "{path} is larger than {size} GB; split it first", path=path, size=MOST_BYTES >> 30
             )
-        with path.open("rb") as held, TextIOWrapper(held, encoding="utf-8-sig") as stream:
-            _check_end(path, held, size)
-            yield _Text(path, stream, lambda: report(min(held.tell(), size), size))
+        opened: BinaryIO = path.open("rb") if held is None else BytesIO(held)
+        with opened, TextIOWrapper(opened, encoding="utf-8-sig") as stream:
+            _check_end(path, opened, size)
+            yield _Text(path, stream, lambda: report(min(opened.tell(), size), size))
     except OSError as error:
         raise FormatError(
             "cannot read {path}: {reason}; check the path", path=path, reason=error.strerror
