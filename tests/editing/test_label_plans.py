@@ -192,6 +192,7 @@ def test_things_drawn_are_sorted_by_name_and_said_by_it() -> None:
     assert gone.text == 'Delete region "hall"'
     many = plan_regions(labels, [Region(name, SQUARE) for name in "abc"])
     assert many.text == "Change regions: 3 drawn, 1 deleted"
+    assert many.text.values["several"] == "regions"  # a word of its own in any language
 
 
 def test_an_edit_of_one_line_does_not_name_the_others() -> None:

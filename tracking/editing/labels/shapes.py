@@ -23,10 +23,11 @@ from tracking.translation import Message, msg
 
 _Drawn = TypeVar("_Drawn", Occluder, CountingLine, Region)
 _CALLED = {
-    "occluders": msg("occluder"),
-    "lines": msg("counting line"),
-    "regions": msg("region"),
+    "occluders": (msg("occluder"), msg("occluders")),
+    "lines": (msg("counting line"), msg("counting lines")),
+    "regions": (msg("region"), msg("regions")),
 }
+"""What one is called, and several."""
 
 
 def plan_occluders(labels: Labels, occluders: Sequence[Occluder], frame: int = 0) -> Change:
@@ -64,18 +65,19 @@ def _plan(
     frame: int,
 ) -> Change:
     """Set all labels of a kind, which is a field of `Labels` and of `LabelState`."""
-    what = _CALLED[kind]
-    out, into = _exchange(getattr(labels, kind), wanted, check, what)
+    what, several = _CALLED[kind]
+    out, into = _exchange(getattr(labels, kind), wanted, check, what, several)
     sides: list[dict[str, Any]] = [{kind: out}, {kind: into}]
     before, after = (State(labels=LabelState(**side)) for side in sides)
-    return Change(kind, _text(out, into, what), frame, before, after)
+    return Change(kind, _text(out, into, what, several), frame, before, after)
 
 
 def _exchange(
     present: Sequence[_Drawn],
     wanted: Sequence[_Drawn],
     check: Callable[[_Drawn], None],
-    what: str,
+    what: Message,
+    several: Message,
 ) -> tuple[tuple[_Drawn, ...], tuple[_Drawn, ...]]:
     """What leaves and what comes, sorted; EditError where it is nonsense or nothing."""
     new = [replace(item, name=" ".join(writable(item.name).split())) for item in wanted]
@@ -85,18 +87,20 @@ def _exchange(
         check_name(item.name, msg("the {what}", what=what))
         if names.count(item.name) > 1:
             raise EditError(
-                "two {what}s are called {name!r}; give each a name of its own",
-                what=what,
+                "two {several} are called {name!r}; give each a name of its own",
+                several=several,
                 name=item.name,
             )
     out = tuple(sorted(set(present) - set(new)))
     into = tuple(sorted(set(new) - set(present)))
     if not (out or into):
-        raise EditError("the {what}s are what they were; nothing to change", what=what)
+        raise EditError("the {several} are what they were; nothing to change", several=several)
     return out, into
 
 
-def _text(out: Sequence[_Drawn], into: Sequence[_Drawn], what: str) -> Message:
+def _text(
+    out: Sequence[_Drawn], into: Sequence[_Drawn], what: Message, several: Message
+) -> Message:
     """What is done in words: one thing by its name, several by their number."""
     if len(into) == 1 and not out:
         return msg('Draw {what} "{name}"', what=what, name=into[0].name)
@@ -112,8 +116,8 @@ def _text(out: Sequence[_Drawn], into: Sequence[_Drawn], what: str) -> Message:
             out_name=out[0].name,
         )
     return msg(
-        "Change {what}s: {count} drawn, {count_out} deleted",
-        what=what,
+        "Change {several}: {count} drawn, {count_out} deleted",
+        several=several,
         count=len(into),
         count_out=len(out),
     )

@@ -46,9 +46,9 @@ class Ends:
 
     def time(self, frames: int) -> str:
         """A number of frames in words: seconds where they can be told."""
-        if self.fps is None:
+        if self.fps is None or frames < self.fps / 10:
             return frames_text(frames)
-        return f"{frames / self.fps:.1f} s" if frames >= self.fps / 10 else frames_text(frames)
+        return msg("{seconds:.1f} s", seconds=frames / self.fps)
 
 
 def text_of(stretch: Stretch, ends: Ends) -> str:
