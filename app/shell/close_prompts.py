@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from PySide6.QtWidgets import QMessageBox
+
 from app.core.document import document_loader
 from app.core.widgets.questions import ask_about_unsaved
 from app.features.files.left_behind import (
@@ -12,6 +14,7 @@ from app.features.files.left_behind import (
     never_saved,
     result_in_memory,
     tracker_at_work,
+    tracker_stopping,
 )
 
 if TYPE_CHECKING:
@@ -28,6 +31,7 @@ class ClosePrompts:
         self._files = files
         self._window = window
         self._agreed = False
+        self._asked: tuple[QMessageBox, str, Then] | None = None
 
     def agree(self) -> None:
         """Ask nothing the next time."""
@@ -46,11 +50,35 @@ class ClosePrompts:
         if not self.asks():
             return True
         if self._files.tracker_found_some:
-            ask_about_unsaved(self._window, self._words(), None, lambda: self._drop_tracked(again))
+            self._ask(None, lambda: self._drop_tracked(again), again)
         else:
             save, discard = lambda: self._save(again), lambda: self._discard(again)
-            ask_about_unsaved(self._window, self._words(), save, discard)
+            self._ask(save, discard, again)
         return False
+
+    def settle(self) -> None:
+        """Take a question back that tells a loss there no longer is; ask what is left to ask.
+
+        A tracker may have ended, and its result be on disk, since it was asked.
+        """
+        if self._asked is None or self._files.keeping.at_work:
+            return
+        box, lost, again = self._asked
+        if self._words()[1] != lost:
+            box.close()
+            if self._files.saving.changed_here:
+                again()
+
+    def _ask(self, save: Then | None, discard: Then, again: Then) -> None:
+        words = self._words()
+        box = ask_about_unsaved(self._window, words, save, discard)
+        self._asked = box, words[1], again
+        box.finished.connect(lambda _: self._forget(box))
+
+    def _forget(self, box: QMessageBox) -> None:
+        """The answer may have asked the next question already."""
+        if self._asked is not None and self._asked[0] is box:
+            self._asked = None
 
     def _words(self) -> tuple[str, str]:
         """The question, which names what it is about, and what is lost."""
@@ -59,6 +87,8 @@ class ClosePrompts:
             return "", ""
         name = controller.document.recording.name
         if self._files.tracker_found_some:
+            if controller.live.stopping:
+                return tracker_stopping(name, controller.live.tracker)
             return tracker_at_work(name, controller.live.tracker, controller.live.status)
         if session is None:
             return result_in_memory(name)

@@ -66,7 +66,7 @@ class Files(Controller):
         self.open_recovery = OpenRecovery(self, window, work)
         self._whereabouts = Whereabouts(remembered, self)
         self._greeting = ""
-        self._leaving = ClosePrompts(self, window)
+        self.leaving: ClosePrompts = ClosePrompts(self, window)
         self.controller: RecordingController | None = None
         self.author: Author = Author(window, remembered, self)
         self.exporting: ExportController = ExportController(window, work, self)
@@ -120,7 +120,7 @@ class Files(Controller):
             save_at: the place that is proposed for the session; beside the recording if None.
         """
         self._window.workspace.take_typed()
-        asks = self._leaving.asks()
+        asks = self.leaving.asks()
         self.open_recovery.begin_opening(path)
         if not asks:
             self._remembered.note_closed()  # what crashes as it opens is not opened again unasked
@@ -159,6 +159,7 @@ class Files(Controller):
         controller.drawn.connect(self.beside.draw)
         controller.progressed.connect(self.progressed)
         controller.tracking.tracked.connect(self.keeping.keep)
+        controller.tracking.began.connect(self._window.notice.settle)
         controller.tracking.noted.connect(self._tell_of_tracking)
         controller.scoring.truth_asked.connect(self._ask_truth)
         if not document_loader.is_unsaved_place(path):
@@ -233,6 +234,8 @@ class Files(Controller):
             self._window,
             asked,
         )
+        if (failed := controller.tracking.failed_order) is not None:
+            dialog.put_answer(*failed)
         dialog.accepted.connect(lambda: self._track(dialog))
         dialog.open()
 
@@ -259,7 +262,7 @@ class Files(Controller):
     def may_leave(self, again: Then) -> bool:
         """Whether the open document can be let go; if not, ask, and do `again` afterwards."""
         self._window.workspace.take_typed()
-        return self._leaving.may_leave(again)
+        return self.leaving.may_leave(again)
 
     def close_recording(self) -> None:
         """Close what is open and go back to the first page."""
@@ -296,7 +299,7 @@ class Files(Controller):
 
     def close_without_asking(self) -> None:
         """Let the open document go for a picture or a test: what is not saved stays as it is."""
-        self._leaving.agree()
+        self.leaving.agree()
         self.close()
 
     # words

@@ -170,6 +170,7 @@ class MainWindow(QMainWindow):
         self.setWindowModified(self.files.saving.unsaved)
         self._show_progress()
         self._told.settle()
+        self.files.leaving.settle()
 
     def _progress_soon(self) -> None:
         if not self._progressing.isActive():
@@ -183,7 +184,9 @@ class MainWindow(QMainWindow):
         if live is not None and live.running:
             text = tr("Tracking with {tracker}: {status}", tracker=live.tracker, status=live.status)
             left, found = live.seconds_left, self.files.tracker_found_some
-            self.progress.show_scene(text, live.share, left, stoppable=found)
+            self.progress.show_scene(
+                text, live.share, left, stoppable=found, stopping=live.stopping
+            )
         else:
             self.progress.finish()
 

@@ -27,21 +27,26 @@ from tracking.session import Session
 from tracking.trackers import Resume, StepResult, tracker_named
 from tracking.tracks import Run
 
+TrackingOrder = tuple[str, Any, int, tuple[int, int] | None]
+"""Tracker, settings, seed and the half-open range of frames; None: all of them."""
+
 
 class TrackerAtWork(Controller):
     """Puts trackers to work and what they find into the document.
 
     Signals: `found(first, last)`, it went through these frames, both included; `changed()`, all
-    is to be drawn; `people_found()`, there are tracks where there were none;
-    `tracked(run)`, it came to its end with a `Run`; `noted(lines, passes)`, what the user should be
-    told, and whether that is good news, which may go by itself.
+    is to be drawn; `people_found()`, there are tracks where there were none; `began()`, one is put
+    to work; `tracked(run)`, it came to its end with a `Run`; `noted(lines, passes)`, what the user
+    should be told, and whether that is good news, which may go by itself.
 
     Attributes:
         live: the tracker. following: whether the playhead goes with it.
+        failed_order: tracker, settings, seed and frames of the last one, where it failed.
     """
 
     found = Signal(int, int)
     people_found = Signal()
+    began = Signal()
     tracked = Signal(object)
     noted = Signal(object, bool)
 
@@ -55,6 +60,8 @@ class TrackerAtWork(Controller):
         super().__init__(parent)
         self._document, self._playback, self._comparing = document, playback, comparing
         self._words = TrackerWords(document.recording)
+        self.failed_order: TrackingOrder | None = None
+        self._order: TrackingOrder | None = None
         self._again = False  # it is to put right what was corrected before
         self.live = LiveTracking(document.recording, self)
         self.live.tracked.connect(self._take)
@@ -87,7 +94,8 @@ class TrackerAtWork(Controller):
         That is not the tracker at work while somebody looks at the session's tracks.
         """
         if self.live.running and (self._document.is_live or self._document.session is None):
-            return self._words.describe_work(self.live.tracker, self.live.status)
+            status = tr("stopping") if self.live.stopping else self.live.status
+            return self._words.describe_work(self.live.tracker, status)
         return self._words.describe_rest(self._document.session)
 
     def begin_first(self) -> None:
@@ -112,11 +120,13 @@ class TrackerAtWork(Controller):
         self._again = False
         if settings is None:
             settings = self._document.parts_asked.filled(tracker_named(tracker).settings_type)
+        self._order, self.failed_order = (tracker, settings, seed, frames), None
         at_work = AtWork.of(tracker, settings)
         kept = self.live.start(tracker, settings, seed, frames, resume)
         first = resume.frame if resume is not None else None
         self._document.begin_live(first, at_work, kept)
         self.following.begin()
+        self.began.emit()
         self.changed.emit()
         if self._document.session is not None and resume is None:
             self.noted.emit((meanwhile(),), True)
@@ -144,6 +154,11 @@ class TrackerAtWork(Controller):
             )
         self.track(tracker, settings, seed, frames, resume)
         self._again = True
+
+    def stop(self) -> None:
+        """Stop after the frame in work and keep the result; that it stops is shown at once."""
+        self.live.stop()
+        self.changed.emit()
 
     def drop(self) -> None:
         """End the tracker at work; what it found is forgotten."""
@@ -236,5 +251,6 @@ class TrackerAtWork(Controller):
 
     def _fail(self, error: Exception) -> None:
         """Nothing is kept of it, so nothing of it stays in view; play begins anew."""
+        self.failed_order = self._order
         self.drop()
         self.failed.emit(error)

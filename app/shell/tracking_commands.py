@@ -25,6 +25,13 @@ def _tracked(app: WindowApp) -> str:
     return session(app) or trackable(app)
 
 
+def _stoppable(app: WindowApp) -> str:
+    """A tracker must be at work, and nobody have stopped it yet."""
+    if not app.live:
+        return tr("no tracker is running")
+    return tr("the tracker is stopping") if app.open.live.stopping else ""
+
+
 def _trained(app: WindowApp) -> str:
     """A detector must have been trained."""
     return (
@@ -53,8 +60,8 @@ TRACK: Final[tuple[Command[WindowApp], ...]] = (
         "Stop tracking, keep the result",
         "Tracks",
         ("Ctrl+Shift+T",),
-        lambda app: "" if app.live else tr("no tracker is running"),
-        lambda app: app.open.live.stop(),
+        _stoppable,
+        lambda app: app.open.tracking.stop(),
     ),
     Command(
         "tracks.runs", "Runs...", "Tracks", ("Ctrl+R",), session, lambda app: show_runs(app.open)

@@ -9,14 +9,12 @@ from app.core.commands.command import Command
 from app.core.commands.conditions import (
     drawable,
     editable,
-    floor,
     pending,
     recording,
     replaceable,
     savable,
     session,
 )
-from app.core.commands.view_state import view_command
 from app.core.i18n import tr
 from app.core.look.theme import Look
 from app.core.scenes.labels import Tool
@@ -206,7 +204,6 @@ LAYOUT: Final = (
     _look(Look.SYSTEM, "Theme: as the system", separated=True),
     _look(Look.LIGHT, "Theme: light"),
     _look(Look.DARK, "Theme: dark"),
-    view_command("floor_legend", "Legend on the floor", "View/Theme", (), floor, separated=True),
 )
 HELP: Final[tuple[Command[WindowApp], ...]] = (
     Command("help.keys", "All shortcuts", "Help", ("F1",), run=_show_keys),

@@ -94,8 +94,10 @@ def _why(flow: EditFlow, number: int, on: EditContext) -> str:
     """Why a frame was found; a share of all found only where there are others to choose from."""
     cut = flow.cuts[number]
     apart_m = metres_apart(on.table, flow.track, flow.other, cut.frame)
-    if apart_m > _FAR_APART_M or not cut.shown:
-        return tr("no sign of a swap here: {why}", why=cut.text)
+    if apart_m > _FAR_APART_M:
+        return tr("{metres:.1f} m apart here: {why}", metres=apart_m, why=cut.text)
+    if not cut.shown:
+        return tr("no clear sign: {why}", why=cut.text)
     if len(flow.cuts) == 1:
         return tr("the only frame found: {why}", why=cut.text)
     return tr("{share} %: {why}", share=round(100 * cut.likelihood), why=cut.text)

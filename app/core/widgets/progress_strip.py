@@ -45,6 +45,7 @@ class ProgressStrip(QFrame):
             row.addWidget(widget, share)
         row.addWidget(self._stop)
         row.addWidget(self._cancel)
+        self._stopping = False
         self.hide()
 
     def show_scene(
@@ -54,20 +55,24 @@ class ProgressStrip(QFrame):
         seconds_left: float | None = None,
         cancellable: bool = True,
         stoppable: bool = False,
+        stopping: bool = False,
     ) -> None:
         """Show work; `share` done is 0..1, None where the end is not known.
 
-        What is `stoppable` can end early with a result, what is `cancellable` without.
+        What is `stoppable` can end early with a result, what is `cancellable` without. What is
+        `stopping` was asked to end, here or elsewhere, and is shown so until it has ended.
         """
         if self.isHidden():
             self._let_end(True)
+        if stopping:
+            self._let_end(False)
         self._cancel.setVisible(cancellable)
         self._stop.setVisible(stoppable)
         self._text.setText(text)
         self._bar.setRange(0, 0 if share is None else _STEPS)
         if share is not None:
             self._bar.setValue(round(share * _STEPS))
-        self._left.setText("" if seconds_left is None else self._said(seconds_left))
+        self._left.setText(self._said(seconds_left))
         self.show()
 
     def finish(self) -> None:
@@ -75,15 +80,20 @@ class ProgressStrip(QFrame):
         self.hide()
 
     def _let_end(self, may: bool) -> None:
+        self._stopping = not may
         for button in (self._stop, self._cancel):
             button.setEnabled(may)
 
     def _end(self, how: SignalInstance) -> None:
         self._let_end(False)
-        self._left.setText(tr("stopping"))
+        self._left.setText(self._said(None))
         how.emit()
 
-    def _said(self, seconds: float) -> str:
+    def _said(self, seconds: float | None) -> str:
+        if self._stopping:
+            return tr("Stopping...")
+        if seconds is None:
+            return ""
         minutes, rest = divmod(max(0, round(seconds)), 60)
         if minutes:
             return tr("{0} min {1:02d} s left").format(minutes, rest)

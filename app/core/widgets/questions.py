@@ -88,10 +88,10 @@ def ask_about_unsaved(
     words: tuple[str, str],
     save: Callable[[], object] | None,
     discard: Callable[[], object],
-) -> None:
+) -> QMessageBox:
     """Save, Discard or Cancel; without `save` a tracker is still at work, and there is no Save.
 
-    words: the question, and what is lost.
+    words: the question, and what is lost. Gives the open box; closing it is Cancel.
     """
     box = QMessageBox(parent)
     box.setObjectName("unsaved")
@@ -118,3 +118,4 @@ def ask_about_unsaved(
 
     box.finished.connect(answered)
     box.open()
+    return box

@@ -108,7 +108,7 @@ _BOX, _PENDING = "Correct/Draw and move", "Correct/Change the edit shown"
 _DRAWING: Final[tuple[Command[CorrectionApp], ...]] = (
     Command(
         "tracks.draw",
-        "Draw a box",
+        "Draw or move a box",
         _BOX,
         ("W",),
         drawable,

@@ -190,7 +190,8 @@ class EditPanel(QFrame):
             self._other.setText(str(preview.other or ""))
         self._ready_with = (preview.other or 0) if preview.ready else 0
         self._others.show_scene(preview.others)
-        self._cuts.show_scene(preview.cuts)
+        several = len(preview.cuts) > 1  # a single one stands in the line of frames already
+        self._cuts.show_scene(preview.cuts if several else ())
         self._ask(preview.other == 0 or typing)
         shown = {choice.row: choice for choice in preview.choices} if preview.other != 0 else {}
         for row, buttons in enumerate(self._choices):

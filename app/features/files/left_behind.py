@@ -111,6 +111,16 @@ def tracker_at_work(recording: str, tracker: str, status: str) -> Question:
     return asked, tr("What it found so far is lost. To keep it, cancel here and stop the tracker.")
 
 
+def tracker_stopping(recording: str, tracker: str) -> Question:
+    """A tracker was stopped, and its result is on its way to the disk."""
+    asked = tr(
+        'The tracker {tracker} is stopping; its tracks of "{recording}" are about to be kept.',
+        tracker=tracker,
+        recording=recording,
+    )
+    return asked, tr("Discard loses them. To keep them, cancel here.")
+
+
 def result_in_memory(recording: str) -> Question:
     """What a tracker found could not be put on disk."""
     asked = tr('Save the tracks of "{recording}"?', recording=recording)

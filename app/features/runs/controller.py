@@ -28,6 +28,7 @@ class LiveTracking(QObject):
         tracker: at work, or that was last. done: one past the last frame it has been through.
         notes: what the user should be told of what was tracked last, a line each.
         run_summary: what became of it; None while it is not known.
+        stopping: it was asked to end, and its result is about to come.
     """
 
     tracked = Signal(object)
@@ -38,6 +39,7 @@ class LiveTracking(QObject):
         super().__init__(parent)
         self.tracker = ""
         self.done = 0
+        self.stopping = False
         self.notes: tuple[Message, ...] = ()
         self.run_summary: RunSummary | None = None
         self._recording = recording
@@ -67,7 +69,7 @@ class LiveTracking(QObject):
         first = resume.frame if resume is not None else 0
         self._frames = frames or (first, self._recording.frame_count)
         self.tracker, self.done, self.notes, self._recent = tracker, 0, (), []
-        self.run_summary = None
+        self.run_summary, self.stopping = None, False
         worker = LiveTracker(self._recording, tracker, settings, seed, self, self._frames, resume)
         worker.tracked.connect(self._take)
         worker.finished.connect(self._finish)
@@ -79,12 +81,13 @@ class LiveTracking(QObject):
     def stop(self) -> None:
         """Stop after the frame in work and keep what was tracked."""
         if self._worker is not None:
+            self.stopping = True
             self._worker.stop()
 
     def close(self) -> None:
         """End the thread, dropping what it still would have reported."""
         if self._worker is not None:
-            worker, self._worker = self._worker, None
+            worker, self._worker, self.stopping = self._worker, None, False
             for signal in (worker.tracked, worker.finished, worker.failed):
                 signal.disconnect()
             worker.close()
@@ -144,6 +147,7 @@ class LiveTracking(QObject):
         self.failed.emit(error)
 
     def _drop(self) -> None:
+        self.stopping = False
         if self._worker is not None:
             self._worker.deleteLater()
             self._worker = None

@@ -7,7 +7,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtCore import QObject, Qt
+from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtWidgets import QComboBox, QFormLayout, QHBoxLayout, QPushButton, QWidget
 
 from app.core.error_messages import explain
@@ -40,7 +40,8 @@ class FileChoice(QWidget):
         self._remembered = remembered
         self.files = QComboBox(self)
         self.files.setAccessibleName(name)
-        self.files.addItem(tr("none"), "")
+        here = tr("none (found here: {files})", files=", ".join(found)) if found else tr("none")
+        self.files.addItem(here, "")
         for each in found:
             self.files.addItem(each, each)
         line = QHBoxLayout(self)
@@ -73,7 +74,12 @@ class FileChoice(QWidget):
 
 
 class DetectionsLine(QObject):
-    """Rows of a form that choose detections for one camera or both, and tell what is in them."""
+    """Rows of a form that choose detections for one camera or both, and tell what is in them.
+
+    Signals: `usable(yes)`, whether what is chosen can be tracked with; not while it is read.
+    """
+
+    usable = Signal(bool)
 
     def __init__(self, recording: Recording, remembered: UserSettings, parent: QWidget) -> None:
         """The controls; `add_to` gives them their places."""
@@ -153,16 +159,25 @@ class DetectionsLine(QObject):
             self._form.setRowVisible(self._use, some)
             self._form.setRowVisible(self._told, some)
         self._look.stop()
+        self.usable.emit(not some)
         if some:
-            self._told.setText(tr("Reading detections..."))
+            self._say(tr("Reading detections..."))
             values = {name.partition(".")[2]: value for name, value in self.values().items()}
             self._look.ask(settings_from(DetectionSettings, values))
 
     def _tell(self, boxes: GivenBoxes) -> None:
-        self._told.setText("\n".join(tr(note) for note in boxes.notes))
+        self._say("\n".join(tr(note) for note in boxes.notes), warns=boxes.unused)
+        self.usable.emit(True)
 
     def _refuse(self, _: object, error: Exception) -> None:
-        self._told.setText(explain(error))
+        self._say(explain(error), warns=True)
+
+    def _say(self, text: str, *, warns: bool = False) -> None:
+        """Below the rows, in the colour of a warning where it is one."""
+        self._told.setText(text)
+        self._told.setProperty("role", "warning" if warns else "muted")
+        self._told.style().unpolish(self._told)
+        self._told.style().polish(self._told)
 
 
 def _is_there(path: Path) -> bool:

@@ -34,6 +34,7 @@ from app.features.runs.detections_line import FILLED_IN, DetectionsLine
 from app.features.runs.parts_line import PartsLine
 from tracking.errors import TrackwrightError
 from tracking.recording import Recording
+from tracking.settings import settings_values
 from tracking.trackers import TRACKERS, best_tracker, require
 
 _EXPERT = "track/expert settings"
@@ -143,6 +144,7 @@ class TrackDialog(QDialog):
         start.setProperty("primary", True)  # before it is first polished, or it has no effect
         buttons.addButton(start, QDialogButtonBox.ButtonRole.AcceptRole)
         start.setDefault(True)
+        self._detections.usable.connect(start.setEnabled)
         reset = buttons.addButton(tr("Defaults"), QDialogButtonBox.ButtonRole.ResetRole)
         reset.clicked.connect(lambda: self.form.reset())
         buttons.addButton(QDialogButtonBox.StandardButton.Cancel)
@@ -191,6 +193,14 @@ class TrackDialog(QDialog):
             box.setValue(value)
         self._last.setMinimum(first)
         self._first.setMaximum(last)
+
+    def put_answer(
+        self, tracker: str, settings: Any, seed: int, frames: tuple[int, int] | None
+    ) -> None:
+        """Fill in what was answered once, for whoever has to put one thing of it right."""
+        self.put_settings(tracker, settings_values(settings), seed)
+        first, stop = frames or (self._whole[0], self._whole[1] + 1)
+        self.put_frames(first, stop - 1)
 
     @property
     def form(self) -> SettingsForm:

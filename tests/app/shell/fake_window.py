@@ -60,7 +60,8 @@ def window_app(**given: Any) -> Any:
             watching=SimpleNamespace(stretch=(0, 0)),
         ),
         open=SimpleNamespace(
-            tracking=SimpleNamespace(best="flow", why_not="", following=SimpleNamespace(on=False))
+            tracking=SimpleNamespace(best="flow", why_not="", following=SimpleNamespace(on=False)),
+            live=SimpleNamespace(stopping=False),
         ),
         files=SimpleNamespace(detectors=detectors),
         window=SimpleNamespace(look_choice=SimpleNamespace(look=None)),

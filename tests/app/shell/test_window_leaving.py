@@ -10,6 +10,7 @@ from patient import PATIENCE_S
 from PySide6.QtCore import QCoreApplication, QEvent
 from PySide6.QtWidgets import QMessageBox
 
+from app.core.tracking_process import TrackerProcess
 from tracking.session.session_writer import companions
 
 _BUTTON = QMessageBox.StandardButton
@@ -224,3 +225,51 @@ def test_edits_whose_folder_vanished_are_told_when_the_recording_is_closed(
     window.files.close_without_asking()
     assert window.controller is None
     assert "may be lost" in window.notice.text
+
+
+@pytest.fixture
+def winding_down(monkeypatch):
+    """A tracker that was stopped, which ends once this is set."""
+    ended = threading.Event()
+    end = TrackerProcess._end
+
+    def slowly(process, child):
+        ended.wait(PATIENCE_S)
+        end(process, child)
+
+    monkeypatch.setattr(TrackerProcess, "_end", slowly)
+    yield ended
+    ended.set()
+
+
+def test_the_question_about_a_tracker_that_stops_goes_once_its_result_is_on_disk(
+    window, fresh, qtbot, winding_down
+):
+    fresh.toggle()
+    qtbot.waitUntil(lambda: fresh.live.done > 3)
+    window.run_command("tracks.stop")
+    window.files.close_recording()
+    box = window.findChild(QMessageBox, "unsaved")
+    assert "is stopping" in box.text()
+    winding_down.set()
+    qtbot.waitUntil(lambda: window.files.session is not None and not window.work.busy)
+
+    def asked():
+        return [one.text()[:4] for one in window.findChildren(QMessageBox, "unsaved")]
+
+    qtbot.waitUntil(lambda: asked() == ["Save"])  # of what is on disk, never saved by its name
+    _answer(window, qtbot, _BUTTON.Cancel)
+    assert window.files.session.path.is_file()
+
+
+def test_stopping_is_said_at_once_and_cannot_be_asked_for_twice(window, fresh, qtbot, winding_down):
+    fresh.toggle()
+    qtbot.waitUntil(lambda: fresh.live.done > 3)
+    window.run_command("tracks.stop")
+    window.bring_up_to_date()
+    assert window.progress._left.text() == "Stopping..."
+    assert not window.progress._stop.isEnabled()
+    assert window.workspace.transport._status.text() == "stopping"
+    window.bring_up_to_date()  # results on their way do not change it
+    assert window.progress._left.text() == "Stopping..."
+    assert window.registry.item("tracks.stop").why_not == "the tracker is stopping"

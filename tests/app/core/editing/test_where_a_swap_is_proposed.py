@@ -46,7 +46,7 @@ def test_a_single_frame_is_told_as_the_only_one_found_and_not_as_certain():
 
 def test_two_who_are_far_apart_are_not_told_as_having_changed_over():
     said = _said_of(3.0, others=0)
-    assert said == "Frame 50 (00:05.00), no sign of a swap here: reasons"
+    assert said == "Frame 50 (00:05.00), 3.0 m apart here: reasons"
 
 
 def test_where_nothing_speaks_for_a_frame_that_is_said():
@@ -54,7 +54,7 @@ def test_where_nothing_speaks_for_a_frame_that_is_said():
     on = EditContext(two_people.table(), Labels(), RecordingGeometry(None, 100, 10.0, (640, 480)))
     flow = EditFlow.begin(edits.SWAP, 4, 50, 10.0).with_other(7, found)
     said = preview_plan(flow, on).scene.details[0]
-    assert said == "Frame 50 (00:05.00), no sign of a swap here: reasons"
+    assert said == "Frame 50 (00:05.00), no clear sign: reasons"
 
 
 @pytest.fixture

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QPushButton
 from pytestqt.qtbot import QtBot
 
 from app.core.widgets.user_settings import UserSettings
@@ -29,7 +30,10 @@ def dialog(qtbot: QtBot, tiny_recording: Path, remembered: UserSettings, tmp_pat
 
 def test_a_file_beside_the_recording_is_offered_and_none_is_used_unasked(dialog) -> None:
     offered = dialog._detections._left.files
-    assert [offered.itemText(row) for row in range(offered.count())] == ["none", "det.txt"]
+    assert [offered.itemText(row) for row in range(offered.count())] == [
+        "none (found here: det.txt)",
+        "det.txt",
+    ]
     assert dialog.answer()[1].detections.file == ""
     assert not dialog._detections._use.isVisible()
 
@@ -60,6 +64,27 @@ def test_a_file_that_cannot_be_read_is_told(dialog, qtbot, tmp_path: Path) -> No
     line._left.put(str(path))
     qtbot.waitUntil(lambda: "no file of detections" in line._told.text())
     assert line._told.textFormat() is Qt.TextFormat.PlainText  # a file's name is no markup
+    assert line._told.property("role") == "warning"
+    start = next(one for one in dialog.findChildren(QPushButton) if one.text() == "Track")
+    assert not start.isEnabled()
+    line._left.put("det.txt")
+    qtbot.waitUntil(start.isEnabled)
+    assert line._told.property("role") == "muted"
+    line._left.put(str(path))
+    assert not start.isEnabled()
+    line._left.put("")
+    assert start.isEnabled()
+
+
+def test_what_was_answered_once_is_filled_in_again(dialog, qtbot) -> None:
+    answer = ("three-part", dialog.answer()[1], 4, (3, 9))
+    dialog._detections._left.put("det.txt")
+    dialog._seed.setValue(7)
+    chosen = dialog.answer()
+    dialog.put_answer(*answer)
+    assert dialog.answer() == answer
+    dialog.put_answer(*chosen)
+    assert dialog.answer() == chosen
 
 
 def test_the_settings_of_a_run_fill_them_in(dialog) -> None:
