@@ -69,7 +69,7 @@ CAMERAS: Final[tuple[Command[PicturesApp], ...]] = (
 )
 OVERLAYS: Final = (
     view_command("grid", "Floor grid on the image", "View", ("F",), floor, separated=True),
-    view_command("particles", "Particles on the image", "View", ("O",)),
+    view_command("particles", "Particles on the image", "View/What the tracker sees", ("O",)),
     view_command("trails", "Trails on the image", "View", ("T",)),
     view_command(
         "foreground",
