@@ -55,7 +55,7 @@ def test_the_same_seed_tracks_the_same(
     ("words", "reason"),
     [
         (["--tracker", "psychic"], "available are stereo-joint"),
-        (["--tracker", "sphere"], "available are"),
+        (["--tracker", "sphere"], "did you mean spheroid? Available are"),
         (["--set", "particles=many"], "particles=many"),
         (["--set", "particles=-5"], "particles=-5"),
         (["--set", "particels=5"], "did you mean particles?"),
