@@ -65,7 +65,7 @@ def extract() -> Catalog:
         for text in (use.texts,) if use.counting else use.texts:
             if text:
                 catalogue.add(text, locations=[(use.place, 0)])
-    for text in filter(None, declared_texts()):
+    for text in sorted(filter(None, declared_texts())):
         catalogue.add(text, locations=[("declared values", 0)])
     return catalogue
 
