@@ -7,13 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tracking.tracks.on_part import (
-    corners_of,
-    corners_of_boxes,
-    covered_share,
-    foreign_share,
-    lies_on,
-)
+from tracking.tracks.boxes import corners_of_boxes
+from tracking.tracks.on_part import corners_of, covered_share, foreign_share, lies_on
 
 PART = np.array([35.0, 40, 65, 90])
 numbers = st.floats(-50, 50)

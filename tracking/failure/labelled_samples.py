@@ -13,7 +13,8 @@ from tracking.failure.core.features import NUMBERS, part_features
 from tracking.failure.core.samples import Samples, no_samples, samples_from_rows
 from tracking.failure.past import states_before
 from tracking.tracks import PARTS, Columns, PartLabel, pairs_of, row_keys
-from tracking.tracks.on_part import MOST_FOREIGN, corners_of, corners_of_boxes, foreign_share
+from tracking.tracks.boxes import corners_of_boxes
+from tracking.tracks.on_part import MOST_FOREIGN, corners_of, foreign_share
 
 _SAME_PX = 1e-3
 """Corners and centres are not the same numbers, only the same rectangle."""

@@ -9,11 +9,11 @@ import numpy as np
 from tracking.arrays import Flags, Floats
 from tracking.failure.labelled_samples import were_hidden
 from tracking.tracks import LARGEST_NUMBER, PARTS, Columns, PartLabel, row_keys
+from tracking.tracks.boxes import corners_of_boxes
 from tracking.tracks.on_part import (
     LEAST_COVERED,
     MOST_FOREIGN,
     corners_of,
-    corners_of_boxes,
     covered_share,
     foreign_share,
 )

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from tracking.geometry import Rectification, View
 from tracking.people.runs import Runs
+from tracking.tracks.boxes import boxes_of_corners, corners_of_boxes
 
 Boxes = NDArray[np.float64]
 GridBox = tuple[int, int, int, int]
@@ -221,12 +222,12 @@ def several_standing_boxes(
 
 def with_feet(seen: Boxes, feet: Boxes, unseen: NDArray[np.bool_]) -> Boxes:
     """Boxes (n, 4) drawn out to where the feet stand, of those whose feet are not seen."""
-    near, far = _corners(seen), _corners(feet)
+    near, far = corners_of_boxes(seen), corners_of_boxes(feet)
     both = np.concatenate(
         (np.minimum(near[:, :2], far[:, :2]), np.maximum(near[:, 2:], far[:, 2:])), axis=1
     )
     corners = np.where(unseen[:, None] & np.isfinite(both), both, near)
-    return np.concatenate((corners[:, :2], corners[:, 2:] - corners[:, :2]), axis=1)
+    return boxes_of_corners(corners)
 
 
 def full_body_boxes(seen: Boxes, standing: Boxes, reach: Boxes, hidden: NDArray[np.bool_]) -> Boxes:
@@ -243,13 +244,13 @@ def full_body_boxes(seen: Boxes, standing: Boxes, reach: Boxes, hidden: NDArray[
     Returns:
         (n, 4); a hidden side is taken from `standing` where that reaches farther.
     """
-    near, far, limit = _corners(seen), _corners(standing), _corners(reach)
+    near, far, limit = corners_of_boxes(seen), corners_of_boxes(standing), corners_of_boxes(reach)
     low = np.array([True, True, False, False])
     outer = np.where(low, np.minimum(near, far), np.maximum(near, far))
     corners = np.where(hidden & np.isfinite(far), outer, near)
     within = np.where(low, np.maximum(corners, limit), np.minimum(corners, limit))
     corners = np.where(np.isfinite(limit), within, corners)
-    return np.concatenate((corners[:, :2], corners[:, 2:] - corners[:, :2]), axis=1)
+    return boxes_of_corners(corners)
 
 
 @lru_cache(maxsize=32)
@@ -273,8 +274,3 @@ def _round(points: Boxes) -> Boxes:
     axes = np.ascontiguousarray(points.transpose(2, 0, 1))
     low, high = axes.min(axis=2), axes.max(axis=2)
     return np.concatenate((low, high - low)).T
-
-
-def _corners(boxes: Boxes) -> Boxes:
-    """(n, 4) left, top, right, bottom."""
-    return np.concatenate((boxes[:, :2], boxes[:, :2] + boxes[:, 2:]), axis=1)

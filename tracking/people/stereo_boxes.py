@@ -12,6 +12,7 @@ from tracking.geometry import Rectification
 from tracking.people.box_bodies import paint_bodies, working_boxes
 from tracking.people.given_boxes import BoxSource
 from tracking.recording.frame import StereoFrame
+from tracking.tracks.boxes import boxes_of_corners, corners_of_boxes, corners_through
 
 _HEIGHTS_M = (1.3, 2.1)
 """Of whoever fills a box from head to foot, which tells how far away they are."""
@@ -50,17 +51,13 @@ def rectified_boxes(boxes: Floats, rectification: Rectification, *, right: bool 
     Args:
         right: whether they are the right camera's.
     """
-    low, high = boxes[:, :2], boxes[:, :2] + boxes[:, 2:]
-    middle = (low + high) / 2
-    sides = [
-        *((low[:, 0], middle[:, 1]), (high[:, 0], middle[:, 1])),
-        *((middle[:, 0], low[:, 1]), (middle[:, 0], high[:, 1])),
-    ]
-    points = np.concatenate([np.column_stack(side) for side in sides])
-    seen = rectification.rectified_from_recorded(points, right=right).reshape(4, -1, 2)
-    corners = np.column_stack((seen[0, :, 0], seen[2, :, 1], seen[1, :, 0], seen[3, :, 1]))
-    whole = corners[np.isfinite(corners).all(axis=1)]
-    return np.concatenate((whole[:, :2], whole[:, 2:] - whole[:, :2]), axis=1)
+
+    def rectified(points: Floats) -> Floats:
+        flat = rectification.rectified_from_recorded(points.reshape(-1, 2), right=right)
+        return flat.reshape(points.shape)
+
+    corners = corners_through(rectified, corners_of_boxes(boxes))
+    return boxes_of_corners(corners[np.isfinite(corners).all(axis=1)])
 
 
 def may_be_in_right(boxes: Floats, rectification: Rectification) -> Floats:

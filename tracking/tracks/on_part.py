@@ -57,8 +57,3 @@ def corners_of(rectangles: Floats) -> Floats:
     """Corners (..., 4) of rectangles (..., 4) given as middle and size: cx, cy, width, height."""
     middle, half = rectangles[..., :2], rectangles[..., 2:] / 2
     return np.concatenate((middle - half, middle + half), axis=-1)
-
-
-def corners_of_boxes(boxes: Floats) -> Floats:
-    """Corners (..., 4) of boxes (..., 4) given as left, top, width, height."""
-    return np.concatenate((boxes[..., :2], boxes[..., :2] + boxes[..., 2:]), axis=-1)

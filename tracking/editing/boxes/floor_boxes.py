@@ -13,6 +13,7 @@ from tracking.arrays import Floats
 from tracking.geometry import View
 from tracking.people.boxes import standing_boxes
 from tracking.tracks import Box, Columns
+from tracking.tracks.boxes import boxes_of_corners, corners_of_boxes
 
 SIDES = ("left", "top", "width", "height")
 USUAL_HEIGHT_M = 1.75
@@ -52,10 +53,10 @@ def body_heights(view: View, places: Floats, boxes: Floats) -> Floats:
     Within what people measure; the usual height where place or box are unknown.
     """
     heights = np.full(len(places), USUAL_HEIGHT_M)
-    wanted = _edges(boxes)
+    wanted = corners_of_boxes(boxes)
     for _ in range(_HEIGHT_ROUNDS):
-        here = _edges(body_boxes(view, places, heights))
-        slope = (_edges(body_boxes(view, places, heights + _STEP_M)) - here) / _STEP_M
+        here = corners_of_boxes(body_boxes(view, places, heights))
+        slope = (corners_of_boxes(body_boxes(view, places, heights + _STEP_M)) - here) / _STEP_M
         with np.errstate(divide="ignore", invalid="ignore"):
             better = (slope * (wanted - here)).sum(axis=1) / np.square(slope).sum(axis=1)
         heights = np.clip(heights + np.nan_to_num(better, posinf=0.0, neginf=0.0), *_HEIGHTS_M)
@@ -65,14 +66,16 @@ def body_heights(view: View, places: Floats, boxes: Floats) -> Floats:
 def fits(view: View, places: Floats, heights_m: Floats, boxes: Floats) -> Floats:
     """(n, 4) how far each edge of a box is off its body's, as shares of the body's size."""
     bodies = body_boxes(view, places, heights_m)
-    return np.asarray((_edges(boxes) - _edges(bodies)) / np.tile(bodies[:, 2:], 2))
+    return np.asarray(
+        (corners_of_boxes(boxes) - corners_of_boxes(bodies)) / np.tile(bodies[:, 2:], 2)
+    )
 
 
 def move_bodies(view: View, places: Floats, heights_m: Floats, fit: Floats) -> Floats:
     """(n, 4) boxes of bodies at other places, with the fit they had."""
     bodies = body_boxes(view, places, heights_m)
-    edges = _edges(bodies) + fit * np.tile(bodies[:, 2:], 2)
-    return np.concatenate([edges[:, :2], edges[:, 2:] - edges[:, :2]], axis=1)
+    edges = corners_of_boxes(bodies) + fit * np.tile(bodies[:, 2:], 2)
+    return boxes_of_corners(edges)
 
 
 def body_positions(
@@ -112,11 +115,6 @@ def position_after_move(
     off_px = np.nan_to_num(off / old_boxes[:, 2:] * boxes[:, 2:])
     x, y = body_positions(view, boxes, heights, off_px)[0].tolist()
     return x, y
-
-
-def _edges(boxes: Floats) -> Floats:
-    """(n, 4) left, top, right, bottom."""
-    return np.concatenate([boxes[:, :2], boxes[:, :2] + boxes[:, 2:]], axis=1)
 
 
 def _foot(view: View, boxes: Floats) -> Floats:

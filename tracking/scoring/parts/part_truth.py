@@ -10,7 +10,7 @@ from tracking.arrays import Floats
 from tracking.errors import FormatError
 from tracking.scoring.parts.rows import PartTruth, Whole, by_person
 from tracking.tracks import row_keys
-from tracking.tracks.on_part import corners_of_boxes
+from tracking.tracks.boxes import corners_of_boxes
 from tracking.truth import TRUE_PARTS, VISIBILITY, read_true_parts, read_visibility
 
 

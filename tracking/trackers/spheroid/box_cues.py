@@ -7,7 +7,7 @@ import numpy as np
 from tracking.filtering import associate
 from tracking.geometry import Ellipses, FlatView
 from tracking.trackers.spheroid.hypotheses import Floats
-from tracking.tracks.boxes import overlaps
+from tracking.tracks.boxes import boxes_of_corners, corners_of_boxes, corners_through, overlaps
 
 _ERROR = 0.07
 """Standard deviation of a box's ends, in heights of the box."""
@@ -45,10 +45,7 @@ def box_log_weights(seen: Ellipses, own: Ellipses, boxes: Floats) -> Floats:
 
 def flat_boxes(boxes: Floats, flat: FlatView) -> Floats:
     """(n, 4) left, top, width, height flat px of boxes (n, 4) px as recorded."""
-    low, high = boxes[:, :2], boxes[:, :2] + boxes[:, 2:]
-    middle = (low + high) / 2
-    ends = [np.column_stack((middle[:, 0], each[:, 1])) for each in (low, high)]
-    sides = [np.column_stack((each[:, 0], middle[:, 1])) for each in (low, high)]
-    top, bottom = (flat.flat_from_recorded(end)[:, 1] for end in ends)
-    left, right = (flat.flat_from_recorded(side)[:, 0] for side in sides)
-    return np.column_stack((left, top, right - left, bottom - top))
+    corners = corners_of_boxes(boxes)
+    return boxes_of_corners(
+        corners_through(lambda sides: [flat.flat_from_recorded(side) for side in sides], corners)
+    )

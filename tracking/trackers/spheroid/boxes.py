@@ -16,6 +16,7 @@ from tracking.trackers.spheroid.hypothesis_scores import (
     others_cover,
     silhouette,
 )
+from tracking.tracks.boxes import boxes_of_corners, corners_of_boxes, corners_through
 
 _WIDTH_M = 0.46
 """Of a body as the picture shows it, arms and stride included."""
@@ -60,13 +61,16 @@ def draw_boxes(
     Args:
         outlines: (people) the silhouettes of `judged`'s cover.
     """
-    usual = _sides(standing_boxes(flat.view, people.xy, people.height, _WIDTH_M))
+    usual = corners_of_boxes(standing_boxes(flat.view, people.xy, people.height, _WIDTH_M))
     size = np.tile(usual[:, 2:] - usual[:, :2], 2)
     whole = (people.shown > _WHOLE) & (people.inside > _INSIDE) & (people.coverage > _COVERED)
     off = np.full((len(people), 4), np.nan)
     rows = np.flatnonzero(whole)
     if len(rows):
-        seen = _undo_flattening(_measure(outlines[rows], judged), flat)
+        measured = _measure(outlines[rows], judged)
+        seen = corners_through(
+            lambda sides: [flat.recorded_from_flat(side) for side in sides], measured
+        )
         off[rows] = (seen - usual[rows]) / size[rows]
     good = np.abs(np.nan_to_num(off, nan=9.0)).max(axis=1) < _FARTHEST
     share = 1.0 - np.exp(-max(elapsed_s, 1e-3) / _MEMORY_S)
@@ -75,14 +79,7 @@ def draw_boxes(
     outline = people.outline + share[:, None] * change
     shown = np.where(good[:, None], np.nan_to_num(off), outline)
     corners = usual + shown * size
-    return ReportedBoxes(
-        np.concatenate((corners[:, :2], corners[:, 2:] - corners[:, :2]), axis=1), outline
-    )
-
-
-def _sides(box: Floats) -> Floats:
-    """(n, 4) left, top, right, bottom."""
-    return np.concatenate((box[:, :2], box[:, :2] + box[:, 2:]), axis=1)
+    return ReportedBoxes(boxes_of_corners(corners), outline)
 
 
 def _measure(outlines: Ellipses, judged: JudgedFrame) -> Floats:
@@ -104,12 +101,3 @@ def _measure(outlines: Ellipses, judged: JudgedFrame) -> Floats:
             found[k] = columns[0], rows[0], columns[-1] + 1, rows[-1] + 1
             found[k] += (left, top, left, top)
     return found - 0.5
-
-
-def _undo_flattening(sides: Floats, flat: FlatView) -> Floats:
-    """(n, 4) left, top, right, bottom of pixels as recorded round flat boxes."""
-    left, top, right, bottom = sides.T
-    across, down = (left + right) / 2, (top + bottom) / 2
-    ends = ((left, down), (across, top), (right, down), (across, bottom))
-    seen = [flat.recorded_from_flat(np.column_stack(end)) for end in ends]
-    return np.column_stack([seen[k][:, k % 2] for k in range(4)])

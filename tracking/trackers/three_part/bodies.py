@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.trackers.three_part.people import Flags, Floats
-from tracking.tracks.boxes import common_px2
+from tracking.tracks.boxes import common_px2, corners_of_boxes
 
 _ROUND = 0.95
 """An inner rectangle's size, as a share of the half extent of the part it lies in: a part whose
@@ -43,8 +43,7 @@ def outlined_boxes(rectangles: Floats, outline: Floats) -> Floats:
 def outlines_seen(rectangles: Floats, seen: Floats) -> Floats:
     """(people, 4) the outlines with which the parts' boxes are those seen (people, 4)."""
     box = parts_boxes(rectangles)
-    corners = np.concatenate((seen[:, :2], seen[:, :2] + seen[:, 2:]), axis=1)
-    return np.clip((corners - box) / _height(box), -0.5, 0.5)
+    return np.clip((corners_of_boxes(seen) - box) / _height(box), -0.5, 0.5)
 
 
 def outlines_after(
