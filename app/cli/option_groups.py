@@ -22,6 +22,7 @@ class Bare:
         left, right: videos. calibration: one or two files.
         height, tilt, roll: where the floor is, m and degrees.
         fps: of images. layout, first: of a video that holds both cameras.
+        region, mask: outlines x,y:x,y:x,y within which alone, or never, people are looked for.
         allow_outside: follow paths out of the recording's folder.
     """
 
@@ -34,6 +35,8 @@ class Bare:
     fps: options.Fps = None
     layout: options.Layout = None
     first: options.First = None
+    region: options.LookRegion = None
+    mask: options.LookMask = None
     allow_outside: options.Outside = False
 
 

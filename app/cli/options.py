@@ -116,6 +116,23 @@ First = Annotated[
         "--first", help="The camera that comes first in that video.", rich_help_panel=_BARE
     ),
 ]
+LookRegion = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--region",
+        help="Look for people within this outline of the left image only: x,y:x,y:x,y in pixels; "
+        "may be repeated.",
+        rich_help_panel=_BARE,
+    ),
+]
+LookMask = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--mask",
+        help="Look for nobody within this outline of the left image; may be repeated.",
+        rich_help_panel=_BARE,
+    ),
+]
 Outside = Annotated[
     bool,
     typer.Option(

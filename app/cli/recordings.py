@@ -8,6 +8,7 @@ import typer
 
 from app.cli.destination import read_file_kind
 from app.cli.option_groups import Bare
+from app.cli.shape_options import outlines_from
 from tracking.errors import CalibrationError, RecordingError, SessionError
 from tracking.formats import begins_as_hdf5
 from tracking.recording import OpenOptions, Recording, open_recording
@@ -81,6 +82,8 @@ def options_of(bare: Bare) -> OpenOptions:
         fps=bare.fps,
         layout=bare.layout,
         first=bare.first,
+        look=outlines_from(bare.region or (), "--region"),
+        mask=outlines_from(bare.mask or (), "--mask"),
         allow_outside=bare.allow_outside,
     )
 

@@ -8,6 +8,7 @@ from typing import TypeVar
 import typer
 
 from tracking.errors import EditError
+from tracking.recording.region_of_interest import Outline, checked_outlines
 from tracking.tracks import CountingLine, Region, check_line, check_region
 from tracking.translation import msg, tr
 
@@ -33,6 +34,23 @@ def region_of(text: str, *, in_picture: bool) -> Region:
     option = "--picture-region" if in_picture else "--region"
     name, corners = _parted(text, option)
     return _checked(Region(name, corners, in_picture), check_region, option)
+
+
+def outlines_from(texts: Sequence[str], option: str) -> tuple[Outline, ...]:
+    """Outlines x,y:x,y:x,y of what was typed. Raises BadParameter where one is none."""
+    found = []
+    for text in texts:
+        corners = [_corner(part) for part in text.split(":")]
+        known = tuple(corner for corner in corners if corner is not None)
+        if len(known) < len(corners):
+            raise _misuse(
+                msg("{text!r} is no outline; type x,y:x,y:x,y in pixels", text=text), option
+            )
+        found.append(known)
+    outlines = checked_outlines(found)
+    if isinstance(outlines, tuple):
+        return outlines
+    raise _misuse(tr(outlines), option)
 
 
 def refuse_repeated(drawn: Sequence[CountingLine] | Sequence[Region], what: str) -> None:

@@ -20,17 +20,22 @@ from tracking.recording import (
     read_manifest,
     write_manifest,
 )
+from tracking.recording.region_of_interest import RegionOfInterest
 
 SOURCES = st.text(string.ascii_letters + "/*.é", min_size=1, max_size=12)
 GROUNDS = st.none() | st.builds(
     Ground, st.floats(0.1, 100), st.floats(-90, 90), st.floats(-180, 180)
 )
+OUTLINES = st.lists(
+    st.lists(st.tuples(*2 * [st.floats(-1e5, 1e5)]), min_size=3, max_size=5).map(tuple), max_size=2
+).map(tuple)
 COMMON = {
     "name": st.text(max_size=20),
     "left": SOURCES,
     "fps": st.none() | st.floats(0.01, 1000),
     "calibration": st.lists(SOURCES, max_size=2).map(tuple),
     "ground": GROUNDS,
+    "region": st.builds(RegionOfInterest, OUTLINES, OUTLINES),
 }
 LAGS = st.none() | st.integers(-60, 60)
 MANIFESTS = st.one_of(

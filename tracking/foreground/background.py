@@ -69,10 +69,21 @@ class BackgroundModel:
     (people, as told by stereo) are left alone, so that standing people do not melt.
 
     Frames are given in order: `subtract`, then `update` with the same frame's verdict.
+
+    Args:
+        fps: frames a second. settings: None for the usual ones.
+        looked_at: uint8, non-zero where foreground counts, of any size that shows the same
+            picture; None: everywhere.
     """
 
-    def __init__(self, fps: float, settings: ForegroundSettings | None = None) -> None:
+    def __init__(
+        self,
+        fps: float,
+        settings: ForegroundSettings | None = None,
+        looked_at: Mask | None = None,
+    ) -> None:
         self._settings = settings or ForegroundSettings()
+        self._looked_at = looked_at
         self._every = max(1, round(fps / self._settings.updates_hz))
         self._period_s = self._every / fps
         self._primed = False
@@ -138,7 +149,17 @@ class BackgroundModel:
         self._explained = differs < MUCH_CHANGED
         if changed or not _within(self._exposure, _READABLE_EXPOSURE):
             return Subtraction(smooth, self._background, np.zeros(mask.shape, np.uint8), True)
-        return Subtraction(smooth, self._background, mask, False)
+        return Subtraction(smooth, self._background, self.within_region(mask), False)
+
+    def within_region(self, mask: Mask) -> Mask:
+        """A mask, or another picture (height, width), that is 0 where nothing is looked for."""
+        if self._looked_at is None:
+            return mask
+        if self._looked_at.shape != mask.shape:
+            size = (mask.shape[1], mask.shape[0])
+            shown = cv2.resize(self._looked_at, size, interpolation=cv2.INTER_NEAREST)
+            self._looked_at = np.asarray(shown, np.uint8)
+        return np.asarray(cv2.copyTo(mask, self._looked_at), np.uint8)
 
     def _threshold(self, picture: Picture) -> tuple[Mask, float]:
         """Where a picture differs from the background, and in how large a share of it."""

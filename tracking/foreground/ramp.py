@@ -53,7 +53,7 @@ def ramp(seen: Subtraction, model: BackgroundModel, settings: RampSettings) -> P
         return np.zeros(seen.mask.shape, np.uint8)
     difference = largest_difference(seen.picture, seen.background)
     quotient = cv2.divide(difference, model.limit, scale=_STEPS)
-    return np.asarray(cv2.LUT(quotient, _table(settings)), np.uint8)
+    return model.within_region(np.asarray(cv2.LUT(quotient, _table(settings)), np.uint8))
 
 
 def _table(settings: RampSettings) -> Picture:

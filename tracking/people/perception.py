@@ -61,6 +61,8 @@ class StereoPerception:
         fps: frames a second of the recording.
         foreground, stereo, people: settings; None for the usual ones.
         boxes: of another program's detector; None: people are seen by the foreground alone.
+        looked_at: (height, width) non-zero where people are looked for in the left picture as
+            recorded; None: everywhere.
 
     Attributes:
         images: whether the right camera fails, and whether either is late.
@@ -78,13 +80,19 @@ class StereoPerception:
         stereo: StereoSettings | None = None,
         people: PeopleSettings | None = None,
         boxes: BoxSource | None = None,
+        looked_at: Mask | None = None,
     ) -> None:
         self._rectification = rectification
         self._boxes = boxes
         self._shrink = shrink_of(rectification.size[0])
         _require_size(rectification.size, self._shrink, stereo or StereoSettings())
         lines = SightLines(rectification, self._shrink)
-        self._backgrounds = (BackgroundModel(fps, foreground), BackgroundModel(fps, foreground))
+        if looked_at is not None:
+            looked_at, _ = rectification.rectify(looked_at, looked_at)
+        self._backgrounds = (
+            BackgroundModel(fps, foreground, looked_at),
+            BackgroundModel(fps, foreground),
+        )
         self._shadows = ShadowRemover(foreground)
         self._stereo = SubtractionStereo(lines, stereo)
         self._updates = 0

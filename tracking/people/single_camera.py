@@ -47,6 +47,8 @@ class SingleCameraPerception:
         view: the camera over its floor; None: nothing is known in metres.
         foreground, people: settings; None for the usual ones.
         boxes: of another program's detector; None: people are seen by the foreground alone.
+        looked_at: (height, width) non-zero where people are looked for in the left picture as
+            recorded; None: everywhere.
     """
 
     stereo_watch: None = None
@@ -59,8 +61,9 @@ class SingleCameraPerception:
         foreground: ForegroundSettings | None = None,
         people: PeopleSettings | None = None,
         boxes: BoxSource | None = None,
+        looked_at: Mask | None = None,
     ) -> None:
-        self._background = BackgroundModel(fps, foreground)
+        self._background = BackgroundModel(fps, foreground, looked_at)
         self._shadows = ShadowRemover(foreground)
         self._shade = ShadeColour()
         self._view = view

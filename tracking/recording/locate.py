@@ -158,6 +158,7 @@ def _with_options(found: Located, options: OpenOptions) -> Located:
         layout=options.layout or manifest.layout,
         first=options.first or manifest.first,
         ground=options.ground(manifest.ground),
+        region=options.region(manifest.region),
     )
     if changed == manifest:
         return found

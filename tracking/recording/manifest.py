@@ -13,6 +13,7 @@ from tracking.errors import CalibrationError, OutputError, RecordingError
 from tracking.geometry import Ground
 from tracking.recording.image_pairs import MOST_LAG, Layout, Side
 from tracking.recording.limits import checked_fps, checked_ground
+from tracking.recording.region_of_interest import EVERYWHERE, Outline, RegionOfInterest, outlines_of
 from tracking.translation import msg
 
 MANIFEST_NAME = "recording.toml"
@@ -28,12 +29,15 @@ leaves as much of the 4096 that Linux takes to the folder itself."""
 _LAYOUTS: tuple[Layout, ...] = ("side-by-side", "top-bottom")
 _SIDES: tuple[Side, ...] = ("left", "right")
 _KNOWN: Mapping[str, frozenset[str]] = {
-    "": frozenset(("format", "name", "fps", "left", "right", "stereo", "calibration", "ground")),
+    "": frozenset(
+        ("format", "name", "fps", "left", "right", "stereo", "calibration", "ground", "region")
+    ),
     "left": frozenset(("source",)),
     "right": frozenset(("source", "lag")),
     "stereo": frozenset(("source", "layout", "first", "lag")),
     "calibration": frozenset(("file",)),
     "ground": frozenset(("height", "tilt", "roll")),
+    "region": frozenset(("look", "mask")),
 }
 
 
@@ -51,6 +55,7 @@ class Manifest:
         fps: frames a second; None: as the video says.
         calibration: one file, or a pair; empty: not calibrated.
         ground: where the floor is; None: unknown.
+        region: where people are looked for.
         unknown: keys that mean nothing here.
     """
 
@@ -63,6 +68,7 @@ class Manifest:
     fps: float | None = None
     calibration: tuple[str, ...] = ()
     ground: Ground | None = None
+    region: RegionOfInterest = EVERYWHERE
     unknown: tuple[str, ...] = ()
 
 
@@ -129,6 +135,7 @@ def parse_manifest(text: str, where: str, fallback_name: str) -> Manifest:
         fps=_fps(table),
         calibration=_calibration(table),
         ground=_ground(table),
+        region=_region(table),
         unknown=_unknown(content),
     )
 
@@ -155,6 +162,10 @@ def format_manifest(manifest: Manifest) -> str:
         ground = manifest.ground
         lines += ["", "[ground]", f"height = {float(ground.height_m)!r}"]
         lines += [f"tilt = {float(ground.tilt_deg)!r}", f"roll = {float(ground.roll_deg)!r}"]
+    if manifest.region:
+        lines += ["", "[region]"]
+        lines += [f"look = {_listed(manifest.region.look)}"] if manifest.region.look else []
+        lines += [f"mask = {_listed(manifest.region.mask)}"] if manifest.region.mask else []
     return "\n".join(lines) + "\n"
 
 
@@ -293,6 +304,23 @@ def _ground(table: _Table) -> Ground | None:
         raise section.error(
             "height", msg("and tilt make no floor: {error}", error=error)
         ) from error
+
+
+def _region(table: _Table) -> RegionOfInterest:
+    section = table.section("region")
+    return RegionOfInterest(_outlines(section, "look"), _outlines(section, "mask"))
+
+
+def _outlines(section: _Table, key: str) -> tuple[Outline, ...]:
+    outlines = outlines_of(section.get(key, list, []))
+    if isinstance(outlines, tuple):
+        return outlines
+    raise section.error(key, outlines)
+
+
+def _listed(outlines: tuple[Outline, ...]) -> str:
+    """A TOML list of polygons."""
+    return repr([[[float(x), float(y)] for x, y in outline] for outline in outlines])
 
 
 def _unknown(content: Mapping[str, Any]) -> tuple[str, ...]:

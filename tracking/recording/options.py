@@ -9,6 +9,7 @@ from tracking.errors import RecordingError
 from tracking.geometry import Ground
 from tracking.recording.image_pairs import Layout, Side
 from tracking.recording.limits import checked_fps, checked_ground
+from tracking.recording.region_of_interest import Outline, RegionOfInterest
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,6 +23,7 @@ class OpenOptions:
         fps: frames a second; it counts, whatever the recording says. See `rate`.
         layout: how both cameras lie in one video.
         first: the camera on the left or at the top of it.
+        look, mask: see `RegionOfInterest`; they stand in place of what the recording says.
         allow_outside: a manifest may name files outside its folder.
     """
 
@@ -34,6 +36,8 @@ class OpenOptions:
     fps: float | None = None
     layout: Layout | None = None
     first: Side | None = None
+    look: tuple[Outline, ...] = ()
+    mask: tuple[Outline, ...] = ()
     allow_outside: bool = False
 
     def ground(self, told: Ground | None) -> Ground | None:
@@ -64,3 +68,7 @@ class OpenOptions:
             RecordingError: the option is out of range.
         """
         return told if self.fps is None else checked_fps(self.fps, "--fps")
+
+    def region(self, told: RegionOfInterest) -> RegionOfInterest:
+        """Where people are looked for, with the options in place of what the recording says."""
+        return RegionOfInterest(self.look or told.look, self.mask or told.mask)

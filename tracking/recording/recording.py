@@ -10,6 +10,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Mask
 from tracking.errors import RecordingError
 from tracking.geometry import Ground, Rectification, StereoCalibration, View
 from tracking.recording.fingerprint import Fingerprint, fingerprint
@@ -45,6 +46,8 @@ class Recording:
             `Instants`.
         calibration, ground, view, rectification: None where not known; a rectification needs two
             calibrated cameras, a view a calibrated left camera and the floor.
+        looked_at: (height, width) uint8, 255 where people are looked for in the left picture;
+            None: everywhere.
         manifest_text, calibration_text: as read; the manifest's is made up where there is none,
             or where options said otherwise.
         own_manifest: whether that text is the folder's recording.toml, as read.
@@ -63,6 +66,7 @@ class Recording:
         self.ground: Ground | None = located.manifest.ground
         self.view: View | None = calibrated.view
         self.rectification: Rectification | None = calibrated.rectification
+        self.looked_at: Mask | None = located.manifest.region.pixels(cameras.size)
         self.manifest_text: str = located.text
         self.own_manifest: bool = located.own
         self.calibration_text: str = calibrated.text

@@ -12,6 +12,7 @@ from command_line import Trackwright
 
 import tracking
 from app.cli.commands import SCENE_NAMES
+from tracking.recording import open_recording
 from tracking.synthesis import SCENES, render_recording
 
 
@@ -212,3 +213,38 @@ def test_one_tracker_is_listed_by_its_name(trackwright: Trackwright) -> None:
     assert (status, [one["name"] for one in json.loads(out)["trackers"]]) == (0, ["flow"])
     status, _, err = trackwright("trackers", "flaw")
     assert (status, "tracker flaw is unknown: did you mean flow?" in err) == (2, True)
+
+
+def test_people_are_looked_for_in_the_region_that_is_typed(
+    trackwright: Trackwright, footage: Path
+) -> None:
+    status, out, _ = trackwright("info", footage, "--region", "0,0:63,0:63,9999:0,9999", "--json")
+    with open_recording(footage) as opened:
+        width = opened.size[0]
+    assert (status, json.loads(out)["region"]) == (0, round(64 / width, 4))
+    assert json.loads(trackwright("info", footage, "--json")[1])["region"] is None
+
+
+@pytest.mark.parametrize(
+    ("option", "typed", "problem"),
+    [
+        ("--region", "1,2:3,4", "fewer than three corners"),
+        ("--mask", "1,2:3,x:5,6", "'1,2:3,x:5,6' is no outline; type x,y:x,y:x,y in pixels"),
+    ],
+)
+def test_an_outline_that_is_none_is_refused(
+    trackwright: Trackwright, footage: Path, option: str, typed: str, problem: str
+) -> None:
+    status, _, err = trackwright("info", footage, option, typed)
+    assert (status, problem in err, option in err) == (2, True, True)
+
+
+def test_info_warns_of_a_camera_so_flat_that_metres_mean_little(
+    trackwright: Trackwright, recording: Path
+) -> None:
+    said = trackwright("info", recording, "--height", "0.8", "--tilt", "5")[1]
+    assert "the camera is low or looks flat" in said
+    assert "low or looks flat" not in trackwright("info", recording)[1]
+    cut = "0,450:640,450:640,480:0,480"
+    told = trackwright("info", recording, "--height", "0.8", "--tilt", "5", "--region", cut)[1]
+    assert "low or looks flat" not in told

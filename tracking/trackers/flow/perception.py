@@ -48,6 +48,8 @@ class FlowPerception:
         fps: frames a second of the recording.
         foreground: settings; None for the usual ones.
         boxes: of another program's detector; None: people are seen by the foreground alone.
+        looked_at: (height, width) non-zero where people are looked for in the left picture as
+            recorded; None: everywhere.
     """
 
     stereo_watch: None = None
@@ -58,8 +60,9 @@ class FlowPerception:
         fps: float,
         foreground: ForegroundSettings | None = None,
         boxes: BoxSource | None = None,
+        looked_at: Mask | None = None,
     ) -> None:
-        self._background = BackgroundModel(fps, foreground)
+        self._background = BackgroundModel(fps, foreground, looked_at)
         self._shadows = ShadowRemover(foreground)
         self._boxes = boxes
 

@@ -23,5 +23,5 @@ def build_flow(
             "choose a tracker that works in pixels",
             name=recording.name,
         )
-    perception = FlowPerception(recording.fps, settings.foreground, boxes)
-    return perception, FlowTracker(recording.view, recording.fps, settings)
+    perception = FlowPerception(recording.fps, settings.foreground, boxes, recording.looked_at)
+    return perception, FlowTracker(recording.view, recording.fps, settings, recording.looked_at)

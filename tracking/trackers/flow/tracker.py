@@ -15,6 +15,7 @@ from tracking.trackers.flow.cluster_people import ClusteredPeople
 from tracking.trackers.flow.floor import Floor
 from tracking.trackers.flow.flow_frame import POSITIONS, FlowFrame, speeds
 from tracking.trackers.flow.foot_lines import foot_lines
+from tracking.trackers.flow.half_resolution import half_size
 from tracking.trackers.flow.kernels import kernel_table
 from tracking.trackers.flow.people import HeldPeople
 from tracking.trackers.flow.perception import FlowObservation
@@ -38,11 +39,18 @@ class FlowTracker(TrackerBase[FlowSettings]):
     is random.
     """
 
-    def __init__(self, view: View, fps: float, settings: FlowSettings) -> None:
+    def __init__(
+        self,
+        view: View,
+        fps: float,
+        settings: FlowSettings,
+        looked_at: NDArray[np.uint8] | None = None,
+    ) -> None:
         """Nobody is followed yet.
 
         Args:
             view: the camera over its floor. fps: frames a second.
+            looked_at: (height, width) non-zero where points are followed; None: everywhere.
         """
         super().__init__(settings)
         self._view = view
@@ -59,6 +67,10 @@ class FlowTracker(TrackerBase[FlowSettings]):
         self._people: HeldPeople | ClusteredPeople = kind(
             settings, table.scaled(box.bodies), self._floor, self._ids
         )
+        self._looked_at: NDArray[np.uint8] | None = None
+        if looked_at is not None:
+            columns, rows = half_size((looked_at.shape[1], looked_at.shape[0]))
+            self._looked_at = looked_at[: 2 * rows : 2, : 2 * columns : 2]
         self._camera = CameraWatch(fps)
 
     @property
@@ -109,7 +121,7 @@ class FlowTracker(TrackerBase[FlowSettings]):
         grey = np.asarray(cv2.cvtColor(observation.picture, cv2.COLOR_BGR2GRAY), np.uint8)
         self._camera.look(observation.frame, grey)
         mask = observation.mask
-        seek = mask if self._settings.points.foreground_only else None
+        seek = mask if self._settings.points.foreground_only else self._looked_at
         tracklets = self._follower.step(grey, seek)
         return FlowFrame.of(tracklets, mask, elapsed_s, self._fps, self._floor)
 

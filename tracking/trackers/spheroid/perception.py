@@ -9,6 +9,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Mask
 from tracking.foreground import (
     BackgroundModel,
     CameraWatch,
@@ -75,6 +76,8 @@ class SpheroidPerception:
         fps: frames a second. view: the camera over its floor.
         foreground, ramp: settings; None for the usual ones.
         boxes: of another program's detector; None: people are seen by the foreground alone.
+        looked_at: (height, width) non-zero where people are looked for in the left picture as
+            recorded; None: everywhere.
     """
 
     stereo_watch: None = None
@@ -87,11 +90,12 @@ class SpheroidPerception:
         foreground: ForegroundSettings | None = None,
         ramp_settings: RampSettings | None = None,
         boxes: BoxSource | None = None,
+        looked_at: Mask | None = None,
     ) -> None:
         self.flat = FlatView(view, shrink_of(view.camera.width))
         self.camera = CameraWatch(fps)
         self._boxes = boxes
-        self._background = BackgroundModel(fps, foreground)
+        self._background = BackgroundModel(fps, foreground, looked_at)
         self._shadows = ShadowWeights()
         self._ramp = ramp_settings or RampSettings()
         self._last: Subtraction | None = None

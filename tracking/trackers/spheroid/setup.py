@@ -30,11 +30,13 @@ def build_spheroid(
             "[ground] to recording.toml, or choose a tracker that works in pixels",
             name=recording.name,
         )
-    perception = SpheroidPerception(recording.fps, view, settings.foreground, settings.ramp, boxes)
-    hidden = _hidden(occluders_from(settings.occluders), perception.flat)
-    return perception, SpheroidTracker(
-        perception, settings, perception.flat.covered & ~hidden, seed
+    perception = SpheroidPerception(
+        recording.fps, view, settings.foreground, settings.ramp, boxes, recording.looked_at
     )
+    shown = perception.flat.covered & ~_hidden(occluders_from(settings.occluders), perception.flat)
+    if recording.looked_at is not None:  # what stands there is not known, as behind what is drawn
+        shown &= perception.flat.flatten(recording.looked_at) > 0
+    return perception, SpheroidTracker(perception, settings, shown, seed)
 
 
 def _hidden(occluders: Polygons, flat: FlatView) -> NDArray[np.bool_]:

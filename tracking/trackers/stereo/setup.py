@@ -32,5 +32,6 @@ def perception_and_view(
         stereo=settings.stereo,
         people=settings.people,
         boxes=boxes,
+        looked_at=recording.looked_at,
     )
     return perception, view

@@ -50,7 +50,12 @@ def _built(
         recording.size, recording.fps, recording.view, occluders_from(settings.occluders)
     )
     perception = SingleCameraPerception(
-        recording.fps, recording.view, settings.foreground, settings.people, boxes
+        recording.fps,
+        recording.view,
+        settings.foreground,
+        settings.people,
+        boxes,
+        recording.looked_at,
     )
     detector = None
     if isinstance(settings, ThreePartSettings):
