@@ -24,12 +24,13 @@ from app.features.parts.training_settings import TrainingSettings
 from app.shell.commands import COMMANDS
 from tracking import errors
 from tracking.formats import FORMATS
+from tracking.formats.track_format import Content
 from tracking.settings import settings_fields, stage_title
 from tracking.trackers import TRACKERS
 
 ROOT: Final = Path(__file__).parents[1]
 TEMPLATE: Final = ROOT / "resources" / "translations" / "trackwright.pot"
-SINGLE: Final = frozenset({"tr", "N_", "msg"})
+SINGLE: Final = frozenset({"tr", "N_", "msg", "joined", "joined_text"})
 COUNTING: Final = frozenset({"count_text", "count_msg"})
 ERRORS: Final = frozenset(
     {
@@ -116,6 +117,7 @@ def declared_texts() -> Iterator[str]:
     yield from (spec.title for spec in TRACKERS.values())
     for each in FORMATS.values():
         yield from (each.title, each.about)
+    yield from Content
     for kind in (TrainingSettings, *(spec.settings_type for spec in TRACKERS.values())):
         for field in settings_fields(kind):
             stage = field.name.rpartition(".")[0]

@@ -17,10 +17,13 @@ from tracking.errors import FormatError, TrackwrightError
 from tracking.message_data import message_data, message_from
 from tracking.translation import (
     Message,
+    all_of,
     count_msg,
     joined,
+    joined_text,
     message_of,
     msg,
+    some_of,
     tr,
     use_catalogue,
 )
@@ -82,6 +85,28 @@ def test_messages_within_a_message_are_translated_with_it() -> None:
 def test_counts_are_translated_by_their_number() -> None:
     assert count_msg(1, "{n} frame", "{n} frames") == "1 frame"
     assert tr(count_msg(2, "{n} frame", "{n} frames")) == "⟦2 frames⟧"
+
+
+class Semicolons(Pseudo):
+    """A language that separates the items of a list otherwise."""
+
+    def gettext(self, message: str) -> str:
+        return {", ": "; ", "{first} and {last}": "{first} + {last}"}.get(message, message)
+
+
+def test_lists_are_written_as_the_language_writes_them_and_keep_their_values() -> None:
+    four = msg("{names} differ", names=all_of(["a", 2, msg("c"), "d"]))
+    few = msg("only {names}", names=some_of([4, 7, 9], 2))
+    assert (four, few) == ("a, 2, c and d differ", "only 4, 7 and 1 more")
+    assert (all_of([]), all_of([4]), some_of([4, 7], 2)) == ("", "4", "4, 7")
+    kept = message_from(json.loads(json.dumps(message_data(four))))
+    use_catalogue(Semicolons())
+    try:
+        assert tr(four) == tr(kept) == "a; 2; c + d differ"
+        assert tr(few) == "only 4; 7 and 1 more"
+        assert joined_text(", ", ["x", 3]) == "x; 3"
+    finally:
+        use_catalogue(None)
 
 
 @pytest.mark.usefixtures("pseudo")

@@ -8,7 +8,7 @@ notes and the texts of edits are messages.
 from __future__ import annotations
 
 import gettext
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Final, Self
 
@@ -76,7 +76,7 @@ class Message(str):
 
     def translated(self) -> str:
         """The sentence in the user's language; English where its translation cannot be filled."""
-        values = {name: _shown(value) for name, value in self.values.items()}
+        values = {name: shown(value) for name, value in self.values.items()}
         try:
             text = _filled(self._looked_up(), values)
         except (LookupError, ValueError):
@@ -116,11 +116,31 @@ def count_msg(n: int, one: str, many: str, /, **values: object) -> Message:
 
 
 def joined(separator: str, texts: Iterable[object]) -> Message:
-    """Texts and messages one after the other, as a message."""
-    values = {f"part{at}": text for at, text in enumerate(texts)}
-    if len(values) == 1 and isinstance(alone := values["part0"], Message):
+    """Texts, numbers and messages one after the other, as a message.
+
+    The separator is translated, too: not every language writes lists with ", ".
+    """
+    values = {f"v{at}": text for at, text in enumerate(texts)}
+    if len(values) == 1 and isinstance(alone := values["v0"], Message):
         return alone
-    return Message(separator.join(f"{{{name}}}" for name in values), **values)
+    template = ("{between}" if separator else "").join(f"{{{name}}}" for name in values)
+    if separator and len(values) > 1:
+        return Message(template, between=Message(separator), **values)
+    return Message(template, **values)
+
+
+def all_of(texts: Sequence[object]) -> Message:
+    """Everything that is meant, as a message, e.g. "a, b and c"."""
+    if len(texts) < 2:
+        return joined(", ", texts)
+    return msg("{first} and {last}", first=joined(", ", texts[:-1]), last=texts[-1])
+
+
+def some_of(texts: Sequence[object], most: int) -> Message:
+    """The first ones and how many more there are, as a message, e.g. "a, b and 3 more"."""
+    first = joined(", ", texts[:most])
+    more = len(texts) - most
+    return msg("{first} and {n} more", first=first, n=more) if more > 0 else first
 
 
 def tr(text: str, /, **values: object) -> str:
@@ -139,6 +159,16 @@ def count_text(count: int, one: str, many: str, /, **values: object) -> str:
     return count_msg(count, one, many, **values).translated()
 
 
+def joined_text(separator: str, texts: Iterable[object]) -> str:
+    """Texts one after the other in the user's language: `joined`, translated."""
+    return joined(separator, texts).translated()
+
+
+def shown(value: object) -> object:
+    """A message in the user's language; anything else, such as a name from a file, as it is."""
+    return value.translated() if isinstance(value, Message) else value
+
+
 def N_(text: str) -> str:  # noqa: N802 - gettext's name
     """Marks a text that is translated later, where it is shown."""
     return text
@@ -146,10 +176,6 @@ def N_(text: str) -> str:  # noqa: N802 - gettext's name
 
 def _held(value: object) -> object:
     return message_of(value) if isinstance(value, BaseException) else value
-
-
-def _shown(value: object) -> object:
-    return value.translated() if isinstance(value, Message) else value
 
 
 def _filled(template: str, values: Mapping[str, object]) -> str:

@@ -154,7 +154,7 @@ def _say_what(places: Places, run: int | None) -> None:
     tracks = msg("the corrected tracks") if run is None else msg("run {run}", run=run)
     origin = msg("drawn in the session") if places.drawn else msg("as named")
     lines, regions = (
-        ", ".join(item.name for item in items) for items in (places.lines, places.regions)
+        joined(", ", (item.name for item in items)) for items in (places.lines, places.regions)
     )
     named = (
         lines and msg("lines {names}", names=lines),

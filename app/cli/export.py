@@ -40,7 +40,7 @@ from tracking.formats.track_format import Write
 from tracking.geometry import View
 from tracking.session import RecordingMissing, Session, session_samples
 from tracking.trackers import body_part_tracker
-from tracking.translation import Message, msg, tr
+from tracking.translation import Message, joined, msg, tr
 
 _PARTS = ("samples", "labels")
 """What is exported of body parts, beside the formats of tracks."""
@@ -156,7 +156,7 @@ def _format_to_write(name: str) -> tuple[TrackFormat, Write]:
         else "format {name!r} is unknown; choose one of: {names}",
         title=FORMATS[name].title if known else "",
         name=name,
-        names=", ".join((*written, *_PARTS)),
+        names=joined(", ", (*written, *_PARTS)),
     )
     raise typer.BadParameter(reason, param_hint="--format")
 

@@ -9,7 +9,7 @@ from pathlib import Path
 from app.cli.tracks import Tracks
 from tracking.errors import TrackwrightError
 from tracking.scoring.report import Source
-from tracking.translation import msg
+from tracking.translation import joined, msg
 
 _MANIFEST = "recording.toml"
 
@@ -37,7 +37,7 @@ def disagreement(truth: Source, result: Source) -> str | None:
         "that the ground truth is this result's",
         place=result.place,
         truth_place=truth.place,
-        reasons="; ".join(reasons),
+        reasons=joined("; ", reasons),
     )
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from tracking.errors import FormatError
 from tracking.formats import FORMATS, TRACK_ENDINGS
-from tracking.translation import msg
+from tracking.translation import msg, some_of
 
 RESULT, TRUTH = "result.txt", "truth.txt"
 _CHALLENGE = Path("gt") / "gt.txt"
@@ -229,6 +229,4 @@ def _unmatched(truths: Mapping[str, Path], results: Mapping[str, Mapping[str, Pa
 
 
 def _listed(names: Mapping[str, Path] | Sequence[str] | set[str]) -> str:
-    kept = sorted(names)
-    more = msg(" and {n} more", n=len(kept) - _NAMED) if len(kept) > _NAMED else ""
-    return (", ".join(kept[:_NAMED]) or "none") + more
+    return some_of(sorted(names), _NAMED) or msg("none")

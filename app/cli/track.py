@@ -30,7 +30,7 @@ from tracking.recording import Recording
 from tracking.session import IMPORTED, Session
 from tracking.trackers import TrackerSpec, best_tracker, parse_settings, tracker_named
 from tracking.tracks import Run
-from tracking.translation import count_msg, joined, message_of, msg
+from tracking.translation import all_of, count_msg, message_of, msg
 
 BYTES_A_FRAME = 64 << 10
 """Of a session and what is put aside while it is made, with ten people all the time."""
@@ -86,11 +86,10 @@ def _unused(recording: Recording) -> str:
     unused += [msg("height"), msg("tilt")] if recording.ground is not None else []
     if not unused:
         return ""
-    *most, last = unused
     which = (
-        msg("{most} and {last} are", most=joined(", ", most), last=last)
-        if most
-        else msg("{last} is", last=last)
+        msg("{several} are", several=all_of(unused))
+        if len(unused) > 1
+        else msg("{one} is", one=unused[0])
     )
     tracker = best_tracker(recording)
     return msg(

@@ -22,7 +22,7 @@ from tracking.failure import (
     write_report,
 )
 from tracking.failure.detector_layout import FORMAT
-from tracking.translation import msg
+from tracking.translation import joined, msg
 
 _ENDINGS = (".h5", ".hdf5")
 MOST_FALSE_ALARMS = 0.5
@@ -61,7 +61,7 @@ def run_train(request: TrainRequest, *, as_json: bool) -> None:
     )
     samples = training_set.samples
     if not len(samples):
-        names = ", ".join(map(str, request.sources))
+        names = joined(", ", request.sources)
         raise TrainingError(
             "{names}: no label of a tracked body part; label some parts first", names=names
         )
@@ -116,7 +116,7 @@ def _print(made: Trained, request: TrainRequest, page: Path | None, *, as_json: 
             f"area under the curve {question.curve.area():.2f}; {question.candidate}"
         )
     if report.by_chance:
-        names = ", ".join(question.name for question in report.by_chance)
+        names = joined(", ", (msg(question.name) for question in report.by_chance))
         say(
             msg(
                 "warning: no better than chance: {names}; do not track with this detector "

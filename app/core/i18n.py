@@ -2,12 +2,24 @@
 
 from __future__ import annotations
 
-from tracking.translation import N_, count_text, language_in_use, tr, use_language
+from tracking.translation import (
+    N_,
+    count_text,
+    joined,
+    joined_text,
+    language_in_use,
+    some_of,
+    tr,
+    use_language,
+)
 
 __all__ = [
     "N_",
     "count_text",
+    "joined",
+    "joined_text",
     "language_in_use",
+    "some_of",
     "span_text",
     "strip_full_stop",
     "time_text",

@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject
 
 from app.core.controller import Controller
 from app.core.error_messages import explain
-from app.core.i18n import tr
+from app.core.i18n import joined_text, tr
 from app.core.jobs.jobs import Job
 from app.core.widgets.work import Work
 from app.features.files.backup_dialog import BackupDialog
@@ -98,5 +98,5 @@ class BackupController(Controller):
             return
         controller.tracking.take_session(session)
         done = tr("Restored. The state before is kept as the newest backup: File > Restore")
-        self.said.emit(" ".join((done, *session.damage)))
+        self.said.emit(joined_text(" ", (done, *session.damage)))
         self.changed.emit()

@@ -12,7 +12,7 @@ from PySide6.QtCore import QObject
 from app.core.controller import Controller
 from app.core.document import document_loader
 from app.core.document.document import Document
-from app.core.i18n import tr
+from app.core.i18n import joined, tr
 from app.core.widgets.questions import choose_file, choose_new_file
 from app.core.widgets.work import Work
 from app.features.counting.subject import CountResult
@@ -99,7 +99,7 @@ class ExportController(Controller):
             made = write(path, exported, report)
             remember(made)
             others = [file.name for file in made if file != path]
-            beside = tr("Beside it: {files}", files=", ".join(others)) if others else ""
+            beside = tr("Beside it: {files}", files=joined(", ", others)) if others else ""
             return beside, losses(kind, exported, path)
 
         title = tr("Exporting {name}", name=path.name)

@@ -13,7 +13,7 @@ from PySide6.QtCore import QObject
 from app.core.commands.conditions import drawable
 from app.core.controller import Controller
 from app.core.document import document_loader
-from app.core.i18n import count_text, tr
+from app.core.i18n import count_text, joined_text, tr
 from app.core.jobs.latest_job import LatestJob
 from app.core.widgets.questions import ask_unit, choose_file
 from app.core.widgets.work import Work
@@ -128,7 +128,7 @@ class ImportController(Controller):
         told = count_text(fitted.found.tracks, "{n} track imported", "{n} tracks imported")
         bad = fitted.found.bad_count
         left = count_text(bad, "{n} row was left out", "{n} rows were left out") if bad else ""
-        self.said.emit("; ".join(part for part in (told, left) if part))
+        self.said.emit(joined_text("; ", filter(None, (told, left))))
 
 
 class LookedOver(QObject):

@@ -212,7 +212,7 @@ def test_a_reason_is_translated_with_all_its_words() -> None:
     use_catalogue(Pseudo())
     try:
         assert tr(sentence("part", 3, 0, 7, 7.2, about=True)) == (
-            "⟦the ⟦⟦⟦head⟧, ⟦torso⟧⟧ and ⟦hip-leg⟧⟧ of 3 failed at ⟦about 00:07.2⟧⟧"
+            "⟦the ⟦⟦head⟧, ⟦torso⟧ and ⟦hip-leg⟧⟧ of 3 failed at ⟦about 00:07.2⟧⟧"
         )
         for kind, words in WORDS.items():
             for second in (2 if words.two else 0, 0 if words.one else 2):

@@ -137,13 +137,13 @@ PLANS: dict[str, Callable[[Session], Change]] = {
     '⟦Draw ⟦counting line⟧ "a"⟧': lambda s: plan_lines(
         s.labels, [CountingLine("a", (0.0, 0.0), (1.0, 0.0))]
     ),
-    "⟦⟦Label ⟦the ⟦head⟧ of 1 in frame 3⟧⟧⟦: ⟦unsure⟧⟧⟧": lambda s: plan_label_part(
+    "⟦Label ⟦the ⟦head⟧ of 1 in frame 3⟧⟧: ⟦unsure⟧": lambda s: plan_label_part(
         s.labels, PartLabel(3, 1, 0, (1.0, 2.0, 3.0, 4.0), None)
     ),
-    "⟦⟦Dismiss⟧: ⟦crossing of ⟦nobody⟧ in frame 3⟧⟧": lambda s: plan_verdict(
+    "⟦Dismiss⟧: ⟦crossing of ⟦nobody⟧ in frame 3⟧": lambda s: plan_verdict(
         s.labels, Verdict("crossing", (), 3, "dismissed")
     ),
-    "⟦⟦Put right⟧: 1 and 2 met⟧": lambda s: plan_verdict(
+    "⟦Put right⟧: 1 and 2 met": lambda s: plan_verdict(
         s.labels, Verdict("crossing", (), 3, "fixed"), "1 and 2\nmet"
     ),
 }

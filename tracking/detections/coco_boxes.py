@@ -24,7 +24,7 @@ from tracking.formats.json_numbers import number_of, whole_of
 from tracking.formats.json_stream import elements_of, values_of
 from tracking.formats.read_result import MOST_BAD
 from tracking.formats.row_rules import MAX_FRAME
-from tracking.translation import msg
+from tracking.translation import joined, msg
 
 _LIST = re.compile(rb"(?:\xef\xbb\xbf)?\s*\[\s*\{")
 _LIST_MEMBERS = (rb'"image_id"\s*:', rb'"bbox"\s*:')
@@ -150,7 +150,7 @@ class _File:
             raise FormatError(
                 "{path}: none of its categories is person ({names}); rename the one of people",
                 path=self._reading.path,
-                names=", ".join(sorted(set(self._kinds.values()))[:5]),
+                names=joined(", ", sorted(set(self._kinds.values()))[:5]),
             )
         return np.isin(kind, wanted)
 

@@ -24,6 +24,7 @@ from tracking.formats.sleap import SLEAP
 from tracking.formats.track_format import HEAD_BYTES, TrackFormat
 from tracking.formats.viame import VIAME
 from tracking.formats.xanylabeling import X_ANYLABELING
+from tracking.translation import joined
 
 _ALL = (
     MOT,
@@ -67,7 +68,7 @@ def format_named(name: str) -> TrackFormat:
         FormatError: there is none; lists those there are.
     """
     if name not in FORMATS:
-        known = ", ".join(FORMATS)
+        known = joined(", ", FORMATS)
         raise FormatError(
             "format {name!r} is unknown; choose one of: {known}", name=name, known=known
         )
@@ -99,7 +100,7 @@ def format_of(path: Path) -> TrackFormat:
             "put commas between values if it is MOT text",
             path=path,
         )
-    known = ", ".join(each.name for each in READABLE)
+    known = joined(", ", (each.name for each in READABLE))
     raise FormatError(
         "{path} is of no format known here",
         "choose one of: {known}",

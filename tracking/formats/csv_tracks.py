@@ -26,13 +26,19 @@ from tracking.formats.track_format import Content, TrackFormat
 from tracking.formats.track_writer import Exported
 from tracking.progress import Progress, no_progress
 from tracking.tracks import CORRECTED_COLUMNS, Columns
-from tracking.translation import msg
+from tracking.translation import joined, msg
 
 _SEPARATORS = ",;\t"
 _NEEDED = ("frame", "track")
 _MOST_COLUMNS = 200
 _UNKNOWN = "nan"
+_LONGEST_NAMES = 200
+"""Letters of the names of columns that are left out, in a note."""
 _WORDS = {"true": "1", "false": "0"}
+
+
+def _short(names: str) -> str:
+    return names[:_LONGEST_NAMES]
 
 
 def _import(path: Path, _filmed: Filmed, report: Progress = no_progress) -> Imported:
@@ -44,7 +50,10 @@ def _import(path: Path, _filmed: Filmed, report: Progress = no_progress) -> Impo
     left_out = [name for name in names if name not in CORRECTED_COLUMNS]
     if left_out:
         reading.notes.append(
-            msg("columns that are left out: {left_out}", left_out=", ".join(left_out)[:200])
+            msg(
+                "columns that are left out: {left_out}",
+                left_out=joined(", ", left_out).cut_by(_short),
+            )
         )
     taken = tuple(name for name in names if name in CORRECTED_COLUMNS)
     plain = partial(_plain, separator=separator)

@@ -57,7 +57,7 @@ from tracking.formats.track_writer import Exported
 from tracking.formats.xml_stream import ZIP, parse
 from tracking.progress import Progress, no_progress
 from tracking.tracks import Columns, Source, TrackLabel
-from tracking.translation import msg
+from tracking.translation import joined, msg
 
 _MANUAL = "manual"
 
@@ -284,7 +284,7 @@ def _row(track: CvatTrack, said: Mapping[str, str], line: int) -> str:
         )
         turned = float(said["rotation"]) % 360 if "rotation" in said else 0.0
     except (KeyError, ValueError):
-        return msg("{box_numbers} are not four numbers", box_numbers=", ".join(BOX_NUMBERS))
+        return msg("{box_numbers} are not four numbers", box_numbers=joined(", ", BOX_NUMBERS))
     if not math.isfinite(sum(sides)):
         return msg("a value is not a finite number")
     if turned:

@@ -13,6 +13,7 @@ from pathlib import Path
 import h5py
 import numpy as np
 
+from tracking.translation import joined, msg
 from tracking.untrusted import Kind, Refused, Walk, attribute_of, check_signature, say_verdicts
 
 _KIND = Kind("file of tracks", "", (1, 0), 4 << 30)
@@ -62,7 +63,9 @@ def _trajectory(file: h5py.File, walk: Walk) -> str:
     fields = rows.dtype.names or ()
     missing = [name for name in _NEEDED if name not in fields]
     if rows.ndim != 1 or missing:
-        raise Refused("has a /trajectory without {missing}", missing=", ".join(missing) or "rows")
+        raise Refused(
+            "has a /trajectory without {missing}", missing=joined(", ", missing) or msg("rows")
+        )
     for name in (*_NEEDED, *({"z"} & set(fields))):
         if rows.dtype[name].kind not in "iuf" or rows.dtype[name].shape:
             raise Refused(
@@ -106,7 +109,7 @@ def _project(file: h5py.File, walk: Walk) -> str:
             raise Refused(
                 "has a table {name} without {missing}",
                 name=name,
-                missing=", ".join(missing) or "rows",
+                missing=joined(", ", missing) or msg("rows"),
             )
         for each in needed:
             if table.dtype[each].kind not in "iufb" or table.dtype[each].shape:

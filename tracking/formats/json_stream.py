@@ -16,7 +16,7 @@ from typing import Any, BinaryIO, TextIO
 
 from tracking.errors import FormatError
 from tracking.progress import Progress, no_progress
-from tracking.translation import msg
+from tracking.translation import joined, msg
 
 JsonPath = tuple[str | int, ...]
 """Where a value stands in a file: names of members, and elements of arrays from 0."""
@@ -269,7 +269,7 @@ class _Text:
         sign = self._sign()
         if sign not in signs:
             raise self._wrong(
-                msg("{sign!r} stands where {signs} belongs", sign=sign, signs=" or ".join(signs))
+                msg("{sign!r} stands where {signs} belongs", sign=sign, signs=joined(" or ", signs))
                 if sign
                 else ""
             )

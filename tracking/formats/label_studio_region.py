@@ -17,7 +17,7 @@ from tracking.formats.json_numbers import number_of, whole_of
 from tracking.formats.label_text import label_of, unescaped
 from tracking.formats.row_rules import BOX, MAX_FRAME
 from tracking.tracks import LARGEST_NUMBER, Source, TrackLabel
-from tracking.translation import msg
+from tracking.translation import joined, msg
 
 FIRST_FRAME = 1
 PERCENT = 100.0
@@ -82,7 +82,7 @@ class Region:
         turn = number_of(keyframe.get("rotation", 0))
         known = [side for side in (*sides, turn) if side is not None]
         if len(known) <= len(_SIDES):
-            return msg("{sides} and rotation are not five numbers", sides=", ".join(_SIDES))
+            return msg("{sides} and rotation are not five numbers", sides=joined(", ", _SIDES))
         if min(known[2:4]) < 0:
             return msg("the box has a negative size")
         time = number_of(keyframe.get("time"))

@@ -12,7 +12,7 @@ from tracking.formats.label_text import CLASS
 from tracking.formats.track_format import Content, TrackFormat
 from tracking.formats.track_writer import ROWS_AT_ONCE, Exported
 from tracking.tracks import Source, TrackLabel
-from tracking.translation import msg
+from tracking.translation import joined, msg
 
 _COLUMNS = {
     Content.BOXES: "left",
@@ -83,7 +83,9 @@ def _contents_lost(
     lost = [each for each in Content if each in there and each not in kind.holds - unheld]
     if not lost:
         return ""
-    told = msg("left out, as {title} has none: {lost}", title=kind.title, lost=", ".join(lost))
+    told = msg(
+        "left out, as {title} has none: {lost}", title=kind.title, lost=joined(", ", map(msg, lost))
+    )
     reason = msg(
         "; places need the recording's camera and floor, which are not known or out of reach"
     )

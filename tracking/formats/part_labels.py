@@ -14,7 +14,7 @@ from tracking.failure import FEATURE_NAMES
 from tracking.formats.lines import header_of, numbered_rows, place_of
 from tracking.tracks import PART_NAMES, PartLabel, check_part_label
 from tracking.tracks.part_labels import Box
-from tracking.translation import msg
+from tracking.translation import joined, msg
 
 _NEEDED = ("frame", "track", "part", "on")
 _BOX = ("left", "top", "width", "height")
@@ -129,7 +129,7 @@ def _part(text: str) -> int:
             msg(
                 "the part {text!r} is none; {part_names} are",
                 text=text[:40],
-                part_names=", ".join(PART_NAMES),
+                part_names=joined(", ", PART_NAMES),
             )
         )
     return part

@@ -23,6 +23,7 @@ from tracking.failure import BESIDES, FEATURE_NAMES, SAMPLE_COLUMNS, Samples
 from tracking.failure.core.samples import TEXT
 from tracking.formats.samples_layout import HDF5_FORMAT, SHARED, VERSION
 from tracking.tracks import PART_NAMES
+from tracking.translation import joined
 
 _COLUMNS = (*SAMPLE_COLUMNS, *SHARED, *FEATURE_NAMES)
 
@@ -49,7 +50,7 @@ def sample_files(path: Path) -> list[Path]:
 def _writer_of(path: Path) -> Callable[[Path, Samples], list[Path]]:
     writer = _WRITERS.get(path.suffix.lower())
     if writer is None:
-        endings = ", ".join(_WRITERS)
+        endings = joined(", ", _WRITERS)
         raise FormatError(
             "{path}: samples are written to files that end in {endings}; rename it",
             path=path,

@@ -18,7 +18,7 @@ from tracking.formats import samples_inspection
 from tracking.formats.lines import header_of, numbered_rows, place_of
 from tracking.formats.samples_layout import HDF5_FORMAT, NUMBERS, SHARED, TEXTS
 from tracking.tracks import LARGEST_NUMBER, PART_NAMES
-from tracking.translation import msg
+from tracking.translation import joined, msg
 from tracking.untrusted import SIGNATURE, verdicts_of
 
 _ENDINGS = (".h5", ".hdf5")
@@ -179,7 +179,7 @@ def _checked(
             ~known,
             msg(
                 "the source is not one of {sample_sources}",
-                sample_sources=", ".join(SAMPLE_SOURCES),
+                sample_sources=joined(", ", SAMPLE_SOURCES),
             ),
         ),
         (

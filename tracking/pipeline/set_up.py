@@ -15,7 +15,7 @@ from tracking.geometry import Ground, Rectification
 from tracking.recording import Recording, StereoFrame
 from tracking.stereo import SightLines
 from tracking.trackers import changed_settings, settings_fields, settings_values
-from tracking.translation import Message, msg
+from tracking.translation import Message, joined, msg
 
 _MATCHING = "stereo."
 """Settings of how the cameras are matched begin so; all are numbers with a unit."""
@@ -83,15 +83,18 @@ def changed_matching(tracker: str, settings: Any) -> str:
     What a person is to look like (`people.*`) changes no distance, and is not among them.
     """
     changed = changed_settings(tracker, settings_values(settings))
-    return ", ".join(
-        msg(
-            "{title} is {value:g} {unit}",
-            title=field.title,
-            value=changed[field.name],
-            unit=field.unit,
-        )
-        for field in settings_fields(type(settings))
-        if field.name.startswith(_MATCHING) and field.name in changed
+    return joined(
+        ", ",
+        (
+            msg(
+                "{title} is {value:g} {unit}",
+                title=field.title,
+                value=changed[field.name],
+                unit=field.unit,
+            )
+            for field in settings_fields(type(settings))
+            if field.name.startswith(_MATCHING) and field.name in changed
+        ),
     )
 
 

@@ -14,7 +14,7 @@ from tracking.geometry import Ground
 from tracking.recording.image_pairs import MOST_LAG, Layout, Side
 from tracking.recording.limits import checked_fps, checked_ground
 from tracking.recording.region_of_interest import EVERYWHERE, Outline, RegionOfInterest, outlines_of
-from tracking.translation import msg
+from tracking.translation import joined, msg
 
 MANIFEST_NAME = "recording.toml"
 TRUTH_NAME = "truth.txt"
@@ -254,7 +254,7 @@ def _choice(table: _Table, key: str, choices: tuple[_T, ...], default: _T) -> _T
     for choice in choices:
         if choice == value:
             return choice
-    raise table.error(key, msg("must be one of {choices}", choices=", ".join(choices)))
+    raise table.error(key, msg("must be one of {choices}", choices=joined(", ", choices)))
 
 
 def _right_lag(table: _Table) -> int | None:

@@ -8,7 +8,7 @@ from types import MappingProxyType
 
 from tracking.review.core.evidence import BODY_M
 from tracking.tracks import PART_NAMES
-from tracking.translation import N_, Message, joined, msg
+from tracking.translation import N_, Message, all_of, msg
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,10 +114,7 @@ def sentence(
 
 def _parts(which: int) -> Message:
     """The parts of a sum of 1 head, 2 torso, 4 hip-leg: "head", "head, torso and hip-leg"."""
-    names = [msg(name) for part, name in enumerate(PART_NAMES) if which >> part & 1]
-    if len(names) < 2:
-        return joined("", names)
-    return msg("{first} and {last}", first=joined(", ", names[:-1]), last=names[-1])
+    return all_of([msg(name) for part, name in enumerate(PART_NAMES) if which >> part & 1])
 
 
 def fix(kind: str, second: int) -> str:

@@ -191,7 +191,7 @@ def _changes(reference: RecordingReference, recording: Recording) -> Iterator[Me
                     "{folder} has changed since the tracks were made ({changed}); it "
                     "counts as it is now",
                     folder=recording.folder / _MANIFEST,
-                    changed=", ".join(changed),
+                    changed=joined(", ", changed),
                 )
             )
     if recording.calibration_text != reference.calibration:

@@ -22,6 +22,7 @@ from tracking.synthesis.specs import SceneSpec
 from tracking.synthesis.truth import CARED_FOR, SceneTruth
 from tracking.synthesis.video import VideoWriter
 from tracking.tracks import PART_WORDS
+from tracking.translation import joined
 from tracking.truth import TRUE_PART_COLUMNS, TRUE_PARTS, VISIBILITY, VISIBILITY_COLUMNS
 
 MOST_PEOPLE, LONGEST_S = 200, 3600.0
@@ -95,7 +96,7 @@ def _spec_of(scene: str | SceneSpec) -> SceneSpec:
         raise SettingsError(
             "there is no scene {scene!r}; choose one of {scenes}",
             scene=scene,
-            scenes=", ".join(SCENES),
+            scenes=joined(", ", SCENES),
         )
     return SCENES[scene]
 

@@ -40,6 +40,7 @@ from tracking.trackers.three_part import (
     build_whole_body,
     detector_fingerprint,
 )
+from tracking.translation import joined
 
 
 class Build(Protocol):
@@ -211,7 +212,7 @@ def tracker_named(name: str) -> TrackerSpec:
         else "tracker {name} is unknown: available are {trackers}",
         name=name,
         near="".join(near),
-        trackers=", ".join(TRACKERS),
+        trackers=joined(", ", TRACKERS),
     )
 
 
@@ -332,7 +333,7 @@ def parse_settings(spec: TrackerSpec, texts: Mapping[str, str]) -> Any:
                 tracker=spec.name,
                 name=name,
                 now=now,
-                trackers=", ".join(theirs),
+                trackers=joined(", ", theirs),
                 have=have,
             )
     return settings_from_text(spec.settings_type, texts)

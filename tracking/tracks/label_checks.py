@@ -26,7 +26,7 @@ from tracking.tracks.labels import (
 )
 from tracking.tracks.part_labels import PART_SOURCES, PartLabel
 from tracking.tracks.validation import LARGEST_NUMBER
-from tracking.translation import msg
+from tracking.translation import joined, msg
 
 MOST_CORNERS = 500
 LONGEST_NAME, LONGEST_KEY, LONGEST_VALUE = 200, 100, 2_000
@@ -61,7 +61,7 @@ def check_part_label(label: PartLabel) -> None:
             "{what}: source {source!r}; it is {sources}",
             what=what,
             source=label.source,
-            sources=", ".join(PART_SOURCES),
+            sources=joined(", ", PART_SOURCES),
         )
     for field, text in (("author", label.author), ("reason", label.reason)):
         if len(text) > LONGEST_NAME or not text.isprintable():
@@ -83,7 +83,7 @@ def check_verdict(verdict: Verdict) -> None:
         raise EditError(
             "decision {decision!r}; it is one of {decisions}",
             decision=verdict.decision,
-            decisions=", ".join(DECISIONS),
+            decisions=joined(", ", DECISIONS),
         )
 
 

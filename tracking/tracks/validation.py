@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from tracking.errors import EditError
 from tracking.tracks.columns import Columns, Types
+from tracking.translation import joined
 
 LARGEST_NUMBER = 2**31 - 1
 """Frames and track ids are 32-bit integers in the file; one past the last frame fits, too."""
@@ -29,7 +30,7 @@ def checked_columns(
             "{what}: column {column} is missing; needed are {types}",
             what=what,
             column=missing[0],
-            types=", ".join(types),
+            types=joined(", ", types),
         )
     checked = {name: _column(columns[name], types[name], name, what) for name in types}
     lengths = {name: len(column) for name, column in checked.items()}

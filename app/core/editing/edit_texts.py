@@ -13,7 +13,7 @@ from app.core.editing.edit_options import EditScope
 from app.core.editing.edit_spec import EditSpec
 from app.core.editing.flow import EditFlow
 from app.core.editing.nearness import metres_apart
-from app.core.i18n import count_text, time_text, tr
+from app.core.i18n import count_text, joined_text, some_of, time_text, tr
 from app.core.scenes import ChoiceRow, EditPreview, Proposal
 from app.core.tracks.edit_context import EditContext
 from tracking.editing import Change
@@ -51,10 +51,7 @@ def preview_scene(
 def _title(flow: EditFlow) -> str:
     if not flow.track:
         return tr("Draw a new person")
-    named = ", ".join(str(track) for track in flow.everybody[:_MOST_NAMED])
-    rest = len(flow.everybody) - _MOST_NAMED
-    who = tr("{a} and {n} more", a=named, n=rest) if rest > 0 else named
-    return tr(flow.spec.title, a=who)
+    return tr(flow.spec.title, a=some_of(flow.everybody, _MOST_NAMED))
 
 
 # what can be chosen
@@ -139,7 +136,7 @@ def _frames_of(counts: Mapping[int, int]) -> str:
     rest = sum(list(counts.values())[_MOST_NAMED:])
     if rest:
         named.append(count_text(rest, "{n} frame of others", "{n} frames of others"))
-    return ", ".join(named)
+    return joined_text(", ", named)
 
 
 def rows_changed(
@@ -193,7 +190,7 @@ def _hint(flow: EditFlow, ready: bool) -> str:
         if len(flow.choices[row]) > 1:
             other = _far_hint(flow.spec) if row == 0 else tr("C changes how")
             keys.append(of_merge if flow.spec is edits.MERGE else other)
-    return ", ".join(keys)
+    return joined_text(", ", keys)
 
 
 def _far_hint(spec: EditSpec) -> str:

@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.core.i18n import tr
+from app.core.i18n import joined_text, tr
 from app.core.look.theme import current_theme, scaled_font
 from app.core.scenes import ChoiceRow, Proposal
 from app.core.widgets.literal import literal
@@ -135,7 +135,7 @@ class ProposalChips(QWidget):
         chip.setAutoExclusive(True)
         chip.setProperty("chip", True)
         chip.setToolTip(proposal.why)
-        spoken = " ".join(part for part in (self._name, proposal.text, proposal.why) if part)
+        spoken = joined_text(" ", filter(None, (self._name, proposal.text, proposal.why)))
         chip.setAccessibleName(spoken)
         if proposal.colour is not None:
             chip.setIcon(_dot(current_theme().track(proposal.colour), self.devicePixelRatioF()))

@@ -19,7 +19,7 @@ from PySide6.QtCore import (
 from PySide6.QtGui import QFont, QFontMetrics, QFontMetricsF, QPainter
 from PySide6.QtWidgets import QStyledItemDelegate, QStyleOptionViewItem
 
-from app.core.i18n import tr
+from app.core.i18n import joined_text, tr
 from app.core.look.theme import current_theme, scaled_font
 from app.core.scenes.queue_rows import ReviewPerson, ReviewRow
 from app.core.widgets.abstract import AbstractQt
@@ -63,7 +63,7 @@ class ReviewModel(QAbstractListModel):
         if role == Qt.ItemDataRole.ToolTipRole:
             return "\n".join((item.why, *item.others, _likely(item)))
         if role in (Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.AccessibleTextRole):
-            who = ", ".join(person.label for person in item.people)
+            who = joined_text(", ", (person.label for person in item.people))
             return f"{item.title} {who} {item.when}: {item.why}"
         return None
 

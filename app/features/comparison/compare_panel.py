@@ -14,7 +14,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.core.i18n import count_text, tr
+from app.core.i18n import count_text, joined_text, tr
 from app.core.look.theme import scaled_font
 from app.core.widgets.parts import NOTICE_MARGINS, quiet
 from app.features.comparison.scene import AgreementScene, DisagreementRow
@@ -132,7 +132,7 @@ class ComparePanel(QFrame):
             stretches = count_text(len(scene.rows), *said)
         changed = tr("Your session has changed since.") if scene.outdated else ""
         dashed = tr("Their people are dashed.")
-        self._hint.setText(" ".join(part for part in (stretches, dashed, changed) if part))
+        self._hint.setText(joined_text(" ", filter(None, (stretches, dashed, changed))))
         self._list.setVisible(bool(scene.rows))
         self._fit_list(len(scene.rows))
         self._again.setVisible(scene.outdated)

@@ -17,6 +17,7 @@ from PySide6.QtCore import (
 from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPen, QResizeEvent
 from PySide6.QtWidgets import QListView, QStyleOptionViewItem, QWidget
 
+from app.core.i18n import joined_text
 from app.core.look.icons import pixmap
 from app.core.look.theme import current_theme
 from app.core.widgets.queue_list import ITEM, PeopleDelegate, lower_lines
@@ -81,7 +82,7 @@ class DifferenceModel(QAbstractListModel):
         if role == Qt.ItemDataRole.ToolTipRole:
             return "\n".join(line for line in (item.text, item.when, item.locked) if line)
         if role in (Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.AccessibleTextRole):
-            who = ", ".join(person.label for person in item.people)
+            who = joined_text(", ", (person.label for person in item.people))
             return f"{item.title} {who} {item.when}: {item.locked or item.text}"
         return None
 

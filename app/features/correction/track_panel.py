@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.core.i18n import count_text, tr
+from app.core.i18n import count_text, joined_text, tr
 from app.core.look.theme import scaled_font
 from app.core.scenes import TrackCard
 from app.core.widgets.parts import Panel, Swatch, bring_into_view, heading, quiet
@@ -222,7 +222,7 @@ class TrackPanel(Panel):
             others.append(tr("{0} interpolated").format(card.frames_interpolated))
         if card.frames_occluded:
             others.append(tr("{0} occluded").format(card.frames_occluded))
-        self._seen.setText(", ".join((seen, *others)))
+        self._seen.setText(joined_text(", ", (seen, *others)))
         known = card.mean_confidence == card.mean_confidence
         self._confidence.setText(f"{card.mean_confidence:.2f}" if known else tr("not known"))
         if other or not self._name.hasFocus():
@@ -235,8 +235,8 @@ class TrackPanel(Panel):
     def _words_on(self, card: TrackCard) -> str:
         """Who is selected together, and what can be done with them."""
         everybody = sorted((card.track, *card.others))
-        named = ", ".join(str(track) for track in everybody[:_MOST_NAMED])
-        named += ", ..." if len(everybody) > _MOST_NAMED else ""
+        rest = ("...",) if len(everybody) > _MOST_NAMED else ()
+        named = joined_text(", ", (*everybody[:_MOST_NAMED], *rest))
         together = tr("merge, delete, hide, fill gaps or mark them as reviewed together")
         if len(everybody) == 2:
             together = tr("swap or {0}").format(together)

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.core.document.edit_history import local_time
-from app.core.i18n import count_text, tr
+from app.core.i18n import count_text, some_of, tr
 from tracking.editing import Entry
 from tracking.progress import Progress
 from tracking.session import Backup, list_backups
@@ -120,10 +120,7 @@ def _tracks_apart(now: TrackTable, then: TrackTable) -> list[str]:
 
 
 def _ids(tracks: set[int]) -> str:
-    listed = sorted(tracks)
-    shown = ", ".join(str(track) for track in listed[:_LISTED])
-    more = len(listed) - _LISTED
-    return tr("{ids} and {n} more", ids=shown, n=more) if more > 0 else shown
+    return tr(some_of(sorted(tracks), _LISTED))
 
 
 def _rows_apart(a: Columns, b: Columns) -> int:

@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.core.i18n import count_text, tr
+from app.core.i18n import count_text, joined_text, tr
 from app.core.widgets.number_boxes import NumberBox, tell_beside
 from app.core.widgets.parts import heading, quiet
 from app.features.files.track_import import USUAL_TOLERANCE_PX, ImportChoice, ImportScene
@@ -178,7 +178,7 @@ class ImportDialog(QDialog):
         title = count_text(scene.bad_count, "{n} row cannot be used", "{n} rows cannot be used")
         more = scene.bad_count - len(scene.bad)
         told = tr("the list shows the first {0}").format(len(scene.bad)) if more else ""
-        self._bad_title.setText("; ".join(part for part in (title, told) if part))
+        self._bad_title.setText(joined_text("; ", filter(None, (title, told))))
         if self._bad.rowCount() == len(scene.bad):
             return
         self._bad.setRowCount(len(scene.bad))

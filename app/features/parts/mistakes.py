@@ -10,7 +10,7 @@ from PySide6.QtGui import QColor, QIcon, QImage, QPainter, QPen, QPixmap
 from PySide6.QtWidgets import QListView, QListWidget, QListWidgetItem, QWidget
 
 from app.core.drawing.name_plates import draw_message
-from app.core.i18n import tr
+from app.core.i18n import joined_text, tr
 from app.core.jobs.jobs import Job, Progress
 from app.core.look.theme import current_theme
 from app.features.parts.mistake_pictures import Cut, Cuts
@@ -65,7 +65,7 @@ class MistakesList(QListWidget):
             recording = elided(one.recording, Qt.TextElideMode.ElideMiddle, room)
             frame = tr("frame {0}").format(one.frame)
             entry = QListWidgetItem(f"{one.title}\n{frame}\n{recording}\n{one.said}")
-            where = ", ".join(filter(None, (one.title, one.recording, frame, one.when)))
+            where = joined_text(", ", filter(None, (one.title, one.recording, frame, one.when)))
             entry.setToolTip(f"{where}: {one.said}")
             entry.setSizeHint(self.gridSize())
             entry.setData(Qt.ItemDataRole.AccessibleTextRole, entry.toolTip())

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from app.core.i18n import tr
+from app.core.i18n import joined, tr
 from app.core.scenes.part_curve import THRESHOLD, PartCurve
 from app.core.scenes.part_names import part_name
 from app.core.scenes.pictured_parts import PartBox, PicturedParts
@@ -125,4 +125,4 @@ def _said(name: str, curve: PartCurve, frame: int) -> str:
     if math.isfinite(curve.entropy[at]):
         figures.append(tr("entropy {entropy:.2f}", entropy=curve.entropy[at]))
     figures.append(tr("{n:.0f} particles", n=curve.particles[at]))
-    return f"{name}: {', '.join(figures)}"
+    return tr("{part}: {figures}", part=name, figures=joined(", ", figures))

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from app.core.i18n import time_text, tr
+from app.core.i18n import joined, time_text, tr
 from app.core.scenes.part_names import part_name
 from app.features.parts.training_set import Source, TrainingSet
 from tracking.failure import Curve, Detector, Trained
@@ -215,7 +215,7 @@ class TrainingResult:
         return tr(
             "No better than chance: {names}. Look over the labels or label more parts before "
             "people are tracked with this detector.",
-            names=", ".join(names),
+            names=joined(", ", names),
         )
 
     def _lines(self) -> tuple[str, ...]:
@@ -241,7 +241,7 @@ class TrainingResult:
                 "{n} samples of {people} people in {recordings}",
                 n=int(origin.counts.sum()),
                 people=origin.people,
-                recordings=", ".join(origin.recordings),
+                recordings=joined(", ", origin.recordings),
             ),
             tr("Each figure is of people who were not in the training ({n} folds)", n=report.folds),
             several,

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from app.core.i18n import tr
+from app.core.i18n import joined, joined_text, tr
 from app.core.scenes.part_names import part_name
 from tracking.failure import (
     FALSE_ALARMS,
@@ -114,11 +114,11 @@ def _missing(on: int, off: int, people_on: int, people_off: int) -> str:
         if samples < LEAST_SAMPLES
     ]
     few = [which for _, people, which in sides if people < LEAST_PEOPLE]
-    said = [tr("label {more}", more=tr(" and ").join(more))] if more else []
+    said = [tr("label {more}", more=joined(" and ", more))] if more else []
     if few:
-        who = tr(" and ").join(few)
+        who = joined(" and ", few)
         said.append(tr("{who}: of {n} people or more", who=who, n=LEAST_PEOPLE))
-    return "; ".join(said)
+    return joined_text("; ", said)
 
 
 def train_on(samples: Samples, settings: TrainingSettings, report: Report) -> Trained:

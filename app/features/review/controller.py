@@ -10,7 +10,7 @@ from app.core.controller import Controller
 from app.core.document.document import Document
 from app.core.editing.edits import edit_named
 from app.core.editing.review_target import find_first_frame
-from app.core.i18n import span_text, tr
+from app.core.i18n import joined_text, span_text, tr
 from app.core.playback.playback import Playback
 from app.features.review.edited_items import EditedItems
 from app.features.review.no_items import empty_words, is_hand_made, waiting_words
@@ -376,7 +376,7 @@ class ReviewController(Controller):
         """What there is to watch, from a little before, and further reasons."""
         fps = self._document.recording.fps
         span = span_text(self._start_of(review_item) / fps, (review_item.end - 1) / fps)
-        return "; ".join((tr("Watch {span}", span=span), *map(tr, review_item.others)))
+        return joined_text("; ", (tr("Watch {span}", span=span), *review_item.others))
 
     def _meter_text(self) -> str:
         session = self._document.session

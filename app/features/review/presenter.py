@@ -13,7 +13,7 @@ from app.features.review.scene import Order, ReviewKind
 from tracking.editing import Change, plan_verdict, with_verdict
 from tracking.review import ReviewItem, ReviewItemKey, filter_undecided, rank
 from tracking.tracks import Labels, TrackTable, Verdict
-from tracking.translation import Message, msg
+from tracking.translation import Message, joined, msg
 
 _KINDS: Final = {
     "exchange": N_("Likely swap"),
@@ -237,5 +237,5 @@ def _verdict(item: ReviewItem, decision: str) -> Verdict:
 
 
 def _named(item: ReviewItem) -> Message:
-    who = ", ".join(str(track) for track in item.tracks)
+    who = joined(", ", item.tracks)
     return msg("{kind} {who} in frame {frame}", kind=_title(item.kind), who=who, frame=item.frame)

@@ -11,7 +11,7 @@ from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtWidgets import QComboBox, QFormLayout, QHBoxLayout, QPushButton, QWidget
 
 from app.core.error_messages import explain
-from app.core.i18n import tr
+from app.core.i18n import joined, tr
 from app.core.jobs.latest_job import LatestJob
 from app.core.widgets.parts import quiet
 from app.core.widgets.questions import choose_file
@@ -40,7 +40,7 @@ class FileChoice(QWidget):
         self._remembered = remembered
         self.files = QComboBox(self)
         self.files.setAccessibleName(name)
-        here = tr("none (found here: {files})", files=", ".join(found)) if found else tr("none")
+        here = tr("none (found here: {files})", files=joined(", ", found)) if found else tr("none")
         self.files.addItem(here, "")
         for each in found:
             self.files.addItem(each, each)

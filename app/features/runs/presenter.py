@@ -10,7 +10,7 @@ import numpy as np
 
 from app.core.commands.conditions import read_only
 from app.core.document.edit_history import local_time
-from app.core.i18n import count_text, tr
+from app.core.i18n import count_text, joined_text, tr
 from app.core.scenes.score_figures import figure_named
 from tracking.formats import read_mot
 from tracking.progress import Progress
@@ -264,7 +264,7 @@ def _settings_text(run: Run) -> str:
     changed = [f"{name} {value}" for name, value in known.items()]
     if run.seed:
         changed.append(tr("seed {n}", n=run.seed))
-    return ", ".join(changed)
+    return joined_text(", ", changed)
 
 
 def _range_text(frames: tuple[int, int]) -> str:

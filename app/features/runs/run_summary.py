@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.core.i18n import count_text, tr
+from app.core.i18n import count_text, joined_text, tr
 from tracking.session import Session
 from tracking.tracks import Columns, Run, row_keys
 from tracking.translation import Message, msg
@@ -99,7 +99,7 @@ class RunSummary:
     def words(self, kept: str) -> str:
         """All of it in one paragraph; `kept`: where the run is."""
         ids = [self._ids_text] if self.changed else []
-        return " ".join((self._frames_text, self._found_text, *ids, kept))
+        return joined_text(" ", (self._frames_text, self._found_text, *ids, kept))
 
 
 def meanwhile() -> str:

@@ -12,7 +12,7 @@ from app.core.controller import Controller
 from app.core.document.document import Document
 from app.core.document.track_sources import SHOWN
 from app.core.drawing.surfaces import Surfaces
-from app.core.i18n import N_, tr
+from app.core.i18n import N_, joined_text, tr
 from app.core.jobs.latest_job import LatestJob
 from app.core.playback.playback import Playback
 from app.core.plots.axis import TimeAxis
@@ -138,7 +138,7 @@ class ScoreController(Controller):
             self.said.emit(tr("No error {where} this frame", where=word))
             return
         beginning = events.beginning_at(there)
-        self.said.emit("; ".join(beginning.words()))
+        self.said.emit(joined_text("; ", beginning.words()))
         self.go_to(there, beginning.tracks)
 
     def go_to(self, frame: int, tracks: Sequence[int]) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from app.core.i18n import count_text, tr
+from app.core.i18n import count_text, joined_text, tr
 from app.core.scenes.score_figures import hota_moved
 from app.features.scoring.subject import ScoreResult
 from tracking.editing import History
@@ -55,7 +55,7 @@ class Moves:
             last = count_text(abs(made), "Last: {n} edit", "Last: {n} edits")
         since = hota_moved(self._first.whole, self._now.whole)
         whole = tr("since it was first scored: {moved}", moved=since) if since else ""
-        return "; ".join(part for part in (last, whole) if part)
+        return joined_text("; ", filter(None, (last, whole)))
 
 
 def edits_in_force(history: History | None) -> tuple[int, ...]:

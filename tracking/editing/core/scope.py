@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from tracking.errors import EditError
 from tracking.tracks import LARGEST_NUMBER, TrackTable, check_known
-from tracking.translation import msg
+from tracking.translation import all_of, msg, some_of
 
 _SCOPE = re.compile(r"(\d{1,10}):(\d{1,10})?", re.ASCII)
 _NAMED = 4
@@ -63,13 +63,8 @@ def scope_text(start: int, end: int | None) -> str:
 def tracks_text(tracks: Sequence[int]) -> str:
     """Tracks in words: "4", "4 and 7", "1, 2, 4, 7 and 8 more"."""
     if len(tracks) > _NAMED + 1:
-        return msg(
-            "{first} and {n} more",
-            first=", ".join(map(str, tracks[:_NAMED])),
-            n=len(tracks) - _NAMED,
-        )
-    *first, last = map(str, tracks)
-    return msg("{first} and {last}", first=", ".join(first), last=last) if first else last
+        return some_of(tracks, _NAMED)
+    return all_of(tracks)
 
 
 def frames_text(count: int) -> str:

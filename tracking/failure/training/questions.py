@@ -12,8 +12,9 @@ from tracking.arrays import Floats
 from tracking.errors import TrainingError
 from tracking.failure.core.samples import Samples
 from tracking.tracks import PART_NAMES, PARTS
+from tracking.translation import N_, Message, count_msg, joined, msg
 
-NAMES = (*PART_NAMES, "several")
+NAMES = (*PART_NAMES, N_("several"))
 SEVERAL = PARTS
 LEAST_SAMPLES = 10
 """Of each answer to a question; fewer say nothing of people who were held out."""
@@ -69,7 +70,7 @@ def questions_of(samples: Samples) -> list[Question]:
         raise TrainingError(
             "{short}: add labels or sessions until each has at least {least} of {people} "
             "people or more{where_losses_are}",
-            short="; ".join(short),
+            short=joined("; ", short),
             least=LEAST_SAMPLES,
             people=LEAST_PEOPLE,
             where_losses_are=_where_losses_are(asked),
@@ -81,7 +82,7 @@ def _where_losses_are(asked: Sequence[Question]) -> str:
     """How to come by parts that are lost, where there are too few; "" where there are enough."""
     if not any(int(question.yes.sum()) < LEAST_SAMPLES for question in asked):
         return ""
-    return (
+    return msg(
         "; a tracker that adjusts its parts seldom loses one: track several minutes of crowded "
         "footage with adjust=false"
     )
@@ -131,14 +132,18 @@ def _question(
     return Question(number, rows, samples.features[rows], yes[rows], people[rows], made)
 
 
-def shortage(question: Question) -> str:
+def shortage(question: Question) -> Message:
     """Of which answers there are too few samples to learn it; "" where there are enough."""
     short = []
-    for yes, side in ((True, "off"), (False, "on")):
+    for yes, side in ((True, msg("off the part")), (False, msg("on the part"))):
         chosen = question.yes == yes
         samples, people = int(chosen.sum()), len(np.unique(question.people[chosen]))
         if samples < LEAST_SAMPLES or people < LEAST_PEOPLE:
-            who = "person" if people == 1 else "people"
-            what = "sample" if samples == 1 else "samples"
-            short.append(f"{samples} {what} {side} the part, of {people} {who}")
-    return f"{question.name}: {' and '.join(short)}" if short else ""
+            few = count_msg(samples, "{n} sample {side}", "{n} samples {side}", side=side)
+            who = count_msg(people, "{n} person", "{n} people")
+            short.append(msg("{samples}, of {people}", samples=few, people=who))
+    return (
+        msg("{question}: {short}", question=msg(question.name), short=joined(" and ", short))
+        if short
+        else Message()
+    )

@@ -157,6 +157,6 @@ def test_reasons_and_verdicts_are_shown_in_the_users_language_and_kept_in_englis
         assert queue.marks()[0].text == f"⟦Paths cross⟧: {shown}"
         text = plan_review_verdict(item, "dismissed", Labels()).text
         assert text == "Dismiss: Paths cross 4, 7 in frame 50"
-        assert tr(text) == "⟦⟦Dismiss⟧: ⟦⟦Paths cross⟧ 4, 7 in frame 50⟧⟧"
+        assert tr(text) == "⟦Dismiss⟧: ⟦⟦Paths cross⟧ 4, 7 in frame 50⟧"
     finally:
         use_catalogue(None)
