@@ -6,15 +6,13 @@ from typing import Final
 
 from app.core.commands.command import Command
 from app.features.correction import commands as correction
-from app.features.counting import commands as counting
-from app.features.detections import commands as detections
 from app.features.labelling import commands as labelling
-from app.features.parts import commands as parts
 from app.features.pictures import commands as pictures
 from app.features.review import commands as review
 from app.features.scoring import commands as scoring
 from app.features.timeline import commands as timeline
 from app.shell import playback_commands, tracking_commands, window_commands
+from app.shell.features import FEATURES
 from app.shell.window_app import WindowApp
 
 COMMANDS: Final[tuple[Command[WindowApp], ...]] = (
@@ -23,11 +21,8 @@ COMMANDS: Final[tuple[Command[WindowApp], ...]] = (
     *window_commands.EDIT,
     *pictures.CAMERAS,
     *pictures.OVERLAYS,
-    *detections.VIEWS,
     *labelling.VIEWS,
-    *parts.VIEWS,
-    *counting.COMMANDS,
-    *scoring.VIEWS,
+    *(command for feature in FEATURES for command in feature.commands),
     *pictures.ONE_CAMERA,
     *timeline.COMMANDS,
     *window_commands.LAYOUT,

@@ -15,6 +15,7 @@ from app.core.document.document import Document
 from app.core.i18n import joined, tr
 from app.core.widgets.questions import choose_file, choose_new_file
 from app.core.widgets.work import Work
+from app.features.counting.controller import CountController
 from app.features.counting.subject import CountResult
 from app.features.files.export import prepare_export, refuse_to_lose
 from app.features.files.export_dialog import ExportDialog
@@ -24,6 +25,7 @@ from app.features.files.export_formats import (
     propose_report_folder,
 )
 from app.features.files.own_files import remember
+from app.features.scoring.controller import ScoreController
 from app.features.scoring.score_report import WrittenReport, prepare_report
 from app.features.scoring.subject import ScoreResult, score_subject
 from tracking.counting import write_counts
@@ -123,7 +125,7 @@ class ExportController(Controller):
         controller = self._window.controller
         if controller is None:
             return
-        presenter = controller.scoring.presenter
+        presenter = controller.of(ScoreController).presenter
         scored, subject = presenter.scored, presenter.current_subject()
         if scored is not None and (subject is None or scored.subject.version == subject.version):
             self._report(controller, scored, place)
@@ -136,7 +138,7 @@ class ExportController(Controller):
     def _report(self, controller: RecordingController, scored: ScoreResult, place: Path) -> None:
         if controller is not self._window.controller:
             return
-        presenter, document = controller.scoring.presenter, controller.document
+        presenter, document = controller.of(ScoreController).presenter, controller.document
         given = presenter.capture(scored.subject)
         name = presenter.scene("").results[scored.subject.track_source + 1]
         folder = place / propose_report_folder(document.recording.name)
@@ -165,7 +167,7 @@ class ExportController(Controller):
     def ask_counts(self) -> None:
         """Ask for a place and write what is counted, step by step; told where nothing is."""
         controller = self._window.controller
-        if controller is None or controller.counting.work() is None:
+        if controller is None or controller.of(CountController).work() is None:
             self.said.emit(tr("Nothing is counted: draw a line (Alt+3) or a region (Alt+4) first"))
             return
         self._ask(tr("Export counts"), "counts.csv", "CSV (*.csv)", self.counts_to)
@@ -173,7 +175,7 @@ class ExportController(Controller):
     def counts_to(self, path: Path) -> None:
         """Count the tracks of now and write that as CSV."""
         controller = self._window.controller
-        counting = controller.counting.work() if controller is not None else None
+        counting = controller.of(CountController).work() if controller is not None else None
         if counting is not None:
             self._write(path, lambda report: _written(counting(report), path))
 

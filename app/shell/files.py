@@ -26,6 +26,7 @@ from app.features.files.first_page import first_page
 from app.features.files.track_import import holds_tracks_alone
 from app.features.runs.run_summary import list_tracking_notes
 from app.features.runs.track_dialog import TrackDialog
+from app.features.scoring.controller import ScoreController
 from app.shell.author import Author
 from app.shell.backup_controller import BackupController
 from app.shell.close_prompts import ClosePrompts, Then
@@ -161,7 +162,7 @@ class Files(Controller):
         controller.tracking.tracked.connect(self.keeping.keep)
         controller.tracking.began.connect(self._window.notice.settle)
         controller.tracking.noted.connect(self._tell_of_tracking)
-        controller.scoring.truth_asked.connect(self._ask_truth)
+        controller.of(ScoreController).truth_asked.connect(self._ask_truth)
         if not document_loader.is_unsaved_place(path):
             self._remembered.add_recent(path.resolve(), opened.document.recording.name)
         self._window.workspace.show_whole()  # how another recording was zoomed says nothing here
@@ -196,7 +197,10 @@ class Files(Controller):
     def _ask_truth(self, filters: str) -> None:
         """Ask for a file to score against."""
         if self.controller is not None:
-            last, take = self._remembered.last_folder("truth"), self.controller.scoring.choose_file
+            last, take = (
+                self._remembered.last_folder("truth"),
+                self.controller.of(ScoreController).choose_file,
+            )
             choose_file(self._window, tr("The ground truth"), filters, take, last)
 
     # tracking

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from app.features.scoring.controller import ScoreController
 from app.shell.workspace import Workspace
 
 if TYPE_CHECKING:
@@ -23,16 +24,15 @@ def connect_gestures(controller: RecordingController, view: Workspace) -> None:
     view.transport.follow_toggled.connect(controller.tracking.following.toggle)
     view.transport.speed_chosen.connect(controller.playback.set_speed)
     view.timeline.errors.frame_sought.connect(controller.playback.go)
-    view.timeline.errors.event_sought.connect(controller.scoring.go_to)
-    view.timeline.area.stretch.changed.connect(controller.scoring.show_range)
-    controller.scoring.error_lanes.connect(view.timeline.errors.show_scene)
+    scoring = controller.of(ScoreController)
+    view.timeline.errors.event_sought.connect(scoring.go_to)
+    view.timeline.area.stretch.changed.connect(scoring.show_range)
+    scoring.error_lanes.connect(view.timeline.errors.show_scene)
     controller.comparing.scene_changed.connect(view.show_differences)
     view.card.name_edited.connect(controller.editing.rename)
     view.card.notes_edited.connect(controller.editing.write_notes)
     view.card.attributes_edited.connect(controller.editing.set_attributes)
     view.card.frame_sought.connect(controller.playback.go)
-    view.history.undo_asked.connect(controller.editing.undo)
-    view.history.redo_asked.connect(controller.editing.redo)
     view.preview.confirmed.connect(controller.editing.confirm)
     view.preview.cancelled.connect(controller.editing.leave)
     view.preview.cut_moved.connect(controller.editing.move_cut)

@@ -111,11 +111,8 @@ class MainWindow(QMainWindow):
         self.workspace.camera_switch.mode_chosen.connect(
             lambda mode: self.run_command(f"view.{mode}")
         )
-        self.workspace.curves.closed.connect(lambda: self.run_command("view.curves"))
-        self.workspace.counting.closed.connect(lambda: self.run_command("view.counting"))
-        self.workspace.counting.save_asked.connect(lambda: self.run_command("file.export_counts"))
-        self.workspace.score.report_asked.connect(lambda: self.run_command("file.export_report"))
-        self.workspace.score.closed.connect(lambda: self.run_command("view.score"))
+        for panel in self.workspace.panels.values():
+            panel.command_asked.connect(self.run_command)
         self.workspace.transport.tracker_clicked.connect(lambda: self.run_command("tracks.track"))
         self.files.changed.connect(self.refresh)
         self.files.failed.connect(self.tell_error)

@@ -14,9 +14,9 @@ def _step(app: WindowApp, frames: int) -> None:
     """A frame or ten: moves a box or the cut of an edit that waits, else the playhead."""
     flow = app.open.document.flow
     if flow is not None and flow.places:
-        app.editing.nudge(1 if frames > 0 else -1, 0, far=abs(frames) > 1)
+        app.open.editing.nudge(1 if frames > 0 else -1, 0, far=abs(frames) > 1)
     elif flow is not None and flow.has_cut and not flow.needs_other:
-        app.editing.move_cut(frames)
+        app.open.editing.move_cut(frames)
     else:
         app.open.playback.step(frames)
 
@@ -25,9 +25,9 @@ def _second(app: WindowApp, direction: int) -> None:
     """A second; of a box that waits the width, of an edit over a range its end by a frame."""
     flow, playback = app.open.document.flow, app.open.playback
     if flow is not None and flow.places:
-        app.editing.nudge(direction, 0, resize=True)
+        app.open.editing.nudge(direction, 0, resize=True)
     elif flow is not None and flow.has_end:
-        app.editing.move_end(direction)
+        app.open.editing.move_end(direction)
     else:
         playback.step(direction * max(1, round(playback.clock.fps)))
 

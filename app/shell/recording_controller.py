@@ -4,23 +4,24 @@ from __future__ import annotations
 
 from PySide6.QtCore import QObject, Signal
 
+from app.core.commands.conditions import ControllerT
 from app.core.controller import Controller
 from app.core.document.document import Document
+from app.core.feature import FeatureContext, ShownFrame
 from app.core.playback.playback import Playback
+from app.core.projection.extent import Bounds
 from app.core.scenes import Side, TransportScene
 from app.core.tracks.frame_state import ViewOptions
 from app.features.comparison.controller import ComparisonController
 from app.features.correction.controller import EditController
 from app.features.correction.drag_controller import DragController
 from app.features.counting.controller import CountController
-from app.features.detections.controller import DetectionsController
-from app.features.history.controller import HistoryWalk
 from app.features.labelling.controller import LabelController
 from app.features.parts.controller import PartsController
 from app.features.pictures.controller import OverlayController
 from app.features.review.controller import ReviewController
-from app.features.scoring.controller import ScoreController
 from app.shell.colour_worker import ColourWorker
+from app.shell.features import FEATURES
 from app.shell.gesture_connections import connect_gestures
 from app.shell.recording_scenes import RecordingScenes
 from app.shell.tracker_at_work import TrackerAtWork
@@ -47,24 +48,16 @@ class RecordingController(Controller):
         self.editing = EditController(document, self.playback, self)
         self.dragging = DragController(document, self.playback, self.editing)
         self.overlaying = OverlayController(document, self.playback, self)
-        self.walk = HistoryWalk(document, self.playback, workspace.history, self)
         surfaces = workspace.surfaces
         self.labelling = LabelController(
             document, self.playback, workspace.labelling, surfaces, self
         )
-        self.parts = PartsController(
-            document, self.playback, workspace.curves, surfaces.left, self.labelling, self
+        context = FeatureContext(
+            self, document, self.playback, surfaces, self.labelling, self._floor_bounds
         )
-        self.counting = CountController(
-            document,
-            self.playback,
-            workspace.counting,
-            surfaces.floor,
-            lambda: self.scenes.overhead.bounds,
-            self,
+        self._features = tuple(
+            feature.controller(context, workspace.panels.get(feature.id)) for feature in FEATURES
         )
-        self.scoring = ScoreController(document, self.playback, workspace.score, surfaces, self)
-        self.detections = DetectionsController(document, surfaces, self)
         self.comparing = ComparisonController(document, self.playback, workspace.differences, self)
         self.tracking = TrackerAtWork(document, self.playback, self.comparing, self)
         self.live = self.tracking.live
@@ -90,12 +83,10 @@ class RecordingController(Controller):
         self.reviewing.changed.connect(self.draw_playhead)  # whose marks stand on the timeline
         self.reviewing.fix_asked.connect(self.editing.begin)
         self.overlaying.changed.connect(self.draw_frame)
-        for one in (self.labelling, self.walk):
+        for one in (self.labelling, *self._features):
             one.changed.connect(self.draw)
-        self.parts.changed.connect(self.draw)
-        self.counting.changed.connect(self.draw_frame)
-        self.detections.changed.connect(self.draw_frame)
-        self.scoring.changed.connect(self._draw_scored)
+        for feature in self._features:
+            feature.marked.connect(self.draw_frame)
         self.tracking.changed.connect(self.draw)
         self.colouring.changed.connect(self._draw_coloured)
         self.tracking.following.changed.connect(self.changed)
@@ -110,10 +101,8 @@ class RecordingController(Controller):
         self.comparing.end()
         self.overlaying.close()
         self.labelling.close()
-        self.parts.close()
-        self.counting.close()
-        self.scoring.close()
-        self.detections.close()
+        for feature in self._features:
+            feature.close()
         self.playback.close()
         try:
             if self.document.session is not None:
@@ -126,6 +115,13 @@ class RecordingController(Controller):
     def window_page(self) -> Workspace:
         """What dialogs stand before."""
         return self._workspace
+
+    def of(self, kind: type[ControllerT]) -> ControllerT:
+        """The controller of this kind. Raises LookupError where there is none."""
+        for one in self.children():
+            if isinstance(one, kind):
+                return one
+        raise LookupError(f"no controller is a {kind.__name__}")
 
     def leave(self) -> None:
         """Esc: leave the labelling, else the edit that waits, else let the person go."""
@@ -175,7 +171,8 @@ class RecordingController(Controller):
         self.draw_frame()
         self.draw_playhead()
         view.card.show_scene(document.card())
-        self._draw_history()
+        for feature in self._features:
+            feature.draw()
         view.preview.show_scene(document.planned.scene if document.planned else None)
         self.comparing.refresh()
         self.changed.emit()
@@ -185,19 +182,6 @@ class RecordingController(Controller):
         self.reviewing.queue.colour_anew()
         self.labelling.colour_anew()
         self.draw()
-
-    def _draw_scored(self) -> None:
-        """Another score, another choice, another range of frames."""
-        self.draw_frame()
-        self.draw_playhead()
-        self._workspace.card.show_scene(self.document.card())  # an error selects whom it is about
-        self._draw_history()
-        self.changed.emit()
-
-    def _draw_history(self) -> None:
-        """The edits, and how they moved the score where somebody watches it."""
-        edits = self.scoring.presenter.annotate_edits(self.document.history())
-        self._workspace.history.show_scene(edits)
 
     def draw_preview(self) -> None:
         """Draw only what an edit that waits would do: often, while something is dragged."""
@@ -218,17 +202,18 @@ class RecordingController(Controller):
             view.right.show_scene(pictures.scene(Side.RIGHT, frame, state, self.view_options))
         view.overhead.show_legend(self.view_options.floor_legend)
         view.overhead.show_scene(self.scenes.overhead.scene(state))
-        self.counting.draw(state, self.view_options)
-        self.scoring.draw(state, self.view_options, self.cameras)
         late = None if frame is None else frame.right_lag
         right = None if late is None else state.frame + late
-        self.detections.draw(state, self.view_options, self.cameras, right)
-        counted = self.counting.texts_at(state, self.view_options)
+        counted = self.of(CountController).texts_at(state, self.view_options)
         self.labelling.draw(self.cameras == "both", self.view_options.labels, counted)
-        self.parts.draw(state, self.view_options)
+        for feature in self._features:
+            feature.draw_frame(ShownFrame(state, self.view_options, self.cameras, right))
         self._tell_unread()
         self._show_selected()
         self.drawn.emit()
+
+    def _floor_bounds(self) -> Bounds:
+        return self.scenes.overhead.bounds
 
     def _show_selected(self) -> None:
         """Have who was selected a moment ago seen in zoomed views, once their frame is there."""
@@ -251,7 +236,8 @@ class RecordingController(Controller):
         """Draw the timeline and the transport line."""
         clock, document, tracker = self.playback.clock, self.document, self.tracking.state
         frame, loaded = self.playback.number, self.playback.loaded
-        self.scenes.take_score(self.parts.presenter.score() if self.view_options.parts else None)
+        parts = self.of(PartsController).presenter
+        self.scenes.take_score(parts.score() if self.view_options.parts else None)
         self._workspace.timeline.show_scene(
             self.scenes.timeline(clock.frame, frame, loaded, tracker.no_lanes)
         )

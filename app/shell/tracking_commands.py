@@ -87,8 +87,8 @@ DETECTOR: Final[tuple[Command[WindowApp], ...]] = (
         "Detector",
         ("Alt+6",),
         labelled,
-        lambda app: app.labelling.suggest(),
-        checked=lambda app: app.document is not None and app.labelling.suggests,
+        lambda app: app.open.labelling.suggest(),
+        checked=lambda app: app.document is not None and app.open.labelling.suggests,
         separated=True,
     ),
     Command(

@@ -4,15 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from app.core.commands.conditions import ControllerT
 from app.core.document.document import Document
 from app.core.tracks.frame_state import FrameState, ViewOptions
-from app.features.comparison.controller import ComparisonController
-from app.features.correction.controller import EditController
 from app.features.correction.track_panel import TrackPanel
-from app.features.labelling.controller import LabelController
-from app.features.parts.controller import PartsController
-from app.features.review.controller import ReviewController
-from app.features.scoring.controller import ScoreController
 from app.features.timeline.tracks_area import TracksArea
 from app.shell.recording_controller import RecordingController
 
@@ -46,6 +41,10 @@ class WindowApp:
             raise LookupError("no recording is open")
         return controller
 
+    def of(self, kind: type[ControllerT]) -> ControllerT:
+        """The controller of this kind of the open recording."""
+        return self.open.of(kind)
+
     @property
     def busy(self) -> bool:
         """Whether long work other than tracking is going on."""
@@ -65,36 +64,6 @@ class WindowApp:
     def files(self) -> Files:
         """Opens, saves and closes documents."""
         return self.window.files
-
-    @property
-    def editing(self) -> EditController:
-        """Of the open recording."""
-        return self.open.editing
-
-    @property
-    def labelling(self) -> LabelController:
-        """Of the open recording."""
-        return self.open.labelling
-
-    @property
-    def reviewing(self) -> ReviewController:
-        """Of the open recording."""
-        return self.open.reviewing
-
-    @property
-    def comparing(self) -> ComparisonController:
-        """Of the open recording."""
-        return self.open.comparing
-
-    @property
-    def parts(self) -> PartsController:
-        """Of the open recording."""
-        return self.open.parts
-
-    @property
-    def scoring(self) -> ScoreController:
-        """Of the open recording."""
-        return self.open.scoring
 
     @property
     def card(self) -> TrackPanel:

@@ -18,6 +18,7 @@ from app.core.commands.conditions import (
 from app.core.i18n import tr
 from app.core.look.theme import Look
 from app.core.scenes.labels import Tool
+from app.features.history.controller import HistoryWalk
 from app.features.scoring.commands import reportable
 from app.shell.shortcuts import ShortcutsDialog
 from app.shell.window_app import WindowApp
@@ -170,7 +171,7 @@ EDIT: Final[tuple[Command[WindowApp], ...]] = (
         "Edit",
         ("Ctrl+Alt+Z",),
         editable,
-        lambda app: app.open.walk.undo_alone(),
+        lambda app: app.of(HistoryWalk).undo_alone(),
     ),
     Command(
         "edit.commands",
@@ -217,7 +218,7 @@ def _to_leave(app: WindowApp) -> str:
     """There must be a selection, an edit or a label to leave."""
     document = app.document
     if document is not None and (
-        document.selection or document.flow is not None or app.labelling.tool is not None
+        document.selection or document.flow is not None or app.open.labelling.tool is not None
     ):
         return ""
     return tr("nobody is selected")
@@ -225,22 +226,22 @@ def _to_leave(app: WindowApp) -> str:
 
 def _scoped(app: WindowApp) -> str:
     """Something must be done that has a scope: an edit that waits, labels of parts."""
-    labels = app.document is not None and app.labelling.tool is Tool.PARTS
+    labels = app.document is not None and app.open.labelling.tool is Tool.PARTS
     return "" if labels else pending(app)
 
 
 def _next_scope(app: WindowApp) -> None:
     """R: how far the edit that waits goes, else an answer about a body part."""
-    if app.open.document.flow is None and app.labelling.tool is Tool.PARTS:
-        app.labelling.next_scope()
+    if app.open.document.flow is None and app.open.labelling.tool is Tool.PARTS:
+        app.open.labelling.next_scope()
     else:
-        app.editing.next_choice(0)
+        app.open.editing.next_choice(0)
 
 
 def _listed(app: WindowApp) -> str:
     """Something must be left in the queue, or be compared."""
     if app.document is not None and (
-        app.reviewing.lists_items or app.comparing.shown or app.labelling.suggests
+        app.open.reviewing.lists_items or app.open.comparing.shown or app.open.labelling.suggests
     ):
         return ""
     return session(app) or tr("no review items are left")
@@ -251,12 +252,12 @@ def _walk(app: WindowApp, step: int) -> None:
 
     While parts are labelled where the detector is least sure: through these.
     """
-    if app.comparing.shown:
-        app.comparing.walk(step)
-    elif app.labelling.suggests:
-        app.labelling.walk(step)
+    if app.open.comparing.shown:
+        app.open.comparing.walk(step)
+    elif app.open.labelling.suggests:
+        app.open.labelling.walk(step)
     else:
-        app.reviewing.walk(step)
+        app.open.reviewing.walk(step)
 
 
 LEAVE: Final[tuple[Command[WindowApp], ...]] = (

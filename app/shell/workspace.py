@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import TypeVar
+
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
@@ -17,6 +19,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.core.drawing.surfaces import Surfaces
+from app.core.feature import FeaturePanel, Place
 from app.core.i18n import tr
 from app.core.scenes import Side
 from app.core.widgets.gripped_splitter import GrippedSplitter
@@ -27,21 +30,19 @@ from app.features.comparison.differences_scene import DifferencesScene
 from app.features.comparison.panel import DifferencesPanel
 from app.features.correction.panel import EditPanel
 from app.features.correction.track_panel import TrackPanel
-from app.features.counting.panel import CountingPanel
-from app.features.history.panel import HistoryPanel
 from app.features.labelling.panel import LabellingPanel
-from app.features.parts.panel import CurvesPanel
 from app.features.pictures.camera_switch import CameraSwitch
 from app.features.pictures.overhead_view import OverheadView
 from app.features.pictures.picture_view import PictureView
 from app.features.playback.transport import TransportBar
 from app.features.review.panel import ReviewPanel
-from app.features.scoring.panel import ScorePanel
 from app.features.timeline.panel import TimelineView
 from app.shell.below_floor import BelowFloor
+from app.shell.features import FEATURES
 from app.shell.image_room import ImageRoom
 from app.shell.pane_ring import PaneRing
 
+PanelT = TypeVar("PanelT", bound=FeaturePanel)
 _PANEL_LETTERS = 48
 _LOW_LINES = 36
 """A page of fewer lines of text is low."""
@@ -56,12 +57,8 @@ class Workspace(QWidget):
         self.right = PictureView(Side.RIGHT, self)
         self.camera_switch = CameraSwitch(self)
         self.overhead = OverheadView(self)
-        self.curves = CurvesPanel(self)
-        self.counting = CountingPanel(self)
-        self.score = ScorePanel(self)
         self.review = ReviewPanel(self)
         self.card = TrackPanel(self)
-        self.history = HistoryPanel(self)
         self.preview = EditPanel(self)
         self.labelling = LabellingPanel(self)
         self.compare = ComparePanel(self)
@@ -70,16 +67,19 @@ class Workspace(QWidget):
         self.timeline = TimelineView(self)
         self.surfaces = Surfaces(self.left, self.right, self.overhead)
         self._splitters: dict[str, QSplitter] = {}
-        for plot in (self.curves.plot, self.counting.plot):
-            self.timeline.area.stretch.changed.connect(plot.show_axis)
+        self.panels: dict[str, FeaturePanel] = {}
+        self._placed: dict[Place, tuple[FeaturePanel, ...]] = dict.fromkeys(Place, ())
+        for feature in FEATURES:
+            if feature.panel is not None:
+                panel = self.panels[feature.id] = feature.panel(self)
+                self._placed[feature.place] += (panel,)
+                self.timeline.area.stretch.changed.connect(panel.show_axis)
         self._lay_out()
         self._ring = PaneRing(self)
 
     def _lay_out(self) -> None:
         cameras = self._split("eyes", Qt.Orientation.Vertical, (self.left, self.right), (1, 1))
-        below = BelowFloor(
-            tr("Panels below the floor"), (self.curves, self.counting, self.score), self
-        )
+        below = BelowFloor(tr("Panels below the floor"), self._placed[Place.BELOW_FLOOR], self)
         below.setObjectName("below floor")
         parts = (self.overhead, below)
         floor = self._split("floor and panels", Qt.Orientation.Vertical, parts, (5, 6))
@@ -119,9 +119,9 @@ class Workspace(QWidget):
 
     def _scrolled_panels(self) -> QScrollArea:
         """On a low screen the panels scroll, so that they never make the window too high for it."""
-        side = self._split(
-            "side", Qt.Orientation.Vertical, (self.review, self.card, self.history), (11, 6, 3)
-        )
+        listed = self._placed[Place.SIDE]
+        parts, shares = (self.review, self.card, *listed), (11, 6, *(3 for _ in listed))
+        side = self._split("side", Qt.Orientation.Vertical, parts, shares)
         panels = QScrollArea(self)
         panels.setWidget(side)
         panels.setWidgetResizable(True)
@@ -173,6 +173,13 @@ class Workspace(QWidget):
         super().resizeEvent(event)
         self.preview.set_terse(self.height() < _LOW_LINES * self.fontMetrics().lineSpacing())
 
+    def of(self, kind: type[PanelT]) -> PanelT:
+        """The feature's panel of this kind. Raises LookupError where there is none."""
+        for panel in self.panels.values():
+            if isinstance(panel, kind):
+                return panel
+        raise LookupError(f"no panel is a {kind.__name__}")
+
     def show_differences(self, scene: DifferencesScene | None) -> None:
         """Show a comparison in the place of the panels, or the panels again."""
         self.differences.show_scene(scene)
@@ -201,20 +208,20 @@ class Workspace(QWidget):
     def focus_next_pane(self) -> None:
         """Give the keyboard to the next part that is shown, and lay a ring around it.
 
-        Pictures, floor, curves, counting, score, labelling, compared, queue, card, history,
+        Pictures, floor, panels below it, labelling, compared, queue, card, panels below them,
         timeline; a list among them can be walked then.
         """
-        lists = (self.counting, self.score, self.review, self.card, self.history)
-        views = (self.left, self.right, self.overhead, self.curves, self.counting, self.score)
-        above, side = (self.labelling, self.compare), (self.review, self.card, self.history)
-        every = (*views, *above, *side, self.differences, self.timeline)
+        below, listed = self._placed[Place.BELOW_FLOOR], self._placed[Place.SIDE]
+        lists = (*below, self.review, self.card, *listed, self.differences)
+        views, above = (self.left, self.right, self.overhead), (self.labelling, self.compare)
+        every = (*views, *below, *above, *lists[len(below) :], self.timeline)
         panes = [pane for pane in every if pane.isVisible()]
         now = QApplication.focusWidget()
         inside = [now is not None and (now is pane or pane.isAncestorOf(now)) for pane in panes]
         following = panes[(inside.index(True) + 1) % len(panes)] if any(inside) else panes[0]
         bring_into_view(following)
         fields: list[QAbstractScrollArea] = []
-        if following in (*lists, self.differences):
+        if following in lists:
             fields = following.findChildren(QAbstractScrollArea)
         visible = [field for field in fields if field.isVisible()]
         (visible[0] if visible else following).setFocus()

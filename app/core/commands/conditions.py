@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Protocol
+from typing import Protocol, TypeVar
 
 from app.core.document.document import Document
 from app.core.i18n import tr
+
+ControllerT = TypeVar("ControllerT")
 
 
 class WindowState(Protocol):
@@ -26,6 +28,9 @@ class WindowState(Protocol):
     @property
     def unkept(self) -> bool:
         """Whether what a tracker found is in memory alone."""
+
+    def of(self, kind: type[ControllerT]) -> ControllerT:
+        """The controller of this kind of the open recording."""
 
 
 def recording(now: WindowState) -> str:

@@ -24,7 +24,8 @@ class ViewState(WindowState, Protocol):
 def toggle(now: ViewState, name: str) -> bool:
     """Switch one of the view options; whether it is on by now."""
     on = not getattr(now.view_options, name)
-    now.view_options = replace(now.view_options, **{name: on})
+    switched: dict[str, Any] = {name: on}
+    now.view_options = replace(now.view_options, **switched)
     return on
 
 
@@ -53,4 +54,27 @@ def view_command(
         run or (lambda now: toggle(now, name)),
         checked=lambda now: now.document is not None and getattr(now.view_options, name),
         **more,
+    )
+
+
+def _toggle_panel(now: ViewState, name: str) -> None:
+    now.view_options = replace(now.view_options, panels=now.view_options.panels ^ {name})
+
+
+def panel_command(
+    name: str,
+    title: str,
+    menu: str,
+    keys: tuple[str, ...] = (),
+    run: Callable[[Any], object] | None = None,
+) -> Command[Any]:
+    """A command "view.NAME" that opens and closes the panel of that id; see `view_command`."""
+    return Command(
+        f"view.{name}",
+        title,
+        menu,
+        keys,
+        recording,
+        run or (lambda now: _toggle_panel(now, name)),
+        checked=lambda now: now.document is not None and name in now.view_options.panels,
     )

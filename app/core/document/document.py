@@ -43,6 +43,7 @@ class Document:
 
     Attributes:
         edited: the tracks that the last edit, undo or redo touched.
+        annotate_edits: adds what is known of edits to the list of them.
     """
 
     def __init__(self, recording: Recording, session: Session | None = None) -> None:
@@ -61,6 +62,7 @@ class Document:
         self.comparison: TwoVersions | None = None
         self._listeners: list[DocumentListener] = []
         self._marks, self._history = EditMarks(), HistoryList()
+        self.annotate_edits: Callable[[tuple[HistoryItem, ...]], tuple[HistoryItem, ...]] = tuple
 
     def tell(self, listener: DocumentListener) -> None:
         """Tell a listener of the tracks as they are, and of every change from now on."""
@@ -215,7 +217,9 @@ class Document:
 
     def history(self) -> tuple[HistoryItem, ...]:
         """All edits, oldest first."""
-        return self._history.of(self.session.history) if self.session is not None else ()
+        if self.session is None:
+            return ()
+        return self.annotate_edits(self._history.of(self.session.history))
 
     def label(self, track: int) -> TrackLabel:
         """What people said of a track; nothing of those a tracker at work has numbered anew."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,7 +18,7 @@ from tracking.tracks import Columns
 
 @dataclass(frozen=True, slots=True)
 class ViewOptions:
-    """What is laid over the pictures, and what is plotted below: the user's choice."""
+    """What is laid over the pictures, and which panels are open, by id: the user's choice."""
 
     grid: bool = False
     particles: bool = False
@@ -28,17 +29,15 @@ class ViewOptions:
     labels: bool = True
     parts: bool = True
     part_particles: bool = False
-    curves: bool = False
     counts: bool = True
-    counting: bool = False
     flow_map: bool = False
     floor_legend: bool = True
     tracklets: bool = False
     outlines: bool = False
     evaluation: bool = False
     ramp: bool = False
-    score: bool = False
     truth: bool = False
+    panels: frozenset[str] = frozenset()
 
     @property
     def lasting(self) -> str:
@@ -65,8 +64,9 @@ _LASTING = (
 
 def parse_view_options(lasting: str) -> ViewOptions:
     """The choice as it was left; whatever a damaged file says instead is forgotten."""
-    said = {word[1:]: word[0] == "+" for word in lasting.split() if word[0] in "+-"}
-    return ViewOptions(**{name: said[name] for name in _LASTING if name in said})
+    words = (word for word in lasting.split() if word[0] in "+-" and word[1:] in _LASTING)
+    said: dict[str, Any] = {word[1:]: word[0] == "+" for word in words}
+    return ViewOptions(**said)
 
 
 @dataclass(frozen=True, slots=True)

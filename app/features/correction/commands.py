@@ -30,10 +30,6 @@ class CorrectionApp(WindowState, Protocol):
     """What they need of the window."""
 
     @property
-    def editing(self) -> EditController:
-        """Of the open recording."""
-
-    @property
     def card(self) -> TrackPanel:
         """The card of the selected track."""
 
@@ -71,13 +67,13 @@ def _vertical(app: CorrectionApp, down: int, *, far: bool = False, resize: bool 
     """Up or down: moves or resizes a box that waits, else goes on to the next proposal."""
     flow = app.document.flow if app.document is not None else None
     if flow is not None and flow.places:
-        app.editing.nudge(0, down, far=far, resize=resize)
+        app.of(EditController).nudge(0, down, far=far, resize=resize)
     else:
-        app.editing.next_proposal(down)
+        app.of(EditController).next_proposal(down)
 
 
 def _begin(app: CorrectionApp, spec: EditSpec, scope: EditScope | None) -> None:
-    app.editing.begin(spec, scope)
+    app.of(EditController).begin(spec, scope)
 
 
 def _of_edits(specs: Iterable[EditSpec]) -> Iterator[Command[CorrectionApp]]:
@@ -112,7 +108,7 @@ _DRAWING: Final[tuple[Command[CorrectionApp], ...]] = (
         _BOX,
         ("W",),
         drawable,
-        lambda app: app.editing.begin_drawing(),
+        lambda app: app.of(EditController).begin_drawing(),
         icon="box",
     ),
     Command(
@@ -121,7 +117,7 @@ _DRAWING: Final[tuple[Command[CorrectionApp], ...]] = (
         _BOX,
         ("Ins",),
         drawable,
-        lambda app: app.editing.begin_drawing(new=True),
+        lambda app: app.of(EditController).begin_drawing(new=True),
         icon="add",
     ),
 )
@@ -132,7 +128,7 @@ HISTORY: Final[tuple[Command[CorrectionApp], ...]] = (
         "Edit",
         ("Ctrl+Z",),
         _undoable,
-        lambda app: app.editing.undo(),
+        lambda app: app.of(EditController).undo(),
         icon="undo",
     ),
     Command(
@@ -141,7 +137,7 @@ HISTORY: Final[tuple[Command[CorrectionApp], ...]] = (
         "Edit",
         ("Ctrl+Shift+Z", "Ctrl+Y"),
         _redoable,
-        lambda app: app.editing.redo(),
+        lambda app: app.of(EditController).redo(),
         icon="redo",
     ),
 )
@@ -152,7 +148,7 @@ NEXT: Final[tuple[Command[CorrectionApp], ...]] = (
         "Tracks",
         ("Tab",),
         _anybody,
-        lambda app: app.editing.pick_next(1),
+        lambda app: app.of(EditController).pick_next(1),
         separated=True,
     ),
     Command(
@@ -161,7 +157,7 @@ NEXT: Final[tuple[Command[CorrectionApp], ...]] = (
         "Tracks",
         ("Shift+Tab",),
         _anybody,
-        lambda app: app.editing.pick_next(-1),
+        lambda app: app.of(EditController).pick_next(-1),
     ),
 )
 SELECTED: Final[tuple[Command[CorrectionApp], ...]] = (
@@ -171,7 +167,7 @@ SELECTED: Final[tuple[Command[CorrectionApp], ...]] = (
         "Tracks",
         ("Shift+Home",),
         _in_view,
-        lambda app: app.editing.go_to_end_of_track(end=False),
+        lambda app: app.of(EditController).go_to_end_of_track(end=False),
         separated=True,
     ),
     Command(
@@ -180,7 +176,7 @@ SELECTED: Final[tuple[Command[CorrectionApp], ...]] = (
         "Tracks",
         ("Shift+End",),
         _in_view,
-        lambda app: app.editing.go_to_end_of_track(end=True),
+        lambda app: app.of(EditController).go_to_end_of_track(end=True),
     ),
     Command(
         "tracks.range_start",
@@ -188,7 +184,7 @@ SELECTED: Final[tuple[Command[CorrectionApp], ...]] = (
         "Tracks",
         ("[",),
         session,
-        lambda app: app.editing.mark(end=False),
+        lambda app: app.of(EditController).mark(end=False),
         separated=True,
     ),
     Command(
@@ -197,7 +193,7 @@ SELECTED: Final[tuple[Command[CorrectionApp], ...]] = (
         "Tracks",
         ("]",),
         session,
-        lambda app: app.editing.mark(end=True),
+        lambda app: app.of(EditController).mark(end=True),
     ),
     Command(
         "tracks.no_range",
@@ -205,7 +201,7 @@ SELECTED: Final[tuple[Command[CorrectionApp], ...]] = (
         "Tracks",
         ("\\",),
         session,
-        lambda app: app.editing.unmark(),
+        lambda app: app.of(EditController).unmark(),
     ),
     Command(
         "tracks.rename",
@@ -240,7 +236,7 @@ CONFIRM: Final[tuple[Command[CorrectionApp], ...]] = (
         "Correct",
         ("Return", "Enter"),
         pending,
-        lambda app: app.editing.confirm(),
+        lambda app: app.of(EditController).confirm(),
         separated=True,
     ),
 )
@@ -251,7 +247,7 @@ CHANGE: Final[tuple[Command[CorrectionApp], ...]] = (
         _PENDING,
         ("C",),
         pending,
-        lambda app: app.editing.next_choice(1),
+        lambda app: app.of(EditController).next_choice(1),
     ),
     Command(
         "tracks.down",

@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import Final
 
 from app.core.commands.conditions import floor
-from app.core.commands.view_state import view_command
+from app.core.commands.view_state import panel_command, view_command
 
 COMMANDS: Final = (
     view_command("counts", "Counts at lines and regions", "View/Counting", ("Shift+U",)),
-    view_command("counting", "Counting over time", "View/Counting", ("Shift+C",)),
+    panel_command("counting", "Counting over time", "View/Counting", ("Shift+C",)),
     view_command("flow_map", "Flow map on the floor", "View/Counting", ("Shift+F",), floor),
 )

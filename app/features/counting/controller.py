@@ -6,16 +6,12 @@ from collections.abc import Callable
 from dataclasses import replace
 from functools import cache, partial
 
-from PySide6.QtCore import QObject, Qt
+from PySide6.QtCore import Qt
 
-from app.core.controller import Controller
-from app.core.document.document import Document
 from app.core.document.track_sources import SHOWN, capture_rows
-from app.core.drawing.surfaces import FloorSurface
+from app.core.feature import FeatureContext, FeatureController, ShownFrame
 from app.core.i18n import count_text, tr
 from app.core.jobs.latest_job import LatestJob
-from app.core.playback.playback import Playback
-from app.core.projection.extent import Bounds
 from app.core.scenes.labels import CountText
 from app.core.tracks.frame_state import FrameState, ViewOptions
 from app.features.counting.panel import CountingPanel
@@ -27,30 +23,26 @@ from tracking.progress import Progress
 Work = Callable[[Progress], CountResult]
 
 
-class CountController(Controller):
+class CountController(FeatureController):
     """Counts in the background what is asked for, and shows it.
 
-    Signals: `changed()`, there are other counts.
+    `marked`: there are other counts.
     """
 
     def __init__(
         self,
-        document: Document,
-        playback: Playback,
+        context: FeatureContext,
         panel: CountingPanel,
-        floor: FloorSurface,
-        bounds: Callable[[], Bounds],
-        parent: QObject,
     ) -> None:
-        super().__init__(parent)
-        self._document, self._panel, self._floor = document, panel, floor
-        self._bounds = bounds
-        self.presenter = CountingPresenter(document)
+        super().__init__(context.parent)
+        self._document, self._panel = context.document, panel
+        self._floor, self._bounds = context.surfaces.floor, context.floor_bounds
+        self.presenter = CountingPresenter(context.document)
         self._search = LatestJob("counting", self._prepare, self)
         self._search.found.connect(self._take)
         self._search.failed.connect(self._refuse)
-        self._search.changed.connect(self.changed, Qt.ConnectionType.QueuedConnection)
-        panel.frame_sought.connect(playback.go)
+        self._search.changed.connect(self.marked, Qt.ConnectionType.QueuedConnection)
+        panel.frame_sought.connect(context.playback.go)
         panel.picked.connect(self._pick)
         panel.track_source_chosen.connect(self._choose_track_source)
         panel.step_chosen.connect(self._choose_step)
@@ -75,15 +67,15 @@ class CountController(Controller):
         subject = self.presenter.current_subject(mapped=False)
         return None if subject.is_empty else self._prepare(subject)
 
-    def draw(self, state: FrameState, view_options: ViewOptions) -> None:
+    def draw_frame(self, shown: ShownFrame) -> None:
         """Show a frame; what is missing for it is counted."""
+        view_options, is_open = shown.view_options, "counting" in shown.view_options.panels
         subject = self.presenter.current_subject(mapped=view_options.flow_map)
-        if view_options.counts or view_options.counting or view_options.flow_map:
+        if view_options.counts or is_open or view_options.flow_map:
             self._ask(subject)
         self._floor.show_flow(self.presenter.flow() if view_options.flow_map else None)
         doing = tr("Counting...") if self._search.busy else ""
-        panel = self.presenter.scene(state, doing) if view_options.counting else None
-        self._panel.show_scene(panel)
+        self._panel.show_scene(self.presenter.scene(shown.state, doing) if is_open else None)
 
     def texts_at(self, state: FrameState, view_options: ViewOptions) -> CountText:
         """Gives what to write at lines and regions in a frame."""
@@ -113,11 +105,11 @@ class CountController(Controller):
 
     def _pick(self, is_line: bool, name: str) -> None:
         self.presenter.pick(is_line, name)
-        self.changed.emit()
+        self.marked.emit()
 
     def _choose_track_source(self, number: int) -> None:
         self.presenter.choice.track_source = number - 1 if number > 0 else SHOWN
-        self.changed.emit()
+        self.marked.emit()
 
     def _choose_step(self, step_s: float) -> None:
         self._settle(step_s=step_s)
@@ -131,7 +123,7 @@ class CountController(Controller):
     def _settle(self, **values: float) -> None:
         """Count in another way from now on."""
         self.presenter.choice.settings = replace(self.presenter.choice.settings, **values)
-        self.changed.emit()
+        self.marked.emit()
 
     def _tell_copied(self, steps: int) -> None:
         self.said.emit(count_text(steps, "{n} step copied", "{n} steps copied"))

@@ -13,10 +13,12 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.core.feature import FeaturePanel
 from app.core.i18n import tr
 from app.core.look.icons import IconButton
+from app.core.plots.axis import TimeAxis
 from app.core.widgets.number_boxes import NumberBox, tell_beside
-from app.core.widgets.parts import Panel, quiet
+from app.core.widgets.parts import quiet
 from app.features.counting.counts_plot import CountsPlot
 from app.features.counting.scene import CountingScene
 from app.features.counting.steps_table import StepsTable
@@ -28,25 +30,23 @@ _MOST = {field.name: field.range[1] for field in settings_fields(CountSettings) 
 """The largest value of each setting."""
 
 
-class CountingPanel(Panel):
+class CountingPanel(FeaturePanel):
     """Draws a :class:`CountingScene`; hidden without one.
 
     Signals:
-        frame_sought(int): a click into a plot or on a step. closed(): the button at the right.
+        frame_sought(int): a click into a plot or on a step.
         picked(bool, str): what is to be plotted. track_source_chosen(int): its number.
         step_chosen(float), jitter_chosen(float), jitter_px_chosen(float): seconds, metres, pixels.
-        copied(int): so many steps are on the clipboard. save_asked(): as CSV.
+        copied(int): so many steps are on the clipboard.
     """
 
     frame_sought = Signal(int)
-    closed = Signal()
     picked = Signal(bool, str)
     track_source_chosen = Signal(int)
     step_chosen = Signal(float)
     jitter_chosen = Signal(float)
     jitter_px_chosen = Signal(float)
     copied = Signal(int)
-    save_asked = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(tr("Counting"), parent)
@@ -54,7 +54,7 @@ class CountingPanel(Panel):
         self.add_to_heading(self._doing)
         self._add_buttons()
         close = IconButton("close", tr("Hide the counting"), "Shift+C", self)
-        close.clicked.connect(self.closed)
+        close.clicked.connect(lambda: self.command_asked.emit("view.counting"))
         self.add_to_heading(close)
         self.tallies = TallyList(self)
         self.plot, self.table = CountsPlot(self), StepsTable(self)
@@ -140,7 +140,11 @@ class CountingPanel(Panel):
         self._jitter_px.valueChanged.connect(self.jitter_px_chosen)
         self._as_table.toggled.connect(self._turn)
         self._copy.clicked.connect(lambda: self.copied.emit(self.table.copy()))
-        self._save.clicked.connect(self.save_asked)
+        self._save.clicked.connect(lambda: self.command_asked.emit("file.export_counts"))
+
+    def show_axis(self, axis: TimeAxis) -> None:
+        """The timeline shows other frames."""
+        self.plot.show_axis(axis)
 
     def _turn(self, to_table: bool) -> None:
         """The table says what the tallies do, and needs their room."""

@@ -6,7 +6,7 @@ from typing import Final
 
 from app.core.commands.view_state import view_command
 
-VIEWS: Final = (
+COMMANDS: Final = (
     view_command(
         "detections", "Detections of another program on the image", "View/What the tracker sees"
     ),

@@ -4,15 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from PySide6.QtCore import QObject, Qt
+from PySide6.QtCore import Qt
 
-from app.core.controller import Controller
-from app.core.document.document import Document
-from app.core.drawing.surfaces import Surfaces
+from app.core.feature import FeatureContext, FeatureController, ShownFrame
 from app.core.jobs.latest_job import LatestJob
 from app.core.scenes import Side
 from app.core.scenes.given_boxes import NO_DETECTIONS
-from app.core.tracks.frame_state import FrameState, ViewOptions
+from app.core.tracks.frame_state import FrameState
 from app.features.detections.presenter import GivenTo, boxes_of, picture
 from tracking.detections import GivenBoxes
 from tracking.errors import SettingsError
@@ -21,40 +19,34 @@ from tracking.progress import Progress
 _Found = tuple[GivenTo, GivenBoxes | None]
 
 
-class DetectionsController(Controller):
+class DetectionsController(FeatureController):
     """Draws the boxes that the tracker of what is shown was given.
 
-    `changed`: they have been read.
+    `marked`: they have been read.
     """
 
-    def __init__(self, document: Document, surfaces: Surfaces, parent: QObject) -> None:
-        super().__init__(parent)
-        self._document, self._surfaces = document, surfaces
+    def __init__(self, context: FeatureContext, _: None = None) -> None:
+        super().__init__(context.parent)
+        self._document, self._surfaces = context.document, context.surfaces
         self._found: _Found | None = None
         self._search = LatestJob("detections", self._prepare, self)
         self._search.found.connect(self._take)
         self._search.failed.connect(lambda _, error: self.failed.emit(error))
-        self._search.changed.connect(self.changed, Qt.ConnectionType.QueuedConnection)
+        self._search.changed.connect(self.marked, Qt.ConnectionType.QueuedConnection)
 
     def close(self) -> None:
         """End the thread; leave nothing on the views, which outlive the document."""
         self._search.stop()
         self._show(None, 0, None)
 
-    def draw(
-        self, state: FrameState, view_options: ViewOptions, cameras: str, right: int | None
-    ) -> None:
-        """Show a frame; what is missing for it is read.
-
-        Args:
-            right: the right camera's frame of the same instant; None: there is none.
-        """
-        given = _given_to(state) if view_options.detections else None
+    def draw_frame(self, shown: ShownFrame) -> None:
+        """Show a frame; what is missing for it is read."""
+        given = _given_to(shown.state) if shown.view_options.detections else None
         if given is not None:
             self._search.ask(given)
         known = self._found is not None and self._found[0] == given
         boxes = self._found[1] if self._found is not None and known else None
-        self._show(boxes, state.frame, right if cameras == "both" else None)
+        self._show(boxes, shown.state.frame, shown.right if shown.cameras == "both" else None)
 
     def _show(self, boxes: GivenBoxes | None, left: int, right: int | None) -> None:
         """The boxes of these frames of the cameras; None: none."""

@@ -4,31 +4,26 @@ from __future__ import annotations
 
 import time
 
-from PySide6.QtCore import QObject, QTimer
+from PySide6.QtCore import QTimer
 
-from app.core.controller import Controller
-from app.core.document.document import Document
 from app.core.document.undo_frame import is_seen_at
+from app.core.feature import FeatureContext, FeatureController
 from app.core.i18n import tr
-from app.core.playback.playback import Playback
 from app.features.history.panel import HistoryPanel
 from tracking.errors import TrackwrightError
 
 _SLICE_S = 0.012
 
 
-class HistoryWalk(Controller):
+class HistoryWalk(FeatureController):
     """Goes through the history of a document.
 
     Signals: `changed()`, the tracks or who is selected are others than before.
     """
 
-    def __init__(
-        self, document: Document, playback: Playback, panel: HistoryPanel, parent: QObject
-    ) -> None:
-        super().__init__(parent)
-        self._document = document
-        self._playback = playback
+    def __init__(self, context: FeatureContext, panel: HistoryPanel) -> None:
+        super().__init__(context.parent)
+        self._document, self._playback = context.document, context.playback
         self._panel = panel
         self._goal = 0
         self._steps = QTimer(self, interval=0)
@@ -38,6 +33,10 @@ class HistoryWalk(Controller):
         panel.goto_asked.connect(walk.go_back_to)
         panel.alone_asked.connect(walk.undo_alone)
         panel.menu_opening.connect(walk.tell_why_not)
+
+    def draw(self) -> None:
+        """List the edits."""
+        self._panel.show_scene(self._document.history())
 
     def go_to(self, edit: int) -> None:
         """Show what an edit changed: its frame, with its tracks selected."""

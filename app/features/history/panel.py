@@ -15,11 +15,12 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.core.feature import FeaturePanel
 from app.core.i18n import count_text, tr
 from app.core.look.icons import IconButton
 from app.core.scenes import HistoryItem
 from app.core.widgets.literal import literal
-from app.core.widgets.parts import Panel, quiet
+from app.core.widgets.parts import quiet
 from app.features.history.history_filter import HistoryFilter
 from app.features.history.history_model import ITEM, EditDelegate, HistoryModel, row_height
 
@@ -28,19 +29,16 @@ _LAID_AT_ONCE = 300
 _UNDO_ALONE_KEYS = "Ctrl+Alt+Z"
 
 
-class HistoryPanel(Panel):
+class HistoryPanel(FeaturePanel):
     """Draws the history, a tuple of :class:`HistoryItem`, oldest first; without edits, a line.
 
     Signals:
-        undo_asked(), redo_asked(): the buttons.
         edit_sought(int): an entry was clicked; to what it changed.
         goto_asked(int): undo, or redo, until this edit is the last one done.
         alone_asked(int): undo this edit alone.
         menu_opening(int): the menu of an edit is about to open: `say_why_not_alone` may be called.
     """
 
-    undo_asked = Signal()
-    redo_asked = Signal()
     edit_sought = Signal(int)
     goto_asked = Signal(int)
     alone_asked = Signal(int)
@@ -51,9 +49,9 @@ class HistoryPanel(Panel):
         self._items: tuple[HistoryItem, ...] = ()
         self._why_not_alone = ""
         self._undo = IconButton("undo", tr("Undo"), "Ctrl+Z", self)
-        self._undo.clicked.connect(self.undo_asked)
+        self._undo.clicked.connect(lambda: self.command_asked.emit("edit.undo"))
         self._redo = IconButton("redo", tr("Redo"), "Ctrl+Shift+Z", self)
-        self._redo.clicked.connect(self.redo_asked)
+        self._redo.clicked.connect(lambda: self.command_asked.emit("edit.redo"))
         self.add_to_heading(self._undo)
         self.add_to_heading(self._redo)
         self._model = HistoryModel(self)

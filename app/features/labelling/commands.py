@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Final, Protocol
+from typing import Final
 
 from app.core.commands.command import Command
 from app.core.commands.conditions import WindowState, editable, selected, session
@@ -12,48 +12,40 @@ from app.core.scenes.labels import Tool
 from app.features.labelling.controller import LabelController
 
 
-class LabellingApp(WindowState, Protocol):
-    """What they need of the window."""
-
-    @property
-    def labelling(self) -> LabelController:
-        """Of the open recording."""
-
-
 def _tool(
     tool: Tool, title: str, key: str, enabled: Callable[[WindowState], str] = editable
-) -> Command[LabellingApp]:
+) -> Command[WindowState]:
     return Command(
         tool.value,
         title,
         "Labels",
         (key,),
         enabled,
-        lambda app: app.labelling.toggle(tool),
-        checked=lambda app: app.document is not None and app.labelling.tool is tool,
+        lambda app: app.of(LabelController).toggle(tool),
+        checked=lambda app: app.document is not None and app.of(LabelController).tool is tool,
     )
 
 
-def _say(name: str, title: str, key: str, on_part: bool | None) -> Command[LabellingApp]:
+def _say(name: str, title: str, key: str, on_part: bool | None) -> Command[WindowState]:
     return Command(
         f"labels.{name}",
         title,
         "Labels",
         (key,),
         selected,
-        lambda app: app.labelling.say(on_part),
+        lambda app: app.of(LabelController).say(on_part),
         separated=on_part is True,
     )
 
 
-def _choose(name: str, title: str, key: str, part: int) -> Command[LabellingApp]:
+def _choose(name: str, title: str, key: str, part: int) -> Command[WindowState]:
     return Command(
         f"labels.{name}",
         title,
         "Labels",
         (key,),
         selected,
-        lambda app: app.labelling.choose_part(part),
+        lambda app: app.of(LabelController).choose_part(part),
         separated=part == 0,
     )
 
@@ -71,12 +63,12 @@ COMMANDS: Final = (
     _choose("head", "Choose the head", "7", 0),
     _choose("torso", "Choose the torso", "8", 1),
     _choose("hip_leg", "Choose hip and legs", "9", 2),
-    Command[LabellingApp](
+    Command[WindowState](
         "labels.forget",
         "Delete the part's label",
         "Labels",
         ("Alt+Backspace",),
         selected,
-        lambda app: app.labelling.forget(),
+        lambda app: app.of(LabelController).forget(),
     ),
 )

@@ -2,56 +2,48 @@
 
 from __future__ import annotations
 
-from typing import Final, Protocol
+from typing import Final
 
 from app.core.commands.command import Command
 from app.core.commands.conditions import editable, session
-from app.core.commands.view_state import ViewState, toggle, view_command
+from app.core.commands.view_state import ViewState, panel_command, toggle, view_command
 from app.core.i18n import tr
 from app.features.parts.controller import PartsController
 from tracking.trackers import body_part_tracker
 
 
-class PartsApp(ViewState, Protocol):
-    """What they need of the window."""
-
-    @property
-    def parts(self) -> PartsController:
-        """Of the open recording."""
-
-
-def tracked(app: PartsApp) -> str:
+def tracked(app: ViewState) -> str:
     """Body parts must have been tracked."""
-    if session(app) or app.parts.presenter.any_tracked:
+    if session(app) or app.of(PartsController).presenter.any_tracked:
         return session(app)
-    if app.parts.presenter.tracked_elsewhere:
+    if app.of(PartsController).presenter.tracked_elsewhere:
         return tr("the run being corrected has no parts: correct one that has (Ctrl+R)")
     return tr(
         "no parts were tracked: track with {tracker} (Ctrl+T) first", tracker=body_part_tracker()
     )
 
 
-def labelled(app: PartsApp) -> str:
+def labelled(app: ViewState) -> str:
     """Body parts must be there in a session that can be changed."""
     return editable(app) or tracked(app)
 
 
-def with_part_truth(app: PartsApp) -> str:
+def with_part_truth(app: ViewState) -> str:
     """The recording must know exactly where the parts are."""
-    if labelled(app) or app.parts.presenter.truth_known:
+    if labelled(app) or app.of(PartsController).presenter.truth_known:
         return labelled(app)
     return tr("the recording has no truth_parts.csv: only rendered recordings have one")
 
 
-def _toggle(app: PartsApp, name: str) -> None:
+def _toggle(app: ViewState, name: str) -> None:
     """Where there is nothing to see, say what to do about it."""
     if toggle(app, name):
-        app.parts.tell_what_is_missing(for_one=name == "part_particles")
+        app.of(PartsController).tell_what_is_missing(for_one=name == "part_particles")
 
 
-def _jump(app: PartsApp, step: int) -> None:
+def _jump(app: ViewState, step: int) -> None:
     """From failure to failure; parts that were switched off come back, to be seen."""
-    if app.parts.jump(step) and not app.view_options.parts:
+    if app.of(PartsController).jump(step) and not app.view_options.parts:
         toggle(app, "parts")
 
 
@@ -70,9 +62,9 @@ VIEWS: Final = (
         ("Shift+O",),
         run=lambda app: _toggle(app, "part_particles"),
     ),
-    view_command("curves", "Parts over time", "View/Body parts", ("Shift+Q",)),
+    panel_command("curves", "Parts over time", "View/Body parts", ("Shift+Q",)),
 )
-FAILURES: Final[tuple[Command[PartsApp], ...]] = (
+FAILURES: Final[tuple[Command[ViewState], ...]] = (
     Command(
         "detector.next",
         "Next part failure",

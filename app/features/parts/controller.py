@@ -2,19 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Protocol
+from PySide6.QtCore import QRectF
 
-from PySide6.QtCore import QObject, QRectF
-
-from app.core.controller import Controller
-from app.core.document.document import Document
-from app.core.drawing.surfaces import PictureSurface
+from app.core.feature import FeatureContext, FeatureController, ShownFrame
 from app.core.i18n import tr
-from app.core.playback.playback import Playback
-from app.core.scenes.labels import PictureLabels, SuggestedPart
 from app.core.scenes.part_names import no_parts, part_name
 from app.core.scenes.pictured_parts import PicturedParts
-from app.core.tracks.frame_state import FrameState, ViewOptions
 from app.features.parts.panel import CurvesPanel
 from app.features.parts.presenter import PartsPresenter
 from app.features.parts.scene import Failure
@@ -23,56 +16,31 @@ _SMALL = 0.25
 """Of the height of the view: parts of somebody smaller are hard to tell apart."""
 
 
-class PartLabels(Protocol):
-    """What is labelled of body parts."""
-
-    shown: PictureLabels
-
-    @property
-    def part(self) -> int:
-        """The part that is looked at."""
-
-    @property
-    def suggested(self) -> SuggestedPart | None:
-        """What is looked at because the detector is unsure of it."""
-
-    def choose_part(self, part: int) -> None:
-        """Look at a part."""
-
-
-class PartsController(Controller):
+class PartsController(FeatureController):
     """Shows the parts that a tracker saw.
 
     Signals: `changed()`, another person or part is looked at.
     """
 
-    def __init__(
-        self,
-        document: Document,
-        playback: Playback,
-        panel: CurvesPanel,
-        picture: PictureSurface,
-        labelling: PartLabels,
-        parent: QObject,
-    ) -> None:
-        super().__init__(parent)
-        self._document, self._playback = document, playback
-        self._panel, self._picture, self._labelling = panel, picture, labelling
-        self.presenter = PartsPresenter(document, lambda: labelling.part)
-        panel.frame_sought.connect(playback.go)
-        picture.part_picked.connect(labelling.choose_part)
+    def __init__(self, context: FeatureContext, panel: CurvesPanel) -> None:
+        super().__init__(context.parent)
+        self._document, self._playback = context.document, context.playback
+        self._panel, self._picture, self._labels = panel, context.surfaces.left, context.labels
+        self.presenter = PartsPresenter(context.document, lambda: context.labels.part)
+        panel.frame_sought.connect(context.playback.go)
+        self._picture.part_picked.connect(context.labels.choose_part)
 
     def close(self) -> None:
         """Leave nothing on the views, which outlive the document."""
         self._picture.show_parts(PicturedParts())
         self._panel.show_scene(None)
 
-    def draw(self, state: FrameState, view_options: ViewOptions) -> None:
+    def draw_frame(self, shown: ShownFrame) -> None:
         """Show a frame."""
-        labelling, presenter = self._labelling, self.presenter
-        parts = presenter.picture(state, view_options, labelling.shown, labelling.suggested)
+        labels, state, options = self._labels, shown.state, shown.view_options
+        parts = self.presenter.picture(state, options, labels.shown, labels.suggested)
         self._picture.show_parts(parts)
-        curves = presenter.curves(state) if view_options.curves else None
+        curves = self.presenter.curves(state) if "curves" in options.panels else None
         self._panel.show_scene(curves)
 
     def jump(self, step: int) -> bool:
@@ -90,7 +58,7 @@ class PartsController(Controller):
         self._playback.pause()
         self._document.correcting.leave()
         self._document.selection.choose(failure.track)
-        self._labelling.choose_part(failure.part)
+        self._labels.choose_part(failure.part)
         self._playback.go(failure.frame)
         self._come_near(failure)
         done = self._done_with(track, step) if track not in (0, failure.track) else ""

@@ -5,29 +5,30 @@ from __future__ import annotations
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QGridLayout, QLabel, QVBoxLayout, QWidget
 
+from app.core.feature import FeaturePanel
 from app.core.i18n import tr
 from app.core.look.icons import IconButton
 from app.core.look.theme import scaled_font
+from app.core.plots.axis import TimeAxis
 from app.core.scenes.labels import PART_COLOURS
-from app.core.widgets.parts import Panel, Swatch
+from app.core.widgets.parts import Swatch
 from app.features.parts.curves_plot import CurvesPlot
 from app.features.parts.scene import CurvesScene
 
 
-class CurvesPanel(Panel):
+class CurvesPanel(FeaturePanel):
     """Draws a :class:`CurvesScene`; hidden without one.
 
     Signals:
-        frame_sought(int): a click into the plots. closed(): the button at the right.
+        frame_sought(int): a click into the plots.
     """
 
     frame_sought = Signal(int)
-    closed = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(tr("Parts over time"), parent)
         close = IconButton("close", tr("Hide the parts over time"), "Shift+Q", self)
-        close.clicked.connect(self.closed)
+        close.clicked.connect(lambda: self.command_asked.emit("view.curves"))
         self.add_to_heading(close)
         self.plot = CurvesPlot(self)
         self.plot.frame_sought.connect(self.frame_sought)
@@ -49,6 +50,10 @@ class CurvesPanel(Panel):
             grid.addWidget(swatch, line, 0)
             grid.addWidget(said, line, 1)
         return grid
+
+    def show_axis(self, axis: TimeAxis) -> None:
+        """The timeline shows other frames."""
+        self.plot.show_axis(axis)
 
     def show_scene(self, scene: CurvesScene | None) -> None:
         """Show another frame, or nothing at all."""

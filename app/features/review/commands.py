@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Final, Protocol
+from typing import Final
 
 from app.core.commands.command import Command
 from app.core.commands.conditions import WindowState, editable, session, somebody
@@ -10,90 +10,84 @@ from app.core.i18n import tr
 from app.features.review.controller import ReviewController
 
 
-class ReviewApp(WindowState, Protocol):
-    """What they need of the window."""
-
-    @property
-    def reviewing(self) -> ReviewController:
-        """Of the open recording."""
-
-
-def _looked_at(app: ReviewApp) -> str:
+def _looked_at(app: WindowState) -> str:
     """A review item must be looked at."""
-    if session(app) or app.reviewing.current is not None:
+    if session(app) or app.of(ReviewController).current is not None:
         return session(app)
     return tr("press N to go to a review item first")
 
 
-def _decidable(app: ReviewApp) -> str:
+def _decidable(app: WindowState) -> str:
     """A review item must be looked at in a session that can be changed."""
     return editable(app) or _looked_at(app)
 
 
-def _fixable(app: ReviewApp) -> str:
+def _fixable(app: WindowState) -> str:
     """The review item must say what would put it right."""
-    if _decidable(app) or app.reviewing.fixable:
+    if _decidable(app) or app.of(ReviewController).fixable:
         return _decidable(app)
     return tr("no edit is proposed for this item: correct it by hand, or say that it is right")
 
 
-def _watched(app: ReviewApp) -> str:
+def _watched(app: WindowState) -> str:
     """A stretch must have been watched."""
-    if editable(app) or app.reviewing.watching.stretch[1] > 0:
+    if editable(app) or app.of(ReviewController).watching.stretch[1] > 0:
         return editable(app)
     return tr("play a range first")
 
 
-def _watched_of_some(app: ReviewApp) -> str:
+def _watched_of_some(app: WindowState) -> str:
     """A stretch must have been watched, with somebody selected."""
     return _watched(app) or somebody(app)
 
 
-def _unflagged(app: ReviewApp) -> str:
+def _unflagged(app: WindowState) -> str:
     """No tracker must have made the tracks, and nobody have asked for review items yet."""
-    if app.document is not None and app.reviewing.waits:
+    if app.document is not None and app.of(ReviewController).waits:
         return ""
     return session(app) or tr("the tracks are searched already")
 
 
-def _with_truth(app: ReviewApp) -> str:
+def _with_truth(app: WindowState) -> str:
     """There must be tracks, and a ground truth beside the recording."""
     if app.document is not None and app.document.recording.truth_path is not None:
         return session(app)
     return session(app) or tr("the recording has no truth.txt")
 
 
-COMMANDS: Final[tuple[Command[ReviewApp], ...]] = (
+COMMANDS: Final[tuple[Command[WindowState], ...]] = (
     Command(
         "review.play",
         "Play the item's range",
         "Review",
         ("Shift+N",),
         _looked_at,
-        lambda app: app.reviewing.play(),
+        lambda app: app.of(ReviewController).play(),
     ),
     Command(
         "review.plays",
         "Play each item's range when going to it",
         "Review",
         enabled=session,
-        run=lambda app: app.reviewing.set_plays(not app.reviewing.plays),
-        checked=lambda app: app.document is not None and app.reviewing.plays,
+        run=lambda app: app.of(ReviewController).set_plays(not app.of(ReviewController).plays),
+        checked=lambda app: app.document is not None and app.of(ReviewController).plays,
     ),
     Command(
         "review.search",
         "Look for review items",
         "Review",
         enabled=_unflagged,
-        run=lambda app: app.reviewing.look_through(),
+        run=lambda app: app.of(ReviewController).look_through(),
     ),
     Command(
         "review.measure",
         "Measure the queue against ground truth",
         "Review",
         enabled=_with_truth,
-        run=lambda app: app.reviewing.set_measures(not app.reviewing.measures),
-        checked=lambda app: app.document is not None and app.reviewing.measures,
+        run=lambda app: app.of(ReviewController).set_measures(
+            not app.of(ReviewController).measures
+        ),
+        checked=lambda app: app.document is not None and app.of(ReviewController).measures,
     ),
     Command(
         "review.right",
@@ -101,7 +95,7 @@ COMMANDS: Final[tuple[Command[ReviewApp], ...]] = (
         "Review",
         ("Z",),
         _decidable,
-        lambda app: app.reviewing.decide("right"),
+        lambda app: app.of(ReviewController).decide("right"),
         separated=True,
     ),
     Command(
@@ -110,7 +104,7 @@ COMMANDS: Final[tuple[Command[ReviewApp], ...]] = (
         "Review",
         ("E",),
         _fixable,
-        lambda app: app.reviewing.fix(),
+        lambda app: app.of(ReviewController).fix(),
     ),
     Command(
         "review.dismiss",
@@ -118,7 +112,7 @@ COMMANDS: Final[tuple[Command[ReviewApp], ...]] = (
         "Review",
         ("Backspace",),
         _decidable,
-        lambda app: app.reviewing.decide("dismissed"),
+        lambda app: app.of(ReviewController).decide("dismissed"),
     ),
     Command(
         "review.mark",
@@ -126,7 +120,7 @@ COMMANDS: Final[tuple[Command[ReviewApp], ...]] = (
         "Review",
         ("Shift+Z",),
         _watched_of_some,
-        lambda app: app.reviewing.mark_watched(),
+        lambda app: app.of(ReviewController).mark_watched(),
         separated=True,
     ),
     Command(
@@ -135,13 +129,13 @@ COMMANDS: Final[tuple[Command[ReviewApp], ...]] = (
         "Review",
         ("Alt+Z",),
         _watched,
-        lambda app: app.reviewing.mark_watched(everybody=True),
+        lambda app: app.of(ReviewController).mark_watched(everybody=True),
     ),
     Command(
         "review.unmark",
         "Unmark what was just watched",
         "Review",
         enabled=_watched,
-        run=lambda app: app.reviewing.unmark_watched(),
+        run=lambda app: app.of(ReviewController).unmark_watched(),
     ),
 )

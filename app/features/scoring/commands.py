@@ -3,31 +3,23 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Final, Protocol
+from typing import Final
 
 from app.core.commands.command import Command
 from app.core.commands.conditions import in_the_way, recording
-from app.core.commands.view_state import ViewState, toggle, view_command
+from app.core.commands.view_state import ViewState, panel_command, toggle, view_command
 from app.core.i18n import tr
 from app.features.scoring.controller import ScoreController
 
 
-class ScoringApp(ViewState, Protocol):
-    """What they need of the window."""
-
-    @property
-    def scoring(self) -> ScoreController:
-        """Of the open recording."""
-
-
-def scored(app: ScoringApp) -> str:
+def scored(app: ViewState) -> str:
     """Tracks must have been compared with a ground truth."""
-    if recording(app) or app.scoring.known:
+    if recording(app) or app.of(ScoreController).known:
         return recording(app)
     return tr("score against ground truth first (Shift+S)")
 
 
-def reportable(app: ScoringApp) -> str:
+def reportable(app: ViewState) -> str:
     """Tracks must have been compared with a ground truth, or one stand beside the recording.
 
     Not those that a tracker at work finds: they are others a moment later.
@@ -44,27 +36,28 @@ def reportable(app: ScoringApp) -> str:
     return scored(app)
 
 
-def _toggle_score(app: ScoringApp) -> None:
+def _toggle_score(app: ViewState) -> None:
     """The panel comes and goes with the ground truth it is about."""
-    on = not app.view_options.score
-    app.view_options = replace(app.view_options, score=on, truth=on)
+    panels = app.view_options.panels ^ {"score"}
+    app.view_options = replace(app.view_options, panels=panels, truth="score" in panels)
 
 
-def _toggle_truth(app: ScoringApp) -> None:
+def _toggle_truth(app: ViewState) -> None:
     """Ground truth and errors, and where there are none why."""
-    why = app.scoring.presenter.why_nothing if toggle(app, "truth") else ""
+    why = app.of(ScoreController).presenter.why_nothing if toggle(app, "truth") else ""
     if why:
         app.say(why)
 
 
-def _choose_truth(app: ScoringApp) -> None:
+def _choose_truth(app: ViewState) -> None:
     """Ask for a file; the score is shown at once, so that the choice is seen."""
-    app.view_options = replace(app.view_options, score=True, truth=True)
-    app.scoring.ask_truth()
+    panels = app.view_options.panels | {"score"}
+    app.view_options = replace(app.view_options, panels=panels, truth=True)
+    app.of(ScoreController).ask_truth()
 
 
 VIEWS: Final = (
-    view_command(
+    panel_command(
         "score",
         "Score against ground truth",
         "View/Ground truth and score",
@@ -79,7 +72,7 @@ VIEWS: Final = (
         run=_toggle_truth,
     ),
 )
-ERRORS: Final[tuple[Command[ScoringApp], ...]] = (
+ERRORS: Final[tuple[Command[ViewState], ...]] = (
     Command(
         "review.choose_truth",
         "Score against a ground truth file...",
@@ -94,7 +87,7 @@ ERRORS: Final[tuple[Command[ScoringApp], ...]] = (
         "Review",
         ("F4",),
         scored,
-        lambda app: app.scoring.walk(1),
+        lambda app: app.of(ScoreController).walk(1),
     ),
     Command(
         "review.previous_error",
@@ -102,6 +95,6 @@ ERRORS: Final[tuple[Command[ScoringApp], ...]] = (
         "Review",
         ("Shift+F4",),
         scored,
-        lambda app: app.scoring.walk(-1),
+        lambda app: app.of(ScoreController).walk(-1),
     ),
 )

@@ -6,19 +6,15 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtCore import Qt, Signal
 
-from app.core.controller import Controller
-from app.core.document.document import Document
 from app.core.document.track_sources import SHOWN
-from app.core.drawing.surfaces import Surfaces
+from app.core.feature import FeatureContext, FeatureController, ShownFrame
 from app.core.i18n import N_, joined_text, tr
 from app.core.jobs.latest_job import LatestJob
-from app.core.playback.playback import Playback
 from app.core.plots.axis import TimeAxis
 from app.core.scenes import Side
 from app.core.scenes.ground_truth import NO_TRUTH
-from app.core.tracks.frame_state import FrameState, ViewOptions
 from app.features.scoring.panel import ScorePanel
 from app.features.scoring.presenter import ScoringPresenter
 from app.features.scoring.subject import ScoreResult, ScoreSubject, score_subject
@@ -30,7 +26,7 @@ from tracking.scoring import ErrorKind
 _TRUTHS = N_("Tracks ({endings})")
 
 
-class ScoreController(Controller):
+class ScoreController(FeatureController):
     """Scores in the background what is asked for, and shows it.
 
     `changed`: there is another score. Signals: `truth_asked(filters)`, a file with the ground truth
@@ -41,18 +37,12 @@ class ScoreController(Controller):
     truth_asked = Signal(str)
     error_lanes = Signal(object)
 
-    def __init__(
-        self,
-        document: Document,
-        playback: Playback,
-        panel: ScorePanel,
-        surfaces: Surfaces,
-        parent: QObject,
-    ) -> None:
-        super().__init__(parent)
-        self._document, self._playback = document, playback
-        self._panel, self._surfaces = panel, surfaces
-        self.presenter = ScoringPresenter(document)
+    def __init__(self, context: FeatureContext, panel: ScorePanel) -> None:
+        super().__init__(context.parent)
+        self._document, self._playback = context.document, context.playback
+        self._panel, self._surfaces = panel, context.surfaces
+        self.presenter = ScoringPresenter(context.document)
+        context.document.annotate_edits = self.presenter.annotate_edits
         self._on = False
         self._search = LatestJob("scoring", self._prepare, self)
         self._search.found.connect(self.presenter.take)
@@ -81,13 +71,14 @@ class ScoreController(Controller):
 
     # drawing
 
-    def draw(self, state: FrameState, view_options: ViewOptions, cameras: str) -> None:
+    def draw_frame(self, shown: ShownFrame) -> None:
         """Show a frame; what is missing for it is scored."""
-        self._on = view_options.score or view_options.truth
+        is_open = "score" in shown.view_options.panels
+        self._on = is_open or shown.view_options.truth
         doing = tr("Scoring...") if self._ask() and self._search.busy else ""
-        self._panel.show_scene(self.presenter.scene(doing) if view_options.score else None)
+        self._panel.show_scene(self.presenter.scene(doing) if is_open else None)
         if self._on:
-            self._draw_truth(state, view_options, cameras)
+            self._draw_truth(shown)
         else:
             self._show_nothing()
 
@@ -98,15 +89,14 @@ class ScoreController(Controller):
             self._search.ask(subject)
         return subject is not None
 
-    def _draw_truth(self, state: FrameState, view_options: ViewOptions, cameras: str) -> None:
-        view, people = self._surfaces, self.presenter.people
-        shown = people is not None and view_options.truth
+    def _draw_truth(self, shown: ShownFrame) -> None:
+        view, people, state = self._surfaces, self.presenter.people, shown.state
         left, floor = NO_TRUTH
         right = left
-        if people is not None and shown:
+        if people is not None and shown.view_options.truth:
             left, floor = people.picture(Side.LEFT, state), people.floor(state)
             left = replace(left, floor_tells=view.floor.shows_floor)
-            right = people.picture(Side.RIGHT, state) if cameras == "both" else right
+            right = people.picture(Side.RIGHT, state) if shown.cameras == "both" else right
         view.left.show_truth(left)
         view.right.show_truth(right)
         view.floor.show_truth(floor)

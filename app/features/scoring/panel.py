@@ -15,12 +15,13 @@ from PySide6.QtWidgets import (
 )
 
 from app.core.drawing.error_signs import sign_icon
+from app.core.feature import FeaturePanel
 from app.core.i18n import tr
 from app.core.look.icons import IconButton
 from app.core.scenes.ground_truth import ERROR_COLOURS
 from app.core.widgets.eliding_list import ElidingList
 from app.core.widgets.number_boxes import NumberBox, tell_beside
-from app.core.widgets.parts import Panel, quiet
+from app.core.widgets.parts import quiet
 from app.features.scoring.figures_table import FiguresTable
 from app.features.scoring.scene import ErrorChoice, ScoreScene
 from tracking.scoring import ErrorKind
@@ -30,19 +31,16 @@ _ONE_LINE_LETTERS = 84
 """A panel so wide asks for truth, result and pairing in one line."""
 
 
-class ScorePanel(Panel):
+class ScorePanel(FeaturePanel):
     """Draws a :class:`ScoreScene`; hidden without one.
 
     Signals:
-        closed(): the button at the right. report_asked(): a report for others.
         truth_chosen(int), result_chosen(int): of the lists.
         floor_chosen(bool): by distance on the floor. threshold_chosen(float): overlap or metres.
         kind_shown(object, bool): a kind of error is to be shown or not.
         next_asked(int): 1 the next error, -1 the one before.
     """
 
-    closed = Signal()
-    report_asked = Signal()
     truth_chosen = Signal(int)
     result_chosen = Signal(int)
     floor_chosen = Signal(bool)
@@ -94,10 +92,10 @@ class ScorePanel(Panel):
         self._report.setText(tr("Report..."))
         self._report.setToolTip(tr("Write a page with all results into a folder, to pass on"))
         self._report.setProperty("outlined", True)
-        self._report.clicked.connect(self.report_asked)
+        self._report.clicked.connect(lambda: self.command_asked.emit("file.export_report"))
         self.add_to_heading(self._report)
         close = IconButton("close", tr("Hide the score"), "Shift+S", self)
-        close.clicked.connect(self.closed)
+        close.clicked.connect(lambda: self.command_asked.emit("view.score"))
         self.add_to_heading(close)
 
     def _choice(self) -> QHBoxLayout:

@@ -7,6 +7,10 @@ from typing import Any
 
 from app.core.commands import CommandRegistry
 from app.core.tracks.frame_state import ViewOptions
+from app.features.labelling.controller import LabelController
+from app.features.parts.controller import PartsController
+from app.features.review.controller import ReviewController
+from app.features.scoring.controller import ScoreController
 from app.shell.commands import COMMANDS
 
 
@@ -38,6 +42,21 @@ def window_app(**given: Any) -> Any:
     parts = SimpleNamespace(
         any_tracked=False, tracked_elsewhere=now["elsewhere"], truth_known=False
     )
+    reviewing = SimpleNamespace(
+        lists_items=False,
+        current=None,
+        fixable=False,
+        waits=False,
+        plays=False,
+        measures=False,
+        watching=SimpleNamespace(stretch=(0, 0)),
+    )
+    controllers: dict[type, Any] = {
+        PartsController: SimpleNamespace(presenter=parts),
+        ScoreController: SimpleNamespace(known=False),
+        LabelController: SimpleNamespace(tool=None, suggests=False),
+        ReviewController: reviewing,
+    }
     detectors = SimpleNamespace(result=None, choice=SimpleNamespace(path="", name=""))
     return SimpleNamespace(
         document=document if given.get("recording", True) else None,
@@ -46,20 +65,11 @@ def window_app(**given: Any) -> Any:
         unkept=given.get("unkept", False),
         view_options=given.get("view_options", ViewOptions(trails=False)),
         cameras="left",
-        parts=SimpleNamespace(presenter=parts),
-        scoring=SimpleNamespace(known=False),
-        labelling=SimpleNamespace(tool=None, suggests=False),
-        comparing=SimpleNamespace(shown=False),
-        reviewing=SimpleNamespace(
-            lists_items=False,
-            current=None,
-            fixable=False,
-            waits=False,
-            plays=False,
-            measures=False,
-            watching=SimpleNamespace(stretch=(0, 0)),
-        ),
+        of=controllers.__getitem__,
         open=SimpleNamespace(
+            labelling=controllers[LabelController],
+            reviewing=controllers[ReviewController],
+            comparing=SimpleNamespace(shown=False),
             tracking=SimpleNamespace(best="flow", why_not="", following=SimpleNamespace(on=False)),
             live=SimpleNamespace(stopping=False),
         ),

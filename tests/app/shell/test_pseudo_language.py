@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.shell import application
+from app.shell.features import FEATURES
 from tests.pseudo import TRANSLATED, Pseudo
 from tracking.trackers import TRACKERS
 from tracking.translation import use_catalogue
@@ -27,7 +28,7 @@ _DIALOGS = (
     *("tracks.track", "file.export", "file.author", "detector.train", "help.keys", "tracks.runs"),
     "edit.commands",
 )
-_PANELS = ("view.counting", "view.score", "view.curves", "labels.parts")
+_PANELS = (*(f"view.{feature.id}" for feature in FEATURES if feature.opens), "labels.parts")
 _WORD = re.compile(r"[A-Za-z]{3,}")
 _DATA = frozenset({"HOTA", "IDF1", "MOTA", "MOTP", "trackwright"})
 _OF_QT = frozenset({"Cancel", "Close", "Save", "OK", "Scroll Left", "Scroll Right"})

@@ -97,10 +97,10 @@ def test_panels_that_were_open_are_not_opened_with_another_recording(
     window, qtbot, controller, press, other_session
 ):
     press(Qt.Key.Key_C, Qt.KeyboardModifier.ShiftModifier)
-    assert controller.view_options.counting
+    assert "counting" in controller.view_options.panels
     window.files.close_without_asking()
     _open(window, qtbot, other_session)
-    assert not window.controller.view_options.counting
+    assert not window.controller.view_options.panels
 
 
 @pytest.mark.parametrize("text", ["", "counts", "+nothing -", "-score \u2603 ++"])
@@ -110,4 +110,4 @@ def test_views_that_are_remembered_wrong_are_as_usual(
     remembered.set_text("pictured", text)
     _open(window, qtbot, tiny_session)
     assert window.controller.view_options.counts
-    assert not window.controller.view_options.score
+    assert not window.controller.view_options.panels

@@ -4,6 +4,7 @@ import pytest
 from PySide6.QtWidgets import QPlainTextEdit, QTableWidget
 
 from app.features.files.backup_dialog import BackupDialog
+from app.features.history.panel import HistoryPanel
 from tracking.editing import plan_delete
 
 
@@ -59,7 +60,7 @@ def test_a_backup_is_restored_and_what_was_there_can_be_restored(
     session = controller.document.session
     assert b in session.tracks
     assert controller.document.label(a).name == "one"
-    assert len(window.workspace.history._items) == 1
+    assert len(window.workspace.of(HistoryPanel)._items) == 1
     assert window.workspace.isEnabled()
     controller.editing.rename(a, "again")  # it can be worked on
     qtbot.waitUntil(lambda: not window.work.busy)

@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QMessageBox, QPlainTextEdit
 
 from app.core.editing import Way
 from app.features.correction.attributes import AttributesTable
+from app.features.history.controller import HistoryWalk
 from tracking.session import Session
 
 Key = Qt.Key
@@ -222,9 +223,9 @@ def test_the_history_goes_back_and_forth_to_any_edit(controller, qtbot):
     track = _ids(controller)[0]
     for name in ("one", "two", "three"):
         controller.editing.rename(track, name)
-    controller.walk.go_back_to(1)
+    controller.of(HistoryWalk).go_back_to(1)
     qtbot.waitUntil(lambda: controller.document.label(track).name == "one")
-    controller.walk.go_back_to(3)
+    controller.of(HistoryWalk).go_back_to(3)
     qtbot.waitUntil(lambda: controller.document.label(track).name == "three")
 
 

@@ -12,6 +12,9 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 
 from app.core.document.track_sources import SHOWN
+from app.core.look.icons import IconButton
+from app.features.counting.controller import CountController
+from app.features.counting.panel import CountingPanel
 from tracking.counting import occupancy, passages
 from tracking.editing import plan_delete_tracks, plan_lines, plan_regions
 from tracking.trackers import StepResult
@@ -53,9 +56,8 @@ def counted(controller, qtbot):
 
 
 def at_rest(controller, qtbot) -> None:
-    qtbot.waitUntil(
-        lambda: controller.counting.counts is not None and not controller.counting._search.busy
-    )
+    counting = controller.of(CountController)
+    qtbot.waitUntil(lambda: counting.counts is not None and not counting._search.busy)
     qtbot.wait(1)
 
 
@@ -66,7 +68,7 @@ def go(controller, qtbot, frame: int) -> None:
 
 
 def cells(window) -> list[list[str]]:
-    tallies = window.workspace.counting.tallies
+    tallies = window.workspace.of(CountingPanel).tallies
     return [
         [tallies.item(row, column).text() for column in range(tallies.columnCount())]
         for row in range(tallies.rowCount())
@@ -111,13 +113,13 @@ def test_counters_can_be_turned_off(window, counted, qtbot):
 
 
 def test_the_panel_says_what_to_do_where_nothing_is_drawn(window, controller):
-    panel = window.workspace.counting
+    panel = window.workspace.of(CountingPanel)
     assert not panel.isVisible()
     window.run_command("view.counting")
     assert panel.isVisible()
     assert "Draw a counting line" in panel.plot._scene.message
     assert not panel._save.isEnabled()
-    panel.closed.emit()
+    panel.findChild(IconButton).click()
     assert not panel.isVisible()
 
 
@@ -125,23 +127,23 @@ def test_the_panel_lists_what_is_counted_and_plots_what_is_picked(window, counte
     controller = counted()
     window.run_command("view.counting")
     assert [row[0] for row in cells(window)] == ["gate", "screen", "hall"]
-    panel = window.workspace.counting
+    panel = window.workspace.of(CountingPanel)
     assert [plot.name for plot in panel.plot._scene.plots] == ["So far", "Per 0.5 s"]
-    ahead, back = controller.counting.counts.lines[0].totals
+    ahead, back = controller.of(CountController).counts.lines[0].totals
     curves = panel.plot._scene.plots[0].curves
     assert (curves[0].values[-1], curves[1].values[-1]) == (ahead, back)
     panel.tallies.setCurrentCell(2, 0)
     assert [plot.unit for plot in panel.plot._scene.plots] == ["", "1/m²", "m/s"]
     assert (
         panel.plot._scene.plots[0].curves[0].values.max()
-        == controller.counting.counts.regions[0].people.max()
+        == controller.of(CountController).counts.regions[0].people.max()
     )
 
 
 def test_a_click_into_the_plots_goes_there(window, counted, qtbot):
     controller = counted()
     window.run_command("view.counting")
-    plot = window.workspace.counting.plot
+    plot = window.workspace.of(CountingPanel).plot
     qtbot.waitUntil(lambda: plot.width() > 100)
     x = plot.axis.x_of(31.5)
     QTest.mouseClick(plot, LEFT, pos=QPoint(round(x), plot.height() // 2))
@@ -152,35 +154,36 @@ def test_a_click_into_the_plots_goes_there(window, counted, qtbot):
 def test_an_edit_is_counted_anew_and_a_run_stays_as_it_was(window, counted, qtbot):
     controller = counted()
     window.run_command("view.counting")
-    document, before = controller.document, controller.counting.counts
+    document, before = controller.document, controller.of(CountController).counts
     most = sum(before.lines[0].totals)
     gone = sorted(set(before.passages.of_line(0).track.tolist()))
     controller.document.apply(plan_delete_tracks(document.session.tracks, gone))
     controller.draw()
-    qtbot.waitUntil(lambda: controller.counting.counts is not before)
+    qtbot.waitUntil(lambda: controller.of(CountController).counts is not before)
     at_rest(controller, qtbot)
-    assert controller.counting.counts.lines[0].totals == (0, 0)
-    panel = window.workspace.counting
+    assert controller.of(CountController).counts.lines[0].totals == (0, 0)
+    panel = window.workspace.of(CountingPanel)
     assert panel._track_sources.count() == 2
     panel.track_source_chosen.emit(1)
-    qtbot.waitUntil(lambda: controller.counting.presenter.counted.subject.track_source == 0)
-    assert sum(controller.counting.counts.lines[0].totals) == most
+    presenter = controller.of(CountController).presenter
+    qtbot.waitUntil(lambda: presenter.counted.subject.track_source == 0)
+    assert sum(controller.of(CountController).counts.lines[0].totals) == most
     panel.track_source_chosen.emit(0)
-    qtbot.waitUntil(lambda: controller.counting.presenter.counted.subject.track_source == SHOWN)
+    qtbot.waitUntil(lambda: presenter.counted.subject.track_source == SHOWN)
 
 
 def test_the_newest_of_several_changes_wins(window, counted, qtbot):
     controller = counted()
     window.run_command("view.counting")
-    panel = window.workspace.counting
+    panel = window.workspace.of(CountingPanel)
     for step_s in (0.25, 1.0, 2.0):
         panel.step_chosen.emit(step_s)
     panel.jitter_chosen.emit(0.1)
-    qtbot.waitUntil(lambda: controller.counting.counts.settings.step_s == 2.0)
+    qtbot.waitUntil(lambda: controller.of(CountController).counts.settings.step_s == 2.0)
     at_rest(controller, qtbot)
     assert (
-        controller.counting.counts.settings.step_s,
-        controller.counting.counts.settings.jitter_m,
+        controller.of(CountController).counts.settings.step_s,
+        controller.of(CountController).counts.settings.jitter_m,
     ) == (
         2.0,
         0.1,
@@ -191,11 +194,11 @@ def test_the_newest_of_several_changes_wins(window, counted, qtbot):
 def test_every_step_stands_in_the_table_and_is_copied(window, counted, qtbot):
     controller = counted()
     window.run_command("view.counting")
-    panel = window.workspace.counting
+    panel = window.workspace.of(CountingPanel)
     panel._as_table.click()
     table = panel.table
     assert table.isVisible()
-    counts = controller.counting.counts
+    counts = controller.of(CountController).counts
     assert table.steps.rowCount() == len(counts.steps)
     headings = [table.steps.headerData(column, Qt.Orientation.Horizontal) for column in range(8)]
     assert headings == [
@@ -222,10 +225,10 @@ def test_every_step_stands_in_the_table_and_is_copied(window, counted, qtbot):
 def test_a_click_on_a_step_goes_there(window, counted, qtbot):
     controller = counted()
     window.run_command("view.counting")
-    panel = window.workspace.counting
+    panel = window.workspace.of(CountingPanel)
     panel._as_table.click()
     panel.table.clicked.emit(panel.table.steps.index(4, 1))
-    expected = int(controller.counting.counts.steps.frame[4])
+    expected = int(controller.of(CountController).counts.steps.frame[4])
     qtbot.waitUntil(lambda: controller.playback.number == expected)
     font = panel.table.steps.data(panel.table.steps.index(4, 0), Qt.ItemDataRole.FontRole)
     assert font.bold()
@@ -266,18 +269,18 @@ def test_f6_reaches_the_counting(window, counted):
     for _ in range(10):
         window.run_command("view.next_pane")
         reached.append(window.workspace._ring.pane)
-    assert window.workspace.counting in reached
+    assert window.workspace.of(CountingPanel) in reached
     assert window.workspace.timeline in reached
 
 
 def test_who_trembles_at_a_line_in_the_picture_is_left_out_by_choice(window, counted, qtbot):
     controller = counted(lines=(SCREEN,), regions=())
     window.run_command("view.counting")
-    panel = window.workspace.counting
+    panel = window.workspace.of(CountingPanel)
     assert panel._jitter_px.isVisible()
     assert not panel._jitter.isVisible()
     panel._jitter_px.setValue(12.0)
-    qtbot.waitUntil(lambda: controller.counting.counts.settings.jitter_px == 12.0)
+    qtbot.waitUntil(lambda: controller.of(CountController).counts.settings.jitter_px == 12.0)
 
 
 def test_exporting_nothing_is_told(window, controller, qtbot):
@@ -302,7 +305,7 @@ def test_a_line_is_drawn_in_the_picture_and_counts_feet(window, controller, pres
     at_rest(controller, qtbot)
     columns = controller.document.session.tracks.columns()
     found = passages(columns, controller.document.recording.fps, [line])
-    assert controller.counting.counts.lines[0].totals == found.totals
+    assert controller.of(CountController).counts.lines[0].totals == found.totals
 
 
 def test_a_corner_in_the_picture_is_dragged_though_there_are_lines_on_the_floor(
@@ -324,7 +327,7 @@ def test_the_flow_map_lies_on_the_floor_while_it_is_asked_for(window, controller
     overhead = window.workspace.overhead
     window.run_command("view.flow_map")
     qtbot.waitUntil(lambda: overhead._flow is not None)
-    flow = controller.counting.presenter.counted.flow
+    flow = controller.of(CountController).presenter.counted.flow
     assert flow.most > 0
     assert len(overhead._flow.arrows) > 0
     assert len(overhead._flow.legend) == 3
@@ -342,9 +345,9 @@ def test_people_are_counted_while_they_are_tracked(window, controller, qtbot, ti
     document.take_live(_steps_of(tiny_run, *tiny_run.frames))
     controller.draw()
     at_rest(controller, qtbot)
-    assert controller.counting.presenter.counted.subject.version[0] == "live"
+    assert controller.of(CountController).presenter.counted.subject.version[0] == "live"
     found = passages(tiny_run.tracks, document.recording.fps, [GATE])
-    assert controller.counting.counts.lines[0].totals == found.totals != (0, 0)
+    assert controller.of(CountController).counts.lines[0].totals == found.totals != (0, 0)
     document.end_live()
 
 
@@ -356,7 +359,7 @@ def test_where_a_tracker_goes_on_the_people_before_count_too(window, controller,
     controller.draw()
     at_rest(controller, qtbot)
     found = passages(tiny_run.tracks, document.recording.fps, [GATE])
-    assert controller.counting.counts.lines[0].totals == found.totals
+    assert controller.of(CountController).counts.lines[0].totals == found.totals
     document.end_live()
 
 
@@ -377,6 +380,6 @@ def test_closing_the_recording_leaves_nothing_behind(window, counted, no_threads
     window.run_command("view.flow_map")
     window.files.close_without_asking()
     assert window.controller is None
-    assert not window.workspace.counting.isVisible()
+    assert not window.workspace.of(CountingPanel).isVisible()
     assert window.workspace.overhead._flow is None
     assert window.workspace.overhead._labels.outlines == ()

@@ -10,6 +10,7 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from app.core.tracks.made_by import AtWork
+from app.features.detections.controller import DetectionsController
 from app.features.detections.presenter import GivenTo, boxes_of
 from app.features.runs.track_dialog import TrackDialog
 from app.shell.main_window import MainWindow
@@ -71,8 +72,8 @@ def test_boxes_of_a_file_that_has_changed_since_are_not_drawn_and_that_is_told(
     path.write_text(ROWS.replace("24,60", "30,60"))
     told = []
     tracked.controller.failed.connect(told.append)
-    tracked.controller.detections._found = None
-    tracked.controller.detections._search.stop()
+    tracked.controller.of(DetectionsController)._found = None
+    tracked.controller.of(DetectionsController)._search.stop()
     tracked.controller.draw_frame()
     qtbot.waitUntil(lambda: bool(told), timeout=20_000)
     assert "det.txt has changed since the tracks were made with it" in str(told[0])

@@ -10,6 +10,8 @@ from PySide6.QtCore import Qt
 from app.core.colours.track_colours import TrackColours
 from app.core.editing import edits
 from app.core.tracks import session_colours
+from app.features.history.controller import HistoryWalk
+from app.features.scoring.controller import ScoreController
 from app.shell.recording_controller import RecordingController
 from tracking.errors import EditError, RecordingError
 from tracking.session import Session
@@ -136,7 +138,7 @@ def test_an_edit_of_the_history_is_gone_to_from_a_further_run(followed):
     followed.editing.confirm()
     followed.tracking.following.begin()
     assert document.is_live
-    followed.walk.go_to(1)
+    followed.of(HistoryWalk).go_to(1)
     assert not document.is_live
     assert track in document.selection.all
 
@@ -152,7 +154,7 @@ def test_the_begin_of_a_track_is_refused_where_going_there_would_show_others(fol
 
 
 def test_errors_of_a_further_run_select_nobody_of_the_sessions_tracks(followed):
-    followed.scoring.go_to(40, followed.document.session.tracks.track_ids)
+    followed.of(ScoreController).go_to(40, followed.document.session.tracks.track_ids)
     assert not followed.document.is_live
     assert not followed.document.selection
 

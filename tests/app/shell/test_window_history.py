@@ -10,6 +10,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QInputDialog, QMenu
 
 from app.core.document.edit_history import HistoryList
+from app.features.history.controller import HistoryWalk
+from app.features.history.panel import HistoryPanel
 from tests.pace import spent
 from tracking.editing import Change, History, LabelState, State
 from tracking.tracks import TrackLabel
@@ -41,7 +43,7 @@ def _row(panel, edit: int):
 
 
 def _click(window, edit: int) -> None:
-    panel = window.workspace.history
+    panel = window.workspace.of(HistoryPanel)
     panel._list.scrollTo(panel._model.index(panel._model.row_of(edit)))
     QTest.mouseClick(panel._list.viewport(), LEFT, pos=_row(panel, edit))
 
@@ -55,7 +57,7 @@ def test_a_click_goes_to_the_frame_and_selects_the_tracks(window, controller, na
 
 def test_an_old_edit_is_undone_alone_by_its_key_or_the_reason_is_told(window, controller, named):
     _click(window, 1)
-    panel = window.workspace.history
+    panel = window.workspace.of(HistoryPanel)
     QTest.keyClick(panel._list, Qt.Key.Key_Z, _CTRL_ALT)
     assert "edit 3" in window.notice._text.text()  # the later name stands on it
     assert len(controller.document.session.history) == 4
@@ -67,7 +69,7 @@ def test_an_old_edit_is_undone_alone_by_its_key_or_the_reason_is_told(window, co
 
 
 def test_the_menu_says_why_an_edit_cannot_be_undone_alone(window, controller, named):
-    panel = window.workspace.history
+    panel = window.workspace.of(HistoryPanel)
     panel._open_menu(_row(panel, 1))
     menu = panel._list.findChildren(QMenu)[-1]
     alone = next(one for one in menu.actions() if one.text().startswith("Undo only this edit"))
@@ -77,17 +79,17 @@ def test_the_menu_says_why_an_edit_cannot_be_undone_alone(window, controller, na
 
 
 def test_undo_to_here_goes_back_and_forth(window, controller, named, qtbot):
-    controller.walk.go_back_to(1)
+    controller.of(HistoryWalk).go_back_to(1)
     qtbot.waitUntil(lambda: controller.document.session.history.next_undo.id == 1)
     assert controller.document.label(named[0]).name == "one"
-    controller.walk.go_back_to(4)
+    controller.of(HistoryWalk).go_back_to(4)
     qtbot.waitUntil(lambda: controller.document.session.history.next_undo.id == 4)
     assert controller.document.label(named[0]).name == "three"
 
 
 def test_the_list_is_narrowed_down_and_what_is_undone_stays_in_it(window, controller, named):
     controller.editing.undo()
-    panel = window.workspace.history
+    panel = window.workspace.of(HistoryPanel)
     assert [panel._model.item(row).undone for row in range(4)] == [True, False, False, False]
     panel._text.setText("three")
     assert [panel._model.item(row).edit for row in range(panel._model.rowCount())] == [3]
@@ -129,7 +131,7 @@ def test_twenty_thousand_edits_are_listed_and_one_more_is_told_quickly(window, c
         replace(made, id=number + 1, text=f"Name {number % 99} edit {number}")
         for number in range(MANY)
     )
-    listed, panel = HistoryList(), window.workspace.history
+    listed, panel = HistoryList(), window.workspace.of(HistoryPanel)
     panel.show_scene(listed.of(history))
     assert panel._model.rowCount() == MANY
     history.mark_undone()

@@ -3,6 +3,7 @@
 import pytest
 from PySide6.QtWidgets import QApplication
 
+from app.features.history.panel import HistoryPanel
 from app.features.review import review_search
 from app.features.timeline.rows import Arrangement, LaneHeight, LaneOrder
 from app.shell.main_window import MainWindow
@@ -27,7 +28,7 @@ def window_on_a_laptop(window, qtbot, tiny_session, monkeypatch):
 
 
 def test_five_edits_of_the_history_are_in_sight(window_on_a_laptop):
-    rows = window_on_a_laptop.workspace.history._list
+    rows = window_on_a_laptop.workspace.of(HistoryPanel)._list
     assert rows.viewport().height() >= 5 * rows.visualRect(rows.model().index(0, 0)).height()
     fifth = rows.visualRect(rows.model().index(4, 0)).bottomLeft()
     place = rows.viewport().mapTo(window_on_a_laptop, fifth)
@@ -97,7 +98,7 @@ def test_f6_walks_the_parts_with_a_ring_around_the_one_that_has_the_keyboard(win
         assert now is pane or pane.isAncestorOf(now)
         assert space._ring.isVisible()
         assert space._ring.size().height() <= pane.height()
-    side = [space.review, space.card, space.history]
+    side = [space.review, space.card, space.of(HistoryPanel)]
     assert walked == [space.left, space.right, space.overhead, *side, space.timeline]
     space.left.setFocus()
     assert space._ring.isHidden()

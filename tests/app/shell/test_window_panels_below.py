@@ -5,9 +5,14 @@ from __future__ import annotations
 import shutil
 from pathlib import Path
 
-from PySide6.QtWidgets import QTabBar
+import pytest
+from PySide6.QtWidgets import QAbstractButton, QLineEdit, QTabBar
 
+from app.core.look.icons import IconButton
+from app.features.counting.panel import CountingPanel
+from app.features.parts.panel import CurvesPanel
 from app.shell.below_floor import BelowFloor
+from app.shell.features import FEATURES
 
 
 def _tabs(window):
@@ -22,20 +27,35 @@ def test_the_panel_opened_last_is_shown_and_the_other_is_a_tab_away(window, cont
     room = view.overhead.height()
     window.run_command("view.curves")
     assert _tabs(window) == ["Counting", "Parts over time"]
-    assert (view.counting.isVisible(), view.curves.isVisible()) == (False, True)
+    assert (view.of(CountingPanel).isVisible(), view.of(CurvesPanel).isVisible()) == (False, True)
     assert view.overhead.height() > 0.8 * room
     view.findChild(BelowFloor, "below floor").findChild(QTabBar).setCurrentIndex(0)
-    assert (view.counting.isVisible(), view.curves.isVisible()) == (True, False)
+    assert (view.of(CountingPanel).isVisible(), view.of(CurvesPanel).isVisible()) == (True, False)
 
 
 def test_closing_a_panel_shows_the_one_that_is_left_and_then_none(window, controller):
     view = window.workspace
     for name in ("counting", "curves", "curves"):
         window.run_command(f"view.{name}")
-    assert view.counting.isVisible()
+    assert view.of(CountingPanel).isVisible()
     assert _tabs(window) == []
     window.run_command("view.counting")
     assert not view.findChild(BelowFloor, "below floor").isVisible()
+
+
+@pytest.mark.parametrize("feature", [one for one in FEATURES if one.opens], ids=lambda one: one.id)
+def test_the_panel_of_every_feature_opens_by_command_has_names_and_closes_by_its_button(
+    window, controller, feature
+):
+    panel = window.workspace.panels[feature.id]
+    assert panel.isHidden()
+    window.run_command(f"view.{feature.id}")
+    assert panel.isVisible()
+    controls = panel.findChildren(QLineEdit) + panel.findChildren(QAbstractButton)
+    ours = [one for one in controls if not one.objectName().startswith("qt_")]
+    assert [one for one in ours if not (one.accessibleName() or one.text())] == []
+    panel.findChildren(IconButton)[-1].click()
+    assert panel.isHidden()
 
 
 def test_labelling_and_a_comparison_share_one_place_and_neither_squeezes_the_other(

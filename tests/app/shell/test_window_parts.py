@@ -6,6 +6,8 @@ import run_with_parts
 from correcting_window import CROWDED, Hands, open_for_correcting
 from PySide6.QtCore import QPointF, QRectF, Qt
 
+from app.features.parts.controller import PartsController
+from app.features.parts.panel import CurvesPanel
 from tracking.editing import plan_reassign
 
 Key = Qt.Key
@@ -128,7 +130,7 @@ def test_f3_comes_near_to_somebody_who_is_small_or_out_of_view(hands, picture):
     hands.press(Key.Key_F3)
     frame, track = hands.controller.playback.clock.frame, hands.controller.document.selection.track
     place = picture.viewport.rect(
-        QRectF(*hands.controller.parts.presenter.person_box(frame, track))
+        QRectF(*hands.controller.of(PartsController).presenter.person_box(frame, track))
     )
     assert QRectF(picture.rect()).contains(place)
     assert place.height() > picture.height() / 4
@@ -161,7 +163,7 @@ def test_parts_follow_their_person_to_another_id(hands):
 def test_the_plots_say_the_figures_at_the_playhead_and_a_click_goes_to_its_frame(hands, window):
     track = _pick(hands)
     hands.press(Key.Key_Q, SHIFT)
-    panel = window.workspace.curves
+    panel = window.workspace.of(CurvesPanel)
     assert panel.isVisible()
     rows = run_with_parts.parts_of(hands.controller.document.session.tracks.of_track(track))
     head = (rows["part"] == 0) & (rows["frame"] == CROWDED)
@@ -198,7 +200,7 @@ def test_where_no_parts_were_tracked_the_plots_and_f3_say_how_to_get_them(
     hands = Hands(window, open_for_correcting(window, qtbot, tiny_session), qtbot)
     _pick(hands)
     hands.press(Key.Key_Q, SHIFT)
-    assert "three-part" in window.workspace.curves.plot._scene.message
+    assert "three-part" in window.workspace.of(CurvesPanel).plot._scene.message
     hands.press(Key.Key_F3)
     assert "three-part" in window.statusBar().currentMessage()
     window.statusBar().clearMessage()

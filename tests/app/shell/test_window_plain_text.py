@@ -26,6 +26,7 @@ from pytestqt.qtbot import QtBot
 from shiboken6 import isValid
 
 from app.core.document import document_loader
+from app.shell.features import FEATURES
 from app.shell.main_window import MainWindow
 from tracking.editing import (
     plan_lines,
@@ -45,7 +46,7 @@ _DIALOGS = (
     *("tracks.track", "tracks.attributes", "file.export", "file.older", "file.author"),
     *("detector.train", "help.keys", "edit.commands", "tracks.runs", "file.import"),
 )
-_PANELS = ("view.counting", "view.score", "view.curves")
+_PANELS = tuple(f"view.{feature.id}" for feature in FEATURES if feature.opens)
 
 
 @pytest.fixture

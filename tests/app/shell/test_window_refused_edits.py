@@ -5,6 +5,7 @@ from PySide6.QtCore import QEvent
 from PySide6.QtGui import QHelpEvent
 from PySide6.QtWidgets import QApplication, QToolTip
 
+from app.features.history.controller import HistoryWalk
 from tracking.editing import plan_delete
 from tracking.errors import EditError, SessionError
 
@@ -23,7 +24,7 @@ def test_going_to_an_edit_ends_at_the_first_that_cannot_be_taken_back(controller
 
     monkeypatch.setattr(controller.document.session, "undo", refuse)
     controller.failed.connect(lambda error: told.append(str(error)) or _fuse(told))
-    controller.walk.go_back_to(1)
+    controller.of(HistoryWalk).go_back_to(1)
     assert told == ["no space left on the disk"]
 
 
