@@ -9,6 +9,9 @@ from pathlib import Path
 import pytest
 from hypothesis import settings
 
+from tests.pseudo import Pseudo
+from tracking.translation import use_catalogue
+
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
 # The same examples at every run, so that what passes here passes elsewhere;
@@ -35,3 +38,11 @@ def own_key(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("tracking.session.seal.user_data_path", lambda *_, **__: folder)
         yield
+
+
+@pytest.fixture
+def pseudo() -> Iterator[None]:
+    """Texts are in a made-up language."""
+    use_catalogue(Pseudo())
+    yield
+    use_catalogue(None)

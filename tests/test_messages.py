@@ -5,7 +5,6 @@ from __future__ import annotations
 import ast
 import copy
 import json
-from collections.abc import Iterator
 from pathlib import Path
 from string import Formatter
 
@@ -27,13 +26,6 @@ from tracking.translation import (
     tr,
     use_catalogue,
 )
-
-
-@pytest.fixture
-def pseudo() -> Iterator[None]:
-    use_catalogue(Pseudo())
-    yield
-    use_catalogue(None)
 
 
 def places_in(template: str) -> set[str]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -18,21 +17,14 @@ from app.core.tracking_process.messages import (
     unpacked_error,
     unpacked_notes,
 )
-from tests.pseudo import TRANSLATED, Pseudo
+from tests.pseudo import TRANSLATED
 from tracking.errors import FormatError
 from tracking.formats import format_of
 from tracking.session import session_reader
 from tracking.session.backups import Backup
 from tracking.session.notes import note_of_change, note_of_missing_seal, tell_damage
 from tracking.session.session_reader import check_file
-from tracking.translation import Message, msg, tr, use_catalogue
-
-
-@pytest.fixture
-def pseudo() -> Iterator[None]:
-    use_catalogue(Pseudo())
-    yield
-    use_catalogue(None)
+from tracking.translation import Message, msg, tr
 
 
 @pytest.fixture

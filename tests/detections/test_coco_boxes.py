@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from tracking.detections import DetectionsFile, Footage, read_detections
+from tracking.detections import DetectionsFile, Footage, coco_boxes, read_detections
 from tracking.errors import FormatError
 
 FOOTAGE = Footage(600, (640, 480))
@@ -107,6 +107,12 @@ def test_what_is_no_box_is_left_out_and_told(tmp_path, bad) -> None:
     file = read(tmp_path, [result(1), bad, result(2)])
     assert file.table.frame.tolist() == [0, 1]
     assert any("1 box cannot be used, the first in annotations[1]" in note for note in file.notes)
+
+
+def test_more_elements_than_a_member_may_have_are_refused(tmp_path, monkeypatch) -> None:
+    monkeypatch.setattr(coco_boxes, "_MOST_CATEGORIES", 1)
+    with pytest.raises(FormatError, match="more than 1 categories; split it first"):
+        read(tmp_path, data_set([{"id": 1}], [result(1)], ("person", "dog")))
 
 
 @pytest.mark.parametrize(

@@ -17,14 +17,13 @@ from walks_on_a_floor import (
     with_column,
 )
 
-from tests.pseudo import Pseudo
 from tracking.review.core.evidence import gather_evidence
 from tracking.review.core.findings import FlaggedPlaces
 from tracking.review.core.material import Material
 from tracking.review.reason_phrases import WORDS, sentence
 from tracking.review.reasons import REASONS
 from tracking.tracks import PART_COLUMNS, Run, TrackTable
-from tracking.translation import tr, use_catalogue
+from tracking.translation import tr
 
 
 def found(kind: str, run: Run, table: TrackTable | None = None) -> FlaggedPlaces:
@@ -208,16 +207,13 @@ def test_times_are_rounded_to_tenths_not_cut() -> None:
     assert said == ["00:06.6", "01:00.0", "1:00:00.0"]
 
 
+@pytest.mark.usefixtures("pseudo")
 def test_a_reason_is_translated_with_all_its_words() -> None:
-    use_catalogue(Pseudo())
-    try:
-        assert tr(sentence("part", 3, 0, 7, 7.2, about=True)) == (
-            "⟦the ⟦⟦head⟧, ⟦torso⟧ and ⟦hip-leg⟧⟧ of 3 failed at ⟦about 00:07.2⟧⟧"
-        )
-        for kind, words in WORDS.items():
-            for second in (2 if words.two else 0, 0 if words.one else 2):
-                said = sentence(kind, 1, second, 1.0, 7.2, on_floor=False)
-                assert tr(said) != said
-                assert tr(said).startswith("⟦")
-    finally:
-        use_catalogue(None)
+    assert tr(sentence("part", 3, 0, 7, 7.2, about=True)) == (
+        "⟦the ⟦⟦head⟧, ⟦torso⟧ and ⟦hip-leg⟧⟧ of 3 failed at ⟦about 00:07.2⟧⟧"
+    )
+    for kind, words in WORDS.items():
+        for second in (2 if words.two else 0, 0 if words.one else 2):
+            said = sentence(kind, 1, second, 1.0, 7.2, on_floor=False)
+            assert tr(said) != said
+            assert tr(said).startswith("⟦")

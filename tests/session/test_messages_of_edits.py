@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import sqlite3
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from contextlib import closing
 from dataclasses import replace
 from pathlib import Path
@@ -13,7 +13,6 @@ import h5py
 import pytest
 from made_up_sessions import make_session
 
-from tests.pseudo import Pseudo
 from tracking.editing import (
     Change,
     Entry,
@@ -33,16 +32,9 @@ from tracking.editing import (
 from tracking.session import Session
 from tracking.session.session_writer import companions
 from tracking.tracks import CountingLine, Occluder, PartLabel, Verdict
-from tracking.translation import Message, tr, use_catalogue
+from tracking.translation import Message, tr
 
 SWAP = "Swap 1 and 2 from frame 10 on"
-
-
-@pytest.fixture
-def pseudo() -> Iterator[None]:
-    use_catalogue(Pseudo())
-    yield
-    use_catalogue(None)
 
 
 @pytest.fixture

@@ -19,7 +19,7 @@ from tracking.arrays import Flags, Integers
 from tracking.detections.box_reading import MOST_IN_ALL, BoxReading
 from tracking.detections.frame_numbers import Footage
 from tracking.errors import FormatError
-from tracking.formats.coco import frame_of, looks_like_coco, numbers_of, size_of
+from tracking.formats.coco import frame_of, looks_like_coco, numbers_of, object_of, size_of
 from tracking.formats.json_numbers import number_of, whole_of
 from tracking.formats.json_stream import elements_of, values_of
 from tracking.formats.read_result import MOST_BAD
@@ -75,25 +75,18 @@ class _File:
     def take(self, member: str, at: int, value: Any) -> None:
         """One element of a member."""
         most = {"images": MAX_FRAME, "categories": _MOST_CATEGORIES}.get(member, 2 * MOST_IN_ALL)
-        if at >= most:
-            raise FormatError(
-                "{path} has more than {at} {member}; split it first",
-                path=self._reading.path,
-                at=at,
-                member=member,
-            )
-        if not isinstance(value, dict):
-            if at >= 0:
-                self._reading.bad(f"{member}[{at}]", msg("is no object"))
-        elif member == "annotations":
-            self._take_box(at, value)
-        elif (number := whole_of(value.get("id"))) is None:
+        element = object_of(self._reading, member, at, value, most)
+        if element is None:
+            return
+        if member == "annotations":
+            self._take_box(at, element)
+        elif (number := whole_of(element.get("id"))) is None:
             self._reading.bad(f"{member}[{at}]", msg("its id is no whole number"))
         elif member == "images":
-            self._images[number] = (frame_of(value), str(value.get("file_name", ""))[:1000])
-            self._size_px = self._size_px or size_of(value)
+            self._images[number] = (frame_of(element), str(element.get("file_name", ""))[:1000])
+            self._size_px = self._size_px or size_of(element)
         else:
-            self._kinds[number] = str(value.get("name", "")).strip().lower()[:1000]
+            self._kinds[number] = str(element.get("name", "")).strip().lower()[:1000]
 
     def _take_box(self, at: int, row: Mapping[str, Any]) -> None:
         if row.get("iscrowd") or row.get("ignore"):

@@ -75,6 +75,30 @@ def import_coco(path: Path, _filmed: Filmed, report: Progress = no_progress) -> 
     return file.imported()
 
 
+def object_of(
+    reading: Reading, member: str, at: int, value: Any, most: int
+) -> dict[str, Any] | None:
+    """An element of a member, which is an object; None: it is not, which is told as bad.
+
+    Args:
+        at: which element it is; -1: the member itself, which is no array. Then nothing is told.
+
+    Raises FormatError where the member has more elements than `most`.
+    """
+    if at >= most:
+        raise FormatError(
+            "{path} has more than {at} {member}; split it first",
+            path=reading.path,
+            at=at,
+            member=member,
+        )
+    if isinstance(value, dict):
+        return value
+    if at >= 0:
+        reading.bad(f"{member}[{at}]", msg("is no object"))
+    return None
+
+
 class _File:
     """Takes a file in, whatever order its members have."""
 
@@ -92,16 +116,8 @@ class _File:
 
     def take(self, member: str, at: int, value: Any) -> None:
         """One element of a member."""
-        if at >= _MOST[member]:
-            raise FormatError(
-                "{path} has more than {at} {member}; split it first",
-                path=self._reading.path,
-                at=at,
-                member=member,
-            )
-        if not isinstance(value, dict):
-            if at >= 0:
-                self._reading.bad(f"{member}[{at}]", msg("is no object"))
+        element = object_of(self._reading, member, at, value, _MOST[member])
+        if element is None:
             return
         takers = {
             "info": self._take_info,
@@ -111,7 +127,7 @@ class _File:
             "categories": self._take_categories,
             "annotations": self._take_annotations,
         }
-        takers[member](at, value)
+        takers[member](at, element)
 
     def _take_info(self, _at: int, info: Mapping[str, Any]) -> None:
         self._fps = self._fps or _fps_of(info)

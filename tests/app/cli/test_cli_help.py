@@ -1,27 +1,11 @@
 """Help: grouped options, whole sentences, in the user's language."""
 
-import gettext
 import re
 
-import pytest
 from typer.main import get_command
 
 from app.cli.commands import program
-from tracking.translation import use_catalogue
-
-
-class Pseudo(gettext.NullTranslations):
-    """Puts every text in brackets."""
-
-    def gettext(self, message: str) -> str:
-        return f"<<{message}>>"
-
-
-@pytest.fixture
-def pseudo():
-    use_catalogue(Pseudo())
-    yield
-    use_catalogue(None)
+from tests.pseudo import TRANSLATED
 
 
 def test_options_stand_by_their_groups(trackwright):
@@ -41,10 +25,10 @@ def test_every_help_is_translated(pseudo, trackwright):
     commands = get_command(program).commands
     for name, command in commands.items():
         page = " ".join(trackwright(name, "--help")[1].split())
-        assert re.search(r"<<Options>>", page)
+        assert f"{TRANSLATED}Options⟧" in page
         helps = [" ".join(one.help.split()) for one in command.params if getattr(one, "help", "")]
-        plain = re.sub(r"-\s+", "-", page)
-        assert [one for one in helps if "<<" + re.sub(r"-\s+", "-", one) + ">>" not in plain] == []
+        plain, *said = (re.sub(r"-\s+", "-", text) for text in (page, *helps))
+        assert [one for one in said if f"{TRANSLATED}{one}⟧" not in plain] == []
 
 
 def test_what_may_be_given_several_times_is_told_without_names_of_types(trackwright):

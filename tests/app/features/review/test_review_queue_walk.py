@@ -11,12 +11,11 @@ from app.features.review.presenter import (
     with_fixed_verdict,
 )
 from app.features.review.scene import Order
-from tests.pseudo import Pseudo
 from tracking.editing import apply_change, plan_mark_reviewed, plan_swap
 from tracking.review import ReviewItem
 from tracking.review.reason_phrases import KINDS, sentence
 from tracking.tracks import Labels
-from tracking.translation import tr, use_catalogue
+from tracking.translation import tr
 
 FPS = 10.0
 
@@ -145,18 +144,15 @@ def test_every_kind_has_words_of_its_own(kind):
     assert kind_title(kind) != kind.capitalize()
 
 
+@pytest.mark.usefixtures("pseudo")
 def test_reasons_and_verdicts_are_shown_in_the_users_language_and_kept_in_english():
     said = sentence("crossing", 4, 7, 0.3, 41.0)
     item = ReviewItem("crossing", (4, 7), 50, 45, 55, 0.5, 30.0, said, "swap", (said,))
     shown = "⟦4 and 7 passed within ⟦0.3 m⟧ at 00:41.0⟧"
-    use_catalogue(Pseudo())
-    try:
-        queue = ReviewQueue(FPS, TrackColours().of)
-        queue.take((item,), Labels())
-        assert (queue.items[0].why, queue.items[0].others) == (shown, (shown,))
-        assert queue.marks()[0].text == f"⟦Paths cross⟧: {shown}"
-        text = plan_review_verdict(item, "dismissed", Labels()).text
-        assert text == "Dismiss: Paths cross 4, 7 in frame 50"
-        assert tr(text) == "⟦Dismiss⟧: ⟦⟦Paths cross⟧ 4, 7 in frame 50⟧"
-    finally:
-        use_catalogue(None)
+    queue = ReviewQueue(FPS, TrackColours().of)
+    queue.take((item,), Labels())
+    assert (queue.items[0].why, queue.items[0].others) == (shown, (shown,))
+    assert queue.marks()[0].text == f"⟦Paths cross⟧: {shown}"
+    text = plan_review_verdict(item, "dismissed", Labels()).text
+    assert text == "Dismiss: Paths cross 4, 7 in frame 50"
+    assert tr(text) == "⟦Dismiss⟧: ⟦⟦Paths cross⟧ 4, 7 in frame 50⟧"
