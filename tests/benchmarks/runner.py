@@ -25,7 +25,7 @@ import numpy as np
 from tests.benchmarks.clips import LIBRARIES, clips_cache, hash_of_files, sources_of
 from tests.benchmarks.command import tell
 from tests.benchmarks.timing import Stopwatch
-from tracking.detections import box_source
+from tracking.detections import load_detections
 from tracking.failure import built_in_detector
 from tracking.people import Observation
 from tracking.pipeline import KeptSteps, background_samples, begin_pairing
@@ -252,5 +252,5 @@ def observations(
 
 def _build(recording: Recording, case: Case) -> tuple[Perception, Tracker]:
     settings = case.chosen()
-    boxes = box_source(recording, settings.detections)
+    boxes = load_detections(recording, settings.detections)
     return tracker_named(case.tracker).build(recording, settings, case.seed, boxes)

@@ -15,18 +15,18 @@ from tracking.detections import (
     BoxTable,
     DetectionSettings,
     DetectionsFile,
-    GivenBoxes,
+    RecordingDetections,
     learnt_threshold,
 )
-from tracking.detections.table import one_each
+from tracking.detections.table import suppress_overlaps
 from tracking.errors import SettingsError
-from tracking.people.given_boxes import MOST_BOXES, FrameBoxes
+from tracking.people.detection_source import MOST_BOXES, FrameDetections
 
 
-def boxes(*rows: tuple[float, ...]) -> FrameBoxes:
+def boxes(*rows: tuple[float, ...]) -> FrameDetections:
     """Left, top, width, height, score each."""
     table = np.array(rows, np.float64).reshape(-1, 5)
-    return FrameBoxes(table[:, :4], table[:, 4])
+    return FrameDetections(table[:, :4], table[:, 4])
 
 
 def table(frame: list[int], score: list[float]) -> BoxTable:
@@ -75,7 +75,9 @@ def test_boxes_are_found_by_frame_in_the_order_of_the_file() -> None:
 
 
 def test_of_two_boxes_on_one_person_the_surer_one_stays() -> None:
-    kept = one_each(boxes((10, 10, 20, 60, 0.5), (12, 11, 20, 60, 0.9), (90, 0, 20, 60, 0.4)), 0.65)
+    kept = suppress_overlaps(
+        boxes((10, 10, 20, 60, 0.5), (12, 11, 20, 60, 0.9), (90, 0, 20, 60, 0.4)), 0.65
+    )
     assert kept.score.tolist() == [0.9, 0.4]
 
 
@@ -90,22 +92,22 @@ def test_of_two_boxes_on_one_person_the_surer_one_stays() -> None:
 def test_a_box_inside_a_surer_one_is_of_the_same_person_if_their_feet_are(
     inner, max_overlap, scores
 ) -> None:
-    kept = one_each(boxes((0, 0, 50, 100, 0.9), (*inner, 0.8)), max_overlap)
+    kept = suppress_overlaps(boxes((0, 0, 50, 100, 0.9), (*inner, 0.8)), max_overlap)
     assert kept.score.tolist() == scores
 
 
 def test_a_box_dropped_for_a_surer_one_drops_no_other() -> None:
     row = boxes((0, 0, 20, 60, 0.9), (5, 0, 20, 60, 0.8), (10, 0, 20, 60, 0.7))
-    assert one_each(row, 0.5).score.tolist() == [0.9, 0.7]
+    assert suppress_overlaps(row, 0.5).score.tolist() == [0.9, 0.7]
 
 
 def test_neighbours_keep_their_boxes() -> None:
-    assert len(one_each(boxes((0, 0, 20, 60, 0.9), (8, 0, 20, 60, 0.8)), 0.65)) == 2
+    assert len(suppress_overlaps(boxes((0, 0, 20, 60, 0.9), (8, 0, 20, 60, 0.8)), 0.65)) == 2
 
 
 def test_a_frame_gives_its_surest_boxes_and_not_too_many() -> None:
     rows = [(30.0 * k, 0, 20, 60, k / 1000) for k in range(3 * MOST_BOXES)]
-    kept = one_each(boxes(*rows), 0.65)
+    kept = suppress_overlaps(boxes(*rows), 0.65)
     assert len(kept) == MOST_BOXES
     assert kept.score.min() == 2 * MOST_BOXES / 1000
 
@@ -119,18 +121,18 @@ def test_boxes_given_are_sure_and_of_the_camera_asked_for() -> None:
         )
     )
     settings = DetectionSettings(file="det.txt", use="only", min_score="0.5")
-    given_boxes = GivenBoxes(left, right, settings=settings)
-    assert given_boxes.only
-    assert given_boxes.of(0).score.tolist() == [0.9]
-    found = given_boxes.of_right(0)
+    detections = RecordingDetections(left, right, settings=settings)
+    assert detections.detections_only
+    assert detections.of(0).score.tolist() == [0.9]
+    found = detections.of_right(0)
     assert found is not None
     assert found.score.tolist() == [0.7]
-    assert [one.camera for one in given_boxes.inputs] == ["left", "right"]
-    assert [one.count for one in given_boxes.inputs] == [3, 1]
-    assert "2 of 3 boxes are used, those with a score from 0.8 on" in given_boxes.notes[0]
-    assert GivenBoxes(left, settings=DetectionSettings()).of_right(0) is None
-    assert not given_boxes.unused
-    none = GivenBoxes(left, right, settings=replace(settings, min_score="0.95"))
+    assert [one.camera for one in detections.inputs] == ["left", "right"]
+    assert [one.count for one in detections.inputs] == [3, 1]
+    assert "2 of 3 boxes are used, those with a score from 0.8 on" in detections.notes[0]
+    assert RecordingDetections(left, settings=DetectionSettings()).of_right(0) is None
+    assert not detections.unused
+    none = RecordingDetections(left, right, settings=replace(settings, min_score="0.95"))
     assert none.unused
     assert none.notes[0] == (
         "warning: none of the 3 boxes of left.txt (MOTChallenge text) is used; lower "

@@ -38,7 +38,7 @@ def test_a_tracker_reads_the_detections_that_its_settings_name_beside_the_record
 
 
 @pytest.fixture(scope="module")
-def boxed(rendered: Path) -> Path:
+def with_truth(rendered: Path) -> Path:
     """The recording with the true boxes beside it, as a detector would tell them."""
     truth = np.loadtxt(rendered / "truth.txt", delimiter=",", ndmin=2)
     none, sure = np.full(len(truth), -1.0), np.full(len(truth), 0.9)
@@ -48,18 +48,18 @@ def boxed(rendered: Path) -> Path:
 
 
 @pytest.mark.parametrize("name", list(TRACKERS))
-def test_with_boxes_alone_nobody_is_found_where_no_box_is(name: str, boxed: Path) -> None:
-    (boxed / "nobody.txt").write_text("1,-1,2,2,3,6,0.9\n")
-    with open_recording(boxed) as recording:
+def test_with_boxes_alone_nobody_is_found_where_no_box_is(name: str, with_truth: Path) -> None:
+    (with_truth / "nobody.txt").write_text("1,-1,2,2,3,6,0.9\n")
+    with open_recording(with_truth) as recording:
         run = _tracked(recording, name, "nobody.txt", "only")
     assert len(run["track"]) == 0
 
 
 @pytest.mark.parametrize("name", list(TRACKERS))
-def test_with_boxes_alone_people_are_tracked_where_boxes_are(name: str, boxed: Path) -> None:
-    with open_recording(boxed) as recording:
+def test_with_boxes_alone_people_are_tracked_where_boxes_are(name: str, with_truth: Path) -> None:
+    with open_recording(with_truth) as recording:
         run = _tracked(recording, name, "told.txt", "only")
-    truth = np.loadtxt(boxed / "truth.txt", delimiter=",", ndmin=2)
+    truth = np.loadtxt(with_truth / "truth.txt", delimiter=",", ndmin=2)
     box = np.column_stack([run[side] for side in ("left", "top", "width", "height")]).astype(float)
     middle = box[:, :2] + box[:, 2:] / 2
     on_somebody = [

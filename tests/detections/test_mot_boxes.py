@@ -8,13 +8,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tracking.detections import DetectionsFile, Footage, reading
+from tracking.detections import DetectionsFile, Footage, detections_file
 from tracking.errors import FormatError
 
 
 def read_detections(path: Path) -> DetectionsFile:
     """Of a recording with pictures of 640 x 480 px."""
-    return reading.read_detections(path, Footage(600, (640, 480)))
+    return detections_file.read_detections(path, Footage(600, (640, 480)))
 
 
 def written(folder: Path, text: str) -> Path:
@@ -57,7 +57,7 @@ def test_both_cameras_count_from_where_either_does(tmp_path, zero) -> None:
         numbers = (0, 3) if name == zero else (2, 3)
         path = written(folder, "".join(f"{n},-1,11,21,30,40,0.5\n" for n in numbers))
         given.append((path, Footage(600, (640, 480))))
-    files = dict(zip(("left", "right"), reading.read_cameras(given), strict=True))
+    files = dict(zip(("left", "right"), detections_file.read_cameras(given), strict=True))
     assert files.pop(zero).table.frame.tolist() == [0, 3]
     ((_, other),) = files.items()
     assert other.table.frame.tolist() == [2, 3]
@@ -126,13 +126,13 @@ def test_what_is_no_plain_file_of_detections_is_refused_in_one_line(tmp_path) ->
 
 def test_a_file_larger_than_any_is_refused_before_it_is_read(tmp_path) -> None:
     path = written(tmp_path, "1,-1,1,1,9,9,1\n")
-    os.truncate(path, reading.MOST_BYTES + 1)
+    os.truncate(path, detections_file.MOST_BYTES + 1)
     with pytest.raises(FormatError, match="larger than 200 MB"):
         read_detections(path)
 
 
 def test_more_boxes_than_any_recording_has_are_refused(tmp_path, monkeypatch) -> None:
-    monkeypatch.setattr("tracking.detections.box_reading.MOST_IN_ALL", 3)
+    monkeypatch.setattr("tracking.detections.box_collector.MOST_IN_ALL", 3)
     rows = written(tmp_path, "1,-1,1,1,9,9,1\n" * 4)
     with pytest.raises(FormatError, match="more than 3 boxes"):
         read_detections(rows)
@@ -148,11 +148,11 @@ def test_the_fingerprint_is_of_every_byte(tmp_path) -> None:
 
 
 def test_the_boxes_are_those_that_the_fingerprint_is_of(tmp_path, monkeypatch) -> None:
-    path, format_of = written(tmp_path, "1,-1,11,21,30,40,1\n"), reading._format_of
+    path, format_of = written(tmp_path, "1,-1,11,21,30,40,1\n"), detections_file._format_of
 
     def changed_meanwhile(*given):
         path.write_text("1,-1,51,61,70,80,1\n")
         return format_of(*given)
 
-    monkeypatch.setattr(reading, "_format_of", changed_meanwhile)
+    monkeypatch.setattr(detections_file, "_format_of", changed_meanwhile)
     assert read_detections(path).table.box.tolist() == [[10, 20, 30, 40]]

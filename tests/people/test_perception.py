@@ -13,7 +13,7 @@ from scipy.optimize import linear_sum_assignment
 from tracking.errors import RecordingError
 from tracking.geometry import Camera, Ground, Rectification, StereoCalibration
 from tracking.people import Observation, StereoPerception
-from tracking.people.given_boxes import FrameBoxes
+from tracking.people.detection_source import FrameDetections
 from tracking.recording import Recording, open_recording
 from tracking.recording.frame import StereoFrame
 
@@ -202,26 +202,26 @@ def test_while_the_right_camera_is_black_the_left_one_places_people(shared_data:
     assert note.startswith("the right camera shows nothing new in frames 300 to 315: people are")
 
 
-class _GivenBoxes:
+class _NoDetections:
     """Boxes of one frame of each camera; notes which frames are asked for."""
 
-    only = True
+    detections_only = True
 
     def __init__(self) -> None:
         self.left: list[int] = []
         self.right: list[int] = []
 
-    def of(self, frame: int) -> FrameBoxes:
+    def of(self, frame: int) -> FrameDetections:
         self.left.append(frame)
-        return FrameBoxes(np.zeros((0, 4)), np.zeros(0))
+        return FrameDetections(np.zeros((0, 4)), np.zeros(0))
 
-    def of_right(self, frame: int) -> FrameBoxes:
+    def of_right(self, frame: int) -> FrameDetections:
         self.right.append(frame)
-        return FrameBoxes(np.zeros((0, 4)), np.zeros(0))
+        return FrameDetections(np.zeros((0, 4)), np.zeros(0))
 
 
 def test_boxes_of_a_late_camera_are_those_of_its_own_frame() -> None:
-    source = _GivenBoxes()
+    source = _NoDetections()
     perception = StereoPerception(rig(320, 240), Ground(2.4, 30.0), 15.0, boxes=source)
     image = np.full((240, 320, 3), 90, np.uint8)
     perception.learn([StereoFrame(0, 0.0, image, image)])
@@ -232,7 +232,7 @@ def test_boxes_of_a_late_camera_are_those_of_its_own_frame() -> None:
 
 
 def test_whom_no_box_shows_is_not_learnt_as_background() -> None:
-    perception = StereoPerception(rig(320, 240), Ground(2.4, 30.0), 5.0, boxes=_GivenBoxes())
+    perception = StereoPerception(rig(320, 240), Ground(2.4, 30.0), 5.0, boxes=_NoDetections())
     empty = np.full((240, 320, 3), 90, np.uint8)
     person = empty.copy()
     person[80:200, 140:180] = 220

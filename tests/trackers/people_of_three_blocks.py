@@ -99,5 +99,5 @@ def seen_in(regions: np.ndarray) -> Detections:
         middle=np.zeros((n, 64), np.float32),
         regions=ordered,
         clothes=np.full((n, 2, 3), np.nan, np.float32),
-        boxed=np.zeros(n, bool),
+        from_detector=np.zeros(n, bool),
     )

@@ -123,7 +123,7 @@ def detections(
         middle=colour,
         regions=np.zeros((1, 1), np.int32),
         clothes=_clothes(hue),
-        boxed=np.zeros(len(hue), bool),
+        from_detector=np.zeros(len(hue), bool),
     )
 
 

@@ -18,16 +18,16 @@ from tracking.geometry import (
     standing_ellipses,
 )
 from tracking.people import Detections
-from tracking.people.stereo_boxes import may_be_in_right, rectified_boxes
+from tracking.people.stereo_boxes import rectified_boxes, right_search_boxes
 from tracking.trackers.spheroid.box_cues import box_log_weights, flat_boxes
-from tracking.trackers.three_part.claims import Claims, with_boxes
+from tracking.trackers.three_part.claims import Claims, associate_detections
 
 BOX = np.array(((10.0, 10.0, 20.0, 60.0), (100.0, 10.0, 20.0, 60.0)))
 
 
-def _seen(boxed: list[bool]) -> Detections:
+def _seen(from_detector: list[bool]) -> Detections:
     none = Detections.none((100, 200))
-    return replace(none, box=BOX, boxed=np.array(boxed), merged=np.zeros(2, bool))
+    return replace(none, box=BOX, from_detector=np.array(from_detector), merged=np.zeros(2, bool))
 
 
 def _claims(share: list[list[float]], region: list[int]) -> Claims:
@@ -37,7 +37,9 @@ def _claims(share: list[list[float]], region: list[int]) -> Claims:
 
 def test_a_box_is_one_person_s_whoever_else_has_parts_in_it() -> None:
     expected = np.array(((12.0, 10.0, 20.0, 60.0), (14.0, 30.0, 20.0, 60.0)))
-    claims = with_boxes(_claims([[0.9, 0], [0.8, 0]], [0, 0]), expected, _seen([True, True]))
+    claims = associate_detections(
+        _claims([[0.9, 0], [0.8, 0]], [0, 0]), expected, _seen([True, True])
+    )
     assert claims.region.tolist() == [0, -1]
     assert claims.alone.tolist() == [True, False]
     assert claims.is_taken.tolist() == [True, False]
@@ -47,7 +49,7 @@ def test_a_box_is_one_person_s_whoever_else_has_parts_in_it() -> None:
 def test_regions_of_the_foreground_are_claimed_as_ever() -> None:
     expected = np.array(((12.0, 10.0, 20.0, 60.0), (101.0, 10.0, 20.0, 60.0)))
     before = _claims([[0.9, 0], [0, 0.8]], [0, 1])
-    claims = with_boxes(before, expected, _seen([True, False]))
+    claims = associate_detections(before, expected, _seen([True, False]))
     assert claims.region.tolist() == [0, 1]
     assert claims.share[1].tolist() == [0.0, 0.8]
     assert claims.support.min() == 1.0
@@ -73,7 +75,7 @@ def test_a_box_of_the_left_camera_holds_its_person_in_the_right_one() -> None:
     ends = np.array(((0.2, 5.0, 0.0), (0.2, 5.0, 1.7)))
     left, right = rectification.rectified_from_world(ends), _right_of(rectification, ends)
     box = np.array([[left[1, 0] - 9.0, left[1, 1], 18.0, left[0, 1] - left[1, 1]]])
-    wide = may_be_in_right(box, rectification)[0]
+    wide = right_search_boxes(box, rectification)[0]
     assert wide[0] < right[:, 0].min() < right[:, 0].max() < wide[0] + wide[2]
 
 

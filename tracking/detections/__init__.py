@@ -1,12 +1,12 @@
 """Boxes that a detector of another program found: read, chosen, and handed to perception."""
 
+from tracking.detections.detections_file import DetectionsFile, read_detections
 from tracking.detections.frame_numbers import Footage
-from tracking.detections.reading import DetectionsFile, read_detections
 from tracking.detections.settings import DetectionSettings
 from tracking.detections.source import (
-    GivenBoxes,
-    box_source,
+    RecordingDetections,
     detections_stage,
+    load_detections,
     outside,
     place_of,
     with_relative_paths,
@@ -18,10 +18,10 @@ __all__ = [
     "DetectionSettings",
     "DetectionsFile",
     "Footage",
-    "GivenBoxes",
-    "box_source",
+    "RecordingDetections",
     "detections_stage",
     "learnt_threshold",
+    "load_detections",
     "outside",
     "place_of",
     "read_detections",

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from tracking.arrays import Flags, Integers
-from tracking.detections.box_reading import MOST_IN_ALL, BoxReading
+from tracking.detections.box_collector import MOST_IN_ALL, BoxCollector
 from tracking.detections.frame_numbers import Footage
 from tracking.errors import FormatError
 from tracking.formats.coco import frame_of, looks_like_coco, numbers_of, object_of, size_of
@@ -43,7 +43,7 @@ def is_coco(head: bytes) -> bool:
     )
 
 
-def read_coco_boxes(boxes: BoxReading, footage: Footage) -> None:
+def read_coco_boxes(boxes: BoxCollector, footage: Footage) -> None:
     """All boxes of people in the file; raises FormatError where it is no such JSON."""
     file = _File(boxes)
     for member, at, value in _elements(boxes):
@@ -51,7 +51,7 @@ def read_coco_boxes(boxes: BoxReading, footage: Footage) -> None:
     file.finish(footage)
 
 
-def _elements(boxes: BoxReading) -> Iterator[tuple[str, int, Any]]:
+def _elements(boxes: BoxCollector) -> Iterator[tuple[str, int, Any]]:
     """The elements of each member; those of a bare list are annotations."""
     path, report = boxes.reading.path, boxes.reading.report
     if not boxes.held[:64].lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"["):
@@ -64,7 +64,7 @@ def _elements(boxes: BoxReading) -> Iterator[tuple[str, int, Any]]:
 class _File:
     """Takes a file in, whatever order its members have."""
 
-    def __init__(self, boxes: BoxReading) -> None:
+    def __init__(self, boxes: BoxCollector) -> None:
         self._boxes, self._reading = boxes, boxes.reading
         self._images: dict[int, tuple[int | None, str]] = {}
         self._size_px: tuple[int, int] | None = None

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.arrays import Floats
-from tracking.detections.box_reading import BoxReading
+from tracking.detections.box_collector import BoxCollector
 from tracking.detections.frame_numbers import Footage
 from tracking.formats.delimited_text import NumberRows, RowShape, pieces_of
 from tracking.formats.mot import UNKNOWN
@@ -22,7 +22,7 @@ _SHAPE = RowShape("MOT text", least=6, most=10, comment="#")
 _CONFIDENCE = 6
 
 
-def read_mot_boxes(boxes: BoxReading, _footage: Footage) -> None:
+def read_mot_boxes(boxes: BoxCollector, _footage: Footage) -> None:
     """All boxes of the file; raises FormatError where it is no such text."""
     boxes.no_score, boxes.counts_pixels = UNKNOWN, True
     reading = boxes.reading

@@ -1,4 +1,4 @@
-"""Boxes of a recording as perception asks for them: frame by frame, sure ones, one a person."""
+"""Detections of a recording as perception asks for them: frame by frame, one a person."""
 
 from __future__ import annotations
 
@@ -8,19 +8,19 @@ from dataclasses import replace
 from pathlib import Path, PurePosixPath, PureWindowsPath
 from typing import Any
 
+from tracking.detections.detections_file import DetectionsFile, read_cameras
 from tracking.detections.frame_numbers import Footage
-from tracking.detections.reading import DetectionsFile, read_cameras
 from tracking.detections.settings import ONLY, DetectionSettings
-from tracking.detections.table import BoxTable, one_each
+from tracking.detections.table import BoxTable, suppress_overlaps
 from tracking.errors import FormatError, RecordingError
-from tracking.people.given_boxes import FrameBoxes
+from tracking.people.detection_source import FrameDetections
 from tracking.recording import Recording
 from tracking.tracks import DetectionsInput
 from tracking.translation import Message, msg
 
 
-class GivenBoxes:
-    """A `BoxSource` of one file, or of one for each camera.
+class RecordingDetections:
+    """Detections of a recording, from one file or from one for each camera: a `DetectionSource`.
 
     Args:
         left: of the left (or only) camera. right: of the right one, None: nothing is known.
@@ -39,8 +39,8 @@ class GivenBoxes:
         settings: DetectionSettings,
     ) -> None:
         self._settings = settings
-        self._left = left.table.sure(settings.least_score)
-        self._right = None if right is None else right.table.sure(settings.least_score)
+        self._left = left.table.above_score(settings.least_score)
+        self._right = None if right is None else right.table.above_score(settings.least_score)
         files = [("left", left, self._left)]
         if right is not None and self._right is not None:
             files.append(("right", right, self._right))
@@ -58,19 +58,19 @@ class GivenBoxes:
         return not all(len(table) for table in (self._left, self._right) if table is not None)
 
     @property
-    def only(self) -> bool:
+    def detections_only(self) -> bool:
         """Whether no people are looked for in the foreground beside them."""
         return self._settings.use == ONLY
 
-    def of(self, frame: int) -> FrameBoxes:
+    def of(self, frame: int) -> FrameDetections:
         """The boxes of a frame of the left camera, one for each person."""
-        return one_each(self._left.of(frame), self._settings.max_overlap)
+        return suppress_overlaps(self._left.of(frame), self._settings.max_overlap)
 
-    def of_right(self, frame: int) -> FrameBoxes | None:
+    def of_right(self, frame: int) -> FrameDetections | None:
         """Those of the right camera; None where nothing is known of it."""
         if self._right is None:
             return None
-        return one_each(self._right.of(frame), self._settings.max_overlap)
+        return suppress_overlaps(self._right.of(frame), self._settings.max_overlap)
 
 
 def _used_of(file: DetectionsFile, used: BoxTable) -> Message:
@@ -101,7 +101,9 @@ def detections_stage(settings: Any) -> DetectionSettings:
     return stage if isinstance(stage, DetectionSettings) else DetectionSettings()
 
 
-def box_source(recording: Recording, settings: DetectionSettings) -> GivenBoxes | None:
+def load_detections(
+    recording: Recording, settings: DetectionSettings
+) -> RecordingDetections | None:
     """The boxes that settings name, of a recording; None where they name no file.
 
     Raises FormatError where a file cannot be read, RecordingError where there is one of a right
@@ -118,7 +120,7 @@ def box_source(recording: Recording, settings: DetectionSettings) -> GivenBoxes 
     if settings.file_right:
         right = Footage.of(recording, right=True)
         given.append((place_of(recording, settings.file_right), right))
-    return GivenBoxes(*read_cameras(given), settings=settings)
+    return RecordingDetections(*read_cameras(given), settings=settings)
 
 
 def place_of(recording: Recording, named: str) -> Path:

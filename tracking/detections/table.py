@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from tracking.arrays import Flags, Floats, Integers
-from tracking.people.given_boxes import MOST_BOXES, FrameBoxes
+from tracking.people.detection_source import MOST_BOXES, FrameDetections
 
 _TWO_KINDS, _TWO_KINDS_PER_SHARE = 0.72, 0.14
 """Share of the scores' variance that lies between two kinds of boxes where few are of the lower
@@ -16,10 +16,11 @@ uniform distribution has 0.75 and a normal one 0.64; two public detectors have 0
 6 % and 16 % of their boxes in the lower kind, most of which are nobody."""
 _MOST_DROPPED = 0.5
 _INSIDE, _SAME_FEET = 0.9, 0.15
-"""A box of which this share lies in a surer one is of the same person, where their lower sides are
-closer than this share of the smaller height: who stands behind somebody has feet farther up."""
+"""A box of which this share lies in one with a higher score is of the same person, where their
+lower sides are closer than this share of the smaller height: who stands behind somebody has feet
+farther up."""
 _COMPARED = 4 * MOST_BOXES
-"""The surest boxes of a frame, which are compared pair by pair."""
+"""Boxes of a frame that are compared pair by pair, those with the highest scores."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -46,16 +47,16 @@ class BoxTable:
         """The number of boxes."""
         return len(self.frame)
 
-    def of(self, frame: int) -> FrameBoxes:
+    def of(self, frame: int) -> FrameDetections:
         """All boxes of a frame."""
         start, stop = np.searchsorted(self.frame, (frame, frame + 1))
-        return FrameBoxes(self.box[start:stop], self.score[start:stop])
+        return FrameDetections(self.box[start:stop], self.score[start:stop])
 
     def select(self, kept: Flags) -> BoxTable:
         """Some of the boxes."""
         return BoxTable(self.frame[kept], self.box[kept], self.score[kept])
 
-    def sure(self, least_score: float | None) -> BoxTable:
+    def above_score(self, least_score: float | None) -> BoxTable:
         """Those with this score or more; None: with the one that is learnt from the scores."""
         least = learnt_threshold(self.score) if least_score is None else least_score
         return self.select(self.score >= least)
@@ -89,8 +90,10 @@ def learnt_threshold(score: Floats) -> float:
     return float(known[best + 1])
 
 
-def one_each(boxes: FrameBoxes, max_overlap: float) -> FrameBoxes:
-    """One box for each person: of two on one the surer one, at most `MOST_BOXES`, in their order.
+def suppress_overlaps(boxes: FrameDetections, max_overlap: float) -> FrameDetections:
+    """Non-maximum suppression: the box with the highest score of each person, in their order.
+
+    At most `MOST_BOXES` are kept, those with the highest scores.
 
     Args:
         boxes: of one frame.
@@ -104,7 +107,7 @@ def one_each(boxes: FrameBoxes, max_overlap: float) -> FrameBoxes:
     for k in np.flatnonzero(twice.any(axis=1)).tolist():
         kept[k] = not (twice[k] & kept).any()
     rows = np.sort(order[kept][:MOST_BOXES])
-    return FrameBoxes(boxes.box[rows], boxes.score[rows])
+    return FrameDetections(boxes.box[rows], boxes.score[rows])
 
 
 def _same_feet(box: Floats) -> Flags:

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
-from tracking.detections.box_reading import BoxReading
+from tracking.detections.box_collector import BoxCollector
 from tracking.detections.coco_boxes import PEOPLE
 from tracking.detections.frame_numbers import Footage
 from tracking.errors import FormatError
@@ -58,7 +58,7 @@ def names_file(folder: Path) -> Path | None:
     return None
 
 
-def read_yolo_boxes(boxes: BoxReading, footage: Footage) -> None:
+def read_yolo_boxes(boxes: BoxCollector, footage: Footage) -> None:
     """All boxes of people in the folder's files.
 
     Raises FormatError where a file cannot be read or is no such text.
@@ -112,7 +112,7 @@ def _people_in(folder: Path) -> int:
     raise FormatError("{path}: none of the classes is person; rename the one of people", path=path)
 
 
-def _take(boxes: BoxReading, path: Path, frame: int, people: int, footage: Footage) -> None:
+def _take(boxes: BoxCollector, path: Path, frame: int, people: int, footage: Footage) -> None:
     """The boxes of one file."""
     rows, lines = [], []
     for number, line in enumerate(read_small(path).decode("utf-8", "replace").split("\n"), 1):

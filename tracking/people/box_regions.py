@@ -50,7 +50,9 @@ def regions_of_boxes(boxes: Floats, kind: Mask) -> tuple[Labels, Flags]:
     return number[labels], shown
 
 
-def with_boxes(people: Detections, boxes: Floats, standing: Standing, shrink: int) -> Detections:
+def measure_from_boxes(
+    people: Detections, boxes: Floats, standing: Standing, shrink: int
+) -> Detections:
     """The people, the first of whom are those of boxes (k, 4) px as recorded, where these say.
 
     A detector's box is of the whole body, hidden or not.
@@ -67,9 +69,11 @@ def with_boxes(people: Detections, boxes: Floats, standing: Standing, shrink: in
     position[:count], box[:count] = place, boxes
     size[:count, 0] = width * standing.metres_per_pixel(place)
     size[:count, 1] = 2 * place[:, 2]
-    boxed = np.arange(len(people)) < count
-    merged = people.merged & ~boxed
-    return replace(people, position=position, box=box, size=size, merged=merged, boxed=boxed)
+    from_detector = np.arange(len(people)) < count
+    merged = people.merged & ~from_detector
+    return replace(
+        people, position=position, box=box, size=size, merged=merged, from_detector=from_detector
+    )
 
 
 def join_regions(first: Labels, other: Labels) -> Labels:

@@ -30,8 +30,8 @@ class Detections:
             pixels of row k - 1.
         clothes: (n, 2, 3) CIELAB of the upper and the lower body, mean lightness (0 to 100), a
             and b; NaN where it is not known.
-        boxed: (n,) bool; seen by the box of another program's detector, which is of one person and
-            of the whole body, hidden or not.
+        from_detector: (n,) bool; detected by another program, whose box is of one person and of
+            the whole body, hidden or not.
     """
 
     box: Floats
@@ -44,7 +44,7 @@ class Detections:
     middle: NDArray[np.float32]
     regions: NDArray[np.int32] | NDArray[np.uint8]
     clothes: NDArray[np.float32]
-    boxed: NDArray[np.bool_]
+    from_detector: NDArray[np.bool_]
 
     def __len__(self) -> int:
         """The number of people seen."""
@@ -71,5 +71,5 @@ class Detections:
             middle=histograms,
             regions=np.broadcast_to(np.int32(0), shape),
             clothes=np.zeros((0, 2, 3), np.float32),
-            boxed=flags,
+            from_detector=flags,
         )

@@ -136,7 +136,7 @@ class PeopleFinder:
             middle=middle,
             regions=in_size(labels, self._size),
             clothes=clothes_colours(picture, labels, boxes, STEP),
-            boxed=np.zeros(len(boxes), bool),
+            from_detector=np.zeros(len(boxes), bool),
         )
 
     def _nearer_than(self, extent: Extent) -> NDArray[np.float64]:

@@ -20,9 +20,9 @@ from tracking.foreground import (
     in_size,
 )
 from tracking.geometry import Ground, Rectification
+from tracking.people.detection_source import DetectionSource
 from tracking.people.detections import Detections
 from tracking.people.finder import PeopleFinder
-from tracking.people.given_boxes import BoxSource
 from tracking.people.observation import Observation, Overlays
 from tracking.people.one_camera import OneCamera
 from tracking.people.settings import PeopleSettings
@@ -79,7 +79,7 @@ class StereoPerception:
         foreground: ForegroundSettings | None = None,
         stereo: StereoSettings | None = None,
         people: PeopleSettings | None = None,
-        boxes: BoxSource | None = None,
+        boxes: DetectionSource | None = None,
         looked_at: Mask | None = None,
     ) -> None:
         self._rectification = rectification

@@ -52,7 +52,7 @@ def described(
         middle=middle,
         regions=in_full(regions, shape).astype(np.int32),
         clothes=clothes,
-        boxed=np.zeros(len(boxes), bool),
+        from_detector=np.zeros(len(boxes), bool),
     )
 
 

@@ -20,9 +20,9 @@ from tracking.geometry import View
 from tracking.people import upright
 from tracking.people.body_scale import Standing
 from tracking.people.box_bodies import working_boxes
-from tracking.people.box_regions import join_regions, regions_of_boxes, with_boxes
+from tracking.people.box_regions import join_regions, measure_from_boxes, regions_of_boxes
+from tracking.people.detection_source import DetectionSource
 from tracking.people.ghosts import without_ghosts
-from tracking.people.given_boxes import BoxSource
 from tracking.people.observation import Observation, Overlays
 from tracking.people.region_features import described, in_full
 from tracking.people.regions_of_people import people_regions
@@ -60,7 +60,7 @@ class SingleCameraPerception:
         view: View | None = None,
         foreground: ForegroundSettings | None = None,
         people: PeopleSettings | None = None,
-        boxes: BoxSource | None = None,
+        boxes: DetectionSource | None = None,
         looked_at: Mask | None = None,
     ) -> None:
         self._background = BackgroundModel(fps, foreground, looked_at)
@@ -94,7 +94,7 @@ class SingleCameraPerception:
         given, boxes = self._given(frame.number, kind)
         regions = join_regions(given, self._beside(seen, kind, given, standing))
         people = described(regions, seen.picture, image.shape, standing, self._settings)
-        people = with_boxes(people, boxes, standing, self._shrink)
+        people = measure_from_boxes(people, boxes, standing, self._shrink)
         self._remember(seen, regions)
         overlays = self._overlays(seen.mask, shadow, image)
         return Observation(frame.number, frame.time_s, people, overlays, image)
@@ -109,7 +109,7 @@ class SingleCameraPerception:
 
     def _beside(self, seen: Subtraction, kind: Mask, given: Labels, standing: Standing) -> Labels:
         """The regions of people in the foreground that no box explains."""
-        if self._boxes is not None and self._boxes.only:
+        if self._boxes is not None and self._boxes.detections_only:
             return np.zeros_like(kind)
         if given.any():
             kind = np.where(cv2.dilate(given, _AROUND_BOXES) > 0, np.uint8(0), kind)

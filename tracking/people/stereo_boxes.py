@@ -10,7 +10,7 @@ from tracking.arrays import Floats
 from tracking.foreground import Subtraction
 from tracking.geometry import Rectification
 from tracking.people.box_bodies import paint_bodies, working_boxes
-from tracking.people.given_boxes import BoxSource
+from tracking.people.detection_source import DetectionSource
 from tracking.recording.frame import StereoFrame
 from tracking.tracks.boxes import boxes_of_corners, corners_of_boxes, corners_through
 
@@ -21,7 +21,7 @@ _HEIGHTS_M = (1.3, 2.1)
 def add_bodies(
     left: Subtraction,
     right: Subtraction,
-    source: BoxSource,
+    source: DetectionSource,
     frame: StereoFrame,
     rectification: Rectification,
     shrink: int,
@@ -35,11 +35,11 @@ def add_bodies(
     lag = frame.right_lag
     told = None if lag is None else source.of_right(frame.number + lag)
     if told is None:
-        there = may_be_in_right(seen, rectification)
+        there = right_search_boxes(seen, rectification)
     else:
         there = rectified_boxes(told.box, rectification, right=True)
     masks = [
-        paint_bodies(each.mask, working_boxes(boxes, shrink), 255, only=source.only)
+        paint_bodies(each.mask, working_boxes(boxes, shrink), 255, only=source.detections_only)
         for each, boxes in ((left, seen), (right, there))
     ]
     return replace(left, mask=masks[0]), replace(right, mask=masks[1])
@@ -60,7 +60,7 @@ def rectified_boxes(boxes: Floats, rectification: Rectification, *, right: bool 
     return boxes_of_corners(corners[np.isfinite(corners).all(axis=1)])
 
 
-def may_be_in_right(boxes: Floats, rectification: Rectification) -> Floats:
+def right_search_boxes(boxes: Floats, rectification: Rectification) -> Floats:
     """(n, 4) what holds the people of rectified left boxes (n, 4) px in the right camera.
 
     How far away they are, and by that how far to the left, their height in the picture tells.

@@ -9,7 +9,12 @@ from typing import Any
 
 import numpy as np
 
-from tracking.detections import GivenBoxes, box_source, detections_stage, with_relative_paths
+from tracking.detections import (
+    RecordingDetections,
+    detections_stage,
+    load_detections,
+    with_relative_paths,
+)
 from tracking.errors import SettingsError
 from tracking.people import RangedShare, StereoWatch, first_lag
 from tracking.pipeline.run_buffer import KeptSteps
@@ -132,7 +137,7 @@ class Tracking:
         self._resume = resume
         self._tracker: Tracker | None = None
         self._perception: Perception | None = None
-        self._boxes: GivenBoxes | None = None
+        self._boxes: RecordingDetections | None = None
         self._kept = kept
         self._followed = False
         self.doubt = Message()
@@ -210,7 +215,9 @@ class Tracking:
 
     def _work(self) -> Generator[StepResult]:
         timed = self._stages.timed
-        self._boxes = timed("learn", box_source, self._recording, detections_stage(self._settings))
+        self._boxes = timed(
+            "learn", load_detections, self._recording, detections_stage(self._settings)
+        )
         if self._resume is not None:
             self._resume.require_same(self.detections_input)
         asked = (self._recording, self._settings, self._seed, self._boxes)

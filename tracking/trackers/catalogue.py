@@ -9,7 +9,7 @@ from types import MappingProxyType
 from typing import Any, Protocol
 
 from tracking.errors import CalibrationError, RecordingError, SettingsError
-from tracking.people.given_boxes import BoxSource
+from tracking.people.detection_source import DetectionSource
 from tracking.recording import Recording
 from tracking.settings import (
     former_names,
@@ -47,7 +47,12 @@ class Build(Protocol):
     """Makes a tracker."""
 
     def __call__(
-        self, recording: Recording, settings: Any, seed: int, boxes: BoxSource | None = None, /
+        self,
+        recording: Recording,
+        settings: Any,
+        seed: int,
+        boxes: DetectionSource | None = None,
+        /,
     ) -> tuple[Perception, Tracker]:
         """Perception and tracker at their start; see `TrackerSpec`."""
 

@@ -6,7 +6,7 @@ from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen
 
 from app.core.drawing.viewport import Viewport
-from app.core.scenes.given_boxes import DETECTION, PicturedDetections
+from app.core.scenes.detections import DETECTION, PicturedDetections
 
 _DASHES = [3.0, 3.0]
 _GROUND = QColor(0, 0, 0, 130)

@@ -9,8 +9,8 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QWidget
 
 from app.core.drawing.canvas import Canvas
+from app.core.scenes.detections import NO_DETECTIONS, PicturedDetections
 from app.core.scenes.flow_map import FlowScene
-from app.core.scenes.given_boxes import NO_DETECTIONS, PicturedDetections
 from app.core.scenes.ground_truth import FlooredTruth, PicturedTruth
 from app.core.scenes.labels import FloorLabels, PictureLabels
 from app.core.scenes.other_people import OtherMark, OtherPlace

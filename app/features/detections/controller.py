@@ -9,14 +9,14 @@ from PySide6.QtCore import Qt
 from app.core.feature import FeatureContext, FeatureController, ShownFrame
 from app.core.jobs.latest_job import LatestJob
 from app.core.scenes import Side
-from app.core.scenes.given_boxes import NO_DETECTIONS
+from app.core.scenes.detections import NO_DETECTIONS
 from app.core.tracks.frame_state import FrameState
-from app.features.detections.presenter import GivenTo, boxes_of, picture
-from tracking.detections import GivenBoxes
+from app.features.detections.presenter import UsedDetections, boxes_of, picture
+from tracking.detections import RecordingDetections
 from tracking.errors import SettingsError
 from tracking.progress import Progress
 
-_Found = tuple[GivenTo, GivenBoxes | None]
+_Found = tuple[UsedDetections, RecordingDetections | None]
 
 
 class DetectionsController(FeatureController):
@@ -41,14 +41,14 @@ class DetectionsController(FeatureController):
 
     def draw_frame(self, shown: ShownFrame) -> None:
         """Show a frame; what is missing for it is read."""
-        given = _given_to(shown.state) if shown.view_options.detections else None
+        given = _used_detections(shown.state) if shown.view_options.detections else None
         if given is not None:
             self._search.ask(given)
         known = self._found is not None and self._found[0] == given
         boxes = self._found[1] if self._found is not None and known else None
         self._show(boxes, shown.state.frame, shown.right if shown.cameras == "both" else None)
 
-    def _show(self, boxes: GivenBoxes | None, left: int, right: int | None) -> None:
+    def _show(self, boxes: RecordingDetections | None, left: int, right: int | None) -> None:
         """The boxes of these frames of the cameras; None: none."""
         pictured = [NO_DETECTIONS, NO_DETECTIONS]
         if boxes is not None:
@@ -58,7 +58,7 @@ class DetectionsController(FeatureController):
         self._surfaces.left.show_detections(pictured[0])
         self._surfaces.right.show_detections(pictured[1])
 
-    def _prepare(self, given: GivenTo) -> Callable[[Progress], _Found]:
+    def _prepare(self, given: UsedDetections) -> Callable[[Progress], _Found]:
         recording = self._document.recording
         return lambda _: (given, boxes_of(recording, given))
 
@@ -66,8 +66,8 @@ class DetectionsController(FeatureController):
         self._found = found
 
 
-def _given_to(state: FrameState) -> GivenTo | None:
+def _used_detections(state: FrameState) -> UsedDetections | None:
     try:
-        return GivenTo.of(state.run)
+        return UsedDetections.of(state.run)
     except SettingsError:
         return None  # made by another version

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 from app.core.i18n import tr
 from app.core.scenes import LegendEntry, Side
-from app.core.scenes.given_boxes import DETECTION, NO_DETECTIONS, PicturedDetections
+from app.core.scenes.detections import DETECTION, NO_DETECTIONS, PicturedDetections
 from app.core.tracks.made_by import AtWork, MadeBy
-from tracking.detections import DetectionSettings, GivenBoxes, box_source, outside
+from tracking.detections import DetectionSettings, RecordingDetections, load_detections, outside
 from tracking.errors import FormatError
 from tracking.recording import Recording
 from tracking.settings import settings_from
@@ -18,8 +18,8 @@ _STAGE = "detections."
 
 
 @dataclass(frozen=True, slots=True)
-class GivenTo:
-    """The detections that a tracker was given.
+class UsedDetections:
+    """The detections that a tracker used.
 
     Attributes:
         settings: which, and what of them is used.
@@ -33,7 +33,7 @@ class GivenTo:
     outside: str = ""
 
     @classmethod
-    def of(cls, run: MadeBy | None) -> GivenTo | None:
+    def of(cls, run: MadeBy | None) -> UsedDetections | None:
         """Those of what made some tracks; None: it was given none.
 
         Raises SettingsError where settings of another version say what this one does not know.
@@ -47,7 +47,7 @@ class GivenTo:
         return cls(settings, inputs, "" if isinstance(run, AtWork) else outside(values))
 
 
-def boxes_of(recording: Recording, given: GivenTo) -> GivenBoxes | None:
+def boxes_of(recording: Recording, given: UsedDetections) -> RecordingDetections | None:
     """Reads the boxes, on any thread.
 
     Raises FormatError where they cannot be read, are not those that the tracker was given, or lie
@@ -59,7 +59,7 @@ def boxes_of(recording: Recording, given: GivenTo) -> GivenBoxes | None:
             "the recording; their boxes are not drawn",
             file=given.outside,
         )
-    boxes = box_source(recording, given.settings)
+    boxes = load_detections(recording, given.settings)
     if boxes is not None and given.inputs:
         for one in boxes.inputs:
             if not one.is_among(given.inputs):
@@ -71,7 +71,7 @@ def boxes_of(recording: Recording, given: GivenTo) -> GivenBoxes | None:
     return boxes
 
 
-def picture(boxes: GivenBoxes, side: Side, frame: int) -> PicturedDetections:
+def picture(boxes: RecordingDetections, side: Side, frame: int) -> PicturedDetections:
     """The boxes of a camera in a frame."""
     found = boxes.of(frame) if side is Side.LEFT else boxes.of_right(frame)
     if found is None or not len(found):

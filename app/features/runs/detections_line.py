@@ -16,7 +16,7 @@ from app.core.jobs.latest_job import LatestJob
 from app.core.widgets.parts import quiet
 from app.core.widgets.questions import choose_file
 from app.core.widgets.user_settings import UserSettings
-from tracking.detections import DetectionSettings, GivenBoxes, box_source, outside
+from tracking.detections import DetectionSettings, RecordingDetections, load_detections, outside
 from tracking.detections.settings import BESIDE, ONLY
 from tracking.progress import Progress
 from tracking.recording import Recording
@@ -165,7 +165,7 @@ class DetectionsLine(QObject):
             values = {name.partition(".")[2]: value for name, value in self.values().items()}
             self._look.ask(settings_from(DetectionSettings, values))
 
-    def _tell(self, boxes: GivenBoxes) -> None:
+    def _tell(self, boxes: RecordingDetections) -> None:
         self._say("\n".join(tr(note) for note in boxes.notes), warns=boxes.unused)
         self.usable.emit(True)
 
@@ -189,5 +189,5 @@ def _is_there(path: Path) -> bool:
 
 def _reading(
     recording: Recording, settings: DetectionSettings
-) -> Callable[[Progress], GivenBoxes | None]:
-    return lambda _: box_source(recording, settings)
+) -> Callable[[Progress], RecordingDetections | None]:
+    return lambda _: load_detections(recording, settings)

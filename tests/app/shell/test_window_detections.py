@@ -11,7 +11,7 @@ from pytestqt.qtbot import QtBot
 
 from app.core.tracks.made_by import AtWork
 from app.features.detections.controller import DetectionsController
-from app.features.detections.presenter import GivenTo, boxes_of
+from app.features.detections.presenter import UsedDetections, boxes_of
 from app.features.runs.track_dialog import TrackDialog
 from app.shell.main_window import MainWindow
 from tracking.errors import FormatError
@@ -89,14 +89,14 @@ def test_boxes_of_a_file_outside_that_a_session_names_are_not_drawn_and_that_is_
     session_run = replace(run, settings={**run.settings, "detections.file": str(outside)})
     recording = tracked.controller.document.recording
     with pytest.raises(FormatError, match="not in the folder of the recording"):
-        boxes_of(recording, GivenTo.of(session_run))
+        boxes_of(recording, UsedDetections.of(session_run))
     at_work = AtWork(session_run.tracker, session_run.settings)  # as the user asked for it
-    assert boxes_of(recording, GivenTo.of(at_work)) is not None
+    assert boxes_of(recording, UsedDetections.of(at_work)) is not None
 
 
 def test_boxes_of_the_cameras_swapped_are_not_drawn(tracked) -> None:
     run = tracked.files.session.runs[0]
     (left,) = run.detections_input
-    given = GivenTo.of(replace(run, detections_input=(replace(left, camera="right"),)))
+    given = UsedDetections.of(replace(run, detections_input=(replace(left, camera="right"),)))
     with pytest.raises(FormatError, match="has changed since"):
         boxes_of(tracked.controller.document.recording, given)

@@ -167,7 +167,7 @@ def _detections(places: Floats, colour: Floats, random: np.random.Generator) -> 
         middle=histogram,
         regions=np.zeros((1, 1), np.int32),
         clothes=_clothes(histogram),
-        boxed=np.zeros(len(histogram), bool),
+        from_detector=np.zeros(len(histogram), bool),
     )
 
 

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from tracking.foreground import BackgroundModel, ForegroundSettings, ShadowRemover, Subtraction
 from tracking.people import Detections, Observation, Overlays
 from tracking.people.box_bodies import paint_bodies, working_boxes
-from tracking.people.given_boxes import BoxSource
+from tracking.people.detection_source import DetectionSource
 from tracking.recording.frame import Image, StereoFrame
 from tracking.trackers.flow.half_resolution import double, halve
 from tracking.trackers.flow.silhouettes import BODY, SHADE
@@ -59,7 +59,7 @@ class FlowPerception:
         self,
         fps: float,
         foreground: ForegroundSettings | None = None,
-        boxes: BoxSource | None = None,
+        boxes: DetectionSource | None = None,
         looked_at: Mask | None = None,
     ) -> None:
         self._background = BackgroundModel(fps, foreground, looked_at)
@@ -99,8 +99,8 @@ class FlowPerception:
             return mask
         boxes = working_boxes(self._boxes.of(frame).box, 2)
         solid = (mask == BODY).astype(np.uint8) * np.uint8(255)
-        painted = paint_bodies(solid, boxes, 255, only=self._boxes.only)
-        if self._boxes.only:
+        painted = paint_bodies(solid, boxes, 255, only=self._boxes.detections_only)
+        if self._boxes.detections_only:
             mask = np.zeros_like(mask)
         mask[painted > 0] = BODY
         return mask

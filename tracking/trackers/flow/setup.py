@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from tracking.errors import CalibrationError
-from tracking.people.given_boxes import BoxSource
+from tracking.people.detection_source import DetectionSource
 from tracking.recording import Recording
 from tracking.trackers.flow.perception import FlowPerception
 from tracking.trackers.flow.settings import FlowSettings
@@ -14,7 +14,7 @@ def build_flow(
     recording: Recording,
     settings: FlowSettings,
     seed: int,  # noqa: ARG001 - of every tracker; nothing here is random
-    boxes: BoxSource | None = None,
+    boxes: DetectionSource | None = None,
 ) -> tuple[FlowPerception, FlowTracker]:
     """Perception and tracker; raises `CalibrationError` where the floor is not known."""
     if recording.view is None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from tracking.people import StereoPerception
-from tracking.people.given_boxes import BoxSource
+from tracking.people.detection_source import DetectionSource
 from tracking.recording import Recording
 from tracking.trackers.joint.settings import JointSettings
 from tracking.trackers.joint.tracker import JointTracker
@@ -11,7 +11,7 @@ from tracking.trackers.stereo.setup import perception_and_view
 
 
 def build_joint(
-    recording: Recording, settings: JointSettings, seed: int, boxes: BoxSource | None = None
+    recording: Recording, settings: JointSettings, seed: int, boxes: DetectionSource | None = None
 ) -> tuple[StereoPerception, JointTracker]:
     """Perception and tracker at their start."""
     perception, view = perception_and_view(recording, settings, boxes)

@@ -22,7 +22,7 @@ from tracking.foreground import (
 from tracking.geometry import FlatView, View
 from tracking.people import Detections, Observation, Overlays
 from tracking.people.box_bodies import paint_bodies, working_boxes
-from tracking.people.given_boxes import BoxSource
+from tracking.people.detection_source import DetectionSource
 from tracking.people.working_scale import shrink_of, shrunk
 from tracking.recording.frame import Image, StereoFrame
 from tracking.translation import Message
@@ -89,7 +89,7 @@ class SpheroidPerception:
         view: View,
         foreground: ForegroundSettings | None = None,
         ramp_settings: RampSettings | None = None,
-        boxes: BoxSource | None = None,
+        boxes: DetectionSource | None = None,
         looked_at: Mask | None = None,
     ) -> None:
         self.flat = FlatView(view, shrink_of(view.camera.width))
@@ -160,7 +160,7 @@ class SpheroidPerception:
         if self._boxes is None:
             return weighed
         working = working_boxes(boxes, self.flat.shrink)
-        return paint_bodies(weighed, working, _BODY, only=self._boxes.only)
+        return paint_bodies(weighed, working, _BODY, only=self._boxes.detections_only)
 
     def _weigh(self, seen: Subtraction, weight: Picture) -> Picture:
         """B times 255 with shadows weighed down, not undistorted."""

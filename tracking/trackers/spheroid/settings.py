@@ -188,7 +188,7 @@ class SpheroidSettings:
     detections: DetectionSettings = stage(DetectionSettings)
 
     @property
-    def only_boxes(self) -> bool:
+    def detections_only(self) -> bool:
         """Whether people are seen by another program's boxes alone."""
         return bool(self.detections.file) and self.detections.use == ONLY
 

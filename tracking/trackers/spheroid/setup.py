@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from tracking.errors import CalibrationError
 from tracking.geometry import FlatView
-from tracking.people.given_boxes import BoxSource
+from tracking.people.detection_source import DetectionSource
 from tracking.recording import Recording
 from tracking.trackers.shared.occluders import Polygons, occluder_mask, occluders_from
 from tracking.trackers.spheroid.perception import SpheroidPerception
@@ -16,7 +16,10 @@ from tracking.trackers.spheroid.tracker import SpheroidTracker
 
 
 def build_spheroid(
-    recording: Recording, settings: SpheroidSettings, seed: int, boxes: BoxSource | None = None
+    recording: Recording,
+    settings: SpheroidSettings,
+    seed: int,
+    boxes: DetectionSource | None = None,
 ) -> tuple[SpheroidPerception, SpheroidTracker]:
     """Perception and tracker at their start; of a stereo recording the left camera is looked at.
 

@@ -83,7 +83,7 @@ def should_keep(people: SpheroidPeople, settings: SpheroidSettings) -> NDArray[n
     gathered = people.spread <= settings.max_spread_m
     if settings.paper:
         return np.asarray(gathered)
-    empty_s = _UNBOXED_S if settings.only_boxes else _EMPTY_S
+    empty_s = _UNBOXED_S if settings.detections_only else _EMPTY_S
     in_plain_sight = people.shown > 0.5
     patience_s = np.where(in_plain_sight, empty_s, settings.report_occluded_s)
     patience_s = np.where(people.inside < _EDGE, np.minimum(patience_s, empty_s), patience_s)

@@ -16,7 +16,6 @@ from tracking.trackers.shared.tracker_base import TrackerBase
 from tracking.trackers.spheroid import births
 from tracking.trackers.spheroid.appearance import ColourLook, appearance_log_weights, learn_colours
 from tracking.trackers.spheroid.boxes import draw_boxes
-from tracking.trackers.spheroid.coasting import CoastingPeople, reidentify
 from tracking.trackers.spheroid.feet import foot_zones
 from tracking.trackers.spheroid.filter_steps import learn_heights, predict, resample_people
 from tracking.trackers.spheroid.floor_cells import FloorCells
@@ -30,6 +29,7 @@ from tracking.trackers.spheroid.hypotheses import (
 from tracking.trackers.spheroid.hypothesis_scores import JudgedFrame, count_covering
 from tracking.trackers.spheroid.perception import FlatObservation, SpheroidPerception
 from tracking.trackers.spheroid.perception_hints import body_masks
+from tracking.trackers.spheroid.reidentification import CoastingPeople, reidentify
 from tracking.trackers.spheroid.result import clothes_of, step_result
 from tracking.trackers.spheroid.resumption import resume_people
 from tracking.trackers.spheroid.settings import SpheroidSettings

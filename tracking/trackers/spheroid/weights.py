@@ -99,7 +99,7 @@ def judge_and_weigh(
         log_weight = _gains(windows, seen, own, balance, ~short & ~steep)
         rows = np.flatnonzero(~steep)
         log_weight[rows] += _feet_gains(people, judged, own, axes, rows, flat, settings)
-        log_weight *= _BOXES_TELL if settings.only_boxes else 1.0
+        log_weight *= _BOXES_TELL if settings.detections_only else 1.0
         if boxes is not None and len(boxes):
             log_weight += box_log_weights(seen, own, flat_boxes(boxes, flat))
         spread_m = np.where(steep, _STEEP_HEIGHT_SD_M, _HEIGHT_SD_M)[:, None]

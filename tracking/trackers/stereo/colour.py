@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.people import Detections, StereoPerception
-from tracking.people.given_boxes import BoxSource
+from tracking.people.detection_source import DetectionSource
 from tracking.recording import Recording
 from tracking.setting import setting
 from tracking.trackers.stereo.paper import PaperTracker
@@ -93,7 +93,10 @@ class HalvesOfFirstFrames:
 
 
 def build(
-    recording: Recording, settings: StereoColourSettings, seed: int, boxes: BoxSource | None = None
+    recording: Recording,
+    settings: StereoColourSettings,
+    seed: int,
+    boxes: DetectionSource | None = None,
 ) -> tuple[StereoPerception, StereoTracker | PaperTracker]:
     """Perception and tracker at their start."""
     follow = PaperTracker if settings.paper else StereoTracker

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.people import Detections, StereoPerception
-from tracking.people.given_boxes import BoxSource
+from tracking.people.detection_source import DetectionSource
 from tracking.recording import Recording
 from tracking.setting import setting
 from tracking.trackers.stereo.paper import PaperTracker
@@ -43,7 +43,7 @@ def build(
     recording: Recording,
     settings: StereoDirectionSettings,
     seed: int,
-    boxes: BoxSource | None = None,
+    boxes: DetectionSource | None = None,
 ) -> tuple[StereoPerception, StereoTracker | PaperTracker]:
     """Perception and tracker at their start."""
     perception, view = perception_and_view(recording, settings, boxes)

@@ -5,13 +5,13 @@ from __future__ import annotations
 from tracking.errors import CalibrationError
 from tracking.geometry import View
 from tracking.people import StereoPerception
-from tracking.people.given_boxes import BoxSource
+from tracking.people.detection_source import DetectionSource
 from tracking.recording import Recording
 from tracking.trackers.stereo.settings import StereoFilterSettings
 
 
 def perception_and_view(
-    recording: Recording, settings: StereoFilterSettings, boxes: BoxSource | None = None
+    recording: Recording, settings: StereoFilterSettings, boxes: DetectionSource | None = None
 ) -> tuple[StereoPerception, View]:
     """Stereo perception at its start, and the camera that people are seen by.
 

@@ -59,7 +59,7 @@ def free_regions(seen: Detections, claims: Claims, boxes: Floats) -> Indices:
     # One before the other covers most of a box; the same person is in both.
     same = (covered >= _OCCUPIED) & ((covering >= _OCCUPIED) | (covered >= _INSIDE))
     tall = seen.box[:, 3] >= _LEAST_HEIGHT_PX
-    elsewhere = seen.boxed | ~same.any(axis=1)  # boxes of people followed are theirs
+    elsewhere = seen.from_detector | ~same.any(axis=1)  # boxes of people followed are theirs
     return np.flatnonzero(~claims.is_taken & elsewhere & ~seen.merged & tall)
 
 
@@ -76,7 +76,7 @@ def without_pieces(free: Indices, seen: Detections, boxes: Floats, height: Float
         (middle - _REACH * height, foot - height, 2 * _REACH * height, 1.1 * height)
     )
     near = covered_shares(seen.box[free], reach) >= _WITHIN_REACH
-    low = (_heights_seen(seen, free)[:, None] < _PIECE * height) & ~seen.boxed[free, None]
+    low = (_heights_seen(seen, free)[:, None] < _PIECE * height) & ~seen.from_detector[free, None]
     return free[~(near & low).any(axis=1)]
 
 
@@ -109,7 +109,7 @@ def update_tentative(
     seen_s = tentative.seen_s[best]
     frames = seen_s / elapsed_s
     mean = tentative.pace[best] + (step - tentative.pace[best]) / (frames[:, None] + 1.0)
-    clear = known & (~seen.truncated[free] | seen.boxed[free])
+    clear = known & (~seen.truncated[free] | seen.from_detector[free])
     return TentativeRegions(
         box,
         np.where(known, seen_s + elapsed_s, 0.0),
@@ -122,7 +122,7 @@ def confirm_regions(
     tentative: TentativeRegions, seen: Detections, free: Indices, settings: WholeBodySettings
 ) -> Indices:
     """Which of the free regions are people by now, as rows of `free`."""
-    whole = ~seen.truncated[free] | seen.boxed[free]
+    whole = ~seen.truncated[free] | seen.from_detector[free]
     at_edge = seen.truncated[free] & (tentative.seen_s >= max(_AT_EDGE_S, settings.confirm_s))
     ready = at_edge | (whole & (tentative.clear_s >= settings.confirm_s))
     covered = covered_shares(tentative.box, tentative.box)

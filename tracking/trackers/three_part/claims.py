@@ -80,7 +80,7 @@ def claims_of(rectangles: Floats, seen: Detections) -> Claims:
     return Claims(share, (label > 0).mean(axis=2), region, alone)
 
 
-def with_boxes(claims: Claims, boxes: Floats, seen: Detections) -> Claims:
+def associate_detections(claims: Claims, boxes: Floats, seen: Detections) -> Claims:
     """The claims with each box of a detector given to one person at most, who has no other.
 
     A box is of one person, whoever else has parts in it; so they are associated one to one.
@@ -88,12 +88,12 @@ def with_boxes(claims: Claims, boxes: Floats, seen: Detections) -> Claims:
     Args:
         boxes: (people, 4) where people are expected.
     """
-    given = np.flatnonzero(seen.boxed)
+    given = np.flatnonzero(seen.from_detector)
     overlap = overlaps(boxes[:, None], seen.box[given])
     pairs = associate(1.0 - overlap, overlap >= _SAME_BODY, 1.0)
     row, region = pairs.track, given[pairs.detection]
     share, whose, alone = claims.share.copy(), claims.region.copy(), claims.alone.copy()
-    left = np.append(seen.boxed, False)[whose]
+    left = np.append(seen.from_detector, False)[whose]
     whose[left], alone[left] = -1, False
     share[:, given] = 0.0
     share[row] = 0.0

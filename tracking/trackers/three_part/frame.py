@@ -5,7 +5,7 @@ from __future__ import annotations
 from tracking.people import Detections, Observation
 from tracking.people.parts import ycbcr
 from tracking.trackers.three_part.bodies import outlined_boxes
-from tracking.trackers.three_part.claims import Claims, claims_of, with_boxes
+from tracking.trackers.three_part.claims import Claims, associate_detections, claims_of
 from tracking.trackers.three_part.people import Floats, PartPeople
 
 
@@ -34,8 +34,8 @@ class Frame:
         if self._claims is None or self._claims[0] is not people.state:
             claims = claims_of(people.rectangles, self.seen)
             # One rectangle alone lies too far within its body to be compared with boxes.
-            if self.seen.boxed.any() and people.rectangles.shape[1] > 1:
+            if self.seen.from_detector.any() and people.rectangles.shape[1] > 1:
                 boxes = outlined_boxes(people.rectangles, people.outline)
-                claims = with_boxes(claims, boxes, self.seen)
+                claims = associate_detections(claims, boxes, self.seen)
             self._claims = people.state, claims
         return self._claims[1]

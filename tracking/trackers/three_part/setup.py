@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from tracking.people import SingleCameraPerception
-from tracking.people.given_boxes import BoxSource
+from tracking.people.detection_source import DetectionSource
 from tracking.recording import Recording
 from tracking.trackers.shared.occluders import occluders_from
 from tracking.trackers.three_part.detectors import chosen_detector
@@ -15,7 +15,10 @@ Built = tuple[SingleCameraPerception, PartTracker]
 
 
 def build_three_part(
-    recording: Recording, settings: ThreePartSettings, seed: int, boxes: BoxSource | None = None
+    recording: Recording,
+    settings: ThreePartSettings,
+    seed: int,
+    boxes: DetectionSource | None = None,
 ) -> Built:
     """A filter for each of three parts.
 
@@ -26,14 +29,20 @@ def build_three_part(
 
 
 def build_three_part_joint(
-    recording: Recording, settings: ThreePartSettings, seed: int, boxes: BoxSource | None = None
+    recording: Recording,
+    settings: ThreePartSettings,
+    seed: int,
+    boxes: DetectionSource | None = None,
 ) -> Built:
     """One filter for all three parts of a person; raises as `build_three_part`."""
     return _built(recording, settings, Layout(parts=3, together=3), seed, boxes)
 
 
 def build_whole_body(
-    recording: Recording, settings: WholeBodySettings, seed: int, boxes: BoxSource | None = None
+    recording: Recording,
+    settings: WholeBodySettings,
+    seed: int,
+    boxes: DetectionSource | None = None,
 ) -> Built:
     """A filter for the whole person; raises `SettingsError` for occluders that are none."""
     return _built(recording, settings, Layout(parts=1, together=1), seed, boxes)
@@ -44,7 +53,7 @@ def _built(
     settings: WholeBodySettings,
     layout: Layout,
     seed: int,
-    boxes: BoxSource | None,
+    boxes: DetectionSource | None,
 ) -> Built:
     camera = Camera(
         recording.size, recording.fps, recording.view, occluders_from(settings.occluders)

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
-from tracking.detections.box_reading import BoxReading
+from tracking.detections.box_collector import BoxCollector
 from tracking.detections.coco_boxes import is_coco, read_coco_boxes
 from tracking.detections.frame_numbers import Footage
 from tracking.detections.mot_boxes import read_mot_boxes
@@ -47,7 +47,7 @@ class BoxFormat:
 
     name: str
     title: str
-    read: Callable[[BoxReading, Footage], None]
+    read: Callable[[BoxCollector, Footage], None]
     recognises: Callable[[bytes], bool]
 
 
@@ -105,13 +105,13 @@ class _Taken:
 
     known: BoxFormat
     fingerprint: str
-    boxes: BoxReading
+    boxes: BoxCollector
     footage: Footage
 
     @classmethod
     def of(cls, path: Path, footage: Footage, report: Progress) -> _Taken:
         known, fingerprint, held = _looked_through(path)
-        boxes = BoxReading(Reading(path, report), held)
+        boxes = BoxCollector(Reading(path, report), held)
         known.read(boxes, footage)
         boxes.held = b""
         return cls(known, fingerprint, boxes, footage)

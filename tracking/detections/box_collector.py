@@ -17,7 +17,7 @@ MOST_IN_ALL = 5_000_000
 """Boxes of one camera: a hundred in each frame of half an hour."""
 
 
-class BoxReading:
+class BoxCollector:
     """Collects the boxes of one file; invalid ones are told and left out.
 
     Attributes:

@@ -1,4 +1,4 @@
-"""People by the boxes of another program's detector: what perception is given."""
+"""Detections of another program, as perception asks for them."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ MOST_BOXES = 200
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class FrameBoxes:
-    """What a detector says of one frame.
+class FrameDetections:
+    """The detections of one camera in one frame.
 
     Attributes:
         box: (n, 4) left, top, width, height in 0-based px of the picture as recorded.
@@ -28,15 +28,15 @@ class FrameBoxes:
         return len(self.box)
 
 
-class BoxSource(Protocol):
-    """Boxes of a recording, one for each person, sure enough to be used."""
+class DetectionSource(Protocol):
+    """Detections of a recording, one for each person, with scores high enough to be used."""
 
     @property
-    def only(self) -> bool:
+    def detections_only(self) -> bool:
         """Whether no people are looked for in the foreground beside them."""
 
-    def of(self, frame: int) -> FrameBoxes:
+    def of(self, frame: int) -> FrameDetections:
         """The boxes of a frame, at most `MOST_BOXES`; none where the frame has none."""
 
-    def of_right(self, frame: int) -> FrameBoxes | None:
+    def of_right(self, frame: int) -> FrameDetections | None:
         """Those of the right camera's frame; None where nothing is known of that camera."""
