@@ -12,6 +12,7 @@ from typing import Final
 
 from babel.messages.catalog import Catalog
 from babel.messages.pofile import write_po
+from jinja2 import Environment, nodes
 from typer.main import get_command
 
 from app.cli.commands import program
@@ -25,6 +26,8 @@ from app.shell.commands import COMMANDS
 from tracking import errors
 from tracking.formats import FORMATS
 from tracking.formats.track_format import Content
+from tracking.scoring.report.meanings import MOTMETRICS
+from tracking.scoring.report.measures import ALL
 from tracking.settings import settings_fields, stage_title
 from tracking.trackers import TRACKERS
 
@@ -66,6 +69,8 @@ def extract() -> Catalog:
         for text in (use.texts,) if use.counting else use.texts:
             if text:
                 catalogue.add(text, locations=[(use.place, 0)])
+    for texts, place in texts_of_templates():
+        catalogue.add(texts if len(texts) > 1 else texts[0], locations=[(place, 0)])
     for text in sorted(filter(None, declared_texts())):
         catalogue.add(text, locations=[("declared values", 0)])
     return catalogue
@@ -93,6 +98,19 @@ def uses_in(path: Path) -> Iterator[Use]:
             yield Use(place, call, tuple(chain(*map(texts_in, taken))))
 
 
+def texts_of_templates() -> Iterator[tuple[tuple[str, ...], str]]:
+    """Those of templates of pages, one or one and many, with the template."""
+    for path in sorted((ROOT / "tracking").rglob("*.html")):
+        place = path.relative_to(ROOT).as_posix()
+        tree = Environment(autoescape=True).parse(path.read_text(encoding="utf-8"))
+        for call in tree.find_all(nodes.Call):
+            name = getattr(call.node, "name", "")
+            taken = call.args[:1] if name in SINGLE else call.args[1:3] if name in COUNTING else ()
+            texts = [each.value for each in taken if isinstance(each, nodes.Const)]
+            if texts:
+                yield tuple(texts), place
+
+
 def called(call: ast.Call) -> str:
     """The name of what is called."""
     return getattr(call.func, "attr", getattr(call.func, "id", ""))
@@ -118,6 +136,10 @@ def declared_texts() -> Iterator[str]:
     for each in FORMATS.values():
         yield from (each.title, each.about)
     yield from Content
+    for measure in (*ALL, *MOTMETRICS.values()):
+        yield measure.says
+    for measure in ALL:
+        yield from (measure.name, measure.group)
     for kind in (TrainingSettings, *(spec.settings_type for spec in TRACKERS.values())):
         for field in settings_fields(kind):
             stage = field.name.rpartition(".")[0]

@@ -8,6 +8,9 @@ import re
 TRANSLATED = "\u27e6"
 """Begins every text in it."""
 _PLACES = re.compile(r"\{\w+[^}]*\}")
+_PLACES_OR_REST = re.compile(rf"{_PLACES.pattern}|[^{{]+|{{")
+_WIDER = ord("\uff21") - ord("A")
+"""From a letter to its wide form."""
 
 
 class Pseudo(gettext.NullTranslations):
@@ -19,3 +22,22 @@ class Pseudo(gettext.NullTranslations):
 
     def ngettext(self, one: str, many: str, n: int) -> str:
         return self.gettext(one if n == 1 else many)
+
+
+class Wide(gettext.NullTranslations):
+    """Writes every letter of a text wide: narrow words were missed, or are values that are data."""
+
+    def gettext(self, message: str) -> str:
+        return "".join(
+            piece if _PLACES.fullmatch(piece) else _widened(piece)
+            for piece in _PLACES_OR_REST.findall(message)
+        )
+
+    def ngettext(self, one: str, many: str, n: int) -> str:
+        return self.gettext(one if n == 1 else many)
+
+
+def _widened(text: str) -> str:
+    return "".join(
+        chr(ord(sign) + _WIDER) if "!" < sign <= "~" and sign.isalpha() else sign for sign in text
+    )

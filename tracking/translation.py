@@ -74,13 +74,18 @@ class Message(str):
         """The same after another text."""
         return joined("", (before, self))
 
-    def translated(self) -> str:
-        """The sentence in the user's language; English where its translation cannot be filled."""
+    def translated(self, filled: Callable[[str, Mapping[str, object]], str] | None = None) -> str:
+        """The sentence in the user's language; English where its translation cannot be filled.
+
+        Args:
+            filled: fills a template with values; None: `str.format` does.
+        """
+        fill = filled or _filled
         values = {name: shown(value) for name, value in self.values.items()}
         try:
-            text = _filled(self._looked_up(), values)
+            text = fill(self._looked_up(), values)
         except (LookupError, ValueError):
-            text = _filled(self.template, values)
+            text = fill(self.template, values)
         return self._cut(text) if self._cut else text
 
     def cut_by(self, cut: Callable[[str], str]) -> Message:

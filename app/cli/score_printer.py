@@ -19,6 +19,7 @@ from tracking.scoring.report import (
 )
 from tracking.scoring.report.measures import Measure, measures_by
 from tracking.scoring.report.tables import COMBINED, people_rows
+from tracking.translation import msg, tr
 
 
 def document_of(
@@ -56,7 +57,7 @@ def text_of(
     if len(overall) > 1:
         pieces.append(comparison_text(overall))
     for each in measured:
-        title = f"{each.result} on {each.sequence}"
+        title = tr("{result} on {sequence}", result=each.result, sequence=each.sequence)
         pieces += [f"{title}\n{piece}" for piece in _more(asked, each)]
     return "\n\n".join(pieces)
 
@@ -83,7 +84,9 @@ def _more(asked: MeasureRequest, one: SequenceMeasurement) -> Iterator[str]:
     if one.finding is not None and asked.ranges:
         yield ranges_text(one.finding)
     if one.finding is not None and asked.distances is not None:
-        yield grid(*distance_rows(one.finding.distances)) if one.finding.distances else NO_PLACES
+        yield (
+            grid(*distance_rows(one.finding.distances)) if one.finding.distances else tr(NO_PLACES)
+        )
 
 
 def people_text(finding: Finding) -> str:
@@ -98,7 +101,7 @@ def ranges_text(finding: Finding) -> str:
         (f"{start}:{stop}", *(each.shown(score) for each in shown))
         for (start, stop), score in finding.ranges.items()
     ]
-    return grid(("frames", *(each.name for each in shown)), rows)
+    return grid((msg("frames"), *(each.name for each in shown)), rows)
 
 
 def sequences_text(scores: Mapping[str, Score], overall: Score, title: str) -> str:

@@ -8,8 +8,10 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.page_reader import Portuguese, Reader
 from tracking.pages import Panel, render, svg
 from tracking.pages.templates import is_page
+from tracking.translation import use_catalogue
 
 _TAGS = ["html", "head", *["meta"] * 5, "title", "style", "body", "main", "h1"]
 
@@ -58,3 +60,13 @@ def test_a_page_lets_nothing_run_and_fetches_nothing() -> None:
     assert "<script" not in made
     assert "default-src 'none'" in made
     assert "http" not in made.replace('http-equiv="', "")
+
+
+def test_a_page_tells_its_language() -> None:
+    page = {"title": "x", "kind": "y"}
+    assert Reader(render("pages/page.html", **page)).language == "en"
+    use_catalogue(Portuguese())
+    try:
+        assert Reader(render("pages/page.html", **page)).language == "pt-BR"
+    finally:
+        use_catalogue(None)

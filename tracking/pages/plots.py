@@ -9,6 +9,7 @@ import numpy as np
 
 from tracking.arrays import Floats
 from tracking.pages.templates import render
+from tracking.translation import joined, shown
 
 _PANEL = (400.0, 230.0)
 _MARGIN = (62.0, 40.0)  # left of and above a panel
@@ -152,7 +153,7 @@ class Plot:
 
 def svg(panels: Sequence[Panel], columns: int = 2) -> str:
     """A picture file of panels side by side under one legend."""
-    says = ", ".join(panel.title for panel in panels)
+    says = joined(", ", (panel.title for panel in panels))
     return render("pages/plot.svg", plot=Plot(panels, columns, says=says))
 
 
@@ -165,7 +166,7 @@ def _legend(labels: Sequence[str]) -> Iterator[tuple[float, str, str]]:
     x = _MARGIN[0]
     for number, label in enumerate(labels):
         yield x, label, _look_of(number)
-        x += 66 + _LETTER * len(label)
+        x += 66 + _LETTER * len(str(shown(label)))
 
 
 def _look_of(number: int) -> str:

@@ -11,6 +11,7 @@ import numpy as np
 
 from tracking.failure.training.report import QuestionReport, TrainingReport
 from tracking.pages import Panel, Plot, check_report_folder, render, write_report_folder
+from tracking.translation import msg
 
 PAGE, DATA = "index.html", "report.json"
 KIND = "trackwright training report"
@@ -44,7 +45,7 @@ def page_of(report: TrainingReport, pictures: Mapping[int, bytes]) -> str:
     """The page as HTML."""
     return render(
         "failure/training/page.html",
-        title="Part-failure detector",
+        title=msg("Part-failure detector"),
         kind=KIND,
         report=report,
         pictures=pictures,
@@ -57,7 +58,7 @@ def page_of(report: TrainingReport, pictures: Mapping[int, bytes]) -> str:
 def _rates(question: QuestionReport) -> tuple[str | int, ...]:
     off, on = int(question.confusion[1].sum()), int(question.confusion[0].sum())
     shares = (question.found, question.false_alarms, question.curve.area())
-    return (question.name, off, on, *map(_share, shares))
+    return (msg(question.name), off, on, *map(_share, shares))
 
 
 def _best(question: QuestionReport) -> list[tuple[str, str]]:
@@ -71,16 +72,17 @@ def _curve(question: QuestionReport) -> Plot:
     kept = np.unique(np.linspace(0, len(points) - 1, _POINTS).round().astype(int))
     alarms, found = 100 * points[kept, 1], 100 * points[kept, 2]
     at = (100 * question.false_alarms, 100 * question.found)
+    name = msg(question.name)
     panel = Panel(
-        f"operating points: {question.name}",
-        {question.name: np.append(0.0, found)},
+        msg("operating points: {question}", question=name),
+        {name: np.append(0.0, found)},
         np.append(0.0, alarms),
-        ("false alarms, %", "failures found, %"),
+        (msg("false alarms, %"), msg("failures found, %")),
         (0.0, 100.0),
         (0.0, 100.0),
-        {"chosen": at} if all(map(math.isfinite, at)) else {},
+        {msg("chosen"): at} if all(map(math.isfinite, at)) else {},
     )
-    return Plot([panel], 1, says=f"failures found over false alarms: {question.name}")
+    return Plot([panel], 1, says=msg("failures found over false alarms: {question}", question=name))
 
 
 def _share(value: float) -> str:

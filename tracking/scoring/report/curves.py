@@ -10,19 +10,24 @@ from tracking.pages import Panel, Plot
 from tracking.scoring.hota import ALPHAS
 from tracking.scoring.parts import SUBJECTS, Rates
 from tracking.scoring.report.findings import ScoreReport
+from tracking.translation import msg
 
 PARTS = ("HOTA", "DetA", "AssA", "LocA")
-PART_HEAD = ("body part", "right, of all frames", "of its rectangle, something else")
+PART_HEAD = (
+    msg("body part"),
+    msg("right, of all frames"),
+    msg("of its rectangle, something else"),
+)
 _NAMED = 28
 
 
 def hota_curves(report: ScoreReport) -> Plot:
     """One result: its curves in one diagram; several: a diagram for each curve."""
-    says = "HOTA, DetA, AssA and LocA over the similarity from which rows match"
+    says = msg("HOTA, DetA, AssA and LocA over the similarity from which rows match")
     if len(report.results) == 1:
         curves = report.overall[report.results[0]].hota
         return Plot(
-            [_panel("HOTA and its parts", {p: curves.curve(p) for p in PARTS})], 1, says=says
+            [_panel(msg("HOTA and its parts"), {p: curves.curve(p) for p in PARTS})], 1, says=says
         )
     panels = [
         _panel(part, {_short(n): report.overall[n].hota.curve(part) for n in report.results})
@@ -36,14 +41,14 @@ def part_curves(rates: Rates) -> Plot:
     length = int(np.count_nonzero(rates.people))
     curves = {_word(name): 100 * rates.right[:length, n] for n, name in enumerate(SUBJECTS)}
     panel = Panel(
-        "body parts tracked rightly",
+        msg("body parts tracked rightly"),
         curves,
         np.arange(float(length)),
-        ("frames since a person's start", "people, %"),
+        (msg("frames since a person's start"), msg("people, %")),
         (0.0, float(max(length - 1, 1))),
         (0.0, 100.0),
     )
-    return Plot([panel], 1, says="how many people's body parts are tracked rightly over time")
+    return Plot([panel], 1, says=msg("how many people's body parts are tracked rightly over time"))
 
 
 def part_rows(rates: Rates) -> list[tuple[str, str, str]]:
@@ -54,7 +59,7 @@ def part_rows(rates: Rates) -> list[tuple[str, str, str]]:
 
 
 def _word(subject: str) -> str:
-    return subject.replace("_", "-")
+    return msg(subject.replace("_", "-"))
 
 
 def _percent(share: float) -> str:
@@ -64,7 +69,7 @@ def _percent(share: float) -> str:
 def _panel(
     title: str, curves: dict[str, np.ndarray[tuple[int, ...], np.dtype[np.float64]]]
 ) -> Panel:
-    axes = ("similarity from which rows match (α)", "share")
+    axes = (msg("similarity from which rows match (α)"), msg("share"))
     return Panel(title, curves, ALPHAS, axes, (0.0, 1.0), (0.0, 1.0))
 
 

@@ -11,8 +11,9 @@ import numpy as np
 from tracking.scoring.examination import Examination
 from tracking.scoring.per_distance import DistanceScore, per_distance_of
 from tracking.scoring.report.measures import finite, written
+from tracking.translation import msg
 
-NO_PLACES = "By distance: the ground truth has no positions on the floor."
+NO_PLACES = msg("By distance: the ground truth has no positions on the floor.")
 
 _CAMERA_M = (0.0, 0.0)
 """The world's axes start on the floor below the camera."""
@@ -21,8 +22,9 @@ _STEPS_M = (1.0, 2.0, 3.0, 5.0, 10.0, 20.0, 50.0, 100.0)
 _NEARLY_ALL = 95
 """Per cent of the people's rows, from the nearest on, that the ranges are made for."""
 _HEAD = (
-    "distance (m)", "rows", "MOTA", "IDF1", "recall", "precision", "misses",
-    "false alarms", "switches", "fragmentations", "floor error (m)",
+    msg("distance (m)"), msg("rows"), "MOTA", "IDF1", msg("recall"), msg("precision"),
+    msg("misses"), msg("false alarms"), msg("switches"), msg("fragmentations"),
+    msg("floor error (m)"),
 )  # fmt: skip
 
 
@@ -71,10 +73,10 @@ def _row(one: DistanceScore) -> tuple[str, ...]:
 
 def _span(one: DistanceScore) -> str:
     if math.isnan(one.from_m):
-        return "place unknown"
+        return msg("place unknown")
     if math.isinf(one.to_m):
-        return f"{one.from_m:g} and more"
-    return f"{one.from_m:g} to {one.to_m:g}"
+        return msg("{metres:g} and more", metres=one.from_m)
+    return msg("{low:g} to {high:g}", low=one.from_m, high=one.to_m)
 
 
 def distances_data(distances: Sequence[DistanceScore]) -> list[dict[str, Any]]:

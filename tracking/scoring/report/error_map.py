@@ -16,6 +16,7 @@ from tracking.scoring.report.ground_plan import GroundPlan, known
 from tracking.scoring.report.marks import LOOK, TITLES, mark
 from tracking.scoring.report.over_time import Clock, said
 from tracking.scoring.report.stretches import Stretches
+from tracking.translation import msg
 
 MOST_MARKS = 600
 """Of each kind; the longest stretches, and the first switches, are drawn."""
@@ -59,7 +60,11 @@ def error_map(finding: Finding, plan: GroundPlan, clock: Clock) -> ErrorMap:
         shapes += _ways(finding.errors.of_kind(kind), kind, plan, clock)
     for kind in (ErrorKind.FRAGMENTATION, ErrorKind.SWITCH):
         shapes += _instants(finding.errors.of_kind(kind), kind, plan, clock)
-    says = f"where errors of {finding.result} happen on {finding.subject.name}"
+    says = msg(
+        "where errors of {result} happen on {sequence}",
+        result=finding.result,
+        sequence=finding.subject.name,
+    )
     metres = _scale_m(plan)
     return ErrorMap(says, plan, list(_ground(plan)), shapes, metres, metres * plan.unit_length)
 
@@ -68,7 +73,7 @@ def _ground(plan: GroundPlan) -> Iterator[Shape]:
     if len(plan.view):
         yield Shape(path_of(plan.places(plan.view, beyond=True)) + "z", "view")
         x, y = plan.places(np.zeros((1, 2)))[0].tolist()
-        yield Shape(f"M{x - 7:.1f} {y:.1f}h14l-4-11h-6z", "camera", "the camera")
+        yield Shape(f"M{x - 7:.1f} {y:.1f}h14l-4-11h-6z", "camera", msg("the camera"))
 
 
 def _walks(finding: Finding, plan: GroundPlan) -> Iterator[Shape]:
@@ -76,7 +81,7 @@ def _walks(finding: Finding, plan: GroundPlan) -> Iterator[Shape]:
     stretches = Stretches.of(truth.frame, truth.track, plan.of(truth))
     for who, path in zip(stretches.who.tolist(), stretches.paths(), strict=True):
         if d := _way(path, plan):
-            yield Shape(d, "walk", f"person {who}")
+            yield Shape(d, "walk", msg("person {person}", person=who))
 
 
 def _ways(found: ErrorTable, kind: ErrorKind, plan: GroundPlan, clock: Clock) -> Iterator[Shape]:
@@ -86,9 +91,13 @@ def _ways(found: ErrorTable, kind: ErrorKind, plan: GroundPlan, clock: Clock) ->
     order = np.argsort(stretches.start - stretches.stop, kind="stable")[:MOST_MARKS]
     paths = stretches.paths()
     for number in order.tolist():
-        who = f"{'person' if missed else 'track'} {stretches.who[number]}"
+        who = int(stretches.who[number])
         when = clock.says(int(stretches.start[number]), int(stretches.stop[number]))
-        says = f"{who}: {'missed' if missed else 'nobody is there'}, {when}"
+        says = msg(
+            "person {who}: missed, {when}" if missed else "track {who}: nobody is there, {when}",
+            who=who,
+            when=when,
+        )
         if d := _way(paths[number], plan):
             yield Shape(d, f"way {LOOK[kind]}", says)
         elif known(paths[number]).any():

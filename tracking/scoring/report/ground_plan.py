@@ -11,6 +11,7 @@ from tracking.pages import Axes, Axis
 from tracking.scoring.errors import ErrorTable
 from tracking.scoring.report.subject import Subject
 from tracking.scoring.table import ScoringTable
+from tracking.translation import msg
 
 _WIDTH, _TALLEST = 620.0, 560.0
 _FAR_OUT = 2.0
@@ -90,7 +91,7 @@ def _floor(subject: Subject) -> GroundPlan:
         view = subject.footage.view.field_of_view(float(np.abs([low, high]).max()) * 1.5)
     middle, span = (low + high) / 2, np.maximum(high - low, _LEAST_SPAN) * 1.1
     low, high = middle - span / 2, middle + span / 2
-    titles = ("x on the floor, m", "y on the floor, m")
+    titles = (msg("x on the floor, m"), msg("y on the floor, m"))
     return GroundPlan(_even(low, high, titles, upward=True), True, view)
 
 
@@ -99,7 +100,7 @@ def _picture(subject: Subject, points: Floats) -> GroundPlan:
         low, high = np.zeros(2), np.array(subject.footage.size_px, float)
     else:
         low, high = np.zeros(2), np.maximum(points[known(points)].max(axis=0), 1.0)
-    titles = ("x in the image, px", "y in the image, px")
+    titles = (msg("x in the image, px"), msg("y in the image, px"))
     return GroundPlan(_even(low, high, titles, upward=False), False, np.zeros((0, 2)))
 
 

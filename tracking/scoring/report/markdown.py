@@ -14,6 +14,7 @@ from tracking.scoring.report.measures import by_group
 from tracking.scoring.report.missing_values import lacking_said
 from tracking.scoring.report.page import how, title_of
 from tracking.scoring.report.sources import sources_said
+from tracking.translation import msg, shown, tr
 
 MOST_SWITCHES = 200
 """Listed of one result on one sequence."""
@@ -29,15 +30,15 @@ def markdown_of(report: ScoreReport) -> str:
     """The report as Markdown."""
     parts = [f"# {plain(title_of(report))}", plain(how(report)), *_overall(report)]
     if len(report.sequences) > 1:
-        parts += ["## By recording", *(_sequences(report, one) for one in report.results)]
+        parts += ["## " + tr("By recording"), *(_sequences(report, one) for one in report.results)]
     for finding in report.findings:
         parts += _finding(finding, report)
     return "\n\n".join(parts) + "\n"
 
 
 def plain(text: str) -> str:
-    """Text in which nothing is markup, on one line."""
-    return _MARKUP.sub(r"\\\1", _CONTROL.sub(" ", text))
+    """Text in which nothing is markup, on one line; a message in the user's language."""
+    return _MARKUP.sub(r"\\\1", _CONTROL.sub(" ", str(shown(text))))
 
 
 def _table(head: Sequence[str], rows: Sequence[Sequence[str]], words: int = 1) -> str:
@@ -45,12 +46,14 @@ def _table(head: Sequence[str], rows: Sequence[Sequence[str]], words: int = 1) -
     lines = [
         " --- " if column < words or not title else " ---: " for column, title in enumerate(head)
     ]
-    shown = [f"| {' | '.join(row)} |" for row in rows]
-    return "\n".join([f"| {' | '.join(head)} |", f"|{'|'.join(lines)}|", *shown])
+    titles, *cells = (
+        f"| {' | '.join(str(shown(cell)) for cell in row)} |" for row in (head, *rows)
+    )
+    return "\n".join([titles, f"|{'|'.join(lines)}|", *cells])
 
 
 def _overall(report: ScoreReport) -> Iterator[str]:
-    yield "## Measures"
+    yield "## " + tr("Measures")
     scores = [report.overall[result] for result in report.results]
     for group, members in by_group(tables.measures_of(report)).items():
         rows = []
@@ -71,16 +74,18 @@ def _sequences(report: ScoreReport, result: str) -> str:
 
 def _finding(finding: Finding, report: ScoreReport) -> Iterator[str]:
     yield f"## {plain(finding.subject.name)}: {plain(finding.result)}"
-    if lines := [f"- {title}: {plain(f'{at}{more}')}" for title, at, more in sources_said(finding)]:
+    if lines := [
+        f"- {shown(title)}: {plain(at + more)}" for title, at, more in sources_said(finding)
+    ]:
         yield "\n".join(lines)
     yield from map(plain, lacking_said(finding))
     if finding.ranges:
         names = (plain(each.name) for each in tables.main_measures(report))
-        yield _table(["frames", *names], tables.range_rows(finding, report))
+        yield _table([msg("frames"), *names], tables.range_rows(finding, report))
     if finding.distances:
         yield _table(*distance_rows(finding.distances))
     else:
-        yield NO_PLACES
+        yield plain(NO_PLACES)
     if finding.people:
         head, cells = tables.people_rows(finding)
         yield _table(head, [[plain(cell) for cell in row] for row in cells])
@@ -98,6 +103,15 @@ def _switches(finding: Finding) -> Iterator[str]:
         [str(int(column[row])) for column in columns]
         for row in range(min(len(found), MOST_SWITCHES))
     ]
-    yield _table(["switch in frame", "person", "from track", "to track"], rows, words=0)
+    yield _table(
+        [
+            msg("switch in frame"),
+            msg("person"),
+            msg("from track"),
+            msg("to track"),
+        ],
+        rows,
+        words=0,
+    )
     if len(found) > MOST_SWITCHES:
-        yield f"{len(found) - MOST_SWITCHES} more switches are in the JSON file."
+        yield tr("{n} more switches are in the JSON file.", n=len(found) - MOST_SWITCHES)

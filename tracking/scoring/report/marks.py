@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from tracking.pages import Shape
 from tracking.scoring.errors import ErrorKind
+from tracking.translation import msg
 
 TITLES = {
-    ErrorKind.SWITCH: "switches",
-    ErrorKind.FRAGMENTATION: "fragmentations",
-    ErrorKind.MISS: "misses",
-    ErrorKind.FALSE_ALARM: "false alarms",
+    ErrorKind.SWITCH: msg("switches"),
+    ErrorKind.FRAGMENTATION: msg("fragmentations"),
+    ErrorKind.MISS: msg("misses"),
+    ErrorKind.FALSE_ALARM: msg("false alarms"),
 }
 """In the order they are told of."""
 

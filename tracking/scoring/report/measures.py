@@ -10,6 +10,7 @@ from typing import Literal
 from tracking.scoring.conventions import Conventions
 from tracking.scoring.report.meanings import MEANINGS, MOTMETRICS
 from tracking.scoring.score import FIGURES, Score
+from tracking.translation import msg
 
 Better = Literal["higher", "lower"]
 Form = Literal["share", "count", "metres"]
@@ -106,9 +107,9 @@ def _measures() -> tuple[Measure, ...]:
     values = {**FIGURES, **_ERRORS}
     return tuple(
         Measure(
-            name=_TITLES.get(key, key),
-            group=group,
-            says=meaning.says,
+            name=msg(_TITLES.get(key, key)),
+            group=msg(group),
+            says=msg(meaning.says),
             better=meaning.better,
             form=meaning.form,
             value=values[key],
@@ -119,16 +120,17 @@ def _measures() -> tuple[Measure, ...]:
     )
 
 
-_ALL = _measures()
+ALL = _measures()
+"""In the order of their groups."""
 
 
 def measures_by(conventions: Conventions, scores: Sequence[Score]) -> tuple[Measure, ...]:
     """The measures that at least one of some scores has a value of, by group."""
-    known = [each for each in _ALL if any(math.isfinite(each.value(score)) for score in scores)]
+    known = [each for each in ALL if any(math.isfinite(each.value(score)) for score in scores)]
     if conventions is not Conventions.MOTMETRICS:
         return tuple(known)
     return tuple(
-        replace(each, says=MOTMETRICS[each.name].says, better=MOTMETRICS[each.name].better)
+        replace(each, says=msg(MOTMETRICS[each.name].says), better=MOTMETRICS[each.name].better)
         if each.name in MOTMETRICS
         else each
         for each in known

@@ -13,6 +13,7 @@ from tracking.scoring.errors import ErrorKind, ErrorTable
 from tracking.scoring.report.findings import Finding
 from tracking.scoring.report.marks import LOOK, TITLES, mark
 from tracking.scoring.report.stretches import Stretches, joined
+from tracking.translation import N_, Message, msg
 
 MOST_PEOPLE = 40
 """Of more, those with the most errors are drawn."""
@@ -20,6 +21,15 @@ MOST_PEOPLE = 40
 _WIDTH, _LEFT, _RIGHT = 860.0, 112.0, 18.0
 _TOP, _PEOPLE_GAP = 8.0, 10.0
 _LANE, _ROW, _BINS, _MOST_MARKS = 34.0, 14.0, 215, 250
+_THERE = (
+    N_("person {person} is there, {when}"),
+    N_("person {person} is there, {when} in {frames} of these"),
+)
+_MISSED = (
+    N_("person {person} is missed, {when}"),
+    N_("person {person} is missed, {when} in {frames} of these"),
+)
+"""In all frames of a range, and in some."""
 _SINGLE = (ErrorKind.SWITCH, ErrorKind.FRAGMENTATION)
 """Errors of one instant."""
 
@@ -31,11 +41,17 @@ class Clock:
     axis: Axis
     fps: float | None
 
-    def says(self, start: int, stop: int | None = None) -> str:
+    def says(self, start: int, stop: int | None = None) -> Message:
         """Frames in words, with the seconds where they are known."""
         last = start if stop is None else stop - 1
-        frames = f"frame {start}" if last == start else f"frames {start} to {last}"
-        return f"{frames} ({start / self.fps:.2f} s)" if self.fps else frames
+        frames = (
+            msg("frame {frame}", frame=start)
+            if last == start
+            else msg("frames {first} to {last}", first=start, last=last)
+        )
+        if not self.fps:
+            return frames
+        return msg("{frames} ({seconds:.2f} s)", frames=frames, seconds=start / self.fps)
 
     @property
     def frames_a_dot(self) -> float:
@@ -93,7 +109,11 @@ def errors_over_time(finding: Finding) -> OverTime:
     span = (float(subject.start), float(max(subject.stop, subject.start + 1)))
     clock, fps = Clock(Axis(span, _WIDTH), subject.footage.fps), subject.footage.fps
     return OverTime(
-        says=f"errors of {finding.result} over time on {subject.name}",
+        says=msg(
+            "errors of {result} over time on {sequence}",
+            result=finding.result,
+            sequence=subject.name,
+        ),
         clock=clock,
         lanes=[_lane(kind, finding.errors.of_kind(kind), clock) for kind in TITLES],
         people=list(_people(finding, shown_people(finding), clock)),
@@ -126,14 +146,26 @@ def _instants(kind: ErrorKind, found: ErrorTable, clock: Clock, y: float) -> lis
     ]
 
 
-def said(found: ErrorTable, row: int, clock: Clock) -> str:
+def said(found: ErrorTable, row: int, clock: Clock) -> Message:
     """One switch or fragmentation in words."""
     when, person = clock.says(int(found.frame[row])), int(found.truth[row])
     earlier, track = int(found.earlier[row]), int(found.result[row])
     if earlier != track:
-        return f"{when}: person {person} changes from track {earlier} to {track}"
+        return msg(
+            "{when}: person {person} changes from track {earlier} to {track}",
+            when=when,
+            person=person,
+            earlier=earlier,
+            track=track,
+        )
     gap = int(found.frame[row] - found.earlier_frame[row]) - 1
-    return f"{when}: person {person} is found again after {gap} frames, by track {track}"
+    return msg(
+        "{when}: person {person} is found again after {gap} frames, by track {track}",
+        when=when,
+        person=person,
+        gap=gap,
+        track=track,
+    )
 
 
 def _bars(kind: ErrorKind, frame: Integers, clock: Clock) -> Iterator[Bar]:
@@ -148,7 +180,12 @@ def _bars(kind: ErrorKind, frame: Integers, clock: Clock) -> Iterator[Bar]:
         end = min(begin + size, stop)
         x, height = clock.axis.place(begin), max(1.5, room * int(counts[part]) / top)
         width = max(clock.axis.place(end) - x, 1.0)
-        says = f"{clock.says(begin, end)}: {counts[part]} {TITLES[kind]}"
+        says = msg(
+            "{when}: {n} {errors}",
+            when=clock.says(begin, end),
+            n=int(counts[part]),
+            errors=TITLES[kind],
+        )
         yield Bar(x, _LANE - 6 - height, width, height, LOOK[kind], says)
 
 
@@ -164,19 +201,22 @@ def _people(finding: Finding, shown: list[int], clock: Clock) -> Iterator[Lane]:
         own = single.rows(single.truth == person)
         marks = [one for kind in few for one in _instants(kind, own.of_kind(kind), clock, _ROW / 2)]
         bars = list(_presence(person, there, lost, clock))
-        yield Lane(f"person {person}", len(own), marks, bars)
+        yield Lane(msg("person {person}", person=person), len(own), marks, bars)
 
 
 def _presence(person: int, there: Stretches, lost: Stretches, clock: Clock) -> Iterator[Bar]:
     """When somebody is there, and when nobody noticed."""
-    kinds = (("kept", there, "is there"), ("miss", lost, "is missed"))
-    for look, stretches, what in kinds:
+    for look, stretches, (what, often) in (("kept", there, _THERE), ("miss", lost, _MISSED)):
         for start, stop, frames in joined(stretches.ranges_of(person), clock.frames_a_dot):
             x = clock.axis.place(start)
             width = max(clock.axis.place(stop) - x, 0.8)
             all_of_them = frames == stop - start
-            often = "" if all_of_them else f" in {frames} of these"
-            says = f"person {person} {what}, {clock.says(start, stop)}{often}"
+            says = msg(
+                what if all_of_them else often,
+                person=person,
+                when=clock.says(start, stop),
+                frames=frames,
+            )
             # The fewer of them, the fainter.
             faint = "" if all_of_them else f"{max(frames / (stop - start), 0.15):.2f}"
             yield Bar(x, 2, width, _ROW - 4, look, says, faint)

@@ -21,6 +21,7 @@ from tracking.scoring.report.over_time import errors_over_time
 from tracking.scoring.report.page_pictures import Shown
 from tracking.scoring.report.sources import sources_said
 from tracking.scoring.similarity import FloorMatch
+from tracking.translation import Message, joined, msg
 
 KIND = "trackwright score report"
 
@@ -51,28 +52,40 @@ def page_of(report: ScoreReport, shown: Mapping[Finding, Shown]) -> str:
     )
 
 
-def title_of(report: ScoreReport) -> str:
+def title_of(report: ScoreReport) -> Message:
     """What the report is on, in a line."""
     results, sequences = report.results, report.sequences
-    what = results[0] if len(results) == 1 else f"{len(results)} results"
-    where = sequences[0] if len(sequences) == 1 else f"{len(sequences)} recordings"
-    return f"{what} on {where}" if what != where else f"Score of {what}"
+    what = results[0] if len(results) == 1 else msg("{n} results", n=len(results))
+    where = sequences[0] if len(sequences) == 1 else msg("{n} recordings", n=len(sequences))
+    if what == where:
+        return msg("Score of {what}", what=what)
+    return msg("{what} on {where}", what=what, where=where)
 
 
-def how(report: ScoreReport) -> str:
+def how(report: ScoreReport) -> Message:
     """How it was measured, in a sentence."""
     match = report.yardstick.match
-    paired = (
-        f"no farther apart on the floor than {match.radius_m:g} m"
-        if isinstance(match, FloorMatch)
-        else f"where their boxes overlap by {match.threshold:g} or more (IoU)"
+    return joined(
+        " ",
+        (
+            msg(
+                "A row of the ground truth and one of the result may be one person no farther "
+                "apart on the floor than {radius:g} m.",
+                radius=match.radius_m,
+            )
+            if isinstance(match, FloorMatch)
+            else msg(
+                "A row of the ground truth and one of the result may be one person where their "
+                "boxes overlap by {threshold:g} or more (IoU).",
+                threshold=match.threshold,
+            ),
+            msg("CLEAR and identity are counted as py-motmetrics counts them, HOTA as TrackEval.")
+            if report.yardstick.conventions is Conventions.MOTMETRICS
+            else msg("Everything is counted as TrackEval counts it."),
+            msg("Frames count from 0."),
+            msg("Made by trackwright {version}.", version=tracking.__version__),
+        ),
     )
-    text = f"A row of the ground truth and one of the result may be one person {paired}."
-    if report.yardstick.conventions is Conventions.MOTMETRICS:
-        text += " CLEAR and identity are counted as py-motmetrics counts them, HOTA as TrackEval."
-    else:
-        text += " Everything is counted as TrackEval counts it."
-    return f"{text} Frames count from 0. Made by trackwright {tracking.__version__}."
 
 
 def _cards(report: ScoreReport) -> list[tuple[str, str]]:
@@ -83,10 +96,13 @@ def _cards(report: ScoreReport) -> list[tuple[str, str]]:
         ("HOTA", f"{score.hota.hota:.3f}"),
         ("MOTA", f"{score.clear.mota:.3f}"),
         ("IDF1", f"{score.identity.idf1:.3f}"),
-        ("switches", f"{score.clear.id_switches:,}"),
-        ("people kept", f"{score.people.kept} of {score.people.detected}"),
+        (msg("switches"), f"{score.clear.id_switches:,}"),
+        (
+            msg("people kept"),
+            msg("{kept} of {detected}", kept=score.people.kept, detected=score.people.detected),
+        ),
     ]
-    return [*cards, ("floor error", f"{error:.2f} m")] if error == error else cards
+    return [*cards, (msg("floor error"), f"{error:.2f} m")] if error == error else cards
 
 
 def _view(finding: Finding, report: ScoreReport, shown: Shown) -> dict[str, Any]:
@@ -113,8 +129,15 @@ def _view(finding: Finding, report: ScoreReport, shown: Shown) -> dict[str, Any]
 
 def _not_on_map(finding: Finding, plan: GroundPlan) -> Iterator[str]:
     if count := plan.beyond(finding.errors):
-        yield f"{count:,} errors lie farther out than the map goes; their marks are on its edge."
+        yield msg(
+            "{count:,} errors lie farther out than the map goes; their marks are on its edge.",
+            count=count,
+        )
     for kind, count in error_map.left_out(finding).items():
         lasts = kind in (ErrorKind.MISS, ErrorKind.FALSE_ALARM)
-        what = f"ranges of {TITLES[kind]}" if lasts else TITLES[kind]
-        yield f"{count:,} {what} beyond {error_map.MOST_MARKS} are not drawn."
+        yield msg(
+            "{count:,} {errors} beyond {most} are not drawn.",
+            count=count,
+            errors=msg("ranges of {errors}", errors=TITLES[kind]) if lasts else TITLES[kind],
+            most=error_map.MOST_MARKS,
+        )

@@ -13,6 +13,7 @@ from tracking.scoring.report.switch_pictures import (
     place_picture,
     switch_pictures,
 )
+from tracking.translation import msg
 
 _MOST_PICTURED = 240
 """Switches of all findings together: a page of more is too large to be sent to anybody."""
@@ -29,7 +30,7 @@ class Shown:
 
     switches: tuple[SwitchPictures, ...] = ()
     place: bytes | None = None
-    why_none: str = "the recording was not found"
+    why_none: str = msg("the recording was not found")
 
 
 def shown_of(

@@ -7,12 +7,16 @@ from typing import Any
 
 from tracking.scoring.report.findings import Finding
 from tracking.scoring.report.subject import Source
+from tracking.translation import Message, joined, msg
 
 
 def sources_said(finding: Finding) -> Iterator[tuple[str, str, str]]:
     """Result and truth, as far as they are known: which of them, its place, what is known of it."""
     subject = finding.subject
-    named = (("Result", subject.result_sources.get(finding.result)), ("Truth", subject.true_source))
+    named = (
+        (msg("Result"), subject.result_sources.get(finding.result)),
+        (msg("Truth"), subject.true_source),
+    )
     for title, source in named:
         if source is not None:
             yield title, source.place, _said(source)
@@ -26,16 +30,17 @@ def sources_data(finding: Finding) -> dict[str, Any]:
     return {"sources": known} if known else {}
 
 
-def _said(source: Source) -> str:
+def _said(source: Source) -> Message:
     """What is known beside the place, with a comma before each part of it."""
     parts = (
-        source.recording and f"recording {source.recording}",
-        source.frames and f"{source.frames:,} frames",
-        source.fps and f"{source.fps:g} frames per second",
-        source.tracker and f"tracker {source.tracker}",
-        source.detections and f"detections {', '.join(source.detections)}",
+        source.recording and msg("recording {name}", name=source.recording),
+        source.frames and msg("{frames:,} frames", frames=source.frames),
+        source.fps and msg("{fps:g} frames per second", fps=source.fps),
+        source.tracker and msg("tracker {tracker}", tracker=source.tracker),
+        source.detections and msg("detections {names}", names=joined(", ", source.detections)),
     )
-    return "".join(f", {part}" for part in parts if part)
+    known = list(filter(None, parts))
+    return joined(", ", ("", *known)) if known else Message()
 
 
 def _data(source: Source) -> dict[str, Any]:

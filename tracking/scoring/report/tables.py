@@ -5,6 +5,7 @@ from __future__ import annotations
 from tracking.scoring.per_person import PersonScore
 from tracking.scoring.report.findings import Finding, ScoreReport
 from tracking.scoring.report.measures import Measure, measures_by, written
+from tracking.translation import msg, some_of
 
 COMBINED = "COMBINED"
 """The row over all sequences, as TrackEval calls it."""
@@ -33,13 +34,14 @@ def sequence_rows(report: ScoreReport, result: str) -> list[tuple[str, ...]]:
 def range_rows(finding: Finding, report: ScoreReport) -> list[tuple[str, ...]]:
     """The main measures by ranges of frames, each measured as if there were no others."""
     return [
-        (f"{start} to {stop - 1}", *(each.shown(score) for each in main_measures(report)))
+        (_span(start, stop - 1), *(each.shown(score) for each in main_measures(report)))
         for (start, stop), score in finding.ranges.items()
     ]
 
 
 _PERSON = (
-    "person", "frames", "there in", "matched", "switches", "fragmentations", "kept",
+    msg("person"), msg("frames"), msg("there in"), msg("matched"), msg("switches"),
+    msg("fragmentations"), msg("kept"),
 )  # fmt: skip
 _TRACKS = 8
 
@@ -47,16 +49,18 @@ _TRACKS = 8
 def people_rows(finding: Finding) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
     """How each person was followed: head and rows; no floor error where no places are known."""
     on_floor = bool(len(finding.score.position_error.distances_m))
-    head = (*_PERSON, *(["floor error (m)"] if on_floor else []), "tracks")
+    head = (*_PERSON, *([msg("floor error (m)")] if on_floor else []), msg("tracks"))
     return head, [_person(one, on_floor=on_floor) for one in finding.people]
 
 
 def _person(one: PersonScore, *, on_floor: bool) -> tuple[str, ...]:
     followed = one.followed
-    kept = "yes" if followed.kept else "no" if followed.detected else "not detected"
+    kept = msg("yes") if followed.kept else msg("no")
+    if not followed.detected:
+        kept = msg("not detected")
     return (
         str(one.person),
-        f"{one.start} to {one.end - 1}",
+        _span(one.start, one.end - 1),
         f"{one.frames:,}",
         f"{one.share_matched:.1%}",
         str(followed.id_switches),
@@ -68,11 +72,17 @@ def _person(one: PersonScore, *, on_floor: bool) -> tuple[str, ...]:
 
 
 def _tracks(ids: tuple[int, ...]) -> str:
-    more = f" and {len(ids) - _TRACKS} more" if len(ids) > _TRACKS else ""
-    return ", ".join(map(str, ids[:_TRACKS])) + more or "–"
+    return some_of(ids, _TRACKS) or "–"
 
 
-PASSAGE_HEAD = ("line", "happened", "counted", "hit", "of those that happened", "of those counted")
+def _span(first: int, last: int) -> str:
+    return msg("{first} to {last}", first=first, last=last)
+
+
+PASSAGE_HEAD = (
+    msg("line"), msg("happened"), msg("counted"), msg("hit"), msg("of those that happened"),
+    msg("of those counted"),
+)  # fmt: skip
 
 
 def passage_rows(finding: Finding) -> list[tuple[str | int, ...]]:
