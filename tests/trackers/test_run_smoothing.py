@@ -187,23 +187,7 @@ def test_noise_of_measured_places_is_smoothed_from_the_detections():
     assert off.mean() < 0.07
 
 
-def test_rows_after_the_last_match_go_where_the_person_was_in_the_picture():
-    person = {name: column[:80] for name, column in astray(walk(), slice(60, 100)).items()}
-    found = smooth_run(run_of(person), VIEW, FPS)
-    assert found.tracks["frame"].tolist() == list(range(60))
-
-
-def test_signals_stay_with_the_rows_that_stay():
-    person = {name: column[:80] for name, column in astray(walk(), slice(60, 100)).items()}
-    run = run_of(person)
-    numbers = np.arange(len(run.tracks["frame"]), dtype=np.float32)
-    noticed = {"frame": run.tracks["frame"], "track": run.tracks["track"], "height_m": numbers}
-    found = smooth_run(replace(run, signals=noticed), VIEW, FPS)
-    assert found.signals["frame"].tolist() == found.tracks["frame"].tolist() == list(range(60))
-    assert found.signals["height_m"].tolist() == numbers[:60].tolist()
-
-
-def test_rows_after_the_last_match_stay_to_the_last_byte_where_the_person_left():
+def test_rows_after_the_last_match_stay_to_the_last_byte():
     person = {name: column[:80].copy() for name, column in walk().items()}
     person["predicted"][60:] = True
     person["left"][60:] -= 30.0 * np.arange(20)

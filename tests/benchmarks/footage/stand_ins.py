@@ -79,11 +79,6 @@ def straight_likelihood(ends: Any, starts: Any, end: Any, start: Any, gap_s: Any
     return motion._density(ends, starts, end, start, *motion._straight(gap_s))
 
 
-def own_first_frames(pieces: Any, *_: Any) -> Any:
-    """Where each piece itself begins."""
-    return pieces.first.frame
-
-
 def paths_as_tracked(paths: Any, measured: Any, *_: Any) -> Any:
     """Paths as measured, velocities as tracked."""
     return measured, np.stack((paths.columns["vx"], paths.columns["vy"]), axis=1)
@@ -97,11 +92,6 @@ def boxes_as_tracked(paths: Any, *_: Any) -> Any:
 def no_clear_sides(tracks: Any, *_: Any) -> Any:
     """Somebody is near everybody."""
     return np.zeros((len(tracks["frame"]), 2), bool)
-
-
-def nobody_vanished(paths: Any, *_: Any) -> Any:
-    """No row is left out."""
-    return np.zeros(len(paths.rows), bool)
 
 
 def no_ghosts(_flat: Any, outlines: Any, *_: Any) -> Any:

@@ -13,7 +13,7 @@ from tests.benchmarks.footage import ablation
 from tests.benchmarks.footage.ablation import SCORES, WITH_ALL, groups_of, rows_of, worth_of
 from tests.benchmarks.footage.mechanisms import MECHANISMS, Mechanism
 from tests.benchmarks.runner import Case, replacing
-from tracking.trackers.linking import doubts, linker
+from tracking.trackers.linking import appearance, extend_ends, linker
 
 _ALL = [(tracker, one) for tracker, its in MECHANISMS.items() for one in its]
 
@@ -36,13 +36,15 @@ def test_mechanisms_of_a_tracker_have_names_of_their_own_and_a_group() -> None:
 
 
 def test_a_mechanism_is_left_out_where_it_is_used() -> None:
-    (returns,) = (one for one in MECHANISMS["stereo-joint"] if one.name == "edge returns")
-    before = linker.find_edge_returns
-    with replacing(returns.replaced):
-        assert linker.find_edge_returns is not before
-        assert linker.find_edge_returns() == []
-    assert linker.find_edge_returns is before
-    assert doubts.find_doubts is linker.find_doubts
+    (named,) = (one for one in MECHANISMS["stereo-joint"] if one.name == "appearance")
+    (extended,) = (one for one in MECHANISMS["stereo-joint"] if one.name == "extended ends")
+    before = linker.extend_ends
+    with replacing((*named.replaced, *extended.replaced)):
+        assert linker.extend_ends is not before
+        assert linker.extend_ends(3) == 3
+        assert appearance._TRUSTED == 0.0
+    assert linker.extend_ends is before is extend_ends.extend_ends
+    assert appearance._TRUSTED > 0.0
 
 
 def test_a_worth_is_sure_where_seeds_agree() -> None:

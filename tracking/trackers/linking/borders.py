@@ -32,8 +32,6 @@ _SEEN_OUT_M, _UNSEEN_M = 0.5, 0.7
 """Who leaves is seen until so near to where they are out; e times fewer for each so much more."""
 _BIRTHS_EDGE, _BIRTHS_HIDDEN, _BIRTHS_WITHIN = 0.05, 0.005, 0.0005
 """People who come, a square metre and second: at the edge; more within behind others; within."""
-_RETURNS = 0.02
-"""Share of those who walked out of the picture that turn outside and come back soon."""
 _DEATHS_EDGE, _DEATHS_HIDDEN, _DEATHS_WITHIN = 0.5, 0.05, 0.005
 """Share of the tracklets that end there and are not found again."""
 _HIDDEN_S, _FASTEST_M_S = 1.0, 1.5
@@ -67,13 +65,6 @@ def death_costs(
     edge[pieces.last.frame >= stop - 1 - fps / 2] = 1.0
     within = _DEATHS_WITHIN + _DEATHS_HIDDEN * _hidden(pieces, tracks, view, fps, before=False)
     return -_between(edge, within, _DEATHS_EDGE)
-
-
-def return_costs(pieces: Tracklets, view: View) -> Floats:
-    """(t,) minus the log of how likely people come back who were on their way out at the end."""
-    soon = share_inside(pieces.last.place + _AHEAD_S * pieces.last.velocity, view)
-    out = np.clip((_OUTSIDE - soon) / _OUTSIDE, 0.0, 1.0)
-    return np.asarray(-out * np.log(_RETURNS))
 
 
 def share_inside(place: Floats, view: View) -> Floats:

@@ -13,9 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.geometry import View
-from tracking.trackers.linking.borders import birth_costs, death_costs, return_costs
+from tracking.trackers.linking.borders import birth_costs, death_costs
 from tracking.trackers.linking.doubts import Doubt
-from tracking.trackers.linking.link_selection import least_rows
 from tracking.trackers.linking.links import Links
 from tracking.trackers.linking.motion import fresh_likelihood, walk_likelihood
 from tracking.trackers.linking.occlusion import hidden_shares
@@ -37,16 +36,12 @@ _TRACKER = 2.0
 """Log-odds of the tracker's own link, which rests on more of every frame."""
 _KEPT_APART = 1.5
 """Log-odds that a new id it gave is a new person; an exchange of ids makes nobody new."""
-_SEEN_BOTH = 5.0
-"""Log-odds that they are, where the one began while the other was still seen."""
 _GAP_S = 0.25
 """From which on somebody counts as lost, and not as missed for a moment."""
 _HOPELESS = 12.0
 """What costs more, appearance does not make up for."""
 _AT_ONCE = 100_000
 """Pairs that are weighed in one go: memory is the same for minutes and for hours of footage."""
-_BACK_AT_ONCE = 1.0
-"""Log-odds that who leaves and who enters at the same place and moment are two people."""
 
 
 def find_links(
@@ -72,9 +67,6 @@ def find_links(
         born=fresh_likelihood(pieces.first)
         - birth_costs(seen, pieces, tracks, view, fps, frames[0]),
         died=-death_costs(seen, pieces, tracks, view, fps, frames[1]),
-        first_frame=_first_frames(pieces, fps),
-        back=return_costs(pieces, view),
-        edges=np.cumsum(pieces.doubt == Doubt.EDGE),
     )
     portions = []
     for end, start in _pairs(pieces, round(_LONGEST_S * fps)):
@@ -104,16 +96,11 @@ class _Costs:
 
     Attributes:
         born: (t,) log-density of somebody new who begins there. died: (t,) of one who ends there.
-        first_frame: (t,) from which somebody is known to be there; see `_first_frames`.
-        back: (t,) what it costs to come back at all. edges: (t,) number of ways over the edge.
     """
 
     pieces: Tracklets
     born: Floats
     died: Floats
-    first_frame: Integers
-    back: Floats
-    edges: NDArray[np.intp]
 
     def of(self, end: Rows, start: Rows, tracks: Columns, view: View, fps: float) -> Links:
         """The links of pairs that are not hopeless."""
@@ -121,30 +108,15 @@ class _Costs:
         gap_s = (pieces.first.frame[start] - pieces.last.frame[end]) / fps
         together = walk_likelihood(pieces.last, pieces.first, end, start, gap_s)
         same = (pieces.track[end] == pieces.track[start]) & (start > end)
-        over_edge = self.edges[start] > self.edges[end]
         other = (pieces.track[end] != pieces.track[start]) & (pieces.doubt[start] != Doubt.MET)
-        led = self.first_frame < pieces.first.frame
-        named_anew = other & ((pieces.doubt[start] != Doubt.LOST) | led[start])
-        together += _TRACKER * (same & ~over_edge) - _KEPT_APART * named_anew
-        together -= _SEEN_BOTH * (other & (self.first_frame[start] <= pieces.last.frame[end]))
+        named_anew = other & (pieces.doubt[start] != Doubt.LOST)
+        together += _TRACKER * same - _KEPT_APART * named_anew
         cost = self.born[start] + self.died[end] - together
         hidden = np.zeros(len(end))
         lost = np.flatnonzero((gap_s > _GAP_S) & (cost < _HOPELESS))
         hidden[lost] = hidden_shares(tracks, *_gaps(pieces, end[lost], start[lost]), view)
-        cost += np.where(gap_s > _GAP_S / 2, self.back[end], 0.0)
         cost -= _log_gap_density(gap_s, hidden, fps)
-        cost[same & over_edge & (start == end + 1)] = _BACK_AT_ONCE
         return Links(end, start, cost).select(cost < _HOPELESS)
-
-
-def _first_frames(pieces: Tracklets, fps: float) -> Integers:
-    """(t,) the frame in which each begins, or in which its track did, by a few rows before a gap.
-
-    Those rows are put in after all others are linked; that somebody was there they tell already.
-    """
-    few = (pieces.stop - pieces.start < least_rows(fps)) & (pieces.doubt == Doubt.TRACK)
-    led = np.append(False, few[:-1] & (np.diff(pieces.track) == 0))
-    return np.where(led, np.roll(pieces.first.frame, 1), pieces.first.frame)
 
 
 def _gaps(

@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.trackers.linking.edges import EdgeReturn
 from tracking.trackers.linking.encounters import NEAR_M, Encounters
 from tracking.trackers.linking.seen_rows import Flags, SeenRows, is_after_gap, is_track_start
 
@@ -23,28 +22,18 @@ class Doubt:
     NONE = 0
     TRACK = 1  # the tracker's track begins
     LOST = 2  # nothing was seen for a while, or far away
-    EDGE = 3  # left the picture and entered it again, or somebody else did
-    MET = 4  # close to somebody else, or who was is lost or found
+    MET = 3  # close to somebody else, or who was is lost or found
 
 
-def find_doubts(
-    seen: SeenRows, meetings: Encounters, returns: list[EdgeReturn], fps: float
-) -> NDArray[np.uint8]:
-    """(n,) whether another person may begin at a row that was seen, and why: see `Doubt`.
-
-    Args:
-        returns: over the picture's edge.
-    """
+def find_doubts(seen: SeenRows, meetings: Encounters, fps: float) -> NDArray[np.uint8]:
+    """(n,) whether another person may begin at a row that was seen, and why: see `Doubt`."""
     first = is_track_start(seen)
     found = is_after_gap(seen, _GAP_S, fps) & ~first
     doubt = np.where(first, Doubt.TRACK, np.where(found, Doubt.LOST, Doubt.NONE)).astype(np.uint8)
-    doubt[[one.row for one in returns]] = Doubt.EDGE
     least = round(_LEAST_PIECE_S * fps)
     for row in _encounter_rows(seen, meetings, first | found, fps):
         if not doubt[max(row - least, 0) : row + least].any():
             doubt[row] = Doubt.MET
-    turns = _alternation_rows(seen, meetings, fps)
-    doubt[turns[doubt[turns] == Doubt.NONE]] = Doubt.MET
     return doubt
 
 
@@ -70,22 +59,3 @@ def _encounter_rows(seen: SeenRows, meetings: Encounters, ends: Flags, fps: floa
             at = span.start + np.searchsorted(seen.frame[span], sorted(times))
             rows += [int(i) for i in at if span.start < i < span.stop]
     return rows
-
-
-def _alternation_rows(seen: SeenRows, meetings: Encounters, fps: float) -> NDArray[np.intp]:
-    """(k,) rows where one of two who met is seen after the other, and never both in one frame.
-
-    They may be one person whom the tracker followed twice: cut there, the pieces of both stand one
-    behind the other and can be linked.
-    """
-    rows = [np.zeros(0, np.intp)]
-    order = seen.track * 2**32 + seen.frame  # ascending, as `SeenRows` is
-    for stretch in meetings.stretches(round(_APART_S * fps)):
-        around = meetings.frame[stretch][[0, -1]] + (0, 1)
-        pair = meetings.pair[stretch.start].tolist()
-        ends = [np.searchsorted(order, track * 2**32 + around) for track in pair]
-        both = np.concatenate([np.arange(*end) for end in ends])
-        both = both[np.argsort(seen.frame[both], kind="stable")]
-        if (np.diff(seen.frame[both]) > 0).all():
-            rows.append(both[1:][np.diff(seen.track[both]) != 0])
-    return np.concatenate(rows)

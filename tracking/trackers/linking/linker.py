@@ -11,13 +11,12 @@ from tracking.geometry import View
 from tracking.trackers.linking.appearance import learn_appearance
 from tracking.trackers.linking.candidates import find_links
 from tracking.trackers.linking.doubts import Doubt, find_doubts
-from tracking.trackers.linking.edges import find_edge_returns
 from tracking.trackers.linking.extend_ends import extend_ends
 from tracking.trackers.linking.link_selection import least_rows, number_people, select_links
 from tracking.trackers.linking.run_ids import rename_tracks
-from tracking.trackers.linking.seen_rows import Integers, SeenRows, find_seen_rows
+from tracking.trackers.linking.seen_rows import Integers, find_seen_rows
 from tracking.trackers.linking.tracklets import Tracklets, cut_tracklets
-from tracking.tracks.columns import CLOTHES, Columns
+from tracking.tracks.columns import Columns
 from tracking.tracks.run import Run
 
 
@@ -56,8 +55,7 @@ def _find_ids(
     own = seen.row >= before
     if not own.any():
         return np.zeros(0, np.intp), np.zeros(0, np.int64)
-    returns = [one for one in find_edge_returns(seen, view, fps) if _is_known(seen, one.row)]
-    doubt = find_doubts(seen, meetings, returns, fps)
+    doubt = find_doubts(seen, meetings, fps)
     doubt[~own & (doubt != Doubt.TRACK)] = Doubt.NONE
     pieces = cut_tracklets(seen, doubt, fps)
     known = max(run.known_tracks, int(seen.track[~own].max(initial=0)))
@@ -69,20 +67,7 @@ def _find_ids(
     rows = np.bincount(person[pieces.of_rows], minlength=int(person.max()) + 1)
     rows[person[fixed]] = least_rows(fps)
     name[(rows < least_rows(fps))[person[pieces.of_rows]]] = 0
-    for one in returns:
-        if name[one.row - 1] != name[one.row]:
-            name[one.start : one.stop] = 0
     return seen.row[own] - before, name[own]
-
-
-def _is_known(seen: SeenRows, row: int) -> bool:
-    """Whether a track's clothes are known before a row and from it on.
-
-    Where they are not, nothing tells more than the tracker did: what it said stands.
-    """
-    start, stop = np.searchsorted(seen.track, (seen.track[row], seen.track[row] + 1))
-    known = np.asarray(np.isfinite(seen.appearance[start:stop, : len(CLOTHES)]).all(axis=1))
-    return bool(known[: row - start].any() and known[row - start :].any())
 
 
 def _prepend(given: Columns, run: Run) -> Run:

@@ -29,7 +29,7 @@ def rename_tracks(run: Run, row: Rows, name: Integers, view: View, fps: float) -
         row: (k,) of the run's tracks, those that were seen, by track and frame.
         name: (k,) their new ids; 0: nobody's.
     """
-    new = _of_rows(run.tracks, row, name)
+    new = _of_rows(run.tracks, row, name, run.frames[1] - 1)
     names = _Ids.of(run.tracks, new)
     tracks, signals = fill_gaps(_with_ids(run.tracks, new), run.signals, view, fps)
     return replace(
@@ -42,7 +42,7 @@ def rename_tracks(run: Run, row: Rows, name: Integers, view: View, fps: float) -
     )
 
 
-def _of_rows(tracks: Columns, row: Rows, name: Integers) -> Ids:
+def _of_rows(tracks: Columns, row: Rows, name: Integers, last_frame: int) -> Ids:
     """(rows,) the new id of every row of the tracks; 0: it is left out."""
     frame, track = tracks["frame"].astype(np.int64), tracks["track"].astype(np.int64)
     new = track.copy()
@@ -58,11 +58,11 @@ def _of_rows(tracks: Columns, row: Rows, name: Integers) -> Ids:
         good = (at == neighbour) & (track[row[at]] == track[rows]) & (new[rows] == 0)
         free = _is_free(new, frame, rows[good], name[at[good]])
         new[rows[good][free]] = name[at[good]][free]
-    new[_guesses(frame, new, row)] = 0
+    new[_guesses(frame, new, row, last_frame)] = 0
     return new.astype(np.int32)
 
 
-def _guesses(frame: Integers, new: Integers, row: Rows) -> Rows:
+def _guesses(frame: Integers, new: Integers, row: Rows, last_frame: int) -> Rows:
     """Rows before somebody was seen for the first time, and after the last: guesses.
 
     Whoever is followed to the last frame has not left: the footage ends.
@@ -71,7 +71,7 @@ def _guesses(frame: Integers, new: Integers, row: Rows) -> Rows:
     first = np.full(len(last), np.iinfo(np.int64).max)
     np.maximum.at(last, new[row], frame[row])
     np.minimum.at(first, new[row], frame[row])
-    last[new[frame == frame.max()]] = frame.max()
+    last[new[frame == last_frame]] = last_frame
     seen = np.isin(new, new[row])
     return np.flatnonzero(seen & ((frame > last[new]) | (frame < first[new])))
 

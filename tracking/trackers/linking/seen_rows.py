@@ -45,7 +45,7 @@ class SeenRows:
 
     Attributes:
         frame, track: (n,) with the ids of the tracker. row: (n,) of the run's tracks.
-        place: (n, 2) m, where the detection stood. box: (n, 4) px, of the detection.
+        place: (n, 2) m, where the detection stood.
         appearance: (n, 7) `APPEARANCE`, NaN where not known, or not of this person's whole body.
         glimpsed: (n, 6) `CLOTHES` of people half hidden by others, NaN elsewhere.
         at_edge: (n,) the box is cut off by the picture's edge.
@@ -56,7 +56,6 @@ class SeenRows:
     track: Integers
     row: NDArray[np.intp]
     place: Floats
-    box: Floats
     appearance: Floats
     glimpsed: Floats
     at_edge: Flags
@@ -86,9 +85,7 @@ def find_seen_rows(run: Run, view: View) -> tuple[SeenRows, Encounters]:
     appearance = _where(whole & clear, noticed)
     glimpsed = _where(whole & ~clear & (shown >= _GLIMPSED), noticed[:, : len(CLOTHES)])
     frame, track = tracks["frame"][row].astype(np.int64), tracks["track"][row].astype(np.int64)
-    return SeenRows(
-        frame, track, row, place[row], box[row], appearance, glimpsed, edge, alone
-    ), meetings
+    return SeenRows(frame, track, row, place[row], appearance, glimpsed, edge, alone), meetings
 
 
 def is_track_start(seen: SeenRows) -> Flags:

@@ -39,8 +39,6 @@ _LEAST_SHOWN = 0.05
 _MATCHED = ("frame", "track", "x", "y", "left", "width")
 _BATCH_ROWS = 100_000
 """Smoothed at a time; longer tracks are batches by themselves."""
-_INSIDE = 0.75
-"""Share of a box inside the picture from which on its person cannot have left unseen."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,7 +49,6 @@ class _Paths:
         rows: (n,) of the run's tracks. chains: their frames and tracks.
         columns: of these rows. measured: (n,) a detection was matched.
         enclosed: (n,) between a track's first and last measured row, these included.
-        late: (n,) after the last one.
         clear: (n, 2) nobody else is near the left, the right side of the box.
     """
 
@@ -60,7 +57,6 @@ class _Paths:
     columns: Columns
     measured: Flags
     enclosed: Flags
-    late: Flags
     clear: Flags
 
     @property
@@ -97,11 +93,10 @@ def smooth_run(
           were found;
         - boxes follow each person's outline over time: one that suddenly differs, as that of two
           people seen as one does, is drawn to it, and a predicted person has it where the path
-          leads;
-        - rows after the last match are left out where the person could not have left the picture.
+          leads.
 
-    Ids, frames and what counts as predicted stay as they are, and so do the other rows after a
-    last match and people without a place on the floor.
+    Ids, frames and what counts as predicted stay as they are, and so do rows after a last match
+    and people without a place on the floor.
 
     Args:
         view: the camera the boxes were seen by. fps: frames a second.
@@ -110,14 +105,12 @@ def smooth_run(
         memory_s: how long a path on the floor is led by what was seen.
     """
     tracks, first = _joined(given, run.tracks)
-    kept, clear = np.ones(len(tracks["frame"]), bool), clear_sides(tracks)
+    clear = clear_sides(tracks)
     for rows, detections in _batches(tracks, run.detections):
         paths = _paths(tracks, rows, clear)
         if paths.measured.any():
             _smooth(tracks, paths, detections, view, fps, memory_s)
-            kept[paths.rows[_vanished(paths, run.frames[1], view)]] = False
-    own = {name: column[first:] for name, column in tracks.items()}
-    return replace(run, tracks=_rows(own, kept[first:]), signals=_rows(run.signals, kept[first:]))
+    return replace(run, tracks={name: column[first:] for name, column in tracks.items()})
 
 
 def _smooth(
@@ -174,14 +167,6 @@ def _joined(given: Columns | None, tracks: Columns) -> tuple[dict[str, NDArray[A
     return joined, len(given["frame"])
 
 
-def _rows(columns: Columns, kept: Flags) -> Columns:
-    """The rows kept; columns that say nothing of the tracks' rows stay as they are."""
-    return {
-        name: column[kept] if len(column) == len(kept) else column
-        for name, column in columns.items()
-    }
-
-
 def _paths(tracks: Columns, rows: Rows, clear: Flags) -> _Paths:
     """Rows with a place and a box, ordered by track and frame."""
     columns = {name: column[rows] for name, column in tracks.items()}
@@ -189,9 +174,8 @@ def _paths(tracks: Columns, rows: Rows, clear: Flags) -> _Paths:
     first, last = _ends_of_measured(columns["track"], measured)
     place = np.arange(len(rows))
     enclosed = (place >= first) & (place <= last)
-    late = (place > last) & (last >= 0)
     chains = Chains(columns["frame"], columns["track"])
-    return _Paths(rows, chains, columns, measured, enclosed, late, clear[rows])
+    return _Paths(rows, chains, columns, measured, enclosed, clear[rows])
 
 
 def _ends_of_measured(track: NDArray[np.int32], measured: Flags) -> tuple[Rows, Rows]:
@@ -294,18 +278,3 @@ def _outlines(own: Floats, weight: Floats, paths: _Paths, memory: float) -> Floa
             share = np.where(paths.clear[:, side // 2], trust(off, _CLEAR_OUTLIER_M), share)
         outline[:, side] = usual + share * (weight > 0) * off
     return outline
-
-
-def _vanished(paths: _Paths, stop: int, view: View) -> Flags:
-    """(n,) rows after a track's last match, of people who were in the picture to the end.
-
-    A track that goes on to the last frame tracked has not ended: the footage has.
-    """
-    box = paths.box
-    low = np.clip(box[:, :2], 0.0, view.camera.size)
-    high = np.clip(box[:, :2] + box[:, 2:], 0.0, view.camera.size)
-    inside = np.prod(high - low, axis=1) > _INSIDE * np.prod(box[:, 2:], axis=1)
-    track = paths.chains.track
-    final = np.append(np.flatnonzero(np.diff(track)), len(track) - 1)
-    ended = inside[final] & (paths.chains.frame[final] < stop - 1)
-    return paths.late & np.isin(track, track[final[ended]])
