@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
 
+from tracking.arrays import Integers
 from tracking.detections import Footage, read_detections, yolo_boxes
 from tracking.errors import FormatError
 
@@ -91,6 +93,24 @@ def test_the_fingerprint_is_of_names_and_contents(tmp_path) -> None:
     one = read_detections(folder, FOOTAGE).fingerprint
     (folder / "f_2.txt").rename(folder / "f_3.txt")
     assert one != read_detections(folder, FOOTAGE).fingerprint
+
+
+def test_the_boxes_are_those_that_the_fingerprint_is_of(tmp_path) -> None:
+    folder = folder_of(tmp_path, f_1=ROW)
+    fingerprint = read_detections(folder, FOOTAGE).fingerprint
+
+    class ChangedMeanwhile(Footage):
+        """Asked for frames when the folder has been hashed, before its rows become boxes."""
+
+        def numbers_of_names(self, names: Sequence[str]) -> tuple[Integers, bool]:
+            (folder / "f_1.txt").write_text("0 0.5 0.5 0.5 0.5")
+            (folder / "f_2.txt").write_text(ROW)
+            (folder / "classes.txt").write_text("car\n")
+            return Footage.numbers_of_names(self, names)
+
+    file = read_detections(folder, ChangedMeanwhile(600, (640, 480)))
+    assert file.fingerprint == fingerprint
+    assert file.table.box.tolist() == [[240, 120, 160, 240]]
 
 
 @pytest.mark.parametrize("name", ["classes.txt", "obj.names"])

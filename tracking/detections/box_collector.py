@@ -23,14 +23,16 @@ class BoxCollector:
     Attributes:
         reading: the file as messages name it, with the rows that are invalid.
         held: what the file holds; nothing of a folder.
+        files: what each file of a folder holds, by its name; none of a file.
         no_score: a score that stands for none.
         counts_pixels: corners count from where pictures do, which is from 1 in this format.
         counts_pictures: frames are numbers that count pictures, from 0 or from 1.
         has_zero: one of these is 0.
     """
 
-    def __init__(self, reading: Reading, held: bytes = b"") -> None:
-        self.reading, self.held = reading, held
+    def __init__(self, reading: Reading) -> None:
+        self.reading = reading
+        self.held, self.files = b"", dict[str, bytes]()
         self.no_score = np.nan
         self.counts_pixels = self.counts_pictures = self.has_zero = False
         self._frames: list[Integers] = []

@@ -16,13 +16,7 @@ from tracking.detections.coco_boxes import is_coco, read_coco_boxes
 from tracking.detections.frame_numbers import Footage
 from tracking.detections.mot_boxes import read_mot_boxes
 from tracking.detections.table import BoxTable
-from tracking.detections.yolo_boxes import (
-    frame_texts,
-    is_yolo,
-    names_file,
-    read_small,
-    read_yolo_boxes,
-)
+from tracking.detections.yolo_boxes import contents_of, is_yolo, read_yolo_boxes
 from tracking.errors import FormatError, explain_unreadable
 from tracking.formats.mot import is_mot, lacks_commas
 from tracking.formats.read_result import Reading
@@ -64,7 +58,7 @@ class DetectionsFile:
 
     Attributes:
         path: of the file. format: its name. title: what people call that.
-        fingerprint: SHA-256 of all bytes, in hex; of a folder see `_parts_of_folder`.
+        fingerprint: SHA-256 of all bytes, in hex; of a folder see `_read_folder`.
         table: the boxes that are valid and in the footage.
         notes: what else the user should know, a line each.
     """
@@ -110,10 +104,10 @@ class _Taken:
 
     @classmethod
     def of(cls, path: Path, footage: Footage, report: Progress) -> _Taken:
-        known, fingerprint, held = _looked_through(path)
-        boxes = BoxCollector(Reading(path, report), held)
+        boxes = BoxCollector(Reading(path, report))
+        known, fingerprint = _read_into(boxes)
         known.read(boxes, footage)
-        boxes.held = b""
+        boxes.held, boxes.files = b"", {}
         return cls(known, fingerprint, boxes, footage)
 
     def counted_from(self, first: int) -> DetectionsFile:
@@ -131,23 +125,22 @@ class _Taken:
         )
 
 
-def _looked_through(path: Path) -> tuple[BoxFormat, str, bytes]:
-    """The format of a file or folder, the SHA-256 of all its bytes, and these of a file."""
+def _read_into(boxes: BoxCollector) -> tuple[BoxFormat, str]:
+    """Read a file or folder, once, into `held` or `files`: its format, the SHA-256 of all bytes."""
+    path = boxes.reading.path
     if path.is_symlink():
         raise FormatError(
             "{path} is a link, which is not followed; name the file it leads to", path=path
         )
     if path.is_dir():
-        digest = hashlib.sha256()
-        for part in _parts_of_folder(path):
-            digest.update(part)
-        return _YOLO, digest.hexdigest(), b""
-    held = _read_once(path)
-    return _format_of(path, held[:HEAD_BYTES]), hashlib.sha256(held).hexdigest(), held
+        return _YOLO, _read_folder(boxes)
+    boxes.held = _read_file(path)
+    known = _format_of(path, boxes.held[:HEAD_BYTES])
+    return known, hashlib.sha256(boxes.held).hexdigest()
 
 
-def _read_once(path: Path) -> bytes:
-    """All bytes of a plain file, so that what is read is what was looked at."""
+def _read_file(path: Path) -> bytes:
+    """All bytes of a plain file."""
     with (
         explain_unreadable(path),
         os.fdopen(os.open(path, os.O_RDONLY | SAFE_FLAGS), "rb") as stream,
@@ -167,21 +160,21 @@ def _check_state(path: Path, state: os.stat_result) -> None:
     _check_size(path, state.st_size)
 
 
-def _parts_of_folder(folder: Path) -> Iterator[bytes]:
-    """Name, length and bytes of each file of a folder of YOLO text, in their order."""
+def _read_folder(boxes: BoxCollector) -> str:
+    """Read the files of a folder of YOLO text: SHA-256 of name, length and bytes of each."""
+    folder = boxes.reading.path
     if not is_yolo(folder):
         raise FormatError(
             "{path} is a folder without text files; give one of YOLO text, or a file", path=folder
         )
-    size = 0
-    names = names_file(folder)  # it says who is a person
-    for file in (*frame_texts(Reading(folder)), *([names] if names else ())):
-        held = read_small(file)
+    size, digest = 0, hashlib.sha256()
+    for name, held in contents_of(boxes.reading):
         size += len(held)
         _check_size(folder, size)
-        yield os.fsencode(file.name)
-        yield f" {len(held)} ".encode()
-        yield held
+        for part in (os.fsencode(name), f" {len(held)} ".encode(), held):
+            digest.update(part)
+        boxes.files[name] = held
+    return digest.hexdigest()
 
 
 def _check_size(path: Path, size: int) -> None:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 import re
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -42,42 +43,41 @@ def is_yolo(folder: Path) -> bool:
         return False
 
 
-def frame_texts(reading: Reading) -> list[Path]:
-    """The text files of a folder, in natural order; links are told as bad.
+def contents_of(reading: Reading) -> Iterator[tuple[str, bytes]]:
+    """Name and bytes of each text of a folder, in natural order, then of that with the classes.
 
-    Raises FormatError where it cannot be read or holds far too many files.
+    Links are told as bad. Raises FormatError where the folder or one of its files cannot be read,
+    or there are far too many.
     """
-    return [path for path in files_in(reading, ENDING)[0] if path.name not in _NAMES]
-
-
-def names_file(folder: Path) -> Path | None:
-    """The file that names the classes; None: the folder has none that is no link."""
-    for path in (folder / name for name in _NAMES):
+    for path in files_in(reading, ENDING)[0]:
+        if path.name not in _NAMES:
+            yield path.name, _read_small(path)
+    for path in (reading.path / name for name in _NAMES):
         if path.is_file() and not path.is_symlink():
-            return path
-    return None
+            yield path.name, _read_small(path)
+            return
 
 
 def read_yolo_boxes(boxes: BoxCollector, footage: Footage) -> None:
-    """All boxes of people in the folder's files.
+    """All boxes of people in the folder's files, as `boxes.files` has them.
 
-    Raises FormatError where a file cannot be read or is no such text.
+    Raises FormatError where a file is no such text.
     """
     reading = boxes.reading
-    files = frame_texts(reading)
-    numbers, counts = footage.numbers_of_names([path.stem for path in files])
+    texts = {name: held for name, held in boxes.files.items() if name not in _NAMES}
+    numbers, counts = footage.numbers_of_names([Path(name).stem for name in texts])
     if counts:
         boxes.count(numbers)
-    people = _people_in(reading.path)
-    for at, (path, frame) in enumerate(zip(files, numbers.tolist(), strict=True)):
-        reading.report(at, len(files))
+    people = _people_in(boxes)
+    for at, ((name, held), frame) in enumerate(zip(texts.items(), numbers.tolist(), strict=True)):
+        reading.report(at, len(texts))
         if frame < 0:
-            reading.bad(path.name, msg("its name has no number of a frame"))
+            reading.bad(name, msg("its name has no number of a frame"))
         else:
-            _take(boxes, path, frame, people, footage)
+            _take(boxes, name, _lines_of(held), frame, people, footage)
 
 
-def read_small(path: Path) -> bytes:
+def _read_small(path: Path) -> bytes:
     """The bytes of a plain file of a folder.
 
     Raises FormatError where it is a link or anything but a file, or larger than a frame's.
@@ -98,29 +98,43 @@ def read_small(path: Path) -> bytes:
     return held
 
 
-def _people_in(folder: Path) -> int:
+def _lines_of(held: bytes) -> list[str]:
+    return held.decode("utf-8", "replace").split("\n")
+
+
+def _people_in(boxes: BoxCollector) -> int:
     """The class of people, by the names the folder has; 0 where it has none.
 
     Raises FormatError where none of the names is person.
     """
-    if (path := names_file(folder)) is None:
+    file = next((name for name in _NAMES if name in boxes.files), None)
+    if file is None:
         return 0
-    names = read_small(path).decode("utf-8", "replace").split("\n")
-    for number, name in enumerate(names):
+    for number, name in enumerate(_lines_of(boxes.files[file])):
         if name.strip().lower() in PEOPLE:
             return number
-    raise FormatError("{path}: none of the classes is person; rename the one of people", path=path)
+    raise FormatError(
+        "{path}: none of the classes is person; rename the one of people",
+        path=boxes.reading.path / file,
+    )
 
 
-def _take(boxes: BoxCollector, path: Path, frame: int, people: int, footage: Footage) -> None:
-    """The boxes of one file."""
+def _take(
+    boxes: BoxCollector,
+    file: str,
+    texts: list[str],
+    frame: int,
+    people: int,
+    footage: Footage,
+) -> None:
+    """The boxes of one file, line by line."""
     rows, lines = [], []
-    for number, line in enumerate(read_small(path).decode("utf-8", "replace").split("\n"), 1):
+    for number, line in enumerate(texts, 1):
         if not line.strip():
             continue
         if not _ROW.fullmatch(line.strip()):
             boxes.reading.bad(
-                msg("{file}, line {line}", file=path.name, line=number),
+                msg("{file}, line {line}", file=file, line=number),
                 msg("it is no row of YOLO text: class, centre, width, height and confidence"),
             )
             continue
@@ -140,5 +154,5 @@ def _take(boxes: BoxCollector, path: Path, frame: int, people: int, footage: Foo
         np.full(len(table), float(frame)),
         np.column_stack((centre - size / 2, size)),
         table[:, 4],
-        lambda row: msg("{file}, line {line}", file=path.name, line=lines[row]),
+        lambda row: msg("{file}, line {line}", file=file, line=lines[row]),
     )
