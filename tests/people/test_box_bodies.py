@@ -5,12 +5,16 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from tracking.people.body_scale import Standing
 from tracking.people.box_bodies import body_in, in_boxes, paint_bodies, working_boxes
 from tracking.people.box_regions import join_regions, regions_of_boxes
+from tracking.people.region_features import described
+from tracking.people.settings import PeopleSettings
 
 SHAPE = (120, 160)
 BOX = np.array((40.0, 20.0, 30.0, 80.0))
 FULL = 255
+SETTINGS = PeopleSettings()
 
 
 def test_a_body_lies_in_its_box_and_fills_most_of_it() -> None:
@@ -76,3 +80,20 @@ def test_regions_of_the_foreground_are_numbered_after_those_of_boxes() -> None:
     joined = join_regions(first, other)
     assert joined[7, 0] == 1
     assert joined[15, 0] == 2
+
+
+def test_no_region_is_lost_where_there_are_more_than_8_bits_tell_apart() -> None:
+    numbers = np.arange(150, dtype=np.uint8).reshape(10, 15) + np.uint8(1)
+    own = np.kron(numbers, np.ones((12, 6), np.uint8))
+    nobody = np.zeros_like(own)
+    joined = join_regions(np.hstack((own, nobody)), np.hstack((nobody, own)))
+    assert np.unique(joined).tolist() == list(range(1, 301))
+    picture = np.full((*joined.shape, 3), 90, np.uint8)
+    picture[:, 90:] = (200, 40, 40)
+    people = described(joined, picture, (240, 360), Standing(None, 2, SETTINGS), SETTINGS)
+    assert len(people) == 300
+    assert people.regions[-1, -1] == 300
+    assert people.box[299].tolist() == [347.5, 215.5, 12, 24]
+    assert not np.isnan(people.clothes).any()
+    blue = people.clothes[150:, :, 2]
+    assert (blue < -30).all()

@@ -11,13 +11,14 @@ from tracking.arrays import Flags, Floats, Mask
 from tracking.people.body_scale import Standing
 from tracking.people.box_bodies import WIDE, body_in, working_boxes
 from tracking.people.detections import Detections
-from tracking.people.silhouettes import Labels
+from tracking.people.silhouettes import AnyLabels, Labels
 from tracking.people.upright import SHADOW
 
 _FULL = 0.35
 """Share of a body that is foreground from which on its pixels are the region."""
 _HIDDEN = 0.1
 """Who shows less of the body than this is hidden by nearer ones."""
+_MOST_OF_8_BITS = 255
 _EDGE_PX = 2.0
 """A box that ends so near to the picture's lower edge goes on below it."""
 
@@ -76,8 +77,13 @@ def measure_from_boxes(
     )
 
 
-def join_regions(first: Labels, other: Labels) -> Labels:
-    """The regions of one picture, then those of the other where the first has none."""
-    above = other.astype(np.int32) + int(first.max(initial=0))
-    joined = np.where(first > 0, first, np.where((other > 0) & (above < 256), above, 0))
-    return joined.astype(np.uint8)
+def join_regions(first: Labels, other: Labels) -> AnyLabels:
+    """The regions of one picture, then those of the other where the first has none.
+
+    Of 8 bits, and of 16 where there are more regions than these tell apart.
+    """
+    last = int(first.max(initial=0))
+    kept = (first > 0) | (other == 0)
+    if last + int(other.max(initial=0)) <= _MOST_OF_8_BITS:
+        return np.where(kept, first, other + np.uint8(last))
+    return np.where(kept, first, other + np.uint16(last))

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from tracking.geometry import Rectification, View
 from tracking.people.runs import Runs
+from tracking.people.silhouettes import AnyLabels
 from tracking.tracks.boxes import boxes_of_corners, corners_of_boxes
 
 Boxes = NDArray[np.float64]
@@ -29,7 +30,7 @@ _RINGS = ((0.0, 0.5), (0.45, 0.9), (0.8, 1.0), (1.0, 0.3))
 _RING_POINTS = 8
 
 
-def region_boxes(labels: NDArray[np.uint8], count: int) -> list[GridBox]:
+def region_boxes(labels: AnyLabels, count: int) -> list[GridBox]:
     """Left, top, width, height of the pixels labelled 1 to count; (0, 0, 0, 0) where none are.
 
     Rows and columns with a single pixel at a region's ends are left out: specks, not limbs.
@@ -60,7 +61,7 @@ def _extents(
 
 
 def hidden_sides(
-    labels: NDArray[np.uint8], boxes: list[GridBox], sight: NDArray[np.float32]
+    labels: AnyLabels, boxes: list[GridBox], sight: NDArray[np.float32]
 ) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
     """Where regions end at the picture's edge or behind somebody nearer.
 
@@ -97,7 +98,7 @@ def hidden_sides(
     return (at_edge | covered).T, np.asarray(at_edge.any(axis=0), np.bool_)
 
 
-def _touched(labels: NDArray[np.uint8], nearer: NDArray[np.bool_]) -> NDArray[np.float64]:
+def _touched(labels: AnyLabels, nearer: NDArray[np.bool_]) -> NDArray[np.float64]:
     """(2, k) the share of each region's rows that end, left and right, at somebody nearer.
 
     Who merely stands beside somebody nearer, with the background between them, is not hidden.

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from tracking.arrays import Rows
 from tracking.people.settings import PeopleSettings
+from tracking.people.silhouettes import AnyLabels
 
 Histogram = NDArray[np.float32]
 
@@ -28,7 +29,7 @@ _SHARE_ACROSS = 0.5 + (_ACROSS - 0.5) * _MIDDLE_ACROSS
 
 def colour_histograms(
     picture: NDArray[np.uint8],
-    labels: NDArray[np.uint8],
+    labels: AnyLabels,
     boxes: Sequence[tuple[int, int, int, int]],
     settings: PeopleSettings,
     step: int = 1,
@@ -65,7 +66,7 @@ def colour_histograms(
 
 def clothes_colours(
     picture: NDArray[np.uint8],
-    labels: NDArray[np.uint8],
+    labels: AnyLabels,
     boxes: Sequence[tuple[int, int, int, int]],
     step: int = 1,
 ) -> NDArray[np.float32]:
@@ -83,7 +84,7 @@ def clothes_colours(
     count = len(boxes)
     v, u = _grids(boxes)
     shown = labels.ravel().take(v * labels.shape[1] + u)
-    own = shown == np.arange(1, count + 1, dtype=np.uint8).reshape(count, 1, 1, 1)
+    own = shown == np.arange(1, count + 1, dtype=labels.dtype).reshape(count, 1, 1, 1)
     points = _GRID[0] * _GRID[1]
     pixels = _shown(picture, v, u, step).reshape(count, 2, points, 3).astype(np.float32)
     counted = own.reshape(count, 2, 1, points).astype(np.float32)
@@ -125,7 +126,7 @@ def _lab(colour: NDArray[np.float64]) -> NDArray[np.float32]:
 
 
 def _inner_pixels(
-    labels: NDArray[np.uint8], boxes: Sequence[tuple[int, int, int, int]]
+    labels: AnyLabels, boxes: Sequence[tuple[int, int, int, int]]
 ) -> tuple[Rows, Rows, Rows, NDArray[np.bool_]]:
     """The bodies' pixels off their sides: region, row, column, and whether it is the lower body."""
     place = np.flatnonzero(labels != 0)

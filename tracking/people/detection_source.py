@@ -8,7 +8,7 @@ from typing import Protocol
 from tracking.arrays import Floats
 
 MOST_BOXES = 200
-"""In a frame: labels of 8 bits tell apart no more, with those of the foreground beside them."""
+"""In a frame: labels of 8 bits tell them apart."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import TypeVar
+
 import cv2
 import numpy as np
 from numpy.typing import NDArray
@@ -12,7 +14,9 @@ from tracking.people.boxes import GridBox, hidden_sides, region_boxes
 from tracking.people.colours import Histogram, clothes_colours, colour_histograms
 from tracking.people.detections import Detections
 from tracking.people.settings import PeopleSettings
-from tracking.people.silhouettes import Labels
+from tracking.people.silhouettes import AnyLabels
+
+Pixel = TypeVar("Pixel", bound=np.uint8 | np.uint16)
 
 _BOTTOM = 3
 _STEP = 2
@@ -22,7 +26,7 @@ _ONE_WIDE = 1.2
 
 
 def described(
-    regions: Labels,
+    regions: AnyLabels,
     picture: NDArray[np.uint8],
     shape: tuple[int, ...],
     standing: Standing,
@@ -56,16 +60,17 @@ def described(
     )
 
 
-def in_full(picture: NDArray[np.uint8], shape: tuple[int, ...]) -> NDArray[np.uint8]:
+def in_full(picture: NDArray[Pixel], shape: tuple[int, ...]) -> NDArray[Pixel]:
     """A picture of labels at the size of the recorded one."""
     if picture.shape[:2] == shape[:2]:
         return picture
     size = (shape[1], shape[0])
-    return np.asarray(cv2.resize(picture, size, interpolation=cv2.INTER_NEAREST), np.uint8)
+    resized = cv2.resize(picture, size, interpolation=cv2.INTER_NEAREST)
+    return np.asarray(resized, picture.dtype)
 
 
 def _placed(
-    regions: Labels, boxes: list[GridBox], seen: Floats, standing: Standing
+    regions: AnyLabels, boxes: list[GridBox], seen: Floats, standing: Standing
 ) -> tuple[Floats, NDArray[np.bool_], NDArray[np.bool_]]:
     """Positions (n, 3), hidden sides (n, 4) and which touch the picture's edge (n,)."""
     top, foot = _ends(regions, boxes)
@@ -98,7 +103,7 @@ def _merged(seen: Floats, size: Floats, settings: PeopleSettings) -> NDArray[np.
 
 
 def _colours(
-    regions: Labels,
+    regions: AnyLabels,
     picture: NDArray[np.uint8],
     boxes: list[GridBox],
     settings: PeopleSettings,
@@ -110,7 +115,7 @@ def _colours(
     return upper, lower, middle, clothes_colours(picture, labels, small, _STEP)
 
 
-def _ends(regions: Labels, boxes: list[GridBox]) -> tuple[Floats, Floats]:
+def _ends(regions: AnyLabels, boxes: list[GridBox]) -> tuple[Floats, Floats]:
     """The top and the foot (n, 2) px of each region, in the middle of what is there."""
     ends = np.zeros((2, len(boxes), 2))
     for k, (left, top, width, height) in enumerate(boxes):

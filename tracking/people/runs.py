@@ -7,7 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-Labels = NDArray[np.uint8]
+from tracking.people.silhouettes import AnyLabels
+
 Places = NDArray[np.intp]
 
 
@@ -22,11 +23,11 @@ class Runs:
 
     start: Places
     length: Places
-    label: Labels
+    label: AnyLabels
     row: Places
 
     @classmethod
-    def along(cls, labels: Labels) -> Runs:
+    def along(cls, labels: AnyLabels) -> Runs:
         """All runs of a picture (rows, columns), those that bear 0 among them."""
         places = labels.ravel()
         begins = np.empty(places.size, np.bool_)

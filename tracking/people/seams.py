@@ -7,7 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.people.plan_view import SurfacePoints
-from tracking.people.runs import Labels, Places, Runs
+from tracking.people.runs import Places, Runs
+from tracking.people.silhouettes import Labels
 
 _NARROW = 3
 """Places across that a strip has at most: so far the matching window reaches over an outline."""

@@ -7,6 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 Labels = NDArray[np.uint8]
+AnyLabels = NDArray[np.uint8 | np.uint16]
+"""A picture of regions: k + 1 for the pixels of the k-th, 0 elsewhere. Where boxes of another
+program come to those of the foreground, there may be more than 8 bits tell apart."""
 Box = tuple[int, int, int, int]
 
 _SPECK = 1.5e-4

@@ -27,7 +27,7 @@ from tracking.people.observation import Observation, Overlays
 from tracking.people.region_features import described, in_full
 from tracking.people.regions_of_people import people_regions
 from tracking.people.settings import PeopleSettings
-from tracking.people.silhouettes import Labels
+from tracking.people.silhouettes import AnyLabels, Labels
 from tracking.people.working_scale import shrink_of, shrunk
 from tracking.recording.frame import Image, StereoFrame
 from tracking.translation import Message
@@ -139,10 +139,11 @@ class SingleCameraPerception:
         like[v, u] = np.where(self._shade.alike(seen, 2 * v, 2 * u), 255, 0)
         return like
 
-    def _remember(self, seen: Subtraction, regions: Mask) -> None:
+    def _remember(self, seen: Subtraction, regions: AnyLabels) -> None:
         """Let the background follow what was seen, except where people are."""
         if self._background.update_is_due:
-            self._background.update(seen, np.asarray(cv2.dilate(regions, _PROTECTED), np.uint8))
+            people = cv2.dilate((regions > 0).view(np.uint8), _PROTECTED)
+            self._background.update(seen, np.asarray(people, np.uint8))
         else:
             self._background.update(seen)
 
