@@ -120,7 +120,7 @@ class Workspace(QWidget):
     def _scrolled_panels(self) -> QScrollArea:
         """On a low screen the panels scroll, so that they never make the window too high for it."""
         listed = self._placed[Place.SIDE]
-        parts, shares = (self.review, self.card, *listed), (11, 6, *(3 for _ in listed))
+        parts, shares = (self.review, self.card, *listed), (11, 5, *(5 for _ in listed))
         side = self._split("side", Qt.Orientation.Vertical, parts, shares)
         panels = QScrollArea(self)
         panels.setWidget(side)

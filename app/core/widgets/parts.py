@@ -33,8 +33,8 @@ class Panel(QFrame):
         self.setProperty("panel", True)
         self.setAccessibleName(title)
         self._rows = QVBoxLayout(self)
-        self._rows.setContentsMargins(16, 12, 16, 12)
-        self._rows.setSpacing(8)
+        self._rows.setContentsMargins(16, 6, 16, 6)
+        self._rows.setSpacing(6)
         self._heading = QHBoxLayout()
         self._heading.setSpacing(4)
         self._title = heading(title, self)
@@ -45,9 +45,9 @@ class Panel(QFrame):
         """Say in the title whose the content is."""
         self._title.setText(title)
 
-    def add_to_heading(self, widget: QWidget) -> None:
-        """Put something small at the right of the title."""
-        self._heading.addWidget(widget)
+    def add_to_heading(self, widget: QWidget, stretch: int = 0) -> None:
+        """Put something small at the right of the title; `stretch` is its share of the rest."""
+        self._heading.addWidget(widget, stretch)
 
     def layout_body(self, body: QLayout) -> None:
         """Put the panel's content under the title."""

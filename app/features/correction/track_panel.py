@@ -26,7 +26,7 @@ from app.core.scenes import TrackCard
 from app.core.widgets.parts import Panel, Swatch, bring_into_view, heading, quiet
 from app.features.correction.attributes import AttributesTable
 
-_LEAST_LINES = 7
+_LEAST_LINES = 6
 _MOST_NAMED = 8
 
 

@@ -6,7 +6,6 @@ from PySide6.QtCore import QModelIndex, QPoint, Qt, Signal
 from PySide6.QtGui import QAction, QKeyEvent
 from PySide6.QtWidgets import (
     QComboBox,
-    QHBoxLayout,
     QLineEdit,
     QListView,
     QMenu,
@@ -24,7 +23,7 @@ from app.core.widgets.parts import quiet
 from app.features.history.history_filter import HistoryFilter
 from app.features.history.history_model import ITEM, EditDelegate, HistoryModel, row_height
 
-_ROWS = 5  # seen at least
+_ROWS = 4  # seen at least
 _LAID_AT_ONCE = 300
 _UNDO_ALONE_KEYS = "Ctrl+Alt+Z"
 
@@ -52,6 +51,7 @@ class HistoryPanel(FeaturePanel):
         self._undo.clicked.connect(lambda: self.command_asked.emit("edit.undo"))
         self._redo = IconButton("redo", tr("Redo"), "Ctrl+Shift+Z", self)
         self._redo.clicked.connect(lambda: self.command_asked.emit("edit.redo"))
+        self._add_filter()
         self.add_to_heading(self._undo)
         self.add_to_heading(self._redo)
         self._model = HistoryModel(self)
@@ -62,7 +62,6 @@ class HistoryPanel(FeaturePanel):
         rows = QVBoxLayout(self._listed)
         rows.setContentsMargins(0, 0, 0, 0)
         rows.setSpacing(4)
-        rows.addLayout(self._build_filter())
         rows.addWidget(self._list, 1)
         self._none = quiet(tr("No edit matches."), self)
         rows.addWidget(self._none)
@@ -91,9 +90,8 @@ class HistoryPanel(FeaturePanel):
         view.doubleClicked.connect(lambda index: self.goto_asked.emit(_item_of(index).edit))
         return view
 
-    def _build_filter(self) -> QHBoxLayout:
-        line = QHBoxLayout()
-        line.setSpacing(4)
+    def _add_filter(self) -> None:
+        """In the heading: a line of its own would cost the list one of its rows."""
         self._text = QLineEdit(self)
         self._text.setPlaceholderText(tr("Find"))
         self._text.setAccessibleName(tr("Find edits by words or a track's id"))
@@ -109,11 +107,10 @@ class HistoryPanel(FeaturePanel):
         self._by.setSizeAdjustPolicy(
             QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
         )
-        self._by.setMinimumContentsLength(8)
+        self._by.setMinimumContentsLength(4)
         self._by.currentIndexChanged.connect(self._narrow)
-        line.addWidget(self._text, 3)
-        line.addWidget(self._by, 2)
-        return line
+        self.add_to_heading(self._text, 3)
+        self.add_to_heading(self._by, 3)
 
     @property
     def current_edit(self) -> int:
@@ -126,7 +123,8 @@ class HistoryPanel(FeaturePanel):
         self._undo.setEnabled(any(not item.undone for item in items))
         self._redo.setEnabled(bool(items) and items[-1].undone)
         self._empty.setVisible(not items)
-        self._listed.setVisible(bool(items))
+        for widget in (self._listed, self._text, self._by):
+            widget.setVisible(bool(items))
         self.keep_low(not items)
         if items is not self._items:
             self._items = items

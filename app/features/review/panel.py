@@ -28,7 +28,7 @@ from app.core.widgets.queue_list import ReviewDelegate, ReviewModel, row_height
 from app.features.review.queue_view import FewLines, QueueView
 from app.features.review.scene import Order, ReviewScene
 
-_ROWS = 4  # seen at least
+_ROWS = 2  # seen at least
 _SIGNS = {"Backspace": "\u232b", "Return": "\u21b5"}
 """Keys with a sign of their own, where there is little room."""
 

@@ -46,9 +46,9 @@ class FiguresTable(QTableWidget):
         self.setShowGrid(False)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.verticalHeader().hide()
-        line = self.fontMetrics().height() + 2
-        self.verticalHeader().setMinimumSectionSize(line)
-        self.verticalHeader().setDefaultSectionSize(line)
+        self._line = self.fontMetrics().height() + 2
+        self.verticalHeader().setMinimumSectionSize(self._line)
+        self.verticalHeader().setDefaultSectionSize(self._line)
         self.horizontalHeader().setHighlightSections(False)
         self._title()
 
@@ -74,8 +74,9 @@ class FiguresTable(QTableWidget):
 
     def _arrange(self, figures: int) -> bool:
         """As few groups as the height allows; whether there are others than before."""
-        room = self.height() - self.horizontalHeader().sizeHint().height() - 2
-        fitting = max(1, room // self.verticalHeader().defaultSectionSize())
+        around, line = self.horizontalHeader().sizeHint().height() + 2, self._line
+        self.setMinimumHeight(around + line * math.ceil(figures / _MOST_GROUPS))
+        fitting = max(1, (self.height() - around) // line)
         groups = min(_MOST_GROUPS, max(1, math.ceil(figures / fitting)))
         lines = math.ceil(figures / groups)
         if (groups, lines) == (self.groups, self.rowCount()):

@@ -27,8 +27,10 @@ from app.features.scoring.scene import ErrorChoice, ScoreScene
 from tracking.scoring import ErrorKind
 
 _LEAST, _WIDEST_M = 0.05, 10.0
-_ONE_LINE_LETTERS = 84
-"""A panel so wide asks for truth, result and pairing in one line."""
+_ONE_LINE_LETTERS, _SHORTENED_LETTERS = 118, 84
+"""A panel so wide asks for truth, result and pairing in one line; a low one shortens them first."""
+_LOW_LINES = 19
+"""A panel of fewer lines of text is low."""
 
 
 class ScorePanel(FeaturePanel):
@@ -209,7 +211,10 @@ class ScorePanel(FeaturePanel):
     def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802 - Qt's name
         """What is asked takes as few lines as it can."""
         super().resizeEvent(event)
-        wide = self.width() >= _ONE_LINE_LETTERS * self.fontMetrics().averageCharWidth()
+        metrics = self.fontMetrics()
+        low = self.height() < _LOW_LINES * metrics.lineSpacing()
+        letters = _SHORTENED_LETTERS if low else _ONE_LINE_LETTERS
+        wide = self.width() >= letters * metrics.averageCharWidth()
         way = QBoxLayout.Direction
         self._asked.setDirection(way.LeftToRight if wide else way.TopToBottom)
 

@@ -3,8 +3,12 @@
 import pytest
 from PySide6.QtWidgets import QApplication
 
+from app.core.scenes.queue_rows import ReviewRow
 from app.features.history.panel import HistoryPanel
 from app.features.review import review_search
+from app.features.review.scene import ReviewScene
+from app.features.scoring.controller import ScoreController
+from app.features.scoring.panel import ScorePanel
 from app.features.timeline.rows import Arrangement, LaneHeight, LaneOrder
 from app.shell.main_window import MainWindow
 
@@ -34,6 +38,33 @@ def test_five_edits_of_the_history_are_in_sight(window_on_a_laptop):
     place = rows.viewport().mapTo(window_on_a_laptop, fifth)
     line = window_on_a_laptop.workspace.transport
     assert place.y() <= line.mapTo(window_on_a_laptop, line.rect().topLeft()).y()
+
+
+def test_four_edits_and_the_whole_card_are_in_sight_beside_a_review_item(window_on_a_laptop, qtbot):
+    window, space = window_on_a_laptop, window_on_a_laptop.workspace
+    window.resize(1400, 900)
+    item = ReviewRow(("margin", (1, 2), 9), "Paths cross", (), 9, "00:01", "close", (), 0.2)
+    space.review.show_scene(ReviewScene((item,) * 9, current=0, left=9, also="Watch it. " * 30))
+    qtbot.wait(50)
+    window.grab()
+    history = space.of(HistoryPanel)
+    assert history.visibleRegion().boundingRect() == history.rect()
+    rows = history._list
+    assert rows.viewport().height() >= 4 * rows.visualRect(rows.model().index(0, 0)).height()
+
+
+def test_a_score_has_room_for_its_words_and_all_its_figures(window_on_a_laptop, qtbot):
+    window = window_on_a_laptop
+    window.resize(1400, 900)
+    window.run_command("view.score")
+    panel = window.workspace.of(ScorePanel)
+    qtbot.waitUntil(lambda: window.controller.of(ScoreController).known)
+    window.controller.draw()
+    window.grab()
+    table, chosen = panel.table, panel._truth
+    assert panel.visibleRegion().boundingRect() == panel.rect()
+    assert (table.verticalScrollBar().maximum(), table.horizontalScrollBar().maximum()) == (0, 0)
+    assert chosen.fontMetrics().horizontalAdvance(chosen.currentText()) < chosen.width()
 
 
 def test_the_panel_without_review_items_takes_its_few_words_and_no_more(window_on_a_laptop):
