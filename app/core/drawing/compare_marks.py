@@ -7,7 +7,8 @@ from collections.abc import Sequence
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 
-from app.core.drawing.name_plates import draw_note, place_plates, plate_rect
+from app.core.drawing.name_places import place_plates
+from app.core.drawing.name_plates import draw_note, plate_rect
 from app.core.drawing.viewport import Viewport, polygon
 from app.core.look.theme import Theme, faded
 from app.core.scenes.other_people import OtherMark, OtherPlace

@@ -8,7 +8,8 @@ import numpy as np
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 
-from app.core.drawing.name_plates import draw_name, place_plates, plate_rect, plate_text
+from app.core.drawing.name_places import place_plates
+from app.core.drawing.name_plates import draw_name, plate_rect, plate_text
 from app.core.drawing.part_signs import draw_said, draw_unsure, sign_radius
 from app.core.drawing.viewport import Points, Viewport, path_through
 from app.core.look.theme import Theme, faded

@@ -1,4 +1,4 @@
-"""Name plates that stay readable on any picture and do not hide each other."""
+"""Name plates that stay readable on any picture."""
 
 from __future__ import annotations
 
@@ -7,45 +7,13 @@ from collections.abc import Sequence
 from PySide6.QtCore import QLineF, QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 
-from app.core.drawing.rectangles import within
 from app.core.look.theme import Theme, faded, ink_on
 
-_GAP = 2.0
 PAD_PX = 10.0
 """Of a plate: what its sides leave empty, in all."""
 _MOST_LETTERS = 16
 """Of a name on a plate, in average letters: a long one would hide other people."""
 _NOTE_FLAGS = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
-
-
-def place_plates(wanted: Sequence[QRectF], area: QRectF) -> list[QRectF]:
-    """Move rectangles as little down (or, at the bottom, up) as keeps them from overlapping.
-
-    Earlier ones have the right of way. Where the area is too full for all, the rest overlaps.
-    """
-    placed: list[QRectF] = []
-    for rect in wanted:
-        inside = within(rect, area)
-        down = _pushed(inside, placed, area, 1)
-        up = _pushed(inside, placed, area, -1)
-        free = [one for one in (down, up) if one is not None]
-        placed.append(min(free, key=lambda one: abs(one.top() - inside.top())) if free else inside)
-    return placed
-
-
-def _pushed(rect: QRectF, placed: list[QRectF], area: QRectF, way: int) -> QRectF | None:
-    moved = QRectF(rect)
-    for _ in range(len(placed) + 1):
-        hit = next((one for one in placed if one.intersects(moved)), None)
-        if hit is None:
-            return moved
-        if way > 0:
-            moved.moveTop(hit.bottom() + _GAP)
-        else:
-            moved.moveBottom(hit.top() - _GAP)
-        if moved.bottom() > area.bottom() or moved.top() < area.top():
-            return None
-    return None
 
 
 def plate_text(metrics: QFontMetricsF, name: str) -> str:

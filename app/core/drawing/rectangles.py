@@ -57,16 +57,3 @@ def lie_on(rects: Floats, others: Floats) -> Flags:
 def covers(rects: Floats, others: Floats) -> Flags:
     """(...) whether each rectangle (..., 4) lies over any of the others (m, 4)."""
     return np.asarray(lie_on(rects, others).any(axis=-1))
-
-
-def first_free(closed: Flags, usual: int) -> tuple[int, int] | None:
-    """The first size that has a side free, and which; the usual side if that is free.
-
-    Args:
-        closed: (sizes, sides) where a name cannot stand.
-    """
-    open_sizes = np.flatnonzero(~closed.all(axis=1))
-    if not len(open_sizes):
-        return None
-    size = int(open_sizes[0])
-    return size, usual if not closed[size, usual] else int(np.argmin(closed[size]))

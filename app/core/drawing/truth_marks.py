@@ -9,7 +9,9 @@ from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 
 from app.core.drawing.error_signs import draw_signs, error_colour
-from app.core.drawing.name_plates import draw_note, place_plates, plate_rect
+from app.core.drawing.name_places import Name, column, place_names
+from app.core.drawing.name_plates import draw_note, plate_rect
+from app.core.drawing.rectangles import coords, covers
 from app.core.drawing.viewport import Viewport, polygon
 from app.core.look.theme import Theme, faded
 from app.core.scenes.ground_truth import FlooredTruth, PicturedTruth, TruthMark
@@ -132,12 +134,14 @@ def shown_ids(plates: Sequence[IdPlate], area: QRectF) -> list[tuple[str, QRectF
     Who is missed is always named. The others are where their id hides neither a body nor an id:
     far away people stand close together.
     """
-    missed = [one for one in plates if one.wrong is not None]
-    placed = place_plates([one.rect for one in missed], area)
-    shown = [(one.label, rect) for one, rect in zip(missed, placed, strict=True)]
-    for one in plates:
-        others = [other.body for other in plates if other is not one]
-        hidden = [*others, *(rect for _, rect in shown)]
-        if one.wrong is None and not any(map(one.rect.intersects, hidden)):
-            shown.append((one.label, one.rect))
-    return shown
+    ordered = sorted(plates, key=lambda one: one.wrong is None)
+    names = []
+    for one in ordered:
+        if one.wrong is not None:
+            names.append(column(one.rect, area))
+        else:
+            side = coords([one.rect])[None]
+            bodies = coords([other.body for other in plates if other is not one])
+            names.append(Name(side, covers(side, bodies)))
+    placed = zip(ordered, place_names(names, area), strict=True)
+    return [(one.label, stands.rect) for one, stands in placed if stands is not None]

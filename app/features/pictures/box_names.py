@@ -9,19 +9,9 @@ import numpy as np
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
 
+from app.core.drawing.name_places import Name, place_names
 from app.core.drawing.name_plates import PAD_PX, draw_plate, plate_sizes, plate_text
-from app.core.drawing.rectangles import (
-    Flags,
-    Floats,
-    above,
-    as_rect,
-    beyond,
-    coords,
-    covers,
-    first_free,
-    lie_on,
-    within,
-)
+from app.core.drawing.rectangles import Flags, Floats, beyond, coords, covers, lie_on
 from app.core.drawing.viewport import Viewport
 from app.core.scenes import PersonMark
 
@@ -141,41 +131,28 @@ class BoxNamePainter:
     def _placed(self, boxed: BoxNameInput, over: int = 0) -> tuple[list[_Plate], dict[int, int]]:
         """Plates of those who have one, and on which side; earlier people have the right of way."""
         crowd, kept = self._crowd, dict(self._sides)
-        places, plates = np.zeros((len(crowd.people), 4)), list[_Plate]()
         order = sorted(
             range(len(crowd.people)), key=lambda number: crowd.people[number].mark.track != over
         )
-        for number in order:
-            one, own, before = crowd.people[number], crowd.sides[number], places[: len(plates)]
-            closed = crowd.shut[number] | covers(own, before)
-            usual, better = self._sides.get(one.mark.track, 0), closed | crowd.crowded[number]
-            found = _free(one, own, better, usual) or _free(one, own, closed, usual)
-            if found is not None:
-                plate, kept[one.mark.track] = found
-            elif one.mark.selected or one.mark.track == over:
-                plate = _Plate(one.mark, one.texts[-1], _least_bad(own[-1], before, boxed))
-            else:
-                continue
-            places[len(plates)] = np.array(plate.rect.getCoords())
-            plates.append(plate)
+        names = [self._name(number, over) for number in order]
+        plates = []
+        for number, stands in zip(order, place_names(names, boxed.area, boxed.taken), strict=True):
+            if stands is not None:
+                one = crowd.people[number]
+                plates.append(_Plate(one.mark, one.texts[stands.size], stands.rect))
+                kept[one.mark.track] = stands.side
         return plates, kept
 
-
-def _free(one: _Person, sides: Floats, closed: Flags, usual: int) -> tuple[_Plate, int] | None:
-    """The longest name that has a free side, and which; the usual one if that is free."""
-    found = first_free(closed[: len(one.texts)], usual)
-    if found is None:
-        return None
-    size, side = found
-    return _Plate(one.mark, one.texts[size], as_rect(sides[size, side])), side
-
-
-def _least_bad(sides: Floats, plates: Floats, boxed: BoxNameInput) -> QRectF:
-    """Where a name stands that has no free side: if possible on no name, nor on what is taken."""
-    inside = [within(as_rect(side), boxed.area) for side in sides]
-    inside += [within(above(one, boxed.taken), boxed.area) for one in inside]
-    at = coords(inside)
-    return inside[int(np.argmin(2 * covers(at, plates) + covers(at, coords(boxed.taken))))]
+    def _name(self, number: int, over: int) -> Name:
+        crowd, one = self._crowd, self._crowd.people[number]
+        sizes = slice(len(one.texts))
+        return Name(
+            crowd.sides[number, sizes],
+            crowd.shut[number, sizes],
+            crowd.crowded[number, sizes],
+            usual=self._sides.get(one.mark.track, 0),
+            must=one.mark.selected or one.mark.track == over,
+        )
 
 
 def _crowd(boxed: BoxNameInput) -> _Crowd:

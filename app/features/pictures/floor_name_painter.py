@@ -9,13 +9,14 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter
 
+from app.core.drawing.name_places import Stands
 from app.core.drawing.name_plates import draw_leader, draw_note, draw_plate, plate_sizes, plate_text
 from app.core.drawing.truth_marks import CROSS_PX, MISS_PX
 from app.core.drawing.viewport import Points, Viewport
 from app.core.look.theme import Theme, faded, scaled_font
 from app.core.scenes import FloorPerson, OverheadScene
 from app.core.scenes.ground_truth import FlooredTruth, TruthPlace
-from app.features.pictures.floor_names import NEAR, Owner, Stands, WantedName, discs, place_names
+from app.features.pictures.floor_names import NEAR, Owner, WantedName, discs, place_floor_names
 
 _EDGE_PX = 4.0
 
@@ -53,20 +54,20 @@ class FloorNamePainter:
     def __init__(self) -> None:
         self._floored: FloorNameInput | None = None
         self._sides: dict[Owner, int] = {}
-        self._placed: list[Stands] = []
+        self._placed: dict[Owner, Stands] = {}
         self._texts: dict[Owner, tuple[str, ...]] = {}
 
     @property
     def plates(self) -> tuple[tuple[int, QRectF], ...]:
         """The tracks named, and where."""
-        named = ((one.owner, one.rect) for one in self._placed)
-        return tuple((owner, rect) for owner, rect in named if isinstance(owner, int))
+        named = self._placed.items()
+        return tuple((owner, one.rect) for owner, one in named if isinstance(owner, int))
 
     @property
     def truth_plates(self) -> tuple[tuple[str, QRectF], ...]:
         """The labels of the truth, and where."""
-        named = ((one.owner, one.rect) for one in self._placed)
-        return tuple((owner, rect) for owner, rect in named if isinstance(owner, str))
+        named = self._placed.items()
+        return tuple((owner, one.rect) for owner, one in named if isinstance(owner, str))
 
     def draw(self, painter: QPainter, floored: FloorNameInput, theme: Theme) -> None:
         """Draw the names; they are placed anew only where anything is another."""
@@ -75,14 +76,14 @@ class FloorNamePainter:
             self._place(floored)
         people = {one.track: one for one in floored.scene.people}
         truth = {one.label: one for one in floored.truth.people}
-        for name in reversed(self._placed):
-            text = self._texts[name.owner][name.size]
-            if isinstance(name.owner, int):
+        for owner, name in reversed(self._placed.items()):
+            text = self._texts[owner][name.size]
+            if isinstance(owner, int):
                 painter.setFont(_bold(floored.font))
-                _draw_person(painter, people[name.owner], name, text, floored, theme)
+                _draw_person(painter, people[owner], name, text, floored, theme)
             else:
                 painter.setFont(_plain(floored.font))
-                _draw_truth(painter, truth[name.owner], name, text, floored, theme)
+                _draw_truth(painter, truth[owner], name, text, floored, theme)
 
     def _place(self, floored: FloorNameInput) -> None:
         people, truth, view = floored.scene.people, floored.truth.people, floored.viewport
@@ -109,8 +110,8 @@ class FloorNamePainter:
             )
         )
         shown = floored.area.adjusted(_EDGE_PX, _EDGE_PX, -_EDGE_PX, -_EDGE_PX)
-        self._placed = place_names(wanted, seen, floored.radius, shown, self._sides)
-        self._sides = {one.owner: one.side for one in self._placed}
+        self._placed = place_floor_names(wanted, seen, floored.radius, shown, self._sides)
+        self._sides = {owner: one.side for owner, one in self._placed.items()}
 
 
 def _draw_person(

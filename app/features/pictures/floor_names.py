@@ -8,7 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 from PySide6.QtCore import QRectF
 
-from app.core.drawing.rectangles import Flags, Floats, as_rect, beyond, covers, first_free, within
+from app.core.drawing.name_places import Name, Stands, place_names
+from app.core.drawing.rectangles import Flags, Floats, beyond
 
 DOT_PX = 3.0
 _GAP_PX, _FAR_PX = 3.0, 18.0
@@ -38,28 +39,18 @@ class WantedName:
     must: bool = False
 
 
-@dataclass(frozen=True, slots=True)
-class Stands:
-    """Where a name stands: which of its sizes, on which side of its ring."""
-
-    owner: Owner
-    rect: QRectF
-    size: int
-    side: int
-
-
 def discs(middles: Floats, reach: float = DOT_PX) -> Floats:
-    """(n, 3) middles (n, 2) and their reach: what `place_names` leaves to be seen."""
+    """(n, 3) middles (n, 2) and their reach: what `place_floor_names` leaves to be seen."""
     return np.column_stack((middles, np.full(len(middles), reach)))
 
 
-def place_names(
+def place_floor_names(
     names: Sequence[WantedName],
     seen: Floats,
     radius: float,
     area: QRectF,
     before: Mapping[Owner, int],
-) -> list[Stands]:
+) -> dict[Owner, Stands]:
     """Names where they hide nothing that is `seen` and no other name; else they are left out.
 
     Args:
@@ -67,41 +58,19 @@ def place_names(
         before: the side on which a name stood last; it stays there while that is free.
     """
     if not names:
-        return []
+        return {}
     sides = np.stack([_sides(names, number, radius) for number in range(_most_sizes(names))], 1)
     barred = beyond(sides, area) | _touches(sides, seen)
-    placed: list[Stands] = []
-    plates = np.zeros((len(names), 4))
+    wanted = []
     for name, own, shut in zip(names, sides, barred, strict=True):
-        one = _free(name, own, shut, plates[: len(placed)], before.get(name.owner, 0))
-        if one is None and name.must:
-            one = _anywhere(name, own, area)
-        if one is not None:
-            plates[len(placed)] = np.array(one.rect.getCoords())
-            placed.append(one)
-    return placed
+        sizes, usual = slice(len(name.sizes)), before.get(name.owner, 0)
+        wanted.append(Name(own[sizes], shut[sizes], usual=usual, must=name.must))
+    placed = zip(names, place_names(wanted, area), strict=True)
+    return {name.owner: stands for name, stands in placed if stands is not None}
 
 
 def _most_sizes(names: Sequence[WantedName]) -> int:
     return max(len(one.sizes) for one in names)
-
-
-def _free(
-    name: WantedName, sides: Floats, barred: Flags, plates: Floats, usual: int
-) -> Stands | None:
-    """The first free side, of the longest name that has one."""
-    count = len(name.sizes)
-    found = first_free(barred[:count] | covers(sides[:count], plates), usual)
-    if found is None:
-        return None
-    size, side = found
-    return Stands(name.owner, as_rect(sides[size, side]), size, side)
-
-
-def _anywhere(name: WantedName, sides: Floats, area: QRectF) -> Stands:
-    """The shortest name where it would stand if it were alone."""
-    number = len(name.sizes) - 1
-    return Stands(name.owner, within(as_rect(sides[number, 0]), area), number, 0)
 
 
 def _sides(names: Sequence[WantedName], number: int, radius: float) -> Floats:

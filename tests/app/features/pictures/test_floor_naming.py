@@ -63,9 +63,9 @@ def test_who_is_missed_is_named_before_anybody_who_is_found(view):
 
 def test_names_are_placed_once_for_a_picture_that_is_painted_again(view, monkeypatch):
     placed = []
-    place = floor_name_painter.place_names
+    place = floor_name_painter.place_floor_names
     monkeypatch.setattr(
-        floor_name_painter, "place_names", lambda *it: placed.append(1) or place(*it)
+        floor_name_painter, "place_floor_names", lambda *it: placed.append(1) or place(*it)
     )
     scene = overhead(floor_person(1, (0, 5)))
     view.show_scene(scene)

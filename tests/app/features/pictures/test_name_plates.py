@@ -2,6 +2,7 @@ from __future__ import annotations
 
 from itertools import combinations
 
+import numpy as np
 import pytest
 from drawn_scenes import RED, person, picture
 from hypothesis import example, given
@@ -9,7 +10,8 @@ from hypothesis import strategies as st
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QColor, QFont, QFontMetricsF
 
-from app.core.drawing.name_plates import place_plates, plate_rect, plate_text
+from app.core.drawing.name_places import Name, place_names, place_plates
+from app.core.drawing.name_plates import plate_rect, plate_text
 from app.core.look.theme import contrast, ink_on
 from app.core.scenes import Side
 from app.features.pictures import box_names
@@ -45,6 +47,23 @@ def test_of_two_at_one_place_the_first_stays():
 def test_where_there_is_no_room_plates_overlap_rather_than_vanish():
     plates = place_plates([QRectF(0, 0, 50, 18)] * 9, QRectF(0, 0, 50, 40))
     assert len(plates) == 9
+
+
+def test_the_usual_side_is_taken_of_the_first_size_that_has_one_free():
+    sides = np.arange(24.0).reshape(2, 3, 4) * 30.0
+    closed = np.array([[True, True, True], [True, False, False]])
+    for usual, side in ((2, 2), (0, 1)):
+        (stands,) = place_names([Name(sides, closed, usual=usual)], AREA)
+        assert (stands.size, stands.side) == (1, side)
+    assert place_names([Name(sides[:1], closed[:1])], AREA) == [None]
+
+
+def test_a_name_stands_where_it_rather_does_not_before_it_is_left_out_and_gives_way_to_none():
+    sides = np.array([[[0.0, 0.0, 20.0, 10.0]]])
+    rather_not = Name(sides, np.zeros((1, 1), bool), np.ones((1, 1), bool))
+    first, second = place_names([rather_not, rather_not], AREA)
+    assert first.rect == QRectF(0, 0, 20, 10)
+    assert second is None
 
 
 def test_a_crowd_at_one_spot_has_a_plate_each(qtbot, dark, drawn):

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 from PySide6.QtCore import QRectF
 
-from app.core.drawing.rectangles import as_rect, beyond, coords, covers, first_free, within
+from app.core.drawing.rectangles import as_rect, beyond, coords, covers, within
 
 SIDES = st.integers(1, 60)
 RECTS = st.builds(QRectF, st.integers(-20, 120), st.integers(-20, 90), SIDES, SIDES)
@@ -29,10 +28,3 @@ def test_what_is_not_inside_is_beyond_until_it_is_moved_within(rects):
 @given(RECTS)
 def test_there_and_back_is_the_same(rect):
     assert as_rect(coords([rect])[0]) == rect
-
-
-def test_the_usual_side_is_taken_of_the_first_size_that_has_one_free():
-    closed = np.array([[True, True, True], [True, False, False]])
-    assert first_free(closed, 2) == (1, 2)
-    assert first_free(closed, 0) == (1, 1)
-    assert first_free(closed[:1], 1) is None
