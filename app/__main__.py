@@ -6,7 +6,6 @@ import os
 import signal
 import sys
 from collections.abc import Sequence
-from typing import Any
 
 import typer
 
@@ -14,8 +13,9 @@ from app.cli.commands import program
 from app.cli.failure import MISUSED, run_reporting_errors
 from app.cli.output import escape_what_stdout_lacks, name_stdout_in_errors, say
 from app.cli.sessions import print_notes
+from app.cli.typer_texts import told_of
 from app.core.interrupts import end_at_once
-from tracking.translation import Message, tr, use_language
+from tracking.translation import msg, use_language
 
 NOT_BUILT = ("batch",)
 """Commands that are announced; typing one is answered with a line of its own."""
@@ -51,7 +51,7 @@ def run(arguments: Sequence[str]) -> int:
     debug = "--debug" in arguments
     words = [word for word in arguments if word != "--debug"]
     if words and words[0] in NOT_BUILT:
-        say(f"trackwright: {words[0]} is not built yet")
+        say(msg("trackwright: {command} is not built yet", command=words[0]))
         return MISUSED
     with print_notes():
         return run_reporting_errors(lambda: _obey(words), debug=debug)
@@ -64,16 +64,9 @@ def _obey(words: list[str]) -> None:
     except typer.Abort as stop:
         raise KeyboardInterrupt from stop
     except _MISUSE as misuse:
-        say(f"trackwright: {_told_of(misuse)}")
+        say(msg("trackwright: {what}", what=told_of(misuse)))
         raise SystemExit(MISUSED) from misuse
     raise SystemExit((status or 0) if words else MISUSED)
-
-
-def _told_of(misuse: Any) -> str:
-    misuse.message = tr(misuse.message) if isinstance(misuse.message, Message) else misuse.message
-    message = " ".join(misuse.format_message().split()).rstrip(".")
-    asked = misuse.ctx.command_path if misuse.ctx is not None else "trackwright"
-    return f"{message}; see {asked} --help"
 
 
 if __name__ == "__main__":

@@ -13,6 +13,7 @@ from typing import Final
 from babel.messages.catalog import Catalog
 from babel.messages.pofile import write_po
 from jinja2 import Environment, nodes
+from typer import Context
 from typer.main import get_command
 
 from app.cli.commands import program
@@ -42,6 +43,9 @@ ERRORS: Final = frozenset(
     }
 )
 """Whatever is raised with a template, and one of what to do about it."""
+
+
+_SAID_OF_PARAMETERS: Final = ("help", "rich_help_panel", "show_default")
 
 
 @dataclass(frozen=True, slots=True)
@@ -143,12 +147,13 @@ def declared_texts() -> Iterator[str]:
     for kind in (TrainingSettings, *(spec.settings_type for spec in TRACKERS.values())):
         for field in settings_fields(kind):
             stage = field.name.rpartition(".")[0]
-            yield from (field.title, field.help, field.group, stage_title(stage))
+            yield from (field.title, field.help, field.group, field.unit, stage_title(stage))
     commands = get_command(program)
     for command in (commands, *commands.commands.values()):  # type: ignore[attr-defined] # a group
         yield clean_help(command.help or "")
-        for parameter in command.params:
-            yield from (getattr(parameter, name, "") for name in ("help", "rich_help_panel"))
+        for parameter in command.get_params(Context(command)):
+            said = (getattr(parameter, name, "") for name in _SAID_OF_PARAMETERS)
+            yield from (text for text in said if isinstance(text, str))
 
 
 def template_of(catalogue: Catalog) -> bytes:

@@ -13,11 +13,13 @@ from typing import Any
 import typer
 from typer.core import TyperCommand, TyperGroup
 
+from app.cli.typer_texts import bind_words_of_help, usage_pieces
 from tracking.translation import N_, tr
 
 WIDTH = 100
 """Of a page at most, in characters."""
 _LISTS = re.compile(r"<list\[(\w+)\]>")
+bind_words_of_help()
 _ARGUMENTS, _OPTIONS, _COMMANDS = N_("Arguments"), N_("Options"), N_("Commands")
 
 
@@ -45,6 +47,8 @@ def _translated(parameter: Any) -> Any:
     """A copy of an argument or an option whose help is in the user's language."""
     shown = copy(parameter)
     shown.help = tr(parameter.help) if parameter.help else parameter.help
+    if isinstance(parameter.show_default, str):
+        shown.show_default = tr(parameter.show_default)
     return shown
 
 
@@ -65,8 +69,17 @@ def _write_text(command: Any, formatter: Any) -> None:
         formatter.write_text(tr(clean_help(command.help or "")))
 
 
+def _write_usage(command: Any, context: Any, formatter: Any) -> None:
+    pieces = usage_pieces(command.collect_usage_pieces(context))
+    formatter.write_usage(context.command_path, pieces, prefix=tr("Usage:") + " ")
+
+
 class HelpCommand(TyperCommand):
     """A command whose options stand by their groups."""
+
+    def format_usage(self, ctx: Any, formatter: Any) -> None:
+        """Write how the command is typed."""
+        _write_usage(self, ctx, formatter)
 
     def format_help_text(self, ctx: Any, formatter: Any) -> None:  # noqa: ARG002 - typer's
         """Write what the command does."""
@@ -79,6 +92,10 @@ class HelpCommand(TyperCommand):
 
 class HelpGroup(TyperGroup):
     """The program, whose commands stand with the whole first sentence of their help."""
+
+    def format_usage(self, ctx: Any, formatter: Any) -> None:
+        """Write how a command is typed."""
+        _write_usage(self, ctx, formatter)
 
     def format_help_text(self, ctx: Any, formatter: Any) -> None:  # noqa: ARG002 - typer's
         """Write what the program is."""

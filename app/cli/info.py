@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
 from app.cli.destination import is_session
+from app.cli.info_lines import lines_of
 from app.cli.option_groups import Bare
 from app.cli.output import print_json, print_table
 from app.cli.recordings import open_with_options
@@ -21,8 +21,6 @@ from tracking.translation import Message, msg
 
 _FLAT_M = 15.0
 """A camera is low, or looks flat over the floor, where places err much from this near on."""
-_LONGEST, _LONGEST_FACT = 60, 4096
-"""Letters of a setting, and of a line: the longest path of a file fits."""
 
 
 def run_info(path: Path | None, bare: Bare, *, as_json: bool) -> None:
@@ -36,7 +34,7 @@ def run_info(path: Path | None, bare: Bare, *, as_json: bool) -> None:
         print_json(facts)
     else:
         facts.pop("damage", None)  # told on stderr
-        print_table([(name, _short(text, _LONGEST_FACT)) for name, text in _rows(facts)])
+        print_table(list(lines_of(facts)))
 
 
 def _of_recording(recording: Recording) -> dict[str, Any]:
@@ -100,76 +98,3 @@ def _truth_people(recording: Recording) -> int | None:
     if recording.truth_path is None:
         return None
     return people_in_mot(recording.truth_path)
-
-
-def _rows(facts: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
-    """Facts as lines for people: each run and each kind of label has one of its own."""
-    for name, value in facts.items():
-        if name == "runs":
-            for number, run in enumerate(value):
-                yield msg("run {number}", number=number), _run(run)
-                yield from (
-                    (msg("run {number}, note", number=number), note) for note in run["notes"]
-                )
-        elif name == "labels":
-            parts = value["parts"].items()
-            yield from (
-                (msg("{part} labels", part=part.replace("_", "-")), _shown(said))
-                for part, said in parts
-            )
-            others = (item for item in value.items() if item[0] != "parts")
-            yield from ((what.replace("_", " "), _shown(count)) for what, count in others)
-        elif name == "size":
-            yield name, " x ".join(str(side) for side in value)
-        else:
-            yield name.replace("_", " "), _shown(value)
-
-
-def _run(run: Mapping[str, Any]) -> str:
-    """How a run was made, in a line."""
-    first, end = run["frames"]
-    said = [
-        run["tracker"],
-        msg("frames {first} to {last}", first=first, last=end - 1),
-        msg("seed {seed}", seed=run["seed"]),
-    ]
-    if run["detector"]:
-        said.append(
-            msg(
-                "{origin} detector {detector}",
-                origin=run["detector_from"],
-                detector=run["detector"],
-            )
-        )
-    said += [
-        msg(
-            "{count} boxes of {file} ({format}, {fingerprint})",
-            count=given["count"],
-            file=_short(given["file"]),
-            format=given["format"],
-            fingerprint=given["fingerprint"][:12],
-        )
-        for given in run["detections_input"]
-    ]
-    said += [f"{name} {_short(_shown(value))}" for name, value in run["settings"].items()]
-    return ", ".join(said)
-
-
-def _short(text: str, longest: int = _LONGEST) -> str:
-    """Outlines of occluders, as a setting, are longer than anybody reads."""
-    return text if len(text) <= longest else f"{text[: longest - 1]}…"
-
-
-def _shown(value: Any) -> str:
-    """A fact as people read it."""
-    if value is None:
-        return "-"
-    if isinstance(value, bool):
-        return "yes" if value else "no"
-    if isinstance(value, float):
-        return f"{value:.6g}"
-    if isinstance(value, dict):
-        return ", ".join(f"{name} {_shown(part)}" for name, part in value.items())
-    if isinstance(value, list):
-        return "; ".join(_shown(part) for part in value) or "-"
-    return str(value)

@@ -111,9 +111,17 @@ def _print(made: Trained, request: TrainRequest, page: Path | None, *, as_json: 
         return
     for question in report.questions:
         say(
-            f"{question.name:<8} {question.found:6.1%} of {question.confusion[1].sum()} found, "
-            f"{question.false_alarms:5.1%} of {question.confusion[0].sum()} false alarms, "
-            f"area under the curve {question.curve.area():.2f}; {question.candidate}"
+            msg(
+                "{question:<8} {found:6.1%} of {off} found, {alarms:5.1%} of {on} false alarms, "
+                "area under the curve {area:.2f}; {chosen}",
+                question=msg(question.name),
+                found=question.found,
+                off=question.confusion[1].sum(),
+                alarms=question.false_alarms,
+                on=question.confusion[0].sum(),
+                area=question.curve.area(),
+                chosen=question.candidate,
+            )
         )
     if report.by_chance:
         names = joined(", ", (msg(question.name) for question in report.by_chance))

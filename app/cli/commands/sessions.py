@@ -11,6 +11,7 @@ from app.cli import completions, import_options, options
 from app.cli.commands.program import program
 from app.cli.help_pages import HelpCommand
 from app.cli.option_groups import Bare, expand_groups
+from tracking.translation import msg
 
 
 @program.command(cls=HelpCommand)
@@ -160,7 +161,7 @@ def restore(
     from app.cli.restore import run_accept, run_restore
 
     if accept_damage and only_list:
-        raise typer.BadParameter("give it without --list", param_hint="--accept-damage")
+        raise typer.BadParameter(msg("give it without --list"), param_hint="--accept-damage")
     if accept_damage:
         run_accept(session, as_json=json)
         return

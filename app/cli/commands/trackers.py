@@ -11,6 +11,7 @@ from app.cli import completions, options
 from app.cli.commands.program import program
 from app.cli.help_pages import HelpCommand
 from app.cli.option_groups import Bare, Onward, Order, expand_groups
+from tracking.translation import msg
 
 
 @program.command(cls=HelpCommand)
@@ -23,12 +24,15 @@ def trackers(
             autocompletion=completions.complete_trackers,
         ),
     ] = None,
+    expert: Annotated[
+        bool, typer.Option("--expert", help="Show the expert settings, too.")
+    ] = False,
     json: options.Json = False,
 ) -> None:
-    """List the trackers and their settings."""
+    """List the trackers and their settings; expert settings with --expert or --json."""
     from app.cli.trackers import run_trackers
 
-    run_trackers(name, as_json=json)
+    run_trackers(name, expert=expert, as_json=json)
 
 
 @program.command(cls=HelpCommand)
@@ -49,7 +53,7 @@ def track(
 ) -> None:
     """Track the people in a recording, or track a corrected session again from a frame on."""
     if out is not None and out.suffix.lower() != ".h5":  # before trackers are imported
-        reason = f"a session's name ends in .h5: give {out.stem or 'NAME'}.h5"
+        reason = msg("a session's name ends in .h5: give {name}.h5", name=out.stem or "NAME")
         raise typer.BadParameter(reason, param_hint="--out")
     from app.cli.track import run_track
     from app.cli.track_again import parse_request, run_track_again
@@ -58,7 +62,7 @@ def track(
         run_track_again(request, order, force=force, as_json=json)
         return
     if out is None:
-        raise typer.BadParameter("name the session to make", param_hint="--out")
+        raise typer.BadParameter(msg("name the session to make"), param_hint="--out")
     run_track(recording, bare, out, order, force=force, as_json=json)
 
 

@@ -38,7 +38,7 @@ def test_runs_and_labels_have_lines_of_their_own(
     assert "…" in lines["run 1"]
     assert lines["hip-leg labels"] == "on 0, off 0, unsure 1"
     assert lines["reviewed ranges"] == "0"
-    assert lines["size"] == "320 x 240"
+    assert lines["size"] == "320 x 240 px"
 
 
 def test_a_long_name_in_a_session_is_cut(

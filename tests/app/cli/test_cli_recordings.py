@@ -29,8 +29,11 @@ def test_info_says_what_a_recording_holds(trackwright: Trackwright, footage: Pat
 def test_info_is_readable(trackwright: Trackwright, footage: Path) -> None:
     status, out, _ = trackwright("info", footage)
     assert status == 0
-    assert "stereo        yes" in out
-    assert "height 6.4, tilt 60" in out
+    assert re.search(r"stereo +yes", out)
+    said = dict(re.split(" {2,}", line, maxsplit=1) for line in out.splitlines())
+    assert (said["size"], said["duration"]) == ("320 x 240 px", "10 s")
+    assert said["frame rate"] == "8 frames per second"
+    assert said["ground"] == "height 6.4 m, tilt 60 degrees, roll 0 degrees"
 
 
 def test_bare_videos_open_with_options(trackwright: Trackwright, footage: Path) -> None:
@@ -201,11 +204,26 @@ def test_trackers_are_listed_with_all_their_settings(trackwright: Trackwright) -
     for field in found["stereo-direction"]["settings"]:
         assert set(field) == {"name", "type", "default", "unit", "range", "help", "expert"}
         assert field["help"]
-    readable = trackwright("trackers", "stereo-direction")[1]
+    readable = trackwright("trackers", "stereo-direction", "--expert")[1]
     plain, heading, expert = readable.partition("  expert settings:\n")
     assert heading
     for field in found["stereo-direction"]["settings"]:
         assert f"  {field['name']}=" in (expert if field["expert"] else plain)
+
+
+def test_a_list_of_trackers_has_the_settings_that_are_offered_and_counts_the_others(
+    trackwright: Trackwright,
+) -> None:
+    lines = trackwright("trackers")[1].splitlines()
+    found = json.loads(trackwright("trackers", "--json")[1])["trackers"]
+    offered = [one["name"] for each in found for one in each["settings"] if not one["expert"]]
+    assert [line.split("=")[0].strip() for line in lines if re.match(r"  [\w.]+=", line)] == offered
+    for each in found:
+        expert = sum(one["expert"] for one in each["settings"])
+        assert len(each["settings"]) - expert <= 20
+        assert f"  {expert} expert settings: trackers {each['name']} --expert" in lines
+    (share,) = (line for line in lines[: lines.index("")] if "report_s=" in line)
+    assert share.endswith("(0.05 to 60 s)")
 
 
 def test_one_tracker_is_listed_by_its_name(trackwright: Trackwright) -> None:
