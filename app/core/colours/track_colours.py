@@ -10,7 +10,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.core.colours.co_occurrence import FAR, CoOccurrences, closeness, find_co_occurrences
-from app.core.colours.colour_conflicts import ColourConflicts
 from app.core.colours.colour_sight import alike, of_one_hue
 from app.core.colours.palette import NOBODY, TRACK_COLOURS, usual_place
 from app.core.colours.shown_colours import THEMES, readable_colour
@@ -76,7 +75,7 @@ class TrackColours:
             find_co_occurrences(run.tracks),
         )
         if seen is not None:
-            colours._resolve_conflicts(run.tracks, co_occurrences)
+            colours._yield(run.tracks, co_occurrences)
         colours._settle(co_occurrences)
         return colours
 
@@ -170,24 +169,34 @@ class TrackColours:
                 others, much = co_occurrences.near_of(track)
                 near = np.searchsorted(ids, others)
                 more = np.where(there[near], much - FAR, much)
-                taken = np.bincount(places[near], more, len(TRACK_COLOURS) + 1)[:_GREY]
-                self._choose(track, taken + FAR * worn)
+                self._choose(track, _taken(places[near], more) + FAR * worn)
             heappush(leaving, (last, at))
             places[at], there[at] = self._place[track], True
             worn[places[at]] += 1
 
-    def _resolve_conflicts(self, rows: Columns, co_occurrences: CoOccurrences) -> None:
-        """Change the colours of those who would look like somebody seen together with."""
-        told = ColourConflicts(
-            self._place,
-            rows,
-            co_occurrences,
-            alike=_ALIKE,
-            limit=_TOO_ALIKE,
-            soon=_SOON_FRAMES,
-            choose=_choice,
-        )
-        self._place.update(told.places())
+    def _yield(self, rows: Columns, co_occurrences: CoOccurrences) -> None:
+        """Of two who look alike and are there together, who has fewer rows has another colour.
+
+        Of equals the later id yields; what would be no better stays as it is.
+        """
+        stays = sorted(co_occurrences.stays, key=_id)
+        first, last, ids = np.array(stays, np.int64).reshape(-1, 3).T
+        places = np.array([self._place.get(one, _GREY) for one in ids.tolist()], np.intp)
+        settled = np.zeros(len(ids), bool)
+        rows_of = np.unique(rows["track"], return_counts=True)[1]
+        for at in np.lexsort((ids, -rows_of)).tolist():
+            if places[at] == _GREY:
+                continue
+            near = np.full(len(ids), FAR)
+            others, much = co_occurrences.near_of(int(ids[at]))
+            near[np.searchsorted(ids, others)] = much
+            there = settled & (first <= last[at]) & (last >= first[at])
+            if (_ALIKE[places[at], places[there]] * near[there]).max(initial=0.0) > _TOO_ALIKE:
+                soon = (first <= last[at] + _SOON_FRAMES) & (last >= first[at] - _SOON_FRAMES)
+                soon[at] = False
+                places[at] = _better(places[at], _taken(places[soon], near[soon]))
+                self._place[int(ids[at])] = int(places[at])
+            settled[at] = True
 
     def _give(self, track: int, near: Mapping[int, float]) -> None:
         """Choose a colour; near: those around, and how near they come."""
@@ -208,3 +217,18 @@ def _choice(track: int, taken: NDArray[np.float64]) -> int:
         return other
     named, instead = ((_ONE_HUE[place] * taken).max() for place in (usual, other))
     return other if named > _SAME_HUE > instead else usual
+
+
+def _better(place: int, taken: NDArray[np.float64]) -> int:
+    """The place of the colour least like others, unless it is no better than the one there is."""
+    other = int((_LIKE @ taken).argmin())
+    return other if (_ALIKE[other] * taken).max() < (_ALIKE[place] * taken).max() else place
+
+
+def _taken(places: NDArray[np.intp], near: NDArray[np.float64]) -> NDArray[np.float64]:
+    """(colours,) how much each is taken by those who have it, so near each."""
+    return np.bincount(places, near, len(TRACK_COLOURS) + 1)[:_GREY].astype(float)
+
+
+def _id(stay: tuple[int, int, int]) -> int:
+    return stay[2]

@@ -190,6 +190,15 @@ def test_of_two_watched_in_one_colour_who_meet_in_the_run_the_shorter_has_anothe
     assert len({one, two, third}) == 3
 
 
+def test_who_came_first_has_another_colour_where_they_are_the_shorter(
+    recording, tiny_run, tmp_path
+):
+    stays = _document(recording, tiny_run, {1: (0, 20), 2: (10, 70)}, tmp_path / "short.h5")
+    one, two = _kept_from(recording, stays, {1: 4, 2: 4})
+    assert two == TRACK_COLOURS[4] != one
+    stays.session.close()
+
+
 def test_who_was_watched_in_one_colour_keeps_it_where_they_never_meet_in_the_run(
     recording, tiny_run, tmp_path
 ):
