@@ -33,7 +33,7 @@ def test_what_a_tracker_does_not_use_is_a_setting_of_the_stage(name):
     [
         ("spheroid", "foreground.shadow_threshold"),
         ("spheroid", "foreground.shadow_darkest"),
-        ("flow", "foreground.absorb_person_s"),
+        ("flow", "foreground.shadow_texture"),
         ("three-part", "people.min_area_m2"),
         ("stereo-joint", "foreground.learn_s"),
     ],

@@ -2,6 +2,7 @@
 
 from tracking.foreground.background import BackgroundModel, Subtraction
 from tracking.foreground.background_modes import SecondaryMode
+from tracking.foreground.body_masks import BodyMasks, learn_frame
 from tracking.foreground.camera_watch import CameraWatch
 from tracking.foreground.light_and_chroma import in_size
 from tracking.foreground.marks import Marks

@@ -6,14 +6,13 @@ from typing import Any
 
 import numpy as np
 
-from tracking.foreground import ShadowWeights
+from tracking.foreground import BodyMasks, ShadowWeights
 from tracking.trackers.flow.trajectory_selection import WalkerTrajectory
 from tracking.trackers.flow.witnesses import Witnesses
 from tracking.trackers.joint.appearance import AppearanceModel
 from tracking.trackers.joint.noise import MeasurementNoise
 from tracking.trackers.linking import motion
 from tracking.trackers.spheroid import perception_hints, weights
-from tracking.trackers.spheroid.perception import BodyMasks
 from tracking.trackers.stereo import shared_detections
 
 _BODY_MASKS = perception_hints.body_masks

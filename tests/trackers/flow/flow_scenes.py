@@ -70,6 +70,14 @@ def straight(
     return np.asarray(np.asarray(start) + way, np.float64)
 
 
+def flow_pair(
+    view: View, settings: FlowSettings | None = None
+) -> tuple[FlowPerception, FlowTracker]:
+    """Perception and tracker that belong together."""
+    perception = FlowPerception(FPS)
+    return perception, FlowTracker(perception, view, FPS, settings or FlowSettings())
+
+
 def tracked(
     view: View,
     pictures: Sequence[Picture],
@@ -77,8 +85,7 @@ def tracked(
     background: Picture | None = None,
 ) -> tuple[list[StepResult], FlowTracker]:
     """The steps over pictures, after the background was learnt from the empty floor."""
-    settings = settings or FlowSettings()
-    perception, tracker = FlowPerception(FPS), FlowTracker(view, FPS, settings)
+    perception, tracker = flow_pair(view, settings)
     empty = floor_picture() if background is None else background
     perception.learn([frame_of(0, empty)] * 2)
     steps = [

@@ -7,15 +7,22 @@ from functools import cache
 
 import numpy as np
 import pytest
-from flow_scenes import FPS, clothes, drawn, floor_picture, frame_of, straight, tracked, view_of
+from flow_scenes import (
+    FPS,
+    clothes,
+    drawn,
+    floor_picture,
+    flow_pair,
+    frame_of,
+    straight,
+    tracked,
+    view_of,
+)
 from numpy.typing import NDArray
 
 from tracking.errors import CalibrationError
 from tracking.recording import Recording
 from tracking.trackers import StepResult, parse_settings, require, tracker_named
-from tracking.trackers.flow import FlowSettings
-from tracking.trackers.flow.perception import FlowPerception
-from tracking.trackers.flow.tracker import FlowTracker
 from tracking.trackers.shared.resumption import Resume
 from tracking.tracks import CORRECTED_COLUMNS, TRACKLET_COLUMNS, TrackTable
 
@@ -184,7 +191,7 @@ def test_a_camera_that_was_moved_is_told_with_its_frame_in_one_line() -> None:
 
 
 def test_tracking_goes_on_with_corrected_people_and_new_ids_are_higher() -> None:
-    perception, tracker = FlowPerception(FPS), FlowTracker(VIEW, FPS, FlowSettings())
+    perception, tracker = flow_pair(VIEW)
     perception.learn([frame_of(0, FLOOR)] * 2)
     pictures = pictures_of(TWO)
     rows = {name: np.zeros(16, kind) for name, kind in CORRECTED_COLUMNS.items()}

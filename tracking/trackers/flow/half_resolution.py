@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cv2
 import numpy as np
+from numpy.typing import NDArray
 
 from tracking.recording.frame import Image
 
@@ -23,6 +24,12 @@ def halve(picture: Image) -> Image:
     columns, rows = half_size((picture.shape[1], picture.shape[0]))
     even = picture[: 2 * rows, : 2 * columns]
     return np.asarray(cv2.resize(even, (columns, rows), interpolation=cv2.INTER_AREA), np.uint8)
+
+
+def halve_mask(mask: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """A mask (height, width) of which pixel (u, v) is that of 2u, 2v."""
+    columns, rows = half_size((mask.shape[1], mask.shape[0]))
+    return mask[: 2 * rows : 2, : 2 * columns : 2]
 
 
 def double(half: Image, size: Size) -> Image:

@@ -9,19 +9,27 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.foreground import BackgroundModel, ForegroundSettings, ShadowRemover, Subtraction
+from tracking.foreground import (
+    BackgroundModel,
+    BodyMasks,
+    ForegroundSettings,
+    ShadowWeights,
+    Subtraction,
+    learn_frame,
+)
 from tracking.people import Detections, Observation, Overlays
 from tracking.people.box_bodies import paint_bodies, working_boxes
 from tracking.people.detection_source import DetectionSource
 from tracking.recording.frame import Image, StereoFrame
-from tracking.trackers.flow.half_resolution import double, halve
+from tracking.trackers.flow.half_resolution import double, halve, halve_mask
 from tracking.trackers.flow.silhouettes import BODY, SHADE
 from tracking.translation import Message
 
 Mask = NDArray[np.uint8]
 
 _SOLID = np.ones((3, 3), np.uint8)
-_TOLD_SHADOW = 255
+_SHADOW = 100
+"""Weight below which foreground is taken for shadow."""
 _LAID = np.zeros(256, np.uint8)
 _LAID[[SHADE, BODY]] = 127, 255
 """Values of `Overlays.foreground` for those of the mask."""
@@ -50,6 +58,9 @@ class FlowPerception:
         boxes: of another program's detector; None: people are seen by the foreground alone.
         looked_at: (height, width) non-zero where people are looked for in the left picture as
             recorded; None: everywhere.
+
+    Attributes:
+        looked_at_half: the same at half resolution.
     """
 
     stereo_watch: None = None
@@ -63,8 +74,11 @@ class FlowPerception:
         looked_at: Mask | None = None,
     ) -> None:
         self._background = BackgroundModel(fps, foreground, looked_at)
-        self._shadows = ShadowRemover(foreground)
+        self.looked_at_half = None if looked_at is None else halve_mask(looked_at)
+        self._shadows = ShadowWeights()
         self._boxes = boxes
+        self._last: Subtraction | None = None
+        self._people: BodyMasks | None = None
 
     @property
     def notes(self) -> tuple[Message, ...]:
@@ -77,12 +91,24 @@ class FlowPerception:
 
     def observe(self, frame: StereoFrame) -> FlowObservation:
         """The frame's picture and foreground. Frames come in order."""
+        if self._last is not None:
+            learn_frame(self._background, self._shadows, self._last, self._people)
         seen = self._background.subtract(halve(frame.left))
         mask = self._mask(seen, frame.number)
-        self._background.update(seen)
+        self._last, self._people = seen, None
         people = Detections.none(frame.left.shape[:2])
         overlays = _overlays(mask, frame.left)
         return FlowObservation(frame.number, frame.time_s, people, overlays, frame.left, mask=mask)
+
+    def tell(self, people: BodyMasks) -> None:
+        """Say where people are in the frame observed last, before the next is observed.
+
+        The background stays as it is there, and shadows are learnt from what lies beside them.
+
+        Args:
+            people: at half resolution.
+        """
+        self._people = people
 
     def overlays(self, frame: StereoFrame) -> Overlays:
         """What a view may lay over a frame; nothing is remembered, frames come in any order."""
@@ -91,10 +117,9 @@ class FlowPerception:
         )
 
     def _mask(self, seen: Subtraction, frame: int) -> Mask:
-        shadow = self._shadows.shadows(seen)
         solid = cv2.morphologyEx(seen.mask, cv2.MORPH_CLOSE, _SOLID)
         mask = np.where(solid > 0, np.uint8(BODY), np.uint8(0))
-        mask[shadow == _TOLD_SHADOW] = SHADE
+        mask[(self._shadows.weigh(seen) < _SHADOW) & (mask > 0)] = SHADE
         if self._boxes is None:
             return mask
         boxes = working_boxes(self._boxes.of(frame).box, 2)

@@ -8,8 +8,11 @@ from tracking.detections import DetectionSettings
 from tracking.foreground import ForegroundSettings
 from tracking.setting import setting, stage
 
-_UNUSED = ("absorb_person_s", "floor_shadow_threshold")
-"""The background is not told where people are, and nothing is known of distances."""
+_UNUSED = (
+    *("shadow_threshold", "floor_shadow_threshold", "shadow_texture", "shadow_hue"),
+    *("shadow_constant", "shadow_min_brightness"),
+)
+"""`ShadowWeights` learns beside people what a shadow is."""
 
 
 @dataclass(frozen=True, slots=True)

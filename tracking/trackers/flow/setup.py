@@ -24,4 +24,4 @@ def build_flow(
             name=recording.name,
         )
     perception = FlowPerception(recording.fps, settings.foreground, boxes, recording.looked_at)
-    return perception, FlowTracker(recording.view, recording.fps, settings, recording.looked_at)
+    return perception, FlowTracker(perception, recording.view, recording.fps, settings)

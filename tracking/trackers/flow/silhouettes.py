@@ -126,7 +126,7 @@ def draw_cover(place: Floats, floor: Floor) -> Cover:
         return cover
     left = np.array(_OUTLINE)
     half = np.concatenate((left, left[::-1] * (-1.0, 1.0)))
-    outline = _pixels(place, np.column_stack((half, np.zeros(len(half)))), floor) / 2
+    outline = spot_pixels(place, np.column_stack((half, np.zeros(len(half)))), floor) / 2
     distance = np.hypot(place[:, 0], place[:, 1])
     drawable = np.asarray((np.abs(outline) < _FARTHEST_PX).all(axis=(1, 2)))  # NaN: not
     corners = np.rint(np.where(drawable[:, None, None], outline, 0.0)).astype(np.int32)
@@ -150,7 +150,7 @@ def score_silhouettes(
         own: (k,) how far away they stand themselves in the cover; None: they are not in it.
     """
     distance = np.hypot(place[:, 0], place[:, 1])[:, None].astype(np.float32)
-    pixels = _half_pixels(_pixels(place, _SPOTS, floor), floor.view.camera.size)
+    pixels = _half_pixels(spot_pixels(place, _SPOTS, floor), floor.view.camera.size)
     body, beside = pixels.of(slice(len(_BODY))), pixels.of(slice(len(_BODY), None))
     seen, nearest = _sample(mask, cover, body)
     free = np.isinf(nearest) | _is_same(nearest, own)
@@ -222,7 +222,7 @@ def _search_grid(
     )
 
 
-def _pixels(place: Floats, spots: Floats, floor: Floor) -> Floats:
+def spot_pixels(place: Floats, spots: Floats, floor: Floor) -> Floats:
     """(k, j, 2) px of spots (j, 3), see `_BODY`, of people at places (k, 2)."""
     axes = sight_axes(place)
     level = place[:, None] + axes[:, None, 1] * spots[:, :1] - axes[:, None, 0] * spots[:, 2:3]

@@ -11,24 +11,26 @@ from numpy.typing import NDArray
 from tracking.foreground import CameraWatch
 from tracking.geometry import View
 from tracking.people import Observation
+from tracking.trackers.flow.body_masks import body_masks
 from tracking.trackers.flow.cluster_people import ClusteredPeople
 from tracking.trackers.flow.floor import Floor
 from tracking.trackers.flow.flow_frame import POSITIONS, FlowFrame, speeds
 from tracking.trackers.flow.foot_lines import foot_lines
-from tracking.trackers.flow.half_resolution import half_size
 from tracking.trackers.flow.kernels import kernel_table
 from tracking.trackers.flow.people import HeldPeople
-from tracking.trackers.flow.perception import FlowObservation
+from tracking.trackers.flow.perception import FlowObservation, FlowPerception
 from tracking.trackers.flow.point_tracker import PointFollower
 from tracking.trackers.flow.result import step_result
 from tracking.trackers.flow.resumption import resume_walkers
 from tracking.trackers.flow.settings import FlowSettings
+from tracking.trackers.flow.silhouettes import BODY, SHADE
 from tracking.trackers.shared.protocol import StepResult
 from tracking.trackers.shared.resumption import Resume
 from tracking.trackers.shared.tracker_base import TrackerBase
 from tracking.translation import Message, msg
 
 _SPACING_PX = (4.0, 24.0)
+_BORDER = np.ones((3, 3), np.uint8)
 
 
 class FlowTracker(TrackerBase[FlowSettings]):
@@ -40,19 +42,16 @@ class FlowTracker(TrackerBase[FlowSettings]):
     """
 
     def __init__(
-        self,
-        view: View,
-        fps: float,
-        settings: FlowSettings,
-        looked_at: NDArray[np.uint8] | None = None,
+        self, perception: FlowPerception, view: View, fps: float, settings: FlowSettings
     ) -> None:
         """Nobody is followed yet.
 
         Args:
-            view: the camera over its floor. fps: frames a second.
-            looked_at: (height, width) non-zero where points are followed; None: everywhere.
+            perception: is told where people are. view: the camera over its floor.
+            fps: frames a second.
         """
         super().__init__(settings)
+        self._perception = perception
         self._view = view
         self._fps = fps
         self._floor = Floor(view)
@@ -67,10 +66,6 @@ class FlowTracker(TrackerBase[FlowSettings]):
         self._people: HeldPeople | ClusteredPeople = kind(
             settings, table.scaled(box.bodies), self._floor, self._ids
         )
-        self._looked_at: NDArray[np.uint8] | None = None
-        if looked_at is not None:
-            columns, rows = half_size((looked_at.shape[1], looked_at.shape[0]))
-            self._looked_at = looked_at[: 2 * rows : 2, : 2 * columns : 2]
         self._camera = CameraWatch(fps)
 
     @property
@@ -101,7 +96,8 @@ class FlowTracker(TrackerBase[FlowSettings]):
         seen = self._measure(observation)
         self._people.step(seen)
         result = self._report(observation.frame, seen)
-        self._drop_still(seen, self._people.owner)
+        self._drop(seen, self._people.owner)
+        self._perception.tell(body_masks(self._people.walkers, self._floor))
         return result
 
     def _report(self, frame: int, seen: FlowFrame) -> StepResult:
@@ -121,11 +117,29 @@ class FlowTracker(TrackerBase[FlowSettings]):
         grey = np.asarray(cv2.cvtColor(observation.picture, cv2.COLOR_BGR2GRAY), np.uint8)
         self._camera.look(observation.frame, grey)
         mask = observation.mask
-        seek = mask if self._settings.points.foreground_only else self._looked_at
+        only = self._settings.points.foreground_only
+        seek = _solid(mask) if only else self._perception.looked_at_half
         tracklets = self._follower.step(grey, seek)
         return FlowFrame.of(tracklets, mask, elapsed_s, self._fps, self._floor)
 
-    def _drop_still(self, seen: FlowFrame, owner: NDArray[np.int32]) -> None:
-        """Follow no further what is nobody's and hardly moves."""
+    def _drop(self, seen: FlowFrame, owner: NDArray[np.int32]) -> None:
+        """Follow no further what is nobody's and hardly moves, nor what moves as a shadow does."""
         speed = speeds(seen.tracklets, self._history, self._fps, self._floor)
-        self._follower.drop((owner == 0) & (speed < self._settings.points.min_speed_m_s))
+        gone = (owner == 0) & (speed < self._settings.points.min_speed_m_s)
+        if self._settings.points.foreground_only:
+            gone |= _on_shadow(seen)
+        self._follower.drop(gone)
+
+
+def _solid(mask: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """(rows, columns) non-zero where the foreground is no shadow."""
+    return np.asarray(mask == BODY, np.uint8)
+
+
+def _on_shadow(seen: FlowFrame) -> NDArray[np.bool_]:
+    """(n,) tracklets that lie in a shadow, and not at its border with a body."""
+    rows, columns = seen.mask.shape
+    at = np.nan_to_num(seen.tracklets.path[:, 0] / 2).astype(np.intp)
+    u, v = at[:, 0].clip(0, columns - 1), at[:, 1].clip(0, rows - 1)
+    near = np.asarray(cv2.dilate(_solid(seen.mask), _BORDER), np.uint8)
+    return np.asarray((seen.mask[v, u] == SHADE) & (near[v, u] == 0))

@@ -12,11 +12,13 @@ from numpy.typing import NDArray
 from tracking.arrays import Mask
 from tracking.foreground import (
     BackgroundModel,
+    BodyMasks,
     CameraWatch,
     ForegroundSettings,
     RampSettings,
     ShadowWeights,
     Subtraction,
+    learn_frame,
     ramp,
 )
 from tracking.geometry import FlatView, View
@@ -34,8 +36,6 @@ _SHADOW = 100
 """Weight below which foreground is shown as a shadow."""
 _BODY = 230
 """B times 255 of a body in a box: detectors err more than foreground that differs much."""
-_PROTECTED = np.ones((9, 9), np.uint8)
-"""Round people the background is not learnt."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -51,20 +51,6 @@ class FlatObservation(Observation):
     ramp: Picture = field(kw_only=True)
     working: Subtraction = field(kw_only=True)
     boxes: NDArray[np.float64] = field(kw_only=True)
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class BodyMasks:
-    """Where people are in a frame, as flat masks (height, width) uint8, non-zero there.
-
-    Attributes:
-        on: on people known for certain. beside: close to them, where their shadows fall.
-        kept: generously on everybody.
-    """
-
-    on: Picture
-    beside: Picture
-    kept: Picture
 
 
 class SpheroidPerception:
@@ -173,17 +159,15 @@ class SpheroidPerception:
 
     def _remember(self) -> None:
         """Learn from the frame before, once it is known where people were in it."""
-        if self._last is None:
-            return
-        mask = None
-        if self._masks is not None and self._background.update_is_due:
-            on, beside, kept = (
-                self.flat.unflatten(part)
-                for part in (self._masks.on, self._masks.beside, self._masks.kept)
-            )
-            self._shadows.learn(self._last.mask, on, beside)
-            mask = np.asarray(cv2.dilate(kept, _PROTECTED), np.uint8)
-        self._background.update(self._last, mask)
+        if self._last is not None:
+            learn_frame(self._background, self._shadows, self._last, self._recorded_masks())
+
+    def _recorded_masks(self) -> BodyMasks | None:
+        """Where people were in the frame before, in pixels that are not undistorted."""
+        if self._masks is None or not self._background.update_is_due:
+            return None
+        masks = (self._masks.on, self._masks.beside, self._masks.kept)
+        return BodyMasks(*map(self.flat.unflatten, masks))
 
     def _working(self, image: Image) -> Image:
         """The camera at the working scale."""

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from tracking.foreground import BodyMasks
 from tracking.geometry import FlatView, ellipses_of
 from tracking.trackers.spheroid.hypotheses import SpheroidPeople
 from tracking.trackers.spheroid.hypothesis_scores import count_covering
-from tracking.trackers.spheroid.perception import BodyMasks
 from tracking.trackers.spheroid.settings import SpheroidSettings
 from tracking.trackers.spheroid.weights import axes_of, silhouettes
 
