@@ -69,30 +69,8 @@ def run_count(
     if csv is not None and csv != STDOUT:
         _check_csv(csv)
     with closing(open_session(path)) as session:
-        recording = session.recording
         places = _places(session, named)
-        columns = select_exported(session, run)
-        try:
-            counts = count(
-                columns,
-                recording.fps,
-                recording.frame_count,
-                places.lines,
-                places.regions,
-                settings,
-            )
-        except NotOnFloorError as error:
-            raise NotOnFloorError(
-                "{path}: {reason}",
-                error.to_do,
-                option="--picture-line, --picture-region",
-                path=path,
-                reason=error.reason,
-            ) from error
-        except CountingError as error:
-            raise CountingError(
-                "{path}: {reason}", error.to_do, path=path, reason=error.reason
-            ) from error
+        counts = _counted(session, places, settings, run)
     _say_what(places, run)
     if csv is not None:
         with text_at(csv) as place:
@@ -112,6 +90,27 @@ def run_count(
     else:
         for line in _lines_of(counts):
             print_line(line)
+
+
+def _counted(session: Session, places: Places, settings: CountSettings, run: int | None) -> Counts:
+    """Counts of the tracks. Raises CountingError, which names the session."""
+    recording, path = session.recording, session.path
+    columns = select_exported(session, run)
+    length = recording.fps, recording.frame_count
+    try:
+        return count(columns, *length, places.lines, places.regions, settings)
+    except NotOnFloorError as error:
+        raise NotOnFloorError(
+            "{path}: {reason}",
+            error.to_do,
+            option="--picture-line, --picture-region",
+            path=path,
+            reason=error.reason,
+        ) from error
+    except CountingError as error:
+        raise CountingError(
+            "{path}: {reason}", error.to_do, path=path, reason=error.reason
+        ) from error
 
 
 def places_named(floor: OnFloor, picture: InPicture) -> Places:

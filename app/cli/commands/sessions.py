@@ -13,6 +13,25 @@ from app.cli.help_pages import HelpCommand
 from app.cli.option_groups import Bare, expand_groups
 from tracking.translation import msg
 
+ExportFormat = Annotated[
+    str,
+    typer.Option(
+        "--format",
+        autocompletion=completions.complete_export_formats,
+        help="mot, mot16, kitti, csv, cvat, coco, pedpy-txt, pedpy-h5 ...; a wrong name lists "
+        "them all. Of body parts: labels (CSV), or samples (OUT ends in .csv, .h5, .libsvm); "
+        "in samples part is 0 head, 1 torso, 2 hip-leg; label is 1 on its part, 0 off it.",
+    ),
+]
+AsGroundTruth = Annotated[
+    bool,
+    typer.Option(
+        "--ground-truth",
+        help="mot, mot16, kitti: write whether a row counts in place of the confidence. Files"
+        " named gt/gt.txt or truth.txt, or in label_02/, get this without the option.",
+    ),
+]
+
 
 @program.command(cls=HelpCommand)
 def export(
@@ -20,16 +39,7 @@ def export(
     out: Annotated[
         Path, typer.Option("--out", "-o", help="The file to make; - is stdout, for text.")
     ],
-    file_format: Annotated[
-        str,
-        typer.Option(
-            "--format",
-            autocompletion=completions.complete_export_formats,
-            help="mot, mot16, kitti, csv, cvat, coco, pedpy-txt, pedpy-h5 ...; a wrong name lists "
-            "them all. Of body parts: labels (CSV), or samples (OUT ends in .csv, .h5, .libsvm); "
-            "in samples part is 0 head, 1 torso, 2 hip-leg; label is 1 on its part, 0 off it.",
-        ),
-    ],
+    file_format: ExportFormat,
     run: Annotated[
         int | None,
         typer.Option(
@@ -38,14 +48,7 @@ def export(
             show_default="the corrected tracks",
         ),
     ] = None,
-    ground_truth: Annotated[
-        bool,
-        typer.Option(
-            "--ground-truth",
-            help="mot, mot16, kitti: write whether a row counts in place of the confidence. Files"
-            " named gt/gt.txt or truth.txt, or in label_02/, get this without the option.",
-        ),
-    ] = False,
+    ground_truth: AsGroundTruth = False,
     force: Annotated[
         bool,
         typer.Option(

@@ -70,13 +70,7 @@ class TrackDialog(QDialog):
         self._parts = PartsLine(asked or PartSettings(), self)
         self._detections = DetectionsLine(recording, remembered, self)
         self._remembered = remembered
-        self._search = SettingSearch(self)
-        self._search.textChanged.connect(self._find)
-        self._expert = QCheckBox(self)
-        self._expert.setToolTip(tr("Changed settings are always shown, and search finds all"))
-        self._expert.setChecked(remembered.text(_EXPERT) == "shown")
-        self._expert.toggled.connect(self._show_expert)
-        self._nothing = quiet(tr("No setting of this tracker has these words."), self)
+        self._choose_settings()
         self._forms = QStackedWidget(self)
         for name in self._names:
             self._add_choice(name)
@@ -88,6 +82,16 @@ class TrackDialog(QDialog):
         self._choice.setCurrentIndex(self._names.index(first))
         self._lay_out(warning)
         self._show_tracker(self._choice.currentIndex())
+
+    def _choose_settings(self) -> None:
+        """Which settings are shown: by words, or experts' too."""
+        self._search = SettingSearch(self)
+        self._search.textChanged.connect(self._find)
+        self._expert = QCheckBox(self)
+        self._expert.setToolTip(tr("Changed settings are always shown, and search finds all"))
+        self._expert.setChecked(self._remembered.text(_EXPERT) == "shown")
+        self._expert.toggled.connect(self._show_expert)
+        self._nothing = quiet(tr("No setting of this tracker has these words."), self)
 
     def _number_fields(self, last: int) -> None:
         """The seed, and which frames are tracked."""
