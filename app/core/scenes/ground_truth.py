@@ -10,13 +10,14 @@ from numpy.typing import NDArray
 
 from app.core.scenes import Colour, LegendEntry, Points
 from app.core.scenes.error_events import ErrorEvents
+from app.core.scenes.okabe_ito import GREEN, PURPLE
 from tracking.scoring import ErrorKind
 
 # Apart for all eyes; each kind has a shape of its own, too. Misses and false alarms are drawn over
 # people: no track has a colour near theirs.
 ERROR_COLOURS: Final[dict[ErrorKind, Colour]] = {
-    ErrorKind.SWITCH: (204, 121, 167),
-    ErrorKind.FRAGMENTATION: (0, 158, 115),
+    ErrorKind.SWITCH: PURPLE,
+    ErrorKind.FRAGMENTATION: GREEN,
     ErrorKind.MISS: (255, 50, 0),
     ErrorKind.FALSE_ALARM: (225, 0, 225),
 }

@@ -10,16 +10,17 @@ import numpy as np
 
 from app.core.i18n import N_
 from app.core.scenes import Colour, Points
+from app.core.scenes.okabe_ito import GREEN, ORANGE, PURPLE, SKY_BLUE, VERMILION, YELLOW
 from tracking.tracks import PartKey
 
-PART_COLOURS: tuple[Colour, ...] = ((230, 159, 0), (86, 180, 233), (204, 121, 167))
+PART_COLOURS: tuple[Colour, ...] = (ORANGE, SKY_BLUE, PURPLE)
 """Of head, torso and hip-leg: told apart also by the colour-blind."""
 
-OCCLUDER_COLOUR: Colour = (240, 228, 66)
+OCCLUDER_COLOUR: Colour = YELLOW
 
-LINE_COLOUR: Colour = (213, 94, 0)
+LINE_COLOUR: Colour = VERMILION
 
-REGION_COLOUR: Colour = (0, 158, 115)
+REGION_COLOUR: Colour = GREEN
 
 
 class Tool(Enum):

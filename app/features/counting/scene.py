@@ -8,12 +8,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.core.scenes import Colour
+from app.core.scenes.okabe_ito import GREEN, PURPLE, SKY_BLUE, VERMILION
 from tracking.counting import Counts
 
-FORWARD_COLOUR: Colour = (213, 94, 0)
-BACKWARD_COLOUR: Colour = (86, 180, 233)
-PEOPLE_COLOUR: Colour = (0, 158, 115)
-SPEED_COLOUR: Colour = (204, 121, 167)
+FORWARD_COLOUR: Colour = VERMILION
+BACKWARD_COLOUR: Colour = SKY_BLUE
+PEOPLE_COLOUR: Colour = GREEN
+SPEED_COLOUR: Colour = PURPLE
 
 Floats = NDArray[np.float64]
 

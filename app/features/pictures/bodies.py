@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from app.core.i18n import tr
 from app.core.scenes import Colour, LegendEntry
+from app.core.scenes.okabe_ito import YELLOW
 from app.core.tracks.frame_state import FrameState, ViewOptions
 from app.core.tracks.made_by import MadeBy, overlay_of, settings_of
 from app.core.tracks.particle_weights import relative_weights
@@ -29,7 +30,6 @@ _REGION_ALPHA, _EDGE_ALPHA = 50, 220
 _SUBPIXEL = 3
 """Bits of a pixel's fraction that OpenCV takes."""
 _FARTHEST_PX = 20_000
-_REGION_COLOUR: Colour = (240, 228, 66)
 _LIGHT: Colour = (190, 190, 190)
 """Stands for the colours of people."""
 
@@ -109,8 +109,8 @@ class BodyPainter:
         cv2.fillPoly(inside, _fixed(region.outline[None]), 255, cv2.LINE_8, _SUBPIXEL)
         for masked in _fixed(region.masked):
             cv2.fillPoly(inside, [masked], 0, cv2.LINE_8, _SUBPIXEL)
-        below[inside > 0] = _ink(_REGION_COLOUR, _REGION_ALPHA)
-        edge = _ink(_REGION_COLOUR, _EDGE_ALPHA)
+        below[inside > 0] = _ink(YELLOW, _REGION_ALPHA)
+        edge = _ink(YELLOW, _EDGE_ALPHA)
         cv2.polylines(below, _fixed(region.outline[None]), True, edge, 2, cv2.LINE_AA, _SUBPIXEL)
 
     def _paint_kernel(self, view: View, state: FrameState, below: Rgba) -> None:
@@ -135,7 +135,7 @@ def legend_of(state: FrameState, view_options: ViewOptions) -> tuple[LegendEntry
     """What is laid over the picture, as far as it is seen in the frame."""
     said = {
         "outlines": (_LIGHT, tr("hypotheses: clearer means likelier")),
-        "evaluation": (_REGION_COLOUR, tr("region of evaluation")),
+        "evaluation": (YELLOW, tr("region of evaluation")),
         "tracklets": (
             _LIGHT,
             tr("tracklets: the dot is this frame; faint ones belong to no person"),

@@ -20,12 +20,13 @@ from app.core.i18n import tr
 from app.core.look.icons import pixmap
 from app.core.look.theme import Theme, current_theme, faded, scaled_font
 from app.core.scenes import RecentItem
+from app.core.scenes.okabe_ito import ORANGE, SKY_BLUE
 from app.core.widgets.command_list import native_keys
 
 _PAD = 18
 _PATHS = (
-    ((0.06, 0.99), (0.36, 0.80), (0.62, 0.96), (0.91, 0.66), QColor(230, 159, 0)),
-    ((0.95, 0.99), (0.66, 0.84), (0.40, 0.95), (0.09, 0.68), QColor(86, 180, 233)),
+    ((0.06, 0.99), (0.36, 0.80), (0.62, 0.96), (0.91, 0.66), QColor(*ORANGE)),
+    ((0.95, 0.99), (0.66, 0.84), (0.40, 0.95), (0.09, 0.68), QColor(*SKY_BLUE)),
 )
 
 
