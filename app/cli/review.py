@@ -37,7 +37,7 @@ def run_review(path: Path, order: str, most: int | None, *, as_json: bool) -> No
     if not shown:
         print_line(_nothing(len(found)))
         return
-    print_line(msg("   frame  sure    rows  what may be wrong (what would put it right)"))
+    print_line(msg("   frame  sure    rows  what may be wrong (what would correct it)"))
     for one in shown:
         print_line(
             msg(

@@ -231,7 +231,7 @@ def _scoped(app: WindowApp) -> str:
 
 
 def _next_scope(app: WindowApp) -> None:
-    """R: how far the edit that waits goes, else an answer about a body part."""
+    """R: the scope of the edit that waits, else an answer about a body part."""
     if app.open.document.flow is None and app.open.labelling.tool is Tool.PARTS:
         app.open.labelling.next_scope()
     else:
@@ -273,7 +273,7 @@ LEAVE: Final[tuple[Command[WindowApp], ...]] = (
 SCOPE: Final[tuple[Command[WindowApp], ...]] = (
     Command(
         "tracks.scope",
-        "How far the edit goes",
+        "Scope of the edit",
         "Correct/Change the edit shown",
         ("R",),
         _scoped,

@@ -181,7 +181,7 @@ def test_without_metres_the_map_is_the_picture() -> None:
     page = page_of(report_of([finding], Yardstick()), {finding: Shown((), place_picture(one))})
     assert "x in the image, px" in page
     assert "<image " in page
-    assert "floor error" not in page
+    assert "position error" not in page
     assert "the ground truth has no positions on the floor" in page
     assert "the ground truth has no positions on the floor" in markdown_of(
         report_of([finding], Yardstick())

@@ -135,7 +135,7 @@ PLANS: dict[str, Callable[[Session], Change]] = {
     "⟦Dismiss⟧: ⟦crossing of ⟦nobody⟧ in frame 3⟧": lambda s: plan_verdict(
         s.labels, Verdict("crossing", (), 3, "dismissed")
     ),
-    "⟦Put right⟧: 1 and 2 met": lambda s: plan_verdict(
+    "⟦Corrected⟧: 1 and 2 met": lambda s: plan_verdict(
         s.labels, Verdict("crossing", (), 3, "fixed"), "1 and 2\nmet"
     ),
 }

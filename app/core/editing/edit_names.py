@@ -10,7 +10,7 @@ from app.core.i18n import tr
 def question(option: Option) -> str:
     """What is chosen with an option."""
     if isinstance(option, EditScope):
-        return tr("How far")
+        return tr("Scope")
     if isinstance(option, Fill):
         return tr("Frames of neither")
     if isinstance(option, LongestGap):

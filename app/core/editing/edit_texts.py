@@ -195,4 +195,4 @@ def _hint(flow: EditFlow, ready: bool) -> str:
 
 def _far_hint(spec: EditSpec) -> str:
     of_gaps = tr("R changes how long they may be")
-    return of_gaps if spec is edits.FILL_ALL else tr("R changes how far")
+    return of_gaps if spec is edits.FILL_ALL else tr("R changes the scope")

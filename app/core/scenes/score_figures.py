@@ -69,12 +69,12 @@ FIGURES: Final = (
         short="Kept",
     ),
     Figure(
-        "Floor error (median)",
+        "Position error (median)",
         "Distance on the floor between matched rows",
         lambda score: score.position_error.median,
         "{:.2f} m",
         -1,
-        "Floor error",
+        "Position error",
     ),
     Figure(
         "Switches",
@@ -104,7 +104,6 @@ FIGURES: Final = (
         lambda score: score.clear.false_positives,
         "{:.0f}",
         -1,
-        "False",
     ),
     Figure("DetA", "How well people are found, part of HOTA", lambda score: score.hota.deta),
     Figure("AssA", "How well ids are kept, part of HOTA", lambda score: score.hota.assa),

@@ -57,7 +57,7 @@ class ChoiceRow:
     """Something of an edit that can be chosen.
 
     Attributes:
-        row: its number. title: e.g. "How far". options: e.g. "from here on", "this range".
+        row: its number. title: e.g. "Scope". options: e.g. "from here on", "this range".
         chosen: the number of the one in force. key: the one that goes on to the next.
     """
 

@@ -169,7 +169,7 @@ class PartLabeller:
         if marked is not None:
             over = tr("frames {first} to {last}", first=marked[0], last=marked[1] - 1)
         options = (tr("this frame"), over)
-        return ChoiceRow(0, tr("How far"), options, SCOPES.index(self.choice.scope), "R")
+        return ChoiceRow(0, tr("Scope"), options, SCOPES.index(self.choice.scope), "R")
 
     def counts(self) -> _Counts:
         """How often each part was said to be on, off and unsure; counted on from the last time."""

@@ -34,7 +34,7 @@ _NAMES = (
     "Switches",
     "Misses",
     "False alarms",
-    "Floor error (median)",
+    "Position error (median)",
 )
 RUN_FIGURES: Final = tuple(figure_named(name) for name in _NAMES)
 """What runs are chosen by, in the order of the columns."""

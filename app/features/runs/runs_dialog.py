@@ -288,8 +288,7 @@ def _title(figure: Figure) -> str:
     """Its name, short enough for a column."""
     short = {
         "People kept": tr("Kept"),
-        "False alarms": tr("False"),
-        "Floor error (median)": tr("Floor error"),
+        "Position error (median)": tr("Position error"),
     }
     return short.get(figure.name) or tr(figure.name)
 

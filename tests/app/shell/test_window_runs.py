@@ -86,7 +86,7 @@ def test_runs_have_the_figures_that_one_is_chosen_by(window, controller, qtbot):
     window.run_command("tracks.runs")
     dialog = window.findChild(RunsDialog)
     qtbot.waitUntil(lambda: all(_cells(dialog, "IDF1")))
-    for title in ("MOTA", "Kept", "Misses", "False", "Floor error"):
+    for title in ("MOTA", "Kept", "Misses", "False alarms", "Position error"):
         assert all(_cells(dialog, title)), title
     dialog.reject()
 

@@ -23,7 +23,7 @@ from tracking.tracks import (
 )
 from tracking.translation import Message, msg
 
-_SAID = {"right": msg("Looked at, right"), "fixed": msg("Put right"), "dismissed": msg("Dismiss")}
+_SAID = {"right": msg("Looked at, right"), "fixed": msg("Corrected"), "dismissed": msg("Dismiss")}
 
 
 def plan_mark_reviewed(

@@ -24,7 +24,7 @@ _NEARLY_ALL = 95
 _HEAD = (
     msg("distance (m)"), msg("rows"), "MOTA", "IDF1", msg("recall"), msg("precision"),
     msg("misses"), msg("false alarms"), msg("switches"), msg("fragmentations"),
-    msg("floor error (m)"),
+    msg("position error (m)"),
 )  # fmt: skip
 
 

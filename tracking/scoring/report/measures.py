@@ -73,10 +73,10 @@ def finite(value: float) -> float | None:
 
 
 _ERRORS: Mapping[str, Callable[[Score], float]] = {
-    "floor error, mean (m)": lambda s: s.position_error.mean,
-    "floor error, std (m)": lambda s: s.position_error.std,
-    "floor error, median (m)": lambda s: s.position_error.median,
-    "floor error, p95 (m)": lambda s: s.position_error.p95,
+    "position error, mean (m)": lambda s: s.position_error.mean,
+    "position error, std (m)": lambda s: s.position_error.std,
+    "position error, median (m)": lambda s: s.position_error.median,
+    "position error, p95 (m)": lambda s: s.position_error.p95,
     "AP of tracks": lambda s: s.track_map.ap if s.track_map else math.nan,
     "AR of tracks": lambda s: s.track_map.ar if s.track_map else math.nan,
 }
@@ -98,7 +98,7 @@ _TITLES = {
 _MAIN = frozenset(
     (
         "HOTA", "DetA", "AssA", "LocA", "MOTA", "IDF1", "misses", "false_positives", "id_switches",
-        "people_kept", "tracking_accuracy", "floor error, mean (m)",
+        "people_kept", "tracking_accuracy", "position error, mean (m)",
     )
 )  # fmt: skip
 

@@ -102,7 +102,7 @@ def _cards(report: ScoreReport) -> list[tuple[str, str]]:
             msg("{kept} of {detected}", kept=score.people.kept, detected=score.people.detected),
         ),
     ]
-    return [*cards, (msg("floor error"), f"{error:.2f} m")] if error == error else cards
+    return [*cards, (msg("position error"), f"{error:.2f} m")] if error == error else cards
 
 
 def _view(finding: Finding, report: ScoreReport, shown: Shown) -> dict[str, Any]:

@@ -47,9 +47,9 @@ _TRACKS = 8
 
 
 def people_rows(finding: Finding) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
-    """How each person was followed: head and rows; no floor error where no places are known."""
+    """How each person was followed: head and rows; no position error where no places are known."""
     on_floor = bool(len(finding.score.position_error.distances_m))
-    head = (*_PERSON, *([msg("floor error (m)")] if on_floor else []), msg("tracks"))
+    head = (*_PERSON, *([msg("position error (m)")] if on_floor else []), msg("tracks"))
     return head, [_person(one, on_floor=on_floor) for one in finding.people]
 
 

@@ -136,7 +136,7 @@ def test_a_preview_says_scope_frame_and_what_changes(table):
     assert scene.cuts[0].why in scene.details[0]
     assert "frames of 4" in scene.details[1]
     assert scene.hint.startswith("Left / Right move the frame")
-    assert scene.hint.endswith("R changes how far")
+    assert scene.hint.endswith("R changes the scope")
 
 
 def test_a_preview_that_does_not_apply_says_why_and_is_not_ready(table):

@@ -18,7 +18,7 @@ SWAP = EditPreview(
     ("91 frames change",),
     834,
     end=850,
-    choices=(ChoiceRow(0, "How far", ("from here on", "this range", "this frame"), 0, "R"),),
+    choices=(ChoiceRow(0, "Scope", ("from here on", "this range", "this frame"), 0, "R"),),
     other=7,
     others=(Proposal(7, "7", True, (40, 80, 220)), Proposal(9, "9", False, (220, 40, 40))),
     cuts=(Proposal(0, "834", True, None, "they meet"), Proposal(1, "790", False, None, "near")),

@@ -68,7 +68,7 @@ def test_at_the_size_it_has_on_a_small_screen_all_eleven_figures_are_in_sight(pa
             assert cell.right() <= room.right()
             assert cell.width() >= table.fontMetrics().horizontalAdvance(item.text()) + MARGINS_PX
     assert sorted(seen) == sorted(names)
-    assert {"People kept", "Floor error (median)"} <= set(names[:5])
+    assert {"People kept", "Position error (median)"} <= set(names[:5])
 
 
 def test_all_frames_and_those_shown_stand_beside_each_other(panel):
