@@ -20,9 +20,9 @@ from app.features.labelling.controller import LabelController
 from app.features.parts.controller import PartsController
 from app.features.pictures.controller import OverlayController
 from app.features.review.controller import ReviewController
+from app.features.scoring.controller import ScoreController
 from app.shell.colour_worker import ColourWorker
 from app.shell.features import FEATURES
-from app.shell.gesture_connections import connect_gestures
 from app.shell.recording_scenes import RecordingScenes
 from app.shell.tracker_at_work import TrackerAtWork
 from app.shell.workspace import Workspace
@@ -68,7 +68,7 @@ class RecordingController(Controller):
         self._selected = self._to_show = 0
         self._workspace = workspace
         self._connect_parts()
-        connect_gestures(self, workspace)
+        self._connect_views(workspace)
 
     def _connect_parts(self) -> None:
         self.playback.shown.connect(self.draw_frame)
@@ -92,6 +92,43 @@ class RecordingController(Controller):
         self.tracking.following.changed.connect(self.changed)
         self.tracking.found.connect(self._draw_found)
         self.tracking.people_found.connect(self.changed)
+
+    def _connect_views(self, view: Workspace) -> None:
+        """What gestures do; each connection ends with this object."""
+        for picker in (view.left, view.right, view.overhead, view.timeline):
+            picker.track_picked.connect(self.editing.pick)
+            picker.track_added.connect(self.editing.add)
+        view.timeline.frame_sought.connect(self.playback.go)
+        view.timeline.cut_moved.connect(self.editing.put_cut)
+        view.transport.play_toggled.connect(self.toggle)
+        view.transport.frame_sought.connect(self.playback.go)
+        view.transport.stepped.connect(self.playback.step)
+        view.transport.follow_toggled.connect(self.tracking.following.toggle)
+        view.transport.speed_chosen.connect(self.playback.set_speed)
+        view.timeline.errors.frame_sought.connect(self.playback.go)
+        scoring = self.of(ScoreController)
+        view.timeline.errors.event_sought.connect(scoring.go_to)
+        view.timeline.area.stretch.changed.connect(scoring.show_range)
+        scoring.error_lanes.connect(view.timeline.errors.show_scene)
+        self.comparing.scene_changed.connect(view.show_differences)
+        view.card.name_edited.connect(self.editing.rename)
+        view.card.notes_edited.connect(self.editing.write_notes)
+        view.card.attributes_edited.connect(self.editing.set_attributes)
+        view.card.frame_sought.connect(self.playback.go)
+        view.preview.confirmed.connect(self.editing.confirm)
+        view.preview.cancelled.connect(self.editing.leave)
+        view.preview.cut_moved.connect(self.editing.move_cut)
+        view.preview.end_moved.connect(self.editing.move_end)
+        view.preview.choice_made.connect(self.editing.choose)
+        view.preview.other_typed.connect(self.editing.pick_typed)
+        view.preview.other_considered.connect(self.editing.consider)
+        view.preview.cut_proposed.connect(self.editing.put_proposed_cut)
+        view.left.box_grabbed.connect(self.dragging.grab_box)
+        view.left.box_dragged.connect(self.dragging.drag_box)
+        view.left.box_dropped.connect(self.dragging.drop)
+        view.overhead.person_grabbed.connect(self.dragging.grab_person)
+        view.overhead.person_dragged.connect(self.dragging.drag_person)
+        view.overhead.person_dropped.connect(self.dragging.drop)
 
     def close(self) -> None:
         """End all threads and let the recording go."""

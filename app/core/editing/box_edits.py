@@ -11,12 +11,13 @@ from app.core.editing.edit_options import EditScope, LongestGap, Way
 from app.core.editing.edit_spec import EditCommand, EditSpec
 from app.core.editing.frame_bounds import frame_bounds
 from app.core.editing.gap_places import gap_near
-from app.core.editing.keyframe_stretch import stretch_between_keyframes
+from app.core.i18n import tr
 from app.core.tracks.edit_context import EditContext
 from app.core.tracks.recording_geometry import box_of
 from tracking.editing import (
     Change,
     How,
+    keyframes_of,
     plan_add_keyframe,
     plan_delete_keyframe,
     plan_drag,
@@ -29,7 +30,7 @@ from tracking.editing import (
     plan_thin,
 )
 from tracking.errors import EditError
-from tracking.tracks import Source
+from tracking.tracks import Source, TrackTable
 
 if TYPE_CHECKING:
     from app.core.editing.flow import EditFlow
@@ -79,11 +80,33 @@ def _drag(flow: EditFlow, on: EditContext) -> Change:
 def _interpolate(flow: EditFlow, on: EditContext) -> Change:
     start, end = flow.cut, flow.end
     if flow.scope is EditScope.BETWEEN:
-        start, end = stretch_between_keyframes(on.table, flow.track, flow.cut)
+        start, end = _stretch_between_keyframes(on.table, flow.track, flow.cut)
     how, geometry = _HOWS[flow.way], on.geometry
     return plan_interpolate(
         on.table, flow.track, start, end, how, view=geometry.view, fps=geometry.fps
     )
+
+
+def _stretch_between_keyframes(table: TrackTable, track: int, frame: int) -> tuple[int, int]:
+    """The half-open stretch from the keyframe at or before a frame to the next one.
+
+    Raises:
+        EditError: there is no keyframe on one of the sides.
+    """
+    keys = keyframes_of(table, track)
+    after = int(np.searchsorted(keys, frame, side="right"))
+    if after == len(keys) and after >= 2 and int(keys[-1]) == frame:
+        after -= 1  # at the last keyframe: the stretch that ends there
+    if not 0 < after < len(keys):
+        missing = tr("before") if after == 0 else tr("after")
+        raise EditError(
+            "Track {track} has no keyframe {missing} frame {frame}: draw or move a box there, "
+            "or choose a range",
+            track=track,
+            missing=missing,
+            frame=frame,
+        )
+    return int(keys[after - 1]), int(keys[after]) + 1
 
 
 def _fill(flow: EditFlow, on: EditContext) -> Change:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from functools import partial
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QLineF, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QBrush, QPainter, QPaintEvent
 from PySide6.QtWidgets import (
     QGridLayout,
     QHBoxLayout,
@@ -15,19 +16,67 @@ from PySide6.QtWidgets import (
 )
 
 from app.core.i18n import tr
-from app.core.look.theme import scaled_font
+from app.core.look.theme import current_theme, faded, scaled_font
 from app.core.scenes.labels import PART_COLOURS
 from app.core.widgets.choices import ChoiceButtons
 from app.core.widgets.number_boxes import WholeBox, tell_beside
 from app.core.widgets.parts import Swatch, quiet
-from app.features.labelling.balance import BalanceBar
 from app.features.labelling.scene import LabellingScene
 from app.features.labelling.suggestions import SuggestionsList
 from tracking.tracks import PART_NAMES
 
 _ANSWERS: tuple[tuple[str, bool | None], ...] = (("on", True), ("off", False), ("unsure", None))
 _LONGEST_STEP = 1000
-_STEP_LETTERS = 11
+_STEP_LETTERS, _BAR_LETTERS = 11, 7
+_BAR_HIGH_PX = 5.0
+
+
+class BalanceBar(QWidget):
+    """How many labels of a part say on, and how many off: which are missing is seen.
+
+    Filled from the left as far as labels say on; the rest, hatched, says off.
+    """
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._on, self._off = 0, 0
+
+    def show_counts(self, name: str, on: int, off: int) -> None:
+        """Show other counts of a part."""
+        self._on, self._off = on, off
+        if on + off:
+            said = tr("{0}: {1:.0f} % of {2} labels say on its part, {3:.0f} % off")
+            text = said.format(name, 100 * on / (on + off), on + off, 100 * off / (on + off))
+        else:
+            text = tr("{0}: no labels yet").format(name)
+        self.setAccessibleName(text)
+        self.setToolTip(text)
+        self.update()
+
+    def sizeHint(self) -> QSize:  # noqa: N802 - Qt's name
+        """A few letters wide."""
+        return QSize(_BAR_LETTERS * self.fontMetrics().averageCharWidth(), round(_BAR_HIGH_PX) + 6)
+
+    def minimumSizeHint(self) -> QSize:  # noqa: N802
+        """Never pressed together."""
+        return self.sizeHint()
+
+    def paintEvent(self, event: QPaintEvent) -> None:  # noqa: ARG002, N802
+        """Two colours, and a line at the half."""
+        theme, painter = current_theme(), QPainter(self)
+        bar = QRectF(0.5, (self.height() - _BAR_HIGH_PX) / 2, self.width() - 1, _BAR_HIGH_PX)
+        painter.fillRect(bar, theme.sunken)
+        total = self._on + self._off
+        if total:
+            on = QRectF(bar.left(), bar.top(), bar.width() * self._on / total, bar.height())
+            off = QRectF(on.right(), bar.top(), bar.right() - on.right(), bar.height())
+            painter.fillRect(on, theme.good)
+            painter.fillRect(off, faded(theme.danger, 0.35))
+            painter.fillRect(off, QBrush(theme.danger, Qt.BrushStyle.BDiagPattern))
+        painter.setPen(theme.text_muted)
+        middle = bar.center().x()
+        painter.drawLine(QLineF(middle, bar.top() - 2, middle, bar.bottom() + 2))
+        painter.end()
 
 
 class PartsGrid(QWidget):
