@@ -47,8 +47,14 @@ class FileChoice(QWidget):
         line = QHBoxLayout(self)
         line.setContentsMargins(0, 0, 0, 0)
         line.addWidget(self.files, 1)
-        for text, folder in ((tr("File..."), False), (tr("Folder..."), True)):
+        self.files.currentIndexChanged.connect(lambda: self.files.setToolTip(self.path))
+        for text, told, folder in (
+            (tr("File..."), tr("Choose MOT text or COCO JSON"), False),
+            (tr("Folder..."), tr("Choose a folder of YOLO text"), True),
+        ):
             button = QPushButton(text, self)
+            button.setToolTip(told)
+            button.setAccessibleDescription(name)
             button.setAutoDefault(False)
             button.clicked.connect(partial(self._choose, folder))
             line.addWidget(button)
@@ -62,7 +68,7 @@ class FileChoice(QWidget):
         """Choose a file, which is offered from now on."""
         at = self.files.findData(path)
         if at < 0:
-            self.files.addItem(path, path)
+            self.files.addItem(_short(path), path)
             at = self.files.count() - 1
         self.files.setCurrentIndex(at)
 
@@ -88,9 +94,9 @@ class DetectionsLine(QObject):
         self._left = FileChoice(tr("Detections"), found, remembered, parent)
         self._right = FileChoice(tr("Detections of the right camera"), (), remembered, parent)
         self._use = QComboBox(parent)
-        self._use.setAccessibleName(tr("How detections are used"))
-        self._use.addItem(tr("beside the foreground"), BESIDE)
-        self._use.addItem(tr("instead of the foreground"), ONLY)
+        self._use.setAccessibleName(tr("What people are found by"))
+        self._use.addItem(tr("detections and foreground"), BESIDE)
+        self._use.addItem(tr("detections only"), ONLY)
         self._told = quiet("", parent)
         self._told.setWordWrap(True)
         self._told.setTextFormat(Qt.TextFormat.PlainText)  # it holds names of files
@@ -107,8 +113,8 @@ class DetectionsLine(QObject):
         """Put the rows into a form, below those it has."""
         self._form = form
         form.addRow(tr("Detections"), self._left)
-        form.addRow(tr("Right camera"), self._right)
-        form.addRow(tr("Used"), self._use)
+        form.addRow(tr("Right detections"), self._right)
+        form.addRow(tr("Find people by"), self._use)
         form.addRow("", self._told)
         self._follow()
 
@@ -150,6 +156,10 @@ class DetectionsLine(QObject):
             if self._form is not None:
                 self._form.setRowVisible(self._told, True)
 
+    def reset(self) -> None:
+        """Choose none, used as usual."""
+        self.put({})
+
     def _follow(self) -> None:
         """Show what is to be said of a file once there is one, and have it read."""
         some = self._taken and bool(self._left.path)
@@ -178,6 +188,12 @@ class DetectionsLine(QObject):
         self._told.setProperty("role", "warning" if warns else "muted")
         self._told.style().unpolish(self._told)
         self._told.style().polish(self._told)
+
+
+def _short(path: str) -> str:
+    """A path with its name first, which shows however long the folder's is."""
+    folder, name = str(Path(path).parent), Path(path).name
+    return tr("{file} in {folder}", file=name, folder=folder) if Path(path).is_absolute() else path
 
 
 def _is_there(path: Path) -> bool:

@@ -150,7 +150,7 @@ class TrackDialog(QDialog):
         start.setDefault(True)
         self._detections.usable.connect(start.setEnabled)
         reset = buttons.addButton(tr("Defaults"), QDialogButtonBox.ButtonRole.ResetRole)
-        reset.clicked.connect(lambda: self.form.reset())
+        reset.clicked.connect(self._reset)
         buttons.addButton(QDialogButtonBox.StandardButton.Cancel)
         buttons.accepted.connect(self.accept)
         buttons.rejected.connect(self.reject)
@@ -158,6 +158,11 @@ class TrackDialog(QDialog):
         line = self.fontMetrics().height()
         room = self.screen().availableSize()
         self.resize(min(48 * line, room.width()), min(44 * line, room.height() - 4 * line))
+
+    def _reset(self) -> None:
+        """The settings of the chosen tracker, those of detections too, as they come."""
+        self.form.reset()
+        self._detections.reset()
 
     def _whole_box(self, name: str, most: int) -> WholeBox:
         box = WholeBox(self)

@@ -12,6 +12,7 @@ from pytestqt.qtbot import QtBot
 
 from app.core.widgets.user_settings import UserSettings
 from app.features.runs.track_dialog import TrackDialog
+from tracking.detections import DetectionSettings
 from tracking.recording import open_recording
 
 ROWS = "".join(f"{n},-1,{20 + n},40,24,60,{0.9 if n % 5 else 0.1}\n" for n in range(1, 81))
@@ -85,6 +86,30 @@ def test_what_was_answered_once_is_filled_in_again(dialog, qtbot) -> None:
     assert dialog.answer() == answer
     dialog.put_answer(*chosen)
     assert dialog.answer() == chosen
+
+
+def test_defaults_choose_no_detections_and_their_usual_use(dialog) -> None:
+    line = dialog._detections
+    line._left.put("det.txt")
+    line._right.put("det.txt")
+    line._use.setCurrentIndex(1)
+    reset = next(one for one in dialog.findChildren(QPushButton) if one.text() == "Defaults")
+    reset.click()
+    assert dialog.answer()[1].detections == DetectionSettings()
+    assert not line._use.isVisible()
+    line._left.put("det.txt")
+    assert line.values() == {"detections.file": "det.txt"}
+
+
+def test_the_name_of_a_file_elsewhere_shows_before_its_folder(dialog, tmp_path: Path) -> None:
+    path = tmp_path / "elsewhere.txt"
+    files = dialog._detections._left
+    files.put(str(path))
+    assert files.path == str(path)
+    assert files.files.currentText() == f"elsewhere.txt in {tmp_path}"
+    assert files.files.toolTip() == str(path)
+    files.put("det.txt")
+    assert files.files.currentText() == "det.txt"
 
 
 def test_the_settings_of_a_run_fill_them_in(dialog) -> None:
