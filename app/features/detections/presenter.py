@@ -73,9 +73,10 @@ def boxes_of(recording: Recording, given: UsedDetections) -> RecordingDetections
 
 def picture(boxes: RecordingDetections, side: Side, frame: int) -> PicturedDetections:
     """The boxes of a camera in a frame."""
-    found = boxes.of(frame) if side is Side.LEFT else boxes.of_right(frame)
+    left = side is Side.LEFT
+    found = boxes.of(frame) if left else boxes.of_right(frame)
     if found is None or not len(found):
         return NO_DETECTIONS
-    entry = LegendEntry(DETECTION, tr("boxes of {file}", file=boxes.inputs[0].file))
+    entry = LegendEntry(DETECTION, tr("boxes of {file}", file=boxes.inputs[0 if left else 1].file))
     rows = ((float(x), float(y), float(w), float(h)) for x, y, w, h in found.box.tolist())
     return PicturedDetections(tuple(rows), (entry,))

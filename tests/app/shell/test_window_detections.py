@@ -9,11 +9,13 @@ from pathlib import Path
 import pytest
 from pytestqt.qtbot import QtBot
 
+from app.core.scenes import Side
 from app.core.tracks.made_by import AtWork
 from app.features.detections.controller import DetectionsController
-from app.features.detections.presenter import UsedDetections, boxes_of
+from app.features.detections.presenter import UsedDetections, boxes_of, picture
 from app.features.runs.track_dialog import TrackDialog
 from app.shell.main_window import MainWindow
+from tracking.detections import DetectionSettings, Footage, RecordingDetections, read_detections
 from tracking.errors import FormatError
 
 ROWS = "".join(f"{n},-1,{20 + n},40,24,60,0.9\n" for n in range(1, 81))
@@ -100,3 +102,13 @@ def test_boxes_of_the_cameras_swapped_are_not_drawn(tracked) -> None:
     given = UsedDetections.of(replace(run, detections_input=(replace(left, camera="right"),)))
     with pytest.raises(FormatError, match="has changed since"):
         boxes_of(tracked.controller.document.recording, given)
+
+
+def test_the_legend_of_each_camera_names_its_own_file(tmp_path: Path) -> None:
+    files = []
+    for name in ("det.txt", "right.txt"):
+        (tmp_path / name).write_text(ROWS)
+        files.append(read_detections(tmp_path / name, Footage(80, (320, 240))))
+    boxes = RecordingDetections(*files, settings=DetectionSettings())
+    told = [picture(boxes, side, 3).legend[0].text for side in (Side.LEFT, Side.RIGHT)]
+    assert told == ["boxes of det.txt", "boxes of right.txt"]
