@@ -5,6 +5,8 @@ from __future__ import annotations
 import ast
 import copy
 import json
+import re
+from collections.abc import Iterator
 from pathlib import Path
 from string import Formatter
 
@@ -57,6 +59,31 @@ def test_the_places_of_a_template_are_the_values_it_is_given(all_uses: list[Use]
         if places and (use.values or set()) - {"n"} - set().union(*places):
             wrong.append(f"{use.place}:{use.call.lineno}: a value is not used")
     assert wrong == []
+
+
+def test_no_value_of_a_message_is_an_english_word_that_is_never_translated(
+    all_uses: list[Use],
+) -> None:
+    english = [
+        f"{use.place}:{use.call.lineno}: {keyword.arg}"
+        for use in all_uses
+        for keyword in use.call.keywords
+        if keyword.arg != "option"
+        for word in words_in(keyword.value)
+        if re.search("[a-z]{2}", word)
+    ]
+    assert english == []
+
+
+def words_in(value: ast.expr) -> Iterator[str]:
+    """The texts that stand in a value, whatever it depends on; not those of calls in it."""
+    if isinstance(value, ast.Constant):
+        yield value.value if isinstance(value.value, str) else ""
+    elif isinstance(value, ast.IfExp):
+        yield from (*words_in(value.body), *words_in(value.orelse))
+    elif isinstance(value, ast.BoolOp | ast.JoinedStr):
+        for each in value.values:
+            yield from words_in(each)
 
 
 def test_a_message_is_its_english_sentence() -> None:

@@ -55,17 +55,17 @@ def _print(found: Agreement) -> None:
     shares = {name: figures[name] for name in ("IDF1", "kappa")}
     print_table(
         [
-            ("frames", found.frames),
-            ("rows compared", found.rows),
+            (msg("frames"), found.frames),
+            (msg("rows compared"), found.rows),
             *((name, "-" if share is None else f"{share:.4f}") for name, share in shares.items()),
-            ("disagreements", len(found.disagreements)),
+            (msg("disagreements"), len(found.disagreements)),
         ]
     )
     for one in found.disagreements[:_LISTED]:
         who = msg(
             "{track_a} here, {track_b} there",
-            track_a=one.track_a or "nobody",
-            track_b=one.track_b or "nobody",
+            track_a=one.track_a or msg("nobody"),
+            track_b=one.track_b or msg("nobody"),
         )
         print_line(
             msg("frames {start} to {last}: {who}", start=one.start, last=one.end - 1, who=who)

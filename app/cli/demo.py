@@ -96,5 +96,7 @@ def _print(recording: Path, session: Path, picture: Path, score: Score, *, as_js
         paths = {"recording": str(recording), "session": str(session), "picture": str(picture)}
         print_json({**paths, "score": score.as_json()})
         return
-    print_table([("recording", recording), ("session", session), ("picture", picture)])
+    print_table(
+        [(msg("recording"), recording), (msg("session"), session), (msg("picture"), picture)]
+    )
     print_lines(score.as_text())

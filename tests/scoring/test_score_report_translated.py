@@ -22,6 +22,7 @@ from tracking.scoring.report import (
     switch_pictures,
 )
 from tracking.scoring.report.markdown import markdown_of
+from tracking.scoring.score import FIGURES
 from tracking.translation import use_catalogue
 
 _MEASURES = {"HOTA", "DetA", "AssA", "LocA", "MOTA", "IDF", "COMBINED"}
@@ -58,3 +59,6 @@ def test_no_word_of_a_score_report_stays_english() -> None:
         data = _MEASURES | _NAMES
         assert english(Reader(page_of(report, shown)).said, data) == set()
         assert english([markdown_of(report)], data) == set()
+    keys = {word for name in FIGURES for word in WORD.findall(name)}
+    assert english([rates.as_text()], set()) == set()
+    assert english([whole.score.as_text()], _MEASURES | _NAMES | keys) == set()

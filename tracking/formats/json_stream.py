@@ -310,7 +310,7 @@ class _Text:
             "{path}, character {where}: {reason}; it is not the JSON it should be, export it again",
             path=self._path,
             where=where,
-            reason=reason or "the file ends",
+            reason=reason or msg("the file ends"),
         )
 
 

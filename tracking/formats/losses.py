@@ -12,7 +12,7 @@ from tracking.formats.label_text import CLASS
 from tracking.formats.track_format import Content, TrackFormat
 from tracking.formats.track_writer import ROWS_AT_ONCE, Exported
 from tracking.tracks import Source, TrackLabel
-from tracking.translation import joined, msg
+from tracking.translation import count_msg, joined, msg
 
 _COLUMNS = {
     Content.BOXES: "left",
@@ -25,7 +25,7 @@ _COLUMNS = {
 }
 _SURE = (Content.CONFIDENCE, Content.VISIBILITY)
 """Where all that is known is 1, nothing is said."""
-_ONE = {Content.BOXES: "box", Content.PLACES: msg("place on the floor")}
+_ONE = {Content.BOXES: msg("box"), Content.PLACES: msg("place on the floor")}
 _TOLD = 40
 """Letters of an attribute's key in a note."""
 _IS_RESULT = msg(
@@ -59,13 +59,12 @@ def _rows_lost(kind: TrackFormat, exported: Exported) -> str:
         return ""
     rows, column = len(exported), _COLUMNS[kind.needs]
     lost = rows - sum(int(np.isfinite(piece).sum()) for piece in _pieces(exported, column))
-    many = "has" if lost == 1 else "have"
     return (
-        msg(
-            "{lost} of {rows} rows {many} no {one} and are left out",
-            lost=lost,
+        count_msg(
+            lost,
+            "{n} of {rows} rows has no {one} and is left out",
+            "{n} of {rows} rows have no {one} and are left out",
             rows=rows,
-            many=many,
             one=_ONE[kind.needs],
         )
         if lost

@@ -14,7 +14,7 @@ from tracking.formats.read_result import BadRow, Filmed, Imported, Reading, in_o
 from tracking.formats.seqinfo import sequence_of
 from tracking.formats.track_format import TrackFormat
 from tracking.tracks import Columns
-from tracking.translation import Message, msg
+from tracking.translation import Message, count_msg
 
 _MOT = "mot"
 
@@ -99,6 +99,9 @@ def _people_of(found: Imported) -> Imported:
         return found
     people = ~np.isin(found.columns["track"], others)
     columns = {name: column[people] for name, column in found.columns.items()}
-    many = msg("1 track that is no person is") if len(others) == 1 else None
-    note = msg("{many} left out", many=many or f"{len(others)} tracks that are no people are")
+    note = count_msg(
+        len(others),
+        "{n} track that is no person is left out",
+        "{n} tracks that are no people are left out",
+    )
     return replace(found, columns=columns, notes=(*found.notes, note), place_of=None)

@@ -22,6 +22,7 @@ from tracking.scoring.similarity import Match
 from tracking.scoring.table import ScoringTable
 from tracking.scoring.track_map import OVERLAPS, SUBSETS, TrackMap
 from tracking.scoring.track_map_matches import track_map
+from tracking.translation import msg, tr
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -70,17 +71,22 @@ class Score:
         }
 
     def as_text(self) -> str:
-        """A number a line, by name, without colours; curves are left out."""
+        """A number a line, by its name in `as_json` or in the user's words; no curves."""
         named = [(name, _shown(figure(self))) for name, figure in FIGURES.items()]
         named += [
-            (f"position error, {name} (m)", _shown(value))
+            (tr("position error, {which} (m)", which=_WHICH[name]), _shown(value))
             for name, value in _position_error(self).items()
         ]
         if self.track_map is not None:
-            named += [("AP (tracks)", _shown(self.track_map.ap))]
-            named += [("AR (tracks)", _shown(self.track_map.ar))]
+            named += [(tr("AP (tracks)"), _shown(self.track_map.ap))]
+            named += [(tr("AR (tracks)"), _shown(self.track_map.ar))]
         for line in self.passages:
-            named += [(f"passages {line.line}", f"{line.found} of {line.happened}")]
+            named += [
+                (
+                    tr("passages {line}", line=line.line),
+                    tr("{found} of {happened}", found=line.found, happened=line.happened),
+                )
+            ]
         width = max(len(name) for name, _ in named)
         return "\n".join(f"{name:<{width}}  {value:>9}" for name, value in named)
 
@@ -176,6 +182,9 @@ def score_of(examination: Examination) -> Score:
         position_error=PositionError.of(examination.distances_m),
         track_map=track_map(examination),
     )
+
+
+_WHICH = {"mean": msg("mean"), "std": msg("std"), "median": msg("median"), "p95": "p95"}
 
 
 def _position_error(score: Score) -> dict[str, float | None]:

@@ -40,7 +40,7 @@ from tracking.trackers.three_part import (
     build_whole_body,
     detector_fingerprint,
 )
-from tracking.translation import joined
+from tracking.translation import count_msg, joined, msg
 
 
 class Build(Protocol):
@@ -330,16 +330,19 @@ def parse_settings(spec: TrackerSpec, texts: Mapping[str, str]) -> Any:
     for name in sorted(texts.keys() - known):
         present = _present_name(name)
         if theirs := [other.name for other in _BUILT if present in _setting_names(other)]:
-            have = "has" if len(theirs) == 1 else "have"
-            now = "" if present == name else f", whose name is {present} now"
+            now = msg(", whose name is {present} now", present=present)
             raise SettingsError(
-                "{tracker} has no setting {name}{now} ({trackers} {have} it): choose such a "
-                "tracker with --tracker, or leave the setting out",
+                "{tracker} has no setting {name}{now} ({who}): choose such a tracker with "
+                "--tracker, or leave the setting out",
                 tracker=spec.name,
                 name=name,
-                now=now,
-                trackers=joined(", ", theirs),
-                have=have,
+                now="" if present == name else now,
+                who=count_msg(
+                    len(theirs),
+                    "{trackers} has it",
+                    "{trackers} have it",
+                    trackers=joined(", ", theirs),
+                ),
             )
     return settings_from_text(spec.settings_type, texts)
 

@@ -14,6 +14,7 @@ from tracking.arrays import Floats
 from tracking.scoring.parts.part_verdicts import Judged
 from tracking.scoring.parts.rectangles import Bools
 from tracking.tracks import PART_WORDS, PARTS
+from tracking.translation import Message, msg, tr
 
 SUBJECTS = (*PART_WORDS, "person")
 LAST_FRAME = 150
@@ -66,20 +67,30 @@ class Rates:
 
     def as_text(self) -> str:
         """A table for people: a column for each of `SUBJECTS`, and how many it is about."""
-        lines = [_line("body parts", [name.replace("_", "-") for name in SUBJECTS], "people")]
-        lines.append(_line("right, of all frames", _percent(self.overall), str(self.judged)))
+        lines = [
+            _line(
+                msg("body parts"), [tr(name.replace("_", "-")) for name in SUBJECTS], tr("people")
+            )
+        ]
+        lines.append(_line(msg("right, of all frames"), _percent(self.overall), str(self.judged)))
         for frame in TOLD_FRAMES:
             if frame < len(self.people) and self.people[frame]:
                 count = str(self.people[frame])
                 lines.append(
-                    _line(f"right after {frame} frames", _percent(self.right[frame]), count)
+                    _line(
+                        msg("right after {n} frames", n=frame), _percent(self.right[frame]), count
+                    )
                 )
                 lines.append(
-                    _line(f"right for all {frame} frames", _percent(self.unbroken[frame]), count)
+                    _line(
+                        msg("right for all {n} frames", n=frame),
+                        _percent(self.unbroken[frame]),
+                        count,
+                    )
                 )
-        lines.append(_line("holding something else", [*_percent(self.foreign), ""], ""))
+        lines.append(_line(msg("holding something else"), [*_percent(self.foreign), ""], ""))
         if self.untracked:
-            lines.append(f"no track began on {self.untracked} of them")
+            lines.append(tr("no track began on {n} of them", n=self.untracked))
         return "\n".join(line.rstrip() for line in lines)
 
 
@@ -134,5 +145,5 @@ def _percent(shares: Floats) -> list[str]:
     return ["-" if math.isnan(share) else f"{100 * share:.1f} %" for share in shares.tolist()]
 
 
-def _line(name: str, cells: Sequence[str], people: str) -> str:
-    return f"{name:<24}" + "".join(f"{cell:>9}" for cell in cells) + f"{people:>8}"
+def _line(name: Message, cells: Sequence[str], people: str) -> str:
+    return f"{tr(name):<24}" + "".join(f"{cell:>9}" for cell in cells) + f"{people:>8}"
