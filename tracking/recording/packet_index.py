@@ -84,16 +84,26 @@ def open_video(where: str) -> tuple[InputContainer, VideoStream]:
             where=where,
             reason=reason,
         ) from error
-    if not container.streams.video or container.format.name in ("hls", "concat", "dash", "sdp"):
+    try:
+        stream = _video_in(container, where)
+    except RecordingError:
         container.close()
+        raise
+    stream.codec_context.options = {"max_pixels": str(MOST_PIXELS)}  # of frames that say more
+    # One thread keeps frames in step with packets, and leaves the other cores to other cameras.
+    stream.codec_context.thread_count = 1
+    return container, stream
+
+
+def _video_in(container: InputContainer, where: str) -> VideoStream:
+    """The first video stream; raises RecordingError where there is none that is decoded here."""
+    if not container.streams.video or container.format.name in ("hls", "concat", "dash", "sdp"):
         raise RecordingError("{where}: holds no video of its own; give the video file", where=where)
     stream = container.streams.video[0]
     # PyAV leaves it None, against its own types, where it has no decoder.
     if getattr(stream, "codec_context", None) is None:
-        container.close()
         raise RecordingError("{where}: its encoding is not known; convert it to H.264", where=where)
     if stream.codec_context.name in _TEXT_ART:
-        container.close()
         raise RecordingError(
             "{where}: text, not a video; give a video, a folder of images or a folder with "
             "recording.toml",
@@ -101,7 +111,6 @@ def open_video(where: str) -> tuple[InputContainer, VideoStream]:
         )
     width, height = stream.codec_context.width, stream.codec_context.height
     if width * height > MOST_PIXELS:
-        container.close()
         raise RecordingError(
             "{where}: has {width} x {height} px; videos of up to {most_pixels} Mpx are read; "
             "make it smaller",
@@ -110,10 +119,7 @@ def open_video(where: str) -> tuple[InputContainer, VideoStream]:
             height=height,
             most_pixels=MOST_PIXELS // 10**6,
         )
-    stream.codec_context.options = {"max_pixels": str(MOST_PIXELS)}  # of frames that say more
-    # One thread keeps frames in step with packets, and leaves the other cores to other cameras.
-    stream.codec_context.thread_count = 1
-    return container, stream
+    return stream
 
 
 def video_packets(container: InputContainer, stream: VideoStream) -> Iterator[VideoPacket]:
