@@ -10,6 +10,7 @@ from tests.trackers.flow.tracklet_runs import FRAMES, VIEW, Walker, run_with
 from tracking.trackers import tracker_named
 from tracking.trackers.flow.bundles import Trajectory, gather_bundle
 from tracking.trackers.flow.chains import link_chains
+from tracking.trackers.flow.explained_rows import cover_rows, explained_rows
 from tracking.trackers.flow.floor import Floor
 from tracking.trackers.flow.relabel_run import find_pieces, relabel_run
 from tracking.trackers.flow.trajectory_selection import WalkerTrajectory, remove_twins
@@ -52,6 +53,23 @@ def test_ways_reach_as_far_as_their_tracklets() -> None:
 def test_who_was_followed_twice_at_once_is_one() -> None:
     run = run_with((COMING,), ((1, 0, range(5, 40)), (2, 0, range(20, 75))))
     assert len(np.unique(relabel_run(run, VIEW, FPS).tracks["track"])) == 1
+
+
+@pytest.mark.parametrize(("aside_m", "hidden"), [(0.0, True), (0.8, False)])
+def test_points_seen_on_somebody_are_of_nobody_behind(aside_m: float, hidden: bool) -> None:
+    front = Walker((0.0, 9.0), (0.0, -0.7))
+    behind = Walker((aside_m, 10.98), (0.0, -0.854))
+    run = run_with((front, behind), ((1, 0, range(5, 75)), (2, 1, range(5, 75))))
+    chains = link_chains(run, FLOOR, FPS)
+    front_m, left = np.full(len(chains.row), np.inf), np.ones(len(chains), bool)
+    ways = [Trajectory(5, one.at(np.arange(5, 75))) for one in (front, behind)]
+    seen, farther = (explained_rows(way, chains, FLOOR, FPS) for way in ways)
+    before = farther.count(left, front_m)
+    assert before > 100
+    cover_rows(front_m, ways[0], chains, FLOOR)
+    seen_behind = farther.count(left, front_m) / before
+    assert seen_behind < 0.1 if hidden else seen_behind == 1.0  # led on, nobody hides it
+    assert seen.count(left, front_m) > 100  # who stands in front is seen
 
 
 def test_tracklets_and_detections_go_with_the_people_told_of() -> None:

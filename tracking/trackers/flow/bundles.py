@@ -129,7 +129,7 @@ def gather_bundle(
         free: (chains,) those that are looked at.
     """
     whole = trajectory.extended(round(led_s * fps), len(chains.start) - 1, fps)
-    rows, place, z_m = _near(whole, chains, floor, free)
+    rows, place, z_m = rows_near(whole, chains, floor, free)
     across = sight_axes(place)[:, 1]
     spot = floor.places(chains.slope[rows], z_m)
     aside_m = ((spot - place) * across).sum(axis=1)
@@ -152,10 +152,16 @@ def gather_bundle(
     return Bundle(rows, number, place, across, chain, frames, middle_z, middle_aside, misfit, alike)
 
 
-def _near(
-    trajectory: Trajectory, chains: TrackletChains, floor: Floor, free: Flags | None
+def rows_near(
+    trajectory: Trajectory, chains: TrackletChains, floor: Floor, free: Flags | None = None
 ) -> tuple[Rows, Floats, Floats]:
-    """Rows of tracklets that pass near a body on the trajectory, its place, and their height."""
+    """Rows of tracklets that pass near a body on the trajectory, its place, and their height.
+
+    (k,), (k, 2) m and (k,) m over the floor.
+
+    Args:
+        free: (chains,) those that are looked at; None: all.
+    """
     rows = chains.of_frames(trajectory.first, trajectory.stop)
     if free is not None:
         rows = rows[free[chains.chain[rows]]]

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from tracking.trackers.flow.bundles import Bundle, Trajectory, gather_bundle
 from tracking.trackers.flow.chains import Rows, TrackletChains
+from tracking.trackers.flow.explained_rows import cover_rows, explained_rows
 from tracking.trackers.flow.floor import Floor, sight_axes
 from tracking.trackers.flow.foot_fit import feet_cost, ratios
 from tracking.trackers.flow.trajectory_fit import is_supported, refit
@@ -23,7 +24,7 @@ _SEED_S = 0.6
 _SEED_HEIGHTS_M = np.arange(0.1, 1.75, 0.05)
 _PACE_M_S, _PACE_ERROR = 1.2, 0.35
 _HELD_M, _HELD_COSTLIEST = 0.06, 12.0
-_LED_S, _LED_TO_CHOOSE_S = 0.8, 0.3
+_LED_S = 0.8
 _ROUNDS, _AGAIN = 14, 4
 _LEAST_ROWS_S, _LEAST_S, _LEAST_WAY_M = 4.0, 0.8, 0.8
 """Seconds of tracklets, together, that make a person; how long and how far a trajectory is at
@@ -33,8 +34,6 @@ _LEAST_SHARE = 0.4
 _TWIN_ACROSS_M, _TWIN_ACROSS, _TWIN_ALONG, _TWIN_SHARE = 0.45, 0.02, 0.12, 0.5
 """Nobody walks so near to another, across the sight (in m, and as a share of the distance if that
 is more) and along it (as a share of it), for as large a share of the time."""
-_FAIR = 3.0
-"""Misfit up to which a tracklet counts in full."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -177,16 +176,20 @@ class TrajectorySelector:
 
     def _choose(self, trajectories: Sequence[Trajectory]) -> list[WalkerTrajectory]:
         """The trajectories that explain most, one after the other, each of what is left."""
-        explained = [self._explained(trajectory) for trajectory in trajectories]
-        total = [float(rows.sum()) for _, rows in explained]
+        explained = [
+            explained_rows(trajectory, self._chains, self._floor, self._fps)
+            for trajectory in trajectories
+        ]
         left = np.ones(len(self._chains), bool)
+        front_m = np.full(len(self._chains.row), np.inf)
+        total = [one.count(left, front_m) for one in explained]
         waiting = [(-rows, number) for number, rows in enumerate(total)]
         heapq.heapify(waiting)
         walks = []
         while waiting:
             hoped, number = heapq.heappop(waiting)
-            chain, rows = explained[number]
-            new = float(rows[left[chain]].sum())
+            chain = explained[number].chain
+            new = explained[number].count(left, front_m)
             if new < max(_LEAST_ROWS_S * self._fps, _LEAST_SHARE * total[number]):
                 continue  # it only becomes less
             if new < -hoped - 1e-9:
@@ -194,13 +197,8 @@ class TrajectorySelector:
                 continue
             walks.append(WalkerTrajectory(trajectories[number], chain[left[chain]]))
             left[chain] = False
+            cover_rows(front_m, trajectories[number], self._chains, self._floor)
         return walks
-
-    def _explained(self, trajectory: Trajectory) -> tuple[Rows, Floats]:
-        """The tracklets a trajectory explains, and their frames, less where they suit it badly."""
-        near = gather_bundle(trajectory, self._chains, self._floor, self._fps, _LED_TO_CHOOSE_S)
-        well = np.clip(1.0 + _FAIR - near.misfit, 0.0, 1.0) * near.frames
-        return near.chain[near.alike], well[near.alike]
 
 
 def remove_twins(walks: Sequence[WalkerTrajectory]) -> list[WalkerTrajectory]:

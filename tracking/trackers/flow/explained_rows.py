@@ -1,0 +1,82 @@
+"""Which rows of tracklets a trajectory explains, and which show somebody nearer."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.trackers.flow.bundles import Trajectory, gather_bundle, rows_near
+from tracking.trackers.flow.chains import Rows, TrackletChains
+from tracking.trackers.flow.floor import Floor
+
+Floats = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+
+_LED_S = 0.3
+_FAIR = 3.0
+"""Misfit up to which a tracklet counts in full."""
+_HALF_WIDTH_M, _HIGHEST_M, _BEHIND_M = 0.25, 1.85, 0.3
+"""What is seen so near to a body's axis, and no higher, is of this body: of nobody who is farther
+away than it by more."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ExplainedRows:
+    """What a trajectory explains.
+
+    Attributes:
+        chain: (m,) the tracklets.
+        row: (k,) their rows. of: (k,) the tracklet of each. well: (k,) 0 to 1, less where it suits
+            the trajectory badly. away_m: (k,) how far away the walker is there.
+    """
+
+    chain: Rows
+    row: Rows
+    of: Rows
+    well: Floats
+    away_m: Floats
+
+    def count(self, left: Flags, front_m: Floats) -> float:
+        """How many rows of tracklets that nobody explains yet are seen, and how well.
+
+        A point that shows somebody nearer is not seen of a body behind.
+
+        Args:
+            left: (chains,) those that nobody explains. front_m: (rows,) see `cover_rows`.
+        """
+        seen = left[self.of] & (self.away_m < front_m[self.row] + _BEHIND_M)
+        return float(self.well[seen].sum())
+
+
+def explained_rows(
+    trajectory: Trajectory, chains: TrackletChains, floor: Floor, fps: float
+) -> ExplainedRows:
+    """The tracklets that move as the body of who walks a trajectory does."""
+    near = gather_bundle(trajectory, chains, floor, fps, _LED_S)
+    used = near.alike[near.number]
+    well = np.clip(1.0 + _FAIR - near.misfit, 0.0, 1.0)
+    return ExplainedRows(
+        near.chain[near.alike],
+        near.rows[used],
+        near.chain[near.number[used]],
+        well[near.number[used]],
+        np.hypot(*near.place[used].T),
+    )
+
+
+def cover_rows(
+    front_m: Floats, trajectory: Trajectory, chains: TrackletChains, floor: Floor
+) -> None:
+    """Take note of the rows that show the body of who walks a trajectory.
+
+    Args:
+        front_m: (rows,) how far away the nearest body is that covers each row, m; changed here.
+    """
+    rows, place, z_m = rows_near(trajectory, chains, floor)
+    slope = chains.slope[rows]
+    cross = slope[:, 1] * place[:, 0] - slope[:, 0] * place[:, 1]
+    shown = np.abs(cross) < _HALF_WIDTH_M * np.maximum(np.hypot(*slope.T), 1e-6)
+    shown &= (z_m > 0.0) & (z_m < _HIGHEST_M)
+    front_m[rows[shown]] = np.minimum(front_m[rows[shown]], np.hypot(*place[shown].T))
