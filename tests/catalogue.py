@@ -104,15 +104,23 @@ def uses_in(path: Path) -> Iterator[Use]:
 
 def texts_of_templates() -> Iterator[tuple[tuple[str, ...], str]]:
     """Those of templates of pages, one or one and many, with the template."""
+    for texts, _, place in uses_in_templates():
+        yield texts, place
+
+
+def uses_in_templates() -> Iterator[tuple[tuple[str, ...], frozenset[str], str]]:
+    """The texts of each call in templates of pages, the names of its values, and the template."""
     for path in sorted((ROOT / "tracking").rglob("*.html")):
         place = path.relative_to(ROOT).as_posix()
         tree = Environment(autoescape=True).parse(path.read_text(encoding="utf-8"))
         for call in tree.find_all(nodes.Call):
             name = getattr(call.node, "name", "")
-            taken = call.args[:1] if name in SINGLE else call.args[1:3] if name in COUNTING else ()
-            texts = [each.value for each in taken if isinstance(each, nodes.Const)]
+            counting = name in COUNTING
+            taken = call.args[:1] if name in SINGLE else call.args[1:3] if counting else ()
+            texts = tuple(each.value for each in taken if isinstance(each, nodes.Const))
             if texts:
-                yield tuple(texts), place
+                values = {each.key for each in call.kwargs}
+                yield texts, frozenset(values | ({"n"} if counting else set())), place
 
 
 def called(call: ast.Call) -> str:

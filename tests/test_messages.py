@@ -12,7 +12,7 @@ from string import Formatter
 
 import pytest
 
-from tests.catalogue import ERRORS, Use, called, uses
+from tests.catalogue import ERRORS, Use, called, uses, uses_in_templates
 from tests.pseudo import Pseudo
 from tracking.errors import FormatError, TrackwrightError
 from tracking.message_data import message_data, message_from
@@ -58,6 +58,16 @@ def test_the_places_of_a_template_are_the_values_it_is_given(all_uses: list[Use]
             wrong.append(f"{use.place}:{use.call.lineno}: a value is missing")
         if places and (use.values or set()) - {"n"} - set().union(*places):
             wrong.append(f"{use.place}:{use.call.lineno}: a value is not used")
+    assert wrong == []
+
+
+def test_texts_of_templates_of_pages_have_the_values_they_are_given() -> None:
+    wrong = [
+        f"{place}: {text}"
+        for texts, values, place in uses_in_templates()
+        for text in texts
+        if places_in(text) ^ (values - ({"n"} if len(texts) == 2 else set()))
+    ]
     assert wrong == []
 
 
