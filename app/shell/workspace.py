@@ -92,7 +92,7 @@ class Workspace(QWidget):
         column.addWidget(self._transport_line())
         drag = tr("Drag to make the timeline higher or lower")
         border = GrippedSplitter(Qt.Orientation.Vertical, drag, self)
-        whole = self._filled("whole", border, (upper, self.timeline), (11, 4))
+        whole = self._filled("whole", border, (upper, self.timeline), (3, 1))
         _unspaced(self).addWidget(whole)
 
     def _side(self) -> QWidget:

@@ -45,10 +45,8 @@ def test_four_edits_and_the_whole_card_are_in_sight_beside_a_review_item(window_
     window.resize(1400, 900)
     item = ReviewRow(("margin", (1, 2), 9), "Paths cross", (), 9, "00:01", "close", (), 0.2)
     space.review.show_scene(ReviewScene((item,) * 9, current=0, left=9, also="Watch it. " * 30))
-    qtbot.wait(50)
-    window.grab()
     history = space.of(HistoryPanel)
-    assert history.visibleRegion().boundingRect() == history.rect()
+    qtbot.waitUntil(lambda: history.visibleRegion().boundingRect() == history.rect())
     rows = history._list
     assert rows.viewport().height() >= 4 * rows.visualRect(rows.model().index(0, 0)).height()
 
