@@ -34,6 +34,23 @@ def table(frame: list[int], score: list[float]) -> BoxTable:
     return BoxTable.sorted_by_frame(np.array(frame, np.int64), box, np.array(score))
 
 
+def test_boxes_whose_middle_is_not_looked_at_are_not_used() -> None:
+    looked_at = np.zeros((60, 400), np.uint8)
+    looked_at[:, 100:200] = 255
+    four = table([0, 0, 0, 0], [0.9] * 4)
+    off = BoxTable(four.frame, four.box - (0.0, 300.0, 0.0, 0.0), four.score)
+    assert four.in_region(looked_at).box[:, 0].tolist() == [100.0]
+    assert len(off.in_region(looked_at)) == 0
+    assert len(four.in_region(None)) == 4
+    file = DetectionsFile(Path("left.txt"), "mot", "MOTChallenge text", "0" * 64, four, ())
+    used = RecordingDetections(file, settings=DetectionSettings(), looked_at=looked_at)
+    assert used.of(0).box[:, 0].tolist() == [100.0]
+    nothing = np.zeros_like(looked_at)
+    none = RecordingDetections(file, settings=DetectionSettings(), looked_at=nothing)
+    assert none.unused
+    assert none.notes[-1] == "warning: no box of left.txt is in the region"
+
+
 def test_the_threshold_lies_between_two_kinds_of_scores_whatever_their_unit() -> None:
     rng = np.random.default_rng(1)
     sure, unsure = rng.normal(0.9, 0.03, 700), rng.normal(0.2, 0.03, 300)

@@ -8,6 +8,7 @@ from dataclasses import replace
 from pathlib import Path, PurePosixPath, PureWindowsPath
 from typing import Any
 
+from tracking.arrays import Mask
 from tracking.detections.detections_file import DetectionsFile, read_cameras
 from tracking.detections.frame_numbers import Footage
 from tracking.detections.settings import ONLY, DetectionSettings
@@ -25,6 +26,7 @@ class RecordingDetections:
     Args:
         left: of the left (or only) camera. right: of the right one, None: nothing is known.
         settings: which of the boxes are used.
+        looked_at: the region of interest, see `Recording`; None: everywhere.
 
     Attributes:
         inputs: which files these are, as a run keeps it.
@@ -37,6 +39,7 @@ class RecordingDetections:
         right: DetectionsFile | None = None,
         *,
         settings: DetectionSettings,
+        looked_at: Mask | None = None,
     ) -> None:
         self._settings = settings
         self._left = left.table.above_score(settings.least_score)
@@ -51,6 +54,12 @@ class RecordingDetections:
         self.notes: tuple[Message, ...] = tuple(
             note for _, file, used in files for note in (_used_of(file, used), *file.notes)
         )
+        if looked_at is not None and len(self._left):
+            self._left = self._left.in_region(looked_at)
+            if not len(self._left):
+                self.notes += (
+                    msg("warning: no box of {file} is in the region", file=left.path.name),
+                )
 
     @property
     def unused(self) -> bool:
@@ -120,7 +129,9 @@ def load_detections(
     if settings.file_right:
         right = Footage.of(recording, right=True)
         given.append((place_of(recording, settings.file_right), right))
-    return RecordingDetections(*read_cameras(given), settings=settings)
+    return RecordingDetections(
+        *read_cameras(given), settings=settings, looked_at=recording.looked_at
+    )
 
 
 def place_of(recording: Recording, named: str) -> Path:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tracking.arrays import Flags, Floats, Integers
+from tracking.arrays import Flags, Floats, Integers, Mask
 from tracking.people.detection_source import MOST_BOXES, FrameDetections
 
 _TWO_KINDS, _TWO_KINDS_PER_SHARE = 0.72, 0.14
@@ -60,6 +60,20 @@ class BoxTable:
         """Those with this score or more; None: with the one that is learnt from the scores."""
         least = learnt_threshold(self.score) if least_score is None else least_score
         return self.select(self.score >= least)
+
+    def in_region(self, looked_at: Mask | None) -> BoxTable:
+        """Those whose middle lies where people are looked for.
+
+        Args:
+            looked_at: (height, width) non-zero there; None: everywhere.
+        """
+        if looked_at is None or not len(self):
+            return self
+        height, width = looked_at.shape
+        u, v = np.rint(self.box[:, :2] + self.box[:, 2:] / 2).T
+        inside = (u >= 0) & (v >= 0) & (u < width) & (v < height)
+        u, v = (np.where(inside, side, 0).astype(np.intp) for side in (u, v))
+        return self.select(inside & (looked_at[v, u] > 0))
 
 
 def learnt_threshold(score: Floats) -> float:
