@@ -24,6 +24,7 @@ class ViewOptions:
     particles: bool = False
     trails: bool = True
     detections: bool = True
+    region: bool = True
     foreground: bool = False
     disparity: bool = False
     labels: bool = True
@@ -56,7 +57,17 @@ class ViewOptions:
 
 
 _LASTING = (
-    *("grid", "particles", "trails", "detections", "labels", "parts", "part_particles", "counts"),
+    *(
+        "grid",
+        "particles",
+        "trails",
+        "detections",
+        "region",
+        "labels",
+        "parts",
+        "part_particles",
+        "counts",
+    ),
     "floor_legend",
 )
 """Panels, and what is worked out on request, are asked for anew in each recording."""

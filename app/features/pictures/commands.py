@@ -85,6 +85,7 @@ OVERLAYS: Final = (
         ("D",),
         two_cameras_and_floor,
     ),
+    view_command("region", "Region of interest on the image", "View/What the tracker sees"),
     view_command("floor_legend", "Legend on the floor", "View", (), floor),
 )
 ONE_CAMERA: Final = (

@@ -22,6 +22,8 @@ from tracking.tracks import Columns, Source
 Floats = NDArray[np.float64]
 
 _GRID_REACH_M = 20
+_DIM = (0, 0, 0, 110)
+"""What lies over the picture where nobody is looked for."""
 _NO_TRAIL: Floats = np.zeros((0, 2))
 
 
@@ -32,6 +34,7 @@ class PicturePresenter:
         self._recording = recording
         self._trail_frames = max(1, round(TRAIL_S * recording.fps))
         self._grid: dict[Side, Floats] = {}
+        self._outside = _outside(recording.looked_at)
         self._anaglyph = Anaglyph(recording)
         self._bodies = BodyPainter(recording.view)
 
@@ -156,6 +159,8 @@ class PicturePresenter:
         laid: NDArray[np.uint8] | None,
     ) -> NDArray[np.uint8] | None:
         """All that lies over a picture: the very same as was laid where there is nothing more."""
+        if view_options.region and side is Side.LEFT and self._outside is not None:
+            laid = self._outside if laid is None else _below(laid, self._outside)
         if view_options.bodies and side is Side.LEFT:
             laid = self._bodies.over(state, view_options, laid, image.shape)
         return self._particles(side, state, image, laid) if view_options.particles else laid
@@ -207,3 +212,17 @@ def _grid_lines(reach_m: int) -> Floats:
     begin = np.stack((along.ravel(), across.ravel()), axis=1)
     forward = np.stack((begin, begin + np.array([0.5, 0.0])), axis=1)
     return np.concatenate((forward, forward[..., ::-1]))
+
+
+def _outside(looked_at: NDArray[np.uint8] | None) -> NDArray[np.uint8] | None:
+    """(height, width, 4) RGBA that dims what is outside of the region of interest."""
+    if looked_at is None:
+        return None
+    dim = np.zeros((*looked_at.shape, 4), np.uint8)
+    dim[looked_at == 0] = _DIM
+    return dim
+
+
+def _below(laid: NDArray[np.uint8], dim: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """What is laid over a picture, and the dimming where that is nothing."""
+    return np.where(laid[..., 3:] > 0, laid, dim)

@@ -9,7 +9,7 @@ from app.core.document.edit_history import track_card
 from app.core.editing import edits
 from app.core.projection.extent import MARGIN_M
 from app.core.scenes import Side
-from app.core.tracks.frame_state import FrameState, ViewOptions
+from app.core.tracks.frame_state import FrameState, PictureOverlay, ViewOptions
 from app.core.tracks.particle_weights import relative_weights
 from app.core.tracks.session_tracks import SessionTracks
 from app.features.pictures.overhead_presenter import OverheadPresenter
@@ -171,3 +171,31 @@ def test_the_floor_worth_showing_holds_the_camera_also_where_it_sees_none_near_i
     left, bottom, right, top = presenter.bounds
     assert (left, right) == (-6 - MARGIN_M, 6 + MARGIN_M)
     assert (bottom, top) == (-MARGIN_M, 12 + MARGIN_M)
+
+
+def test_what_is_outside_of_the_region_of_interest_is_dimmed(document, monkeypatch):
+    assert _scene(document).overlay is None
+    looked_at = np.zeros(document.recording.size[::-1], np.uint8)
+    looked_at[:, 40:] = 255
+    monkeypatch.setattr(document.recording, "looked_at", looked_at)
+    pictures = PicturePresenter(document.recording)
+    overlay = _scene(document, pictures=pictures).overlay
+    assert overlay[10, 10].tolist() == [0, 0, 0, 110]
+    assert not overlay[10, 50].any()
+    assert _scene(document, pictures=pictures).overlay is overlay  # it is not painted anew
+    assert _scene(document, Side.RIGHT, pictures=pictures).overlay is None
+    assert (
+        _scene(document, view_options=ViewOptions(region=False), pictures=pictures).overlay is None
+    )
+    laid = np.zeros((*looked_at.shape, 4), np.uint8)
+    laid[10, 10] = (255, 0, 0, 200)
+    below = pictures.scene(
+        Side.LEFT,
+        document.recording.read(CROWDED),
+        document.frame_state(CROWDED),
+        ViewOptions(),
+        PictureOverlay(laid),
+    ).overlay
+    assert below[10, 10].tolist() == [255, 0, 0, 200]
+    assert below[11, 11].tolist() == [0, 0, 0, 110]
+    assert not below[10, 50].any()
