@@ -73,7 +73,7 @@ class ReviewPanel(Panel):
         self._decisions.setSpacing(6)
         self._tools: list[QToolButton] = []
         body = QVBoxLayout()
-        body.setSpacing(6)
+        body.setSpacing(4)
         body.addLayout(self._choices)
         body.addWidget(self._list, 1)
         body.addWidget(self._also)
