@@ -91,19 +91,29 @@ def _run(run: Mapping[str, Any]) -> Message:
                 detector=run["detector"],
             )
         )
-    said += [
-        msg(
-            "{count} boxes of {file} ({format}, {fingerprint})",
-            count=given["count"],
-            file=_short(given["file"]),
-            format=given["format"],
-            fingerprint=given["fingerprint"][:12],
-        )
-        for given in run["detections_input"]
-    ]
+    said += [_detections_line(given) for given in run["detections_input"]]
     for name, value in run["settings"].items():
         said.append(msg("{setting} {value}", setting=name, value=_short(_shown(value))))
     return joined(", ", said)
+
+
+def _detections_line(given: Mapping[str, Any]) -> str:
+    """Whose boxes a run was given."""
+    told = {
+        "count": given["count"],
+        "file": _short(given["file"]),
+        "fingerprint": given["fingerprint"][:12],
+    }
+    if not given["network"]:
+        return msg(
+            "{count} boxes of {file} ({format}, {fingerprint})", format=given["format"], **told
+        )
+    return msg(
+        "{count} boxes of {network} ({file}, {licence}, {fingerprint})",
+        network=_short(given["network"]),
+        licence=_short(given["licence"]),
+        **told,
+    )
 
 
 def _short(text: str, longest: int = _LONGEST) -> str:

@@ -50,6 +50,7 @@ class Order:
         detector: of part failures. occluders: a session in which they are drawn.
         detections, detections_right: boxes of another program, of the left (or only) camera and of
             the right one.
+        model: a network that finds people.
     """
 
     tracker: Annotated[
@@ -86,6 +87,13 @@ class Order:
     detections_right: Annotated[Path | None, typer.Option(help="The same of the right camera.")] = (
         None
     )
+    model: Annotated[
+        Path | None,
+        typer.Option(
+            help="A network that finds people, of all cameras: the TOML beside an ONNX file, or "
+            "their folder."
+        ),
+    ] = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -39,6 +39,7 @@ def _refuse_unknown(spec: TrackerSpec, order: Order) -> None:
         "occluders": ("occluders", order.occluders),
         "detections": ("detections.file", order.detections),
         "detections-right": ("detections.file_right", order.detections_right),
+        "model": ("detections.model", order.model),
     }
     known = {field.name for field in settings_fields(spec.settings_type)}
     for name, (setting, value) in given.items():
@@ -70,6 +71,9 @@ def _named(order: Order) -> Iterator[tuple[str, str]]:
     if order.detections_right is not None:
         _refuse_right_alone(order)
         yield "detections.file_right", _absolute(order.detections_right)
+    if order.model is not None:
+        _refuse_both(order)
+        yield "detections.model", _absolute(order.model)
     if order.occluders is not None:
         yield "occluders", _drawn_in(order.occluders)
 
@@ -82,6 +86,16 @@ def _refuse_right_alone(order: Order) -> None:
             "--detections-right {path}: detections of the right camera alone are not enough; give "
             "those of the left one with --detections",
             path=order.detections_right,
+        )
+
+
+def _refuse_both(order: Order) -> None:
+    """Refuse a network beside a file of detections, in words of the options."""
+    if order.detections is not None or order.detections_right is not None:
+        raise SettingsError(
+            "--model {path}: people are detected by a network or by a file of detections; leave "
+            "out --model or --detections",
+            path=order.model,
         )
 
 

@@ -36,6 +36,15 @@ class DetectionSettings:
         group=_GROUP,
         expert=True,
     )
+    model: str = setting(
+        "",
+        "",
+        None,
+        "A network that finds people in the pictures of all cameras, instead of a file: its TOML "
+        "or the folder of it, its path from the folder of the recording; empty: none",
+        group=_GROUP,
+        expert=True,
+    )
     use: str = setting(
         BESIDE,
         "",
@@ -49,7 +58,8 @@ class DetectionSettings:
         AUTO,
         "",
         None,
-        "Smallest score of a box that is used, a number; auto: learnt from the scores of the file",
+        "Smallest score of a box that is used, a number; auto: learnt from the scores of the file, "
+        "or what the TOML of a network says",
         group=_GROUP,
         expert=True,
     )
@@ -72,10 +82,16 @@ class DetectionSettings:
                 beside=BESIDE,
                 only=ONLY,
             )
-        if self.use == ONLY and not self.file:
+        if self.model and (self.file or self.file_right):
+            raise SettingsError(
+                "setting detections.model={model}: people are detected by a network or by a file "
+                "of detections; give one of them",
+                model=self.model,
+            )
+        if self.use == ONLY and not (self.file or self.model):
             raise SettingsError(
                 "setting detections.use={use}: there are no detections; give a file of them in "
-                "detections.file",
+                "detections.file, or a network in detections.model",
                 use=self.use,
             )
         if self.file_right and not self.file:

@@ -153,12 +153,13 @@ def place_of(recording: Recording, named: str) -> Path:
 
 
 def outside(settings: Mapping[str, Any]) -> str:
-    """The file of detections that settings by their dotted names have outside of the folder.
+    """The file of detections, or the network, that settings name outside of the folder.
 
-    That of the recording is meant; "" where there is none. What only a session names out there is
-    not read: it may come from somebody else.
+    Settings are by their dotted names, the folder is that of the recording; "" where there is none.
+    What only a session names out there is not read: it may come from somebody else.
     """
-    named = (str(settings.get(name, "")) for name in ("detections.file", "detections.file_right"))
+    keys = ("detections.file", "detections.file_right", "detections.model")
+    named = (str(settings.get(name, "")) for name in keys)
     return next((each for each in named if not _is_inside(each)), "")
 
 
@@ -174,11 +175,13 @@ def with_relative_paths(recording: Recording, settings: Any) -> Any:
     So they hold wherever the folder is put.
     """
     named = detections_stage(settings)
-    if not named.file:
+    if not (named.file or named.model):
         return settings
     folder = Path(os.path.realpath(recording.folder))
-    file, right = (_relative_to(folder, path) for path in (named.file, named.file_right))
-    return replace(settings, detections=replace(named, file=file, file_right=right))
+    paths = (named.file, named.file_right, named.model)
+    file, right, model = (_relative_to(folder, path) for path in paths)
+    inside = replace(named, file=file, file_right=right, model=model)
+    return replace(settings, detections=inside)
 
 
 def _relative_to(folder: Path, named: str) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Generator, Iterator, Mapping
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +17,7 @@ from tracking.detections import (
     with_relative_paths,
 )
 from tracking.errors import SettingsError
+from tracking.networks.network_detections import NetworkDetections, network_detections
 from tracking.people import RangedShare, StereoWatch, first_lag
 from tracking.pipeline.run_buffer import KeptSteps
 from tracking.pipeline.set_up import changed_matching, doubt_of, require_sense
@@ -129,7 +131,7 @@ class Tracking:
         self.frames = frames
         self.done = 0
         self.observation: Observation | None = None
-        self._stages = Stages("learn", "decode", "perception", "tracker", "keep")
+        self._stages = Stages("learn", "decode", "network", "perception", "tracker", "keep")
         self._recording = recording
         self._spec = spec
         self._settings = settings
@@ -137,7 +139,8 @@ class Tracking:
         self._resume = resume
         self._tracker: Tracker | None = None
         self._perception: Perception | None = None
-        self._boxes: RecordingDetections | None = None
+        self._from_file: RecordingDetections | None = None
+        self._network: NetworkDetections | None = None
         self._kept = kept
         self._followed = False
         self.doubt = Message()
@@ -177,12 +180,13 @@ class Tracking:
 
     @property
     def detections_input(self) -> tuple[DetectionsInput, ...]:
-        """The files of another program's detections that were read; known from the first step."""
-        return self._boxes.inputs if self._boxes is not None else ()
+        """The files of detections that were read, or the network; known from the first step."""
+        source = self._source
+        return source.inputs if source is not None else ()
 
     @property
     def stage_s(self) -> dict[str, float]:
-        """Seconds spent so far in "learn", "decode", "perception", "tracker" and "keep".
+        """Seconds spent so far in "learn", "decode", "network", "perception", "tracker" and "keep".
 
         Of a tracker that tells its own stages those, too: "tracker_filters" and so on.
         """
@@ -193,7 +197,8 @@ class Tracking:
     def notes(self) -> tuple[Message, ...]:
         """What the user should be told of the frames tracked so far, a line each."""
         told = self._tracker.notes if self._tracker is not None else ()
-        told = (*(self._boxes.notes if self._boxes is not None else ()), *told)
+        source = self._source
+        told = (*(source.notes if source is not None else ()), *told)
         told = (*told, *(self._perception.notes if self._perception is not None else ()))
         doubt = self.doubt or self._without_distances()
         return (*told, doubt) if doubt else told
@@ -213,14 +218,37 @@ class Tracking:
             "{name}: no distance for what moves: {asked}", name=self._recording.name, asked=asked
         )
 
+    @property
+    def _source(self) -> RecordingDetections | NetworkDetections | None:
+        """What gives boxes of people; None: nothing but the foreground."""
+        return self._from_file or self._network
+
     def _work(self) -> Generator[StepResult]:
+        try:
+            yield from self._tracked()
+        finally:
+            if self._network is not None:
+                self._network.close()
+
+    def _open_detections(self) -> None:
+        """Read the detections, or start the network, that settings name."""
+        timed, stage = self._stages.timed, detections_stage(self._settings)
+        self._from_file = timed("learn", load_detections, self._recording, stage)
+        opened = partial(network_detections, stereo=self._spec.needs_stereo)
+        self._network = timed("learn", opened, self._recording, stage)
+
+    def _observed(self, perception: Perception, frame: StereoFrame) -> Observation:
+        """What is seen in a frame; a network looks at it first."""
+        if self._network is not None:
+            self._stages.timed("network", self._network.look, frame)
+        return self._stages.timed("perception", perception.observe, frame)
+
+    def _tracked(self) -> Generator[StepResult]:
         timed = self._stages.timed
-        self._boxes = timed(
-            "learn", load_detections, self._recording, detections_stage(self._settings)
-        )
+        self._open_detections()
         if self._resume is not None:
             self._resume.require_same(self.detections_input)
-        asked = (self._recording, self._settings, self._seed, self._boxes)
+        asked = (self._recording, self._settings, self._seed, self._source)
         perception, tracker = self._spec.build(*asked)
         self._perception, self._tracker = perception, tracker
         timed("learn", self._learn, perception)
@@ -228,11 +256,12 @@ class Tracking:
         if watch is not None:
             timed("learn", begin_pairing, watch, instants, self.frames[0])
         if self._resume is not None:
-            seen = (perception.observe(instants.read(n)) for n in self._resume.colour_frames)
+            frames = self._resume.colour_frames
+            seen = (self._observed(perception, instants.read(n)) for n in frames)
             timed("learn", tracker.resume, self._resume, seen)
         pictures = instants.frames(*self.frames)
         while (frame := timed("decode", next, pictures, None)) is not None:
-            self.observation = timed("perception", perception.observe, frame)
+            self.observation = self._observed(perception, frame)
             if watch is not None:
                 instants.lag = watch.pairing
             self._ranged.add(self.observation.overlays)

@@ -146,8 +146,17 @@ TABLES: Mapping[str, Table] = MappingProxyType(
         # Where there are any. Came with 1.6.
         "detections_input": Table(
             column_types(
-                run=np.int64, camera=TEXT, file=TEXT, format=TEXT, fingerprint=TEXT, count=np.int64
+                run=np.int64,
+                camera=TEXT,
+                file=TEXT,
+                format=TEXT,
+                fingerprint=TEXT,
+                count=np.int64,
+                network=TEXT,
+                decoder=TEXT,
+                licence=TEXT,
             ),
+            (_later("network", "decoder", "licence"),),
             is_later=True,
         ),
     }

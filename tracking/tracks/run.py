@@ -66,8 +66,11 @@ class DetectionsInput:
     """A file of another program's detections that a tracker saw people by.
 
     Attributes:
-        camera: "left" or "right". file: its name. format: "mot", "coco" or "yolo".
-        fingerprint: SHA-256 of all its bytes, in hex. count: how many boxes it has.
+        camera: "left" or "right"; "" of a network, which looks at all that the tracker does.
+        file: its name. format: "mot", "coco", "yolo" or "network".
+        fingerprint: SHA-256 of all its bytes, in hex; of a network: of its TOML and then its ONNX.
+        count: how many boxes it has, or found.
+        network, decoder, licence: of a network, as its TOML says; "" of a file.
     """
 
     camera: str
@@ -75,6 +78,9 @@ class DetectionsInput:
     format: str
     fingerprint: str
     count: int
+    network: str = ""
+    decoder: str = ""
+    licence: str = ""
 
     def is_among(self, known: Iterable[DetectionsInput]) -> bool:
         """Whether one of them is the same boxes of the same camera, whatever their file's name."""
