@@ -64,9 +64,8 @@ def test_lines_are_as_many_as_asked_for(trackwright: Trackwright, session: Path)
         "wrong",
         "(what",
         "would",
-        "put",
-        "it",
-        "right)",
+        "correct",
+        "it)",
     ]
     assert len(review_items) == 1
 
