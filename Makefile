@@ -5,7 +5,7 @@ BIN := $(VENV)/bin
 STAMP := $(VENV)/.ready
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
-.PHONY: help demo test format bench footage ablation results results-parts results-stereo results-spheroid results-flow detector kills power-cuts failed-calls two-programs mutants hostile soak long memory model peers scorers interchange pictures messages lock clean
+.PHONY: help demo test format bench footage ablation results results-parts results-stereo results-spheroid results-flow detector kills power-cuts failed-calls two-programs mutants networks hostile soak long memory model peers scorers interchange pictures messages lock clean
 .DEFAULT_GOAL := help
 
 help: ## what can be made
@@ -78,6 +78,9 @@ two-programs: $(STAMP) ## two programs on one session whose lock is removed by h
 
 mutants: $(STAMP) ## damaged files of each kind through the real command, 10,000 of each (days)
 	$(BIN)/python -m tests.sweeps.mutants
+
+networks: $(STAMP) ## 1,000 damaged networks, run by either engine (ten minutes)
+	$(BIN)/python -m tests.sweeps.networks
 
 hostile: $(STAMP) ## 300 files and folders made to harm, each through the real command (five minutes)
 	$(BIN)/python -m tests.sweeps.hostile

@@ -12,7 +12,9 @@ from numpy.typing import NDArray
 from small_networks import SIZE, model, saying
 
 from tracking.errors import FormatError
+from tracking.networks.decoders import decode
 from tracking.networks.network_process import NetworkProcess
+from tracking.networks.network_spec import NetworkSpec
 
 PICTURE = np.zeros((SIZE, SIZE, 3), np.uint8)
 ENGINES = ("opencv", "onnxruntime")
@@ -159,3 +161,10 @@ def test_outputs_that_are_no_boxes_are_refused_in_one_line(
         found(tmp_path, outputs, **keys)
     assert "\n" not in str(refused.value)
     assert str(refused.value).startswith(str(tmp_path))
+
+
+def test_far_too_many_boxes_are_refused() -> None:
+    many = np.broadcast_to(np.float32(0.5), (1, 20_000_000, 6))
+    spec = NetworkSpec("boxes", (SIZE, SIZE), 1, (0,))
+    with pytest.raises(FormatError, match="far more than any detector"):
+        decode({"dets": many}, spec, 1)

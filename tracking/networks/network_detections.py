@@ -10,7 +10,7 @@ from tracking.networks.network_process import NetworkProcess
 from tracking.people.detection_source import FrameDetections
 from tracking.recording import Recording, StereoFrame
 from tracking.tracks import DetectionsInput
-from tracking.translation import Message, msg
+from tracking.translation import Message, count_msg, msg
 
 NETWORK = "network"
 """The format of such detections, as sessions and reports have it."""
@@ -93,23 +93,23 @@ class NetworkDetections:
         if self._pictures and not self._count:
             return (
                 msg(
-                    "warning: {file} (network {name}) found nobody in {pictures} pictures with a "
+                    "warning: {file} (network {name}) found nobody in {pictures} with a "
                     "score from {least:.3g} on; lower detections.min_score, or check its TOML",
                     file=model.path.name,
                     name=model.name,
-                    pictures=self._pictures,
+                    pictures=count_msg(self._pictures, "{n} picture", "{n} pictures"),
                     least=self._least_score,
                 ),
             )
         return (
             msg(
-                "{file} (network {name}, {licence}): {count} boxes in {pictures} pictures, with "
+                "{file} (network {name}, {licence}): {boxes} in {pictures}, with "
                 "a score from {least:.3g} on",
                 file=model.path.name,
                 name=model.name,
                 licence=model.licence,
-                count=self._count,
-                pictures=self._pictures,
+                boxes=count_msg(self._count, "{n} box", "{n} boxes"),
+                pictures=count_msg(self._pictures, "{n} picture", "{n} pictures"),
                 least=self._least_score,
             ),
         )

@@ -1,4 +1,4 @@
-"""Track with detections: which files of another program's boxes, and how they are used."""
+"""Track with detections: which files of boxes, or which network, and how they are used."""
 
 from __future__ import annotations
 
@@ -16,28 +16,50 @@ from app.core.jobs.latest_job import LatestJob
 from app.core.widgets.parts import quiet
 from app.core.widgets.questions import choose_file
 from app.core.widgets.user_settings import UserSettings
-from tracking.detections import DetectionSettings, RecordingDetections, load_detections, outside
+from tracking.detections import (
+    DetectionSettings,
+    RecordingDetections,
+    load_detections,
+    outside,
+    place_of,
+)
 from tracking.detections.settings import BESIDE, ONLY
+from tracking.networks import Model, read_model
 from tracking.progress import Progress
 from tracking.recording import Recording
 from tracking.settings import settings_fields, settings_from
 
 FILE, RIGHT, USE = "detections.file", "detections.file_right", "detections.use"
-FILLED_IN = (FILE, RIGHT, USE)
+MODEL = "detections.model"
+FILLED_IN = (FILE, RIGHT, MODEL, USE)
 """Settings of trackers that stand here, not among the others."""
 _NAMES = ("det.txt", "detections.txt", "det/det.txt", "detections.json", "labels")
 """What other programs call them; offered where one lies in the recording's folder."""
 _FILTER = "(*.txt *.json)"
+_NETWORK = ".toml"
+"""How the name of a network's file ends."""
+_FILTER_WITH_NETWORK = "(*.txt *.json *.toml)"
 
 
 class FileChoice(QWidget):
-    """A file of detections of one camera, out of those found, or one that is chosen."""
+    """A file of detections of one camera, or a network, out of those found or one chosen."""
 
     def __init__(
-        self, name: str, found: tuple[str, ...], remembered: UserSettings, parent: QWidget
+        self,
+        name: str,
+        found: tuple[str, ...],
+        remembered: UserSettings,
+        parent: QWidget,
+        *,
+        network: bool = False,
     ) -> None:
+        """network: whether a network may be chosen, too."""
         super().__init__(parent)
-        self._remembered = remembered
+        self._remembered, self._network = remembered, network
+        self._networks: set[str] = set()
+        file = tr("Choose MOT text or COCO JSON")
+        if network:
+            file = tr("Choose MOT text, COCO JSON, or the TOML of a network")
         self.files = QComboBox(self)
         self.files.setAccessibleName(name)
         here = tr("none (found here: {files})", files=joined(", ", found)) if found else tr("none")
@@ -49,7 +71,7 @@ class FileChoice(QWidget):
         line.addWidget(self.files, 1)
         self.files.currentIndexChanged.connect(lambda: self.files.setToolTip(self.path))
         for text, told, folder in (
-            (tr("File..."), tr("Choose MOT text or COCO JSON"), False),
+            (tr("File..."), file, False),
             (tr("Folder..."), tr("Choose a folder of YOLO text"), True),
         ):
             button = QPushButton(text, self)
@@ -64,6 +86,17 @@ class FileChoice(QWidget):
         """What is chosen, from the recording's folder or absolute; "": none."""
         return str(self.files.currentData())
 
+    @property
+    def is_network(self) -> bool:
+        """Whether what is chosen is a network."""
+        is_toml = self._network and self.path.lower().endswith(_NETWORK)
+        return is_toml or self.path in self._networks
+
+    def put_network(self, path: str) -> None:
+        """Choose a network, by its TOML or the folder of it."""
+        self._networks.add(path)
+        self.put(path)
+
     def put(self, path: str) -> None:
         """Choose a file, which is offered from now on."""
         at = self.files.findData(path)
@@ -74,7 +107,8 @@ class FileChoice(QWidget):
 
     def _choose(self, folder: bool) -> None:
         title = tr("A folder of YOLO text") if folder else tr("Detections of another program")
-        filters = "" if folder else f"{tr('Detections')} {_FILTER}"
+        endings = _FILTER_WITH_NETWORK if self._network else _FILTER
+        filters = "" if folder else f"{tr('Detections')} {endings}"
         last = self._remembered.last_folder("detections")
         choose_file(self, title, filters, lambda path: self.put(str(path)), last, folder=folder)
 
@@ -91,7 +125,7 @@ class DetectionsLine(QObject):
         """The controls; `add_to` gives them their places."""
         super().__init__(parent)
         found = tuple(name for name in _NAMES if _is_there(recording.folder / name))
-        self._left = FileChoice(tr("Detections"), found, remembered, parent)
+        self._left = FileChoice(tr("Detections"), found, remembered, parent, network=True)
         self._right = FileChoice(tr("Detections of the right camera"), (), remembered, parent)
         self._use = QComboBox(parent)
         self._use.setAccessibleName(tr("What people are found by"))
@@ -130,8 +164,8 @@ class DetectionsLine(QObject):
         """
         if not (self._taken and self._left.path):
             return {}
-        chosen = {FILE: self._left.path}
-        if self._stereo and self._right.path:
+        chosen = {MODEL if self._left.is_network else FILE: self._left.path}
+        if self._stereo and self._right.path and not self._left.is_network:
             chosen[RIGHT] = self._right.path
         if self._use.currentData() != BESIDE:
             chosen[USE] = str(self._use.currentData())
@@ -143,7 +177,10 @@ class DetectionsLine(QObject):
         These are read where the user chooses them: a session may come from somebody else.
         """
         elsewhere = outside(values)
-        self._left.put("" if elsewhere else str(values.get(FILE, "")))
+        if values.get(MODEL) and not elsewhere:
+            self._left.put_network(str(values[MODEL]))
+        else:
+            self._left.put("" if elsewhere else str(values.get(FILE, "")))
         self._right.put("" if elsewhere else str(values.get(RIGHT, "")))
         self._use.setCurrentIndex(max(0, self._use.findData(values.get(USE, BESIDE))))
         if elsewhere:
@@ -165,7 +202,8 @@ class DetectionsLine(QObject):
         some = self._taken and bool(self._left.path)
         if self._form is not None:
             self._form.setRowVisible(self._left, self._taken)
-            self._form.setRowVisible(self._right, some and self._stereo)
+            of_file = some and not self._left.is_network
+            self._form.setRowVisible(self._right, of_file and self._stereo)
             self._form.setRowVisible(self._use, some)
             self._form.setRowVisible(self._told, some)
         self._look.stop()
@@ -175,8 +213,11 @@ class DetectionsLine(QObject):
             values = {name.partition(".")[2]: value for name, value in self.values().items()}
             self._look.ask(settings_from(DetectionSettings, values))
 
-    def _tell(self, boxes: RecordingDetections) -> None:
-        self._say("\n".join(tr(note) for note in boxes.notes), warns=boxes.unused)
+    def _tell(self, chosen: RecordingDetections | Model) -> None:
+        if isinstance(chosen, Model):
+            self._say(tr("Network {name} ({licence})", name=chosen.name, licence=chosen.licence))
+        else:
+            self._say("\n".join(tr(note) for note in chosen.notes), warns=chosen.unused)
         self.usable.emit(True)
 
     def _refuse(self, _: object, error: Exception) -> None:
@@ -205,5 +246,7 @@ def _is_there(path: Path) -> bool:
 
 def _reading(
     recording: Recording, settings: DetectionSettings
-) -> Callable[[Progress], RecordingDetections | None]:
+) -> Callable[[Progress], RecordingDetections | Model | None]:
+    if settings.model:
+        return lambda _: read_model(place_of(recording, settings.model))
     return lambda _: load_detections(recording, settings)

@@ -133,3 +133,30 @@ def test_a_file_outside_that_a_session_names_is_not_read_but_told(
     assert "elsewhere.txt, which is not in the folder of the recording" in line._told.text()
     line._left.put(str(outside))  # the user names it
     qtbot.waitUntil(lambda: "boxes are used" in line._told.text())
+
+
+def test_a_network_is_chosen_by_its_toml_and_its_licence_told(
+    dialog, qtbot, tmp_path: Path
+) -> None:
+    path, line = tmp_path / "people.toml", dialog._detections
+    text = 'licence = "MIT"\ndecoder = "yolo"\nclasses = "coco"\nsize = [64, 64]\n'
+    path.write_text(text)
+    line._left.put(str(path))
+    qtbot.waitUntil(lambda: "cannot read" in line._told.text())  # there is no ONNX
+    path.with_suffix(".onnx").write_bytes(b"not looked into yet")
+    line._left.put("")
+    line._left.put(str(path))
+    qtbot.waitUntil(lambda: "Network people (MIT)" in line._told.text())
+    assert dialog.answer()[1].detections.model == str(path)
+    assert dialog.answer()[1].detections.file == ""
+    assert line._use.isVisible()
+    assert not line._right.isVisible()
+
+
+def test_a_network_of_a_run_is_filled_in_again_unless_it_lies_elsewhere(dialog) -> None:
+    line = dialog._detections
+    line.put({"detections.model": "network", "detections.use": "only"})
+    assert line.values() == {"detections.model": "network", "detections.use": "only"}
+    line.put({"detections.model": "/elsewhere/people.toml"})
+    assert line.values() == {}
+    assert "/elsewhere/people.toml" in line._told.text()
