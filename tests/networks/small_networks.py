@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from onnx import TensorProto, helper, numpy_helper
 
 from tracking.errors import FormatError
-from tracking.networks import Model, read_model
+from tracking.networks.model_file import Model, read_model
 from tracking.networks.network_process import Limits, NetworkProcess
 
 SIZE = 64

@@ -11,7 +11,7 @@ from onnx import TensorProto, helper, numpy_helper
 from small_networks import SIZE, bright_rectangles, damaged, model, saying, written
 
 from tracking.errors import FormatError
-from tracking.networks import read_model
+from tracking.networks.model_file import read_model
 from tracking.networks.network_process import Limits, NetworkProcess
 
 CHOSEN = np.array([[10, 8, 30, 48, 0.8, 0]] * 2, np.float32)

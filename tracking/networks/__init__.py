@@ -1,6 +1,4 @@
-"""Networks that find people in pictures: read and run in a program of their own, with limits."""
+"""Networks that find people in pictures: read and run in a program of their own, with limits.
 
-from tracking.networks.model_file import Model, read_model
-from tracking.networks.network_spec import NetworkSpec
-
-__all__ = ["Model", "NetworkSpec", "read_model"]
+Nothing is imported here: that program needs a few of these modules, and is to start quickly.
+"""

@@ -17,17 +17,13 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.untrusted.program import bare_packages
-
-bare_packages("networks")
-
-from tracking.errors import FormatError  # noqa: E402 - after what makes it quick to import
-from tracking.message_data import message_data  # noqa: E402
-from tracking.networks.candidates import chosen_boxes  # noqa: E402
-from tracking.networks.decoders import Found, decode  # noqa: E402
-from tracking.networks.letterbox import Picture, Placement, network_input  # noqa: E402
-from tracking.networks.network_pipe import receive_bytes, receive_head, send  # noqa: E402
-from tracking.networks.network_spec import ONNXRUNTIME, OPENCV, NetworkSpec  # noqa: E402
+from tracking.errors import FormatError
+from tracking.message_data import message_data
+from tracking.networks.candidates import chosen_boxes
+from tracking.networks.decoders import Found, decode
+from tracking.networks.letterbox import Picture, Placement, network_input
+from tracking.networks.network_pipe import receive_bytes, receive_head, send
+from tracking.networks.network_spec import ONNXRUNTIME, OPENCV, NetworkSpec
 
 _MOST_THREADS = 8
 _ALIKE, _ALIKE_PX = 1e-3, 0.1

@@ -24,7 +24,7 @@ from tracking.detections import (
     place_of,
 )
 from tracking.detections.settings import BESIDE, ONLY
-from tracking.networks import Model, read_model
+from tracking.networks.model_file import Model, read_model
 from tracking.progress import Progress
 from tracking.recording import Recording
 from tracking.settings import settings_fields, settings_from

@@ -13,6 +13,10 @@ import numpy as np
 import pytest
 from patient import PATIENCE_S
 
+sys.path.insert(0, str(Path(__file__).parents[3] / "networks"))
+
+from small_networks import bright_rectangles, written
+
 from app.core.tracking_process import TrackerProcess, TrackingRequest, child
 from app.core.tracking_process.messages import (
     Kind,
@@ -289,3 +293,15 @@ def test_a_request_to_go_on_keeps_the_detections_of_the_tracks(tiny_recording, r
     read = TrackingRequest.from_line(request.as_line()).resume
     assert read is not None
     assert read.detections_input == given
+
+
+def test_a_network_runs_for_the_child_as_for_the_command_line(tiny_recording, tmp_path):
+    path = written(tmp_path, bright_rectangles(8, 20), decoder="yolo", classes=["person"])
+    settings = parse_settings(tracker_named("three-part"), {"detections.model": str(path)})
+    with open_recording(tiny_recording) as recording:
+        request = TrackingRequest.of(recording, "three-part", settings, 0, (0, 2))
+        process = TrackerProcess(request)
+        assert sum(map(len, process.batches())) == 2
+    (used,) = process.detections_input
+    assert (used.file, used.network, used.licence) == ("people.toml", "test network", "MIT")
+    assert any("test network" in note for note in process.notes)
