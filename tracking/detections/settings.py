@@ -40,7 +40,7 @@ class DetectionSettings:
         "",
         "",
         None,
-        "A network that finds people in the pictures of all cameras, instead of a file: its TOML "
+        "A network that detects people in the images of all cameras, in place of a file: its TOML "
         "or the folder of it, its path from the folder of the recording; empty: none",
         group=_GROUP,
         expert=True,
