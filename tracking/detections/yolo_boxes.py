@@ -16,7 +16,7 @@ import numpy as np
 from tracking.detections.box_collector import BoxCollector
 from tracking.detections.coco_boxes import PEOPLE
 from tracking.detections.frame_numbers import Footage
-from tracking.errors import FormatError
+from tracking.errors import FormatError, explain_unreadable
 from tracking.formats.read_result import Reading
 from tracking.formats.xanylabeling_folder import files_in
 from tracking.owned_files import SAFE_FLAGS
@@ -82,13 +82,11 @@ def _read_small(path: Path) -> bytes:
 
     Raises FormatError where it is a link or anything but a file, or larger than a frame's.
     """
-    try:
-        with os.fdopen(os.open(path, os.O_RDONLY | SAFE_FLAGS), "rb") as stream:
-            held = stream.read(_MOST_FILE_BYTES + 1)
-    except OSError as error:
-        raise FormatError(
-            "cannot read {path}: {reason}; check the path", path=path, reason=error.strerror
-        ) from error
+    with (
+        explain_unreadable(path),
+        os.fdopen(os.open(path, os.O_RDONLY | SAFE_FLAGS), "rb") as stream,
+    ):
+        held = stream.read(_MOST_FILE_BYTES + 1)
     if len(held) > _MOST_FILE_BYTES:
         raise FormatError(
             "{path} is larger than {size} kB; is it the text of one frame?",

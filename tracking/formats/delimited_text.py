@@ -20,7 +20,7 @@ from tracking.formats.line_survey import (
     too_long,
     too_many,
 )
-from tracking.formats.read_result import FEW_BAD, Reading
+from tracking.formats.read_result import FEW_BAD, PlaceOf, Reading
 from tracking.progress import Progress, no_progress
 from tracking.translation import Message, count_msg, msg
 
@@ -101,6 +101,17 @@ Trial = Callable[[NDArray[np.float64], NDArray[np.int32]], object]
 
 TRIED_ROWS = 2 * FEW_BAD
 """Enough for a file to be refused for its bad rows by them alone."""
+
+
+def on_lines(lines: NDArray[np.int32]) -> PlaceOf:
+    """Where rows stand, as messages name it, by their lines (n,)."""
+    return lambda row: msg("line {lines}", lines=lines[row])
+
+
+def tell_not_finite(reading: Reading, lines: NDArray[np.int32]) -> None:
+    """Tell rows as bad, by their lines, because one of their values is not finite."""
+    for line in lines.tolist():
+        reading.bad(msg("line {lines}", lines=line), msg("a value is not a finite number"))
 
 
 def unchanged(text: str) -> str:

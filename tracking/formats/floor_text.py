@@ -25,16 +25,16 @@ from numpy.typing import NDArray
 
 from tracking.atomic_output import replacing_bytes
 from tracking.errors import UnitUnsaidError
-from tracking.formats.delimited_text import NumberRows, Piece, RowShape, pieces_of
+from tracking.formats.delimited_text import NumberRows, Piece, RowShape, on_lines, pieces_of
 from tracking.formats.floor_rows import Places, fps_of, on_floor, with_place
 from tracking.formats.label_text import line
 from tracking.formats.number_text import constant, lines_of, numbers, whole_numbers
-from tracking.formats.read_result import FASTEST_FPS, Filmed, Imported, Reading
+from tracking.formats.read_result import FASTEST_FPS, Filmed, Imported, Reading, Stated
 from tracking.formats.track_format import HEAD_BYTES, Content, TrackFormat
 from tracking.formats.track_writer import ROWS_AT_ONCE, Exported
 from tracking.progress import Progress, no_progress
 from tracking.tracks import Columns
-from tracking.translation import msg
+from tracking.translation import Message, msg
 
 _SHAPE = RowShape(msg("text of places on the floor"), 4, 40, " ")
 _COLUMNS_LINE = b"# id frame x/m y/m z/m\n"
@@ -89,39 +89,20 @@ def import_floor_text(path: Path, filmed: Filmed, report: Progress = no_progress
 
     def trial(table: NDArray[np.float64], lines: NDArray[np.int32]) -> None:
         rows = {"frame": table[:, 1], "track": table[:, 0]}  # of lengths the unit is not known yet
-        Reading(path).checked(
-            rows, lambda row: msg("line {lines}", lines=lines[row]), least_track=0
-        )
+        Reading(path).checked(rows, on_lines(lines), least_track=0)
 
     rows_of = NumberRows(reading, _SHAPE, trial)
     table, lines = rows_of.read(comments.passed_over(pieces_of(path, report)))
-    if comments.wrong_fps:
-        wrong = msg(
-            "the file says {wrong_fps} frames per second", wrong_fps=comments.wrong_fps[:20]
-        )
-        reading.notes.append(msg("{wrong}, which is invalid and passed over", wrong=wrong))
     unit = comments.unit_of(path, filmed.stated.unit)
     fps = filmed.stated.fps if comments.fps is None else comments.fps
-    if filmed.stated.unit not in ("", unit):
-        reading.notes.append(
-            msg(
-                "the file says {unit} itself; {stated_unit} is passed over",
-                unit=unit,
-                stated_unit=filmed.stated.unit,
-            )
-        )
-    if filmed.stated.fps not in (None, fps):
-        own = msg("the file says {fps:g} frames per second itself", fps=fps)
-        reading.notes.append(msg("{own}; {fps:g} is passed over", own=own, fps=filmed.stated.fps))
+    reading.notes += _passed_over(comments, filmed.stated, unit, fps)
     rows: dict[str, NDArray[Any]] = {
         "frame": table[:, 1],
         "track": reading.ids_from_zero(table[:, 0]),
         "x": table[:, 2] * _METRES[unit],
         "y": table[:, 3] * _METRES[unit],
     }
-    return reading.imported(
-        with_place(rows), lambda row: msg("line {lines}", lines=lines[row]), fps=fps
-    )
+    return reading.imported(with_place(rows), on_lines(lines), fps=fps)
 
 
 class _Comments:
@@ -169,6 +150,26 @@ class _Comments:
             self.wrong_fps = found[1] if self.fps is None else ""
         for found in _UNIT.finditer(line):
             self._unit = (found[1] or found[2]).lower()
+
+
+def _passed_over(
+    comments: _Comments, stated: Stated, unit: str, fps: float | None
+) -> Iterator[Message]:
+    """What of the comments and of what the user says does not count; unit and fps: what does."""
+    if comments.wrong_fps:
+        wrong = msg(
+            "the file says {wrong_fps} frames per second", wrong_fps=comments.wrong_fps[:20]
+        )
+        yield msg("{wrong}, which is invalid and passed over", wrong=wrong)
+    if stated.unit not in ("", unit):
+        yield msg(
+            "the file says {unit} itself; {stated_unit} is passed over",
+            unit=unit,
+            stated_unit=stated.unit,
+        )
+    if stated.fps not in (None, fps):
+        own = msg("the file says {fps:g} frames per second itself", fps=fps)
+        yield msg("{own}; {fps:g} is passed over", own=own, fps=stated.fps)
 
 
 def export_pedpy(path: Path, exported: Exported, report: Progress) -> tuple[Path, ...]:

@@ -14,7 +14,7 @@ from io import BytesIO, TextIOWrapper
 from pathlib import Path
 from typing import Any, BinaryIO, TextIO
 
-from tracking.errors import FormatError
+from tracking.errors import FormatError, explain_unreadable
 from tracking.progress import Progress, no_progress
 from tracking.translation import joined, msg
 
@@ -89,19 +89,18 @@ def values_of(
 @contextmanager
 def _opened(path: Path, report: Progress, held: bytes | None) -> Iterator[_Text]:
     try:
-        size = path.stat().st_size if held is None else len(held)
-        if size > MOST_BYTES:
-            raise FormatError(
-                "{path} is larger than {size} GB; split it first", path=path, size=MOST_BYTES >> 30
-            )
-        opened: BinaryIO = path.open("rb") if held is None else BytesIO(held)
-        with opened, TextIOWrapper(opened, encoding="utf-8-sig") as stream:
-            _check_end(path, opened, size)
-            yield _Text(path, stream, lambda: report(min(opened.tell(), size), size))
-    except OSError as error:
-        raise FormatError(
-            "cannot read {path}: {reason}; check the path", path=path, reason=error.strerror
-        ) from error
+        with explain_unreadable(path):
+            size = path.stat().st_size if held is None else len(held)
+            if size > MOST_BYTES:
+                raise FormatError(
+                    "{path} is larger than {size} GB; split it first",
+                    path=path,
+                    size=MOST_BYTES >> 30,
+                )
+            opened: BinaryIO = path.open("rb") if held is None else BytesIO(held)
+            with opened, TextIOWrapper(opened, encoding="utf-8-sig") as stream:
+                _check_end(path, opened, size)
+                yield _Text(path, stream, lambda: report(min(opened.tell(), size), size))
     except UnicodeDecodeError as error:
         raise FormatError("{path} is not text; give a JSON file", path=path) from error
 

@@ -10,7 +10,7 @@ written reads back exactly. `DontCare` marks regions of the picture, which belon
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -20,7 +20,14 @@ from numpy.typing import NDArray
 
 from tracking.atomic_output import replacing_bytes
 from tracking.errors import FormatError
-from tracking.formats.delimited_text import NumberRows, Piece, RowShape, pieces_of
+from tracking.formats.delimited_text import (
+    NumberRows,
+    Piece,
+    RowShape,
+    on_lines,
+    pieces_of,
+    tell_not_finite,
+)
 from tracking.formats.mot_classes import CLASS
 from tracking.formats.number_text import (
     Block,
@@ -161,9 +168,7 @@ def import_kitti(path: Path, filmed: Filmed, report: Progress = no_progress) -> 
     def trial(table: NDArray[np.float64], lines: NDArray[np.int32]) -> None:
         cared = np.flatnonzero(table[:, _TYPE] != types[DONT_CARE])
         rows = {"frame": table[cared, _FRAME], "track": table[cared, _TRACK]}
-        Reading(path).checked(
-            rows, lambda row: msg("line {lines}", lines=lines[cared[row]]), least_track=0
-        )
+        Reading(path).checked(rows, on_lines(lines[cared]), least_track=0)
 
     rows_of = NumberRows(reading, _SHAPE, trial)
     table, lines = rows_of.read(_with_numbered_types(reading, types))
@@ -174,8 +179,7 @@ def import_kitti(path: Path, filmed: Filmed, report: Progress = no_progress) -> 
             msg("{regions} regions nobody cares about (DontCare) are left out", regions=regions)
         )
     finite = np.isfinite(table).all(axis=1)
-    for row in np.flatnonzero(cared & ~finite).tolist():
-        reading.bad(msg("line {lines}", lines=lines[row]), msg("a value is not a finite number"))
+    tell_not_finite(reading, lines[cared & ~finite])
     table, lines = table[cared & finite], lines[cared & finite]
     table[:, _TRACK] = reading.ids_from_zero(table[:, _TRACK])
     rows = _columns(table, filmed.view)
@@ -183,17 +187,16 @@ def import_kitti(path: Path, filmed: Filmed, report: Progress = no_progress) -> 
         reading.notes.append(
             msg("places are left out: the recording says nothing of camera and floor")
         )
+    labels = _labels_of(table, list(types))
+    return reading.imported(rows, on_lines(lines), labels=labels, seen_as=kept_visibility)
+
+
+def _labels_of(table: NDArray[np.float64], types: Sequence[str]) -> dict[int, TrackLabel]:
+    """What the first rows of tracks say of their type, where it says anything."""
     tracks, first = np.unique(table[:, _TRACK], return_index=True)
-    names = list(types)
-    kinds = (names[int(kind)] for kind in table[first, _TYPE])
+    kinds = (types[int(kind)] for kind in table[first, _TYPE])
     labels = {int(t): label_of_type(k) for t, k in zip(tracks, kinds, strict=True)}
-    said = {track: label for track, label in labels.items() if not label.is_empty}
-    return reading.imported(
-        rows,
-        lambda row: msg("line {lines}", lines=lines[row]),
-        labels=said,
-        seen_as=kept_visibility,
-    )
+    return {track: label for track, label in labels.items() if not label.is_empty}
 
 
 def _with_numbered_types(reading: Reading, types: dict[str, int]) -> Iterator[Piece]:

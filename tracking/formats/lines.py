@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import csv
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TextIO
 
 from tracking.cells import text_of_cell
-from tracking.errors import FormatError
+from tracking.errors import FormatError, explain_unreadable
 from tracking.formats.line_survey import LONGEST_LINE, MOST_EMPTY, too_long
 from tracking.translation import msg
 
@@ -35,8 +36,7 @@ def numbered_rows(
     Raises FormatError where the file is missing, too large, no text, a row is longer than
     `LONGEST_LINE` or has too few or too many values, or there is hardly more than empty rows.
     """
-    filled = empty = 0
-    try:
+    with _explained(path):
         if path.stat().st_size > most_bytes:
             raise FormatError(
                 "{path} is larger than {size} MB; split it first", path=path, size=most_bytes >> 20
@@ -46,16 +46,7 @@ def numbered_rows(
             rows = csv.reader(iter(lines), strict=True)
             header = [name.strip() for name in next(rows, [])]
             _check_header(path, header, needed, also)
-            for row in rows:
-                lines.held = 0
-                if not any(value.strip() for value in row):
-                    empty += 1
-                    if empty > max(filled, MOST_EMPTY):
-                        raise FormatError(
-                            "{path} is hardly more than empty lines; is it a table?", path=path
-                        )
-                    continue
-                filled += 1
+            for row in _filled(path, rows, lines):
                 if len(row) != len(header):
                     raise FormatError(
                         "{place}: {count} values where the header names {named}; correct or "
@@ -65,16 +56,34 @@ def numbered_rows(
                         named=len(header),
                     )
                 yield rows.line_num, dict(zip(header, map(text_of_cell, row), strict=True))
-    except OSError as error:
-        raise FormatError(
-            "cannot read {path}: {reason}; check the path", path=path, reason=error.strerror
-        ) from error
+
+
+@contextmanager
+def _explained(path: Path) -> Iterator[None]:
+    """What makes a file no table that can be read, as a FormatError."""
+    try:
+        with explain_unreadable(path):
+            yield
     except UnicodeDecodeError as error:
         raise FormatError("{path} is not text; give a CSV file", path=path) from error
     except csv.Error as error:
         raise FormatError(
             "{path} is not CSV ({error}); write it anew", path=path, error=error
         ) from error
+
+
+def _filled(path: Path, rows: Iterable[list[str]], lines: _Lines) -> Iterator[list[str]]:
+    """The rows that are not empty. Raises FormatError where there are hardly any."""
+    filled = empty = 0
+    for row in rows:
+        lines.held = 0
+        if any(value.strip() for value in row):
+            filled += 1
+            yield row
+            continue
+        empty += 1
+        if empty > max(filled, MOST_EMPTY):
+            raise FormatError("{path} is hardly more than empty lines; is it a table?", path=path)
 
 
 class _Lines:

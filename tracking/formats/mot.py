@@ -19,7 +19,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.errors import FormatError
-from tracking.formats.delimited_text import NumberRows, RowShape, pieces_of
+from tracking.formats.delimited_text import (
+    NumberRows,
+    RowShape,
+    on_lines,
+    pieces_of,
+    tell_not_finite,
+)
 from tracking.formats.mot_classes import kept_visibility, labels_of_classes
 from tracking.formats.mot_writer import export_mot, export_mot_classes
 from tracking.formats.read_result import Filmed, Imported, Reading
@@ -27,7 +33,6 @@ from tracking.formats.row_rules import BOX
 from tracking.formats.seqinfo import sequence_of
 from tracking.formats.track_format import Content, TrackFormat
 from tracking.progress import Progress, no_progress
-from tracking.translation import msg
 
 UNKNOWN = -1.0
 FIRST_FRAME = 1
@@ -76,9 +81,7 @@ def _ids_of(
     """The ids of some rows, after they are checked."""
     good = reading.good  # the check counts those of this table alone
     rows, places = _columns(reading, table, lines)
-    checked = reading.checked(
-        rows, lambda row: msg("line {places}", places=places[row]), least_track=0
-    )
+    checked = reading.checked(rows, on_lines(places), least_track=0)
     reading.good = good
     ids: NDArray[np.int32] = np.unique(checked["track"])
     return ids
@@ -97,7 +100,7 @@ def rows_by_frame(reading: Reading) -> dict[str, NDArray[Any]]:
     Ids are those of the file, 0 as well: whoever compares tracks needs them as labels only.
     """
     rows, lines = _rows(reading)
-    rows = reading.checked(rows, lambda row: msg("line {lines}", lines=lines[row]), least_track=0)
+    rows = reading.checked(rows, on_lines(lines), least_track=0)
     order = np.argsort(rows["frame"], kind="stable")
     return {name: column[order] for name, column in rows.items()}
 
@@ -114,7 +117,7 @@ def import_mot(path: Path, _filmed: Filmed, report: Progress = no_progress) -> I
     sequence = sequence_of(path, reading)
     return reading.imported(
         rows,
-        lambda row: msg("line {lines}", lines=lines[row]),
+        on_lines(lines),
         labels=labels_of_classes(rows["track"], rows["class"]),
         fps=sequence.fps,
         size_px=sequence.size_px,
@@ -130,7 +133,7 @@ def _rows(reading: Reading) -> tuple[dict[str, NDArray[Any]], NDArray[np.int32]]
     def trial(table: NDArray[np.float64], lines: NDArray[np.int32]) -> None:
         tried = Reading(reading.path)
         rows, places = _columns(tried, table.copy(), lines)
-        tried.checked(rows, lambda row: msg("line {places}", places=places[row]), least_track=0)
+        tried.checked(rows, on_lines(places), least_track=0)
 
     read = NumberRows(reading, _SHAPE, trial).read(pieces_of(reading.path, reading.report))
     return _columns(reading, *read)
@@ -142,10 +145,7 @@ def _columns(
     """Those of a table as it stands in the text, which they take the place of in memory."""
     finite = _finite(table)
     if not finite.all():
-        for row in np.flatnonzero(~finite).tolist():
-            reading.bad(
-                msg("line {lines}", lines=lines[row]), msg("a value is not a finite number")
-            )
+        tell_not_finite(reading, lines[~finite])
         table, lines = table[finite], lines[finite]
     held = _names(table.shape[1])
     columns: dict[str, NDArray[Any]] = dict(zip(held, table.T, strict=False))

@@ -20,10 +20,7 @@ MAX_SHARE = 1e6
 """Confidences of some tools are no shares of 1; beyond this they are none of anything."""
 
 BOX = ("left", "top", "width", "height")
-_FARTHEST = {"x": MAX_METRES, "y": MAX_METRES, "z": MAX_METRES}
-_FASTEST = {"vx": MAX_SPEED_M_S, "vy": MAX_SPEED_M_S}
 _SOURCES = (Source.TRACKER, Source.PERSON, Source.INTERPOLATED)
-_SHARES = {"confidence": MAX_SHARE, "visibility": MAX_SHARE}
 
 Mask = NDArray[np.bool_]
 
@@ -53,22 +50,7 @@ def broken_rules(rows: Columns, least_track: int = 1) -> Iterator[tuple[Mask, st
     )
     yield _any(np.isinf(column) for column in rows.values()), msg("a value is not a finite number")
     yield from _box_rules(rows)
-    for names, most, reason in (
-        (
-            _FARTHEST,
-            _FARTHEST,
-            msg("the place is farther than {max_metres:g} m away", max_metres=MAX_METRES),
-        ),
-        (
-            _FASTEST,
-            _FASTEST,
-            msg("the speed is beyond {max_speed_m_s:g} m/s", max_speed_m_s=MAX_SPEED_M_S),
-        ),
-        (_SHARES, _SHARES, msg("the confidence or visibility is no such number")),
-    ):
-        held = [name for name in names if name in rows]
-        if held:
-            yield _any(np.abs(rows[name]) > most[name] for name in held), reason
+    yield from _limit_rules(rows)
     if "x" in rows and "y" in rows:
         yield np.isnan(rows["x"]) != np.isnan(rows["y"]), msg("only one of x and y is given")
     if "source" in rows:
@@ -95,6 +77,21 @@ def _box_rules(rows: Columns) -> Iterator[tuple[Mask, str]]:
     yield _any(unknown) & ~whole, msg("a part of the box is missing")
     yield _any(np.abs(side) > MAX_PIXELS for side in box), msg("the box lies outside any image")
     yield (box[2] < 0) | (box[3] < 0), msg("the box has a negative size")
+
+
+def _limit_rules(rows: Columns) -> Iterator[tuple[Mask, str]]:
+    """Numbers that are larger than any of their kind."""
+    too_far = msg("the place is farther than {max_metres:g} m away", max_metres=MAX_METRES)
+    too_fast = msg("the speed is beyond {max_speed_m_s:g} m/s", max_speed_m_s=MAX_SPEED_M_S)
+    no_share = msg("the confidence or visibility is no such number")
+    for names, most, reason in (
+        (("x", "y", "z"), MAX_METRES, too_far),
+        (("vx", "vy"), MAX_SPEED_M_S, too_fast),
+        (("confidence", "visibility"), MAX_SHARE, no_share),
+    ):
+        held = [name for name in names if name in rows]
+        if held:
+            yield _any(np.abs(rows[name]) > most for name in held), reason
 
 
 def _any(masks: Iterator[Mask] | list[Mask]) -> Mask:

@@ -163,32 +163,7 @@ def _checked(
     lines: NDArray[np.int64] | None = None,
 ) -> Samples:
     """The samples of columns as read; raises FormatError for the first that is invalid."""
-    track, frame, part, label = (columns[name] for name in NUMBERS)
-    person = columns.get("person", np.zeros(len(features), np.int64))
-    time_s = columns.get("time_s", np.zeros(len(features))).astype(float)
-    known = np.isin(columns["source"].astype(str), SAMPLE_SOURCES)
-    for wrong, reason in (
-        (~((track > 0) & (track <= LARGEST_NUMBER)), msg("the track is not a positive number")),
-        (~((frame >= 0) & (frame <= LARGEST_NUMBER)), msg("the frame is not a number from 0 on")),
-        (
-            ~np.isin(part, range(len(PART_NAMES))),
-            msg("the part is not 0 (head), 1 (torso) or 2 (hip-leg)"),
-        ),
-        (~np.isin(label, (0, 1)), msg("the label is not 1 (on its part) or 0 (off it)")),
-        (
-            ~known,
-            msg(
-                "the source is not one of {sample_sources}",
-                sample_sources=joined(", ", SAMPLE_SOURCES),
-            ),
-        ),
-        (
-            ~((person >= NOT_TOLD_APART) & (person <= LARGEST_NUMBER)),
-            msg("the person is not a number from 1 on, 0 (not known) or -1 (not told apart)"),
-        ),
-        (np.isinf(time_s), msg("the time is not a number of seconds")),
-        (~np.isfinite(features).all(axis=1), msg("a feature is not a finite number")),
-    ):
+    for wrong, reason in _broken_rules(columns, features):
         rows = np.flatnonzero(wrong)
         if len(rows):
             at = int(rows[0])
@@ -202,3 +177,31 @@ def _checked(
             )
     types = {**SAMPLE_COLUMNS, **{name: BESIDES[name].dtype for name in SHARED}}
     return Samples({name: column.astype(types[name]) for name, column in columns.items()}, features)
+
+
+def _broken_rules(
+    columns: Mapping[str, NDArray[Any]], features: NDArray[np.float64]
+) -> Iterator[tuple[NDArray[np.bool_], str]]:
+    """(n,) marks of the samples that break a rule, and the rule."""
+    track, frame, part, label = (columns[name] for name in NUMBERS)
+    person = columns.get("person", np.zeros(len(features), np.int64))
+    time_s = columns.get("time_s", np.zeros(len(features))).astype(float)
+    yield ~((track > 0) & (track <= LARGEST_NUMBER)), msg("the track is not a positive number")
+    yield ~((frame >= 0) & (frame <= LARGEST_NUMBER)), msg("the frame is not a number from 0 on")
+    yield (
+        ~np.isin(part, range(len(PART_NAMES))),
+        msg("the part is not 0 (head), 1 (torso) or 2 (hip-leg)"),
+    )
+    yield ~np.isin(label, (0, 1)), msg("the label is not 1 (on its part) or 0 (off it)")
+    sources = joined(", ", SAMPLE_SOURCES)
+    yield (
+        ~np.isin(columns["source"].astype(str), SAMPLE_SOURCES),
+        msg("the source is not one of {sample_sources}", sample_sources=sources),
+    )
+    yield (
+        ~((person >= NOT_TOLD_APART) & (person <= LARGEST_NUMBER)),
+        msg("the person is not a number from 1 on, 0 (not known) or -1 (not told apart)"),
+    )
+    yield np.isinf(time_s), msg("the time is not a number of seconds")
+    endless = np.asarray(~np.isfinite(features).all(axis=1))
+    yield endless, msg("a feature is not a finite number")

@@ -9,8 +9,8 @@ from __future__ import annotations
 import re
 import zipfile
 import zlib
-from collections.abc import Mapping
-from contextlib import AbstractContextManager
+from collections.abc import Iterator, Mapping
+from contextlib import AbstractContextManager, contextmanager
 from pathlib import Path
 from typing import IO, Protocol
 from xml.parsers.expat import XMLParserType
@@ -20,7 +20,7 @@ from xml.sax.handler import ContentHandler
 from defusedxml import DefusedXmlException
 from defusedxml.expatreader import DefusedExpatParser
 
-from tracking.errors import FormatError
+from tracking.errors import FormatError, explain_unreadable
 from tracking.progress import Progress, no_progress
 from tracking.translation import msg
 
@@ -60,7 +60,7 @@ def parse(path: Path, elements: Elements, member: str, report: Progress = no_pro
     what `elements` raises is passed on.
     """
     parser = _Parser(path, elements)
-    try:
+    with _explained(path):
         opened, size = _opened(path, member)
         with opened as stream:
             read = 0
@@ -78,6 +78,14 @@ def parse(path: Path, elements: Elements, member: str, report: Progress = no_pro
             if not read:
                 raise FormatError("{path} is empty; export it again", path=path)
             parser.close()
+
+
+@contextmanager
+def _explained(path: Path) -> Iterator[None]:
+    """What makes a file no XML that is taken, as a FormatError."""
+    try:
+        with explain_unreadable(path):
+            yield
     except DefusedXmlException as error:
         raise FormatError(
             "{path} declares a document type or entities; remove them", path=path
@@ -97,10 +105,6 @@ def parse(path: Path, elements: Elements, member: str, report: Progress = no_pro
     except (zipfile.BadZipFile, zlib.error, EOFError) as error:
         raise FormatError(
             "{path} is an archive that is damaged; export it again", path=path
-        ) from error
-    except OSError as error:
-        raise FormatError(
-            "cannot read {path}: {reason}; check the path", path=path, reason=error.strerror
         ) from error
 
 

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.arrays import Floats
-from tracking.errors import FormatError
+from tracking.errors import FormatError, explain_unreadable
 from tracking.translation import msg
 
 MOST_BYTES = 256 << 20
@@ -48,21 +48,18 @@ def read_table(path: Path, table: TruthTable) -> tuple[Rows, Floats]:
     the same keys; names the line.
     """
     try:
-        size = path.stat().st_size
-        if size > MOST_BYTES:
-            raise FormatError(
-                "{path} has {size} MB, tables of truth are read up to {limit}; give a shorter "
-                "recording",
-                path=path,
-                size=size >> 20,
-                limit=MOST_BYTES >> 20,
-            )
-        with path.open(encoding="utf-8-sig", newline="") as stream:
-            whole, others = _numbers(path, stream, table)
-    except OSError as error:
-        raise FormatError(
-            "cannot read {path}: {reason}; check the path", path=path, reason=error.strerror
-        ) from error
+        with explain_unreadable(path):
+            size = path.stat().st_size
+            if size > MOST_BYTES:
+                raise FormatError(
+                    "{path} has {size} MB, tables of truth are read up to {limit}; give a shorter "
+                    "recording",
+                    path=path,
+                    size=size >> 20,
+                    limit=MOST_BYTES >> 20,
+                )
+            with path.open(encoding="utf-8-sig", newline="") as stream:
+                whole, others = _numbers(path, stream, table)
     except (UnicodeDecodeError, csv.Error) as error:
         raise FormatError(
             "{path} is no table of truth: it is not text; render the recording again", path=path
