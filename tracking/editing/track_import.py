@@ -85,29 +85,27 @@ def plan_import(
 
     Raises EditError where nothing would change.
     """
+    before, after = _merged(table, rows, view, seen_as, vouched=vouched)
     ids = np.unique(rows["track"]).tolist()
-    old = stack_rows(table.of_track(track) for track in ids if track in table)
-    goes, new = _merged(old, select_rows(rows, slice(None)), view, seen_as, vouched=vouched)
-    if view is not None and np.isnan(rows["x"]).all():
-        new = on_the_floor(new, view)
-    before, after = select_rows(old, goes), new
-    said = _labels(labels, {track: told[track] for track in ids if track in told})
-    if not len(before["frame"]) and not len(after["frame"]) and said[0] == said[1]:
+    was, will = _labels(labels, {track: told[track] for track in ids if track in told})
+    return _change(State(rows=before, labels=was), State(rows=after, labels=will), source)
+
+
+def _change(before: State, after: State, source: str) -> Change:
+    """The import with these two sides. Raises EditError where nothing would change."""
+    if (
+        not len(before.rows["frame"])
+        and not len(after.rows["frame"])
+        and (before.labels == after.labels)
+    ):
         raise EditError(
             "nothing to import: {source} says what the corrected tracks say", source=source
         )
-    touched = np.union1d(before["track"], after["track"]).tolist() or list(said[0].tracks)
-    frames = [int(side["frame"][0]) for side in (before, after) if len(side["frame"])]
-    text = msg(
-        "Import {who} from {source}", who=tracks_text(touched), source=" ".join(source.split())
-    )
-    return Change(
-        "import",
-        text,
-        min(frames, default=0),
-        State(rows=before, labels=said[0]),
-        State(rows=after, labels=said[1]),
-    )
+    touched = np.union1d(before.rows["track"], after.rows["track"]).tolist()
+    who = tracks_text(touched or list(before.labels.tracks))
+    text = msg("Import {who} from {source}", who=who, source=" ".join(source.split()))
+    frames = [int(side.rows["frame"][0]) for side in (before, after) if len(side.rows["frame"])]
+    return Change("import", text, min(frames, default=0), before, after)
 
 
 def thin_dense(
@@ -170,9 +168,12 @@ def on_the_floor(rows: Columns, view: View) -> Rows:
 
 
 def _merged(
-    old: Rows, new: Rows, view: View | None, seen_as: SeenAs | None, *, vouched: bool
-) -> tuple[Flags, Rows]:
+    table: TrackTable, rows: Columns, view: View | None, seen_as: SeenAs | None, *, vouched: bool
+) -> tuple[Rows, Rows]:
     """Which rows go, and the rows that come, with what only the old ones know."""
+    ids = np.unique(rows["track"]).tolist()
+    old = stack_rows(table.of_track(track) for track in ids if track in table)
+    new = select_rows(rows, slice(None))
     was, will = _same_places(old, new)
     same = _are_same(select_rows(old, was), select_rows(new, will), seen_as, vouched=vouched)
     goes, comes = np.ones(len(old["frame"]), bool), np.ones(len(new["frame"]), bool)
@@ -181,7 +182,10 @@ def _merged(
     _keep_what_is_known(select_rows(old, was[~same]), changed, view, seen_as)
     for name, column in changed.items():
         new[name][will[~same]] = column
-    return goes, select_rows(new, comes)
+    after = select_rows(new, comes)
+    if view is not None and np.isnan(rows["x"]).all():
+        after = on_the_floor(after, view)
+    return select_rows(old, goes), after
 
 
 def _same_places(old: Columns, new: Columns) -> tuple[NDArray[np.intp], NDArray[np.intp]]:

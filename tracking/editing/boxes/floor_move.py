@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 
 from tracking.editing.boxes.floor_boxes import (
-    SIDES,
     body_heights,
     body_positions,
     boxes_of,
@@ -14,11 +13,11 @@ from tracking.editing.boxes.floor_boxes import (
     places_of,
 )
 from tracking.editing.boxes.interpolation import How, Way
-from tracking.editing.boxes.keyframes import key_row_change, standing_row, vouch_for
+from tracking.editing.boxes.keyframes import key_row_change, put_by_hand, standing_row
 from tracking.editing.core.change import Change
 from tracking.errors import EditError
 from tracking.geometry import View
-from tracking.tracks import TrackTable
+from tracking.tracks import Box, Columns, TrackTable
 from tracking.translation import msg
 
 
@@ -53,6 +52,14 @@ def plan_drag(
         raise EditError(
             "place {position_m} is none; x and y in metres are needed", position_m=position_m
         )
+    box = _box_at(view, row, position_m)
+    put_by_hand(row, box, position_m)
+    text = msg("Drag {track} on the floor in frame {frame}", track=track, frame=frame)
+    return key_row_change(table, row, Way(how, view, fps), ("drag", text))
+
+
+def _box_at(view: View, row: Columns, position_m: tuple[float, float]) -> Box:
+    """The box of a row's person at another place. Raises EditError where it is not to be seen."""
     boxes, places = boxes_of(row), places_of(row)
     heights = body_heights(view, places, boxes)
     if not np.isfinite(places).all():
@@ -64,8 +71,5 @@ def plan_drag(
         raise EditError(
             "place {x:.2f}, {y:.2f} m lies behind the camera; drag to one before it", x=x, y=y
         )
-    for name, value in zip((*SIDES, "x", "y"), (*box, *there[0]), strict=True):
-        row[name][0] = value
-    vouch_for(row)
-    text = msg("Drag {track} on the floor in frame {frame}", track=track, frame=frame)
-    return key_row_change(table, row, Way(how, view, fps), ("drag", text))
+    left, top, width, height = box.tolist()
+    return left, top, width, height

@@ -66,21 +66,33 @@ def plan_thin(
         EditError: fewer than three rows are there, a tolerance is not positive, or every row would
             have to stay.
     """
-    check_known(table, track)
-    check_scope(start, end)
-    old = table.of_track(track, start, end)
-    count, where = len(old["frame"]), scope_text(start, end)
-    if count < 3:
-        raise EditError(
-            "track {track} has fewer than three boxes {where}; nothing to thin",
-            track=track,
-            where=where,
-        )
+    old = _rows_to_thin(table, track, start, end)
     _check_tolerances(tolerance_px, tolerance_m)
     way = Way(how, view, fps)
     keys = _kept(old, way, (tolerance_px, tolerance_m))
-    new = _thinned(old, keys, way)
-    before, after = compare_windows(old, new)
+    return _thin_change(track, Scope(start, end), old, keys, way)
+
+
+def _rows_to_thin(table: TrackTable, track: int, start: int, end: int | None) -> Rows:
+    """A track's rows in a range. Raises EditError where they are too few."""
+    check_known(table, track)
+    check_scope(start, end)
+    rows = table.of_track(track, start, end)
+    if len(rows["frame"]) < 3:
+        raise EditError(
+            "track {track} has fewer than three boxes {where}; nothing to thin",
+            track=track,
+            where=scope_text(start, end),
+        )
+    return rows
+
+
+def _thin_change(track: int, scope: Scope, old: Rows, keys: Flags, way: Way) -> Change:
+    """The change that interpolates a track's rows between keyframes (n,) of them.
+
+    Raises EditError where every row would have to stay.
+    """
+    before, after = compare_windows(old, _thinned(old, keys, way))
     if keys.all() or not len(after["frame"]):
         raise EditError(
             "track {track}: no row can be left out; allow a larger tolerance", track=track
@@ -88,12 +100,11 @@ def plan_thin(
     text = msg(
         "Thin {track} {where} to {keys} keyframes of {count} boxes",
         track=track,
-        where=where,
+        where=scope_text(scope.start, scope.end),
         keys=int(keys.sum()),
-        count=count,
+        count=len(keys),
     )
-    frame, scope = int(old["frame"][0]), Scope(start, end)
-    return Change("thin", text, frame, State(rows=before), State(rows=after), scope)
+    return Change("thin", text, int(old["frame"][0]), State(rows=before), State(rows=after), scope)
 
 
 def _check_tolerances(tolerance_px: float, tolerance_m: float) -> None:

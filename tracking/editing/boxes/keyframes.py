@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.editing.boxes.floor_boxes import places_of
+from tracking.editing.boxes.floor_boxes import SIDES, places_of
 from tracking.editing.boxes.interpolation import How, Way
 from tracking.editing.boxes.stretches import (
     compare_windows,
@@ -20,7 +20,7 @@ from tracking.editing.core.scope import Scope, check_scope, frames_text, scope_t
 from tracking.editing.core.selection import Rows, rows_differ, select_rows, stack_rows
 from tracking.errors import EditError
 from tracking.geometry import View
-from tracking.tracks import Columns, Source, TrackTable, check_known
+from tracking.tracks import Box, Columns, Source, TrackTable, check_known
 from tracking.translation import Message, msg
 
 
@@ -69,8 +69,7 @@ def key_row_change(
         new = stack_rows([new, bridges])
     before, after = compare_windows(old, _with_velocity(new, frame, way.fps))
     kind, text = kind_and_text
-    following = len(after["frame"]) - 1
-    if following:
+    if following := len(after["frame"]) - 1:
         text += msg("; {frames} around it interpolated", frames=frames_text(following))
     return Change(kind, text, frame, State(rows=before), State(rows=after), scope)
 
@@ -145,12 +144,7 @@ def plan_interpolate(
     replaced, and gaps are filled. Raises EditError where there is nothing between, or it is
     interpolated so already.
     """
-    check_known(table, track)
-    check_scope(start, end)
-    old = table.of_track(track, start, end)
-    fast = np.asarray(old["source"] == Source.PERSON)
-    fast[:1] = fast[-1:] = True
-    ends, between = select_rows(old, fast), select_rows(old, ~fast)
+    ends, between = _ends_and_between(table, track, start, end)
     frames = _frames_between(
         ends, msg("track {track} {where}", track=track, where=scope_text(start, end))
     )
@@ -172,6 +166,16 @@ def plan_interpolate(
     )
     scope = Scope(first, stop)
     return Change("interpolate", text, first, State(rows=before), State(rows=after), scope)
+
+
+def _ends_and_between(table: TrackTable, track: int, start: int, end: int) -> tuple[Rows, Rows]:
+    """A track's rows in a range that stand fast, with the first and the last, and the others."""
+    check_known(table, track)
+    check_scope(start, end)
+    old = table.of_track(track, start, end)
+    fast = np.asarray(old["source"] == Source.PERSON)
+    fast[:1] = fast[-1:] = True
+    return select_rows(old, fast), select_rows(old, ~fast)
 
 
 def _frames_between(ends: Columns, what: str) -> NDArray[np.int32]:
@@ -212,6 +216,13 @@ def vouch_for(rows: Rows) -> None:
     rows["confidence"][:] = 1.0
     rows["predicted"][:] = False
     rows["source"][:] = Source.PERSON
+
+
+def put_by_hand(row: Rows, box: Box, place: tuple[float, float]) -> None:
+    """Write a box and its x, y in metres into a single row, which becomes a person's."""
+    for name, value in zip((*SIDES, "x", "y"), (*box, *place), strict=True):
+        row[name][0] = value
+    vouch_for(row)
 
 
 def _held_on_both_sides(rows: Columns, frame: int) -> bool:

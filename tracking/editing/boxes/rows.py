@@ -7,7 +7,6 @@ from collections.abc import Iterable
 import numpy as np
 
 from tracking.editing.boxes.floor_boxes import (
-    SIDES,
     USUAL_HEIGHT_M,
     body_position,
     boxes_of,
@@ -16,7 +15,7 @@ from tracking.editing.boxes.floor_boxes import (
     standing_box,
 )
 from tracking.editing.boxes.interpolation import How, Way
-from tracking.editing.boxes.keyframes import key_row_change, standing_row, vouch_for
+from tracking.editing.boxes.keyframes import key_row_change, put_by_hand, standing_row
 from tracking.editing.core.change import Change, State
 from tracking.editing.core.scope import (
     Scope,
@@ -159,20 +158,8 @@ def plan_draw_box(
         EditError: the track stands in the frame already, the box is none, or the id is new and far
             above the highest ever used.
     """
-    if frame < 0:
-        raise EditError("frame {frame} is negative; frames count from 0", frame=frame)
     owner = next_track(table) if track is None else track
-    check_id(table, owner)
-    if frame >= LARGEST_NUMBER:
-        raise EditError(
-            "frame {frame}: frames go up to {last}", frame=frame, last=LARGEST_NUMBER - 1
-        )
-    if len(table.of_track(owner, frame, frame + 1)["frame"]):
-        raise EditError(
-            "track {owner} stands in frame {frame} already; move its box instead",
-            owner=owner,
-            frame=frame,
-        )
+    _check_free(table, owner, frame)
     _check_box(box)
     if position is None and view is not None:
         position = body_position(view, box)
@@ -230,6 +217,23 @@ def _drawn(track: int, frame: int) -> Rows:
     return row
 
 
+def _check_free(table: TrackTable, track: int, frame: int) -> None:
+    """Raise EditError where no row of a track, known or new, can be added in a frame."""
+    if frame < 0:
+        raise EditError("frame {frame} is negative; frames count from 0", frame=frame)
+    check_id(table, track)
+    if frame >= LARGEST_NUMBER:
+        raise EditError(
+            "frame {frame}: frames go up to {last}", frame=frame, last=LARGEST_NUMBER - 1
+        )
+    if len(table.of_track(track, frame, frame + 1)["frame"]):
+        raise EditError(
+            "track {owner} stands in frame {frame} already; move its box instead",
+            owner=track,
+            frame=frame,
+        )
+
+
 def _check_box(box: Box) -> None:
     if not (len(box) == 4 and np.isfinite(box).all() and box[2] > 0 and box[3] > 0):
         raise EditError(
@@ -241,9 +245,7 @@ def _place(row: Rows, box: Box, place: Place) -> None:
     """Write a person's box and place into a single row; NaN: the place is unknown."""
     if np.isinf(place).any():
         raise EditError("place {place} is none; x and y in metres are needed", place=place)
-    for name, value in zip((*SIDES, "x", "y"), (*box, *place), strict=True):
-        row[name][0] = value
-    vouch_for(row)
+    put_by_hand(row, box, place)
 
 
 def plan_mark_occluded(

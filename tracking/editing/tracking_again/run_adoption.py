@@ -22,7 +22,7 @@ from tracking.editing.tracking_again.protection import (
 )
 from tracking.errors import EditError
 from tracking.tracks import Columns, Labels, Run, TrackTable
-from tracking.translation import msg
+from tracking.translation import Message, msg
 
 
 def plan_take(
@@ -59,19 +59,10 @@ def plan_take(
     taken = exchangeable(found, _is_in(found.corrected, chosen), _is_in(found.found, chosen))
     before = select_rows(found.corrected, taken.leaves)
     before, after = _without_same(before, select_rows(found.found, taken.enters))
+    where = _where(found, table)
     if not len(before["frame"]) and not len(after["frame"]):
-        raise EditError(
-            "nothing to take {where}: {why}", where=_where(found, table), why=_why(found)
-        )
-    touched = np.union1d(before["track"], after["track"]).tolist()
-    again = msg("as tracked again by") if run.known_tracks else msg("from the run of")
-    text = msg(
-        "Take {who} {where}, {again} {tracker}",
-        who=tracks_text(touched),
-        where=_where(found, table),
-        again=again,
-        tracker=run.tracker,
-    )
+        raise EditError("nothing to take {where}: {why}", where=where, why=_why(found))
+    text = _text(run, np.union1d(before["track"], after["track"]).tolist(), where)
     first = min(int(rows["frame"][0]) for rows in (before, after) if len(rows["frame"]))
     return Change("take", text, first, State(rows=before), State(rows=after), Scope(*found.frames))
 
@@ -111,6 +102,18 @@ def _without_same(before: Rows, after: Rows) -> tuple[Rows, Rows]:
 def _where(found: Alignment, table: TrackTable) -> str:
     start, end = found.frames
     return scope_text(start, None if end >= table.frame_stop else end)
+
+
+def _text(run: Run, tracks: Sequence[int], where: str) -> Message:
+    """What is done, as the log keeps it."""
+    again = msg("as tracked again by") if run.known_tracks else msg("from the run of")
+    return msg(
+        "Take {who} {where}, {again} {tracker}",
+        who=tracks_text(tracks),
+        where=where,
+        again=again,
+        tracker=run.tracker,
+    )
 
 
 def _why(found: Alignment) -> str:
