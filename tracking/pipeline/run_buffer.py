@@ -146,13 +146,7 @@ class KeptSteps:
             detector=detector_of(tracker, settings),
             known_tracks=resume.highest_track if resume is not None else 0,
         )
-        if not finish or not settings.get("smooth") or recording.view is None:
-            return run
-        given = resume.last(_TIED_S) if resume is not None else None
-        finisher = tracker_named(tracker).finisher.finish
-        return finish_with_ticks(
-            finisher, run, recording.view, recording.fps, given, Ticks.of(recording)
-        )
+        return _finished(run, recording, resume) if finish else run
 
     def run_so_far(
         self,
@@ -193,6 +187,17 @@ class KeptSteps:
             self._state = (settled, [])
             raise
         self._state = (settled + len(waiting), [])
+
+
+def _finished(run: Run, recording: Recording, resume: Resume | None) -> Run:
+    """The run with smoothed tracks, where its settings want them and there is a floor."""
+    if not run.settings.get("smooth") or recording.view is None:
+        return run
+    given = resume.last(_TIED_S) if resume is not None else None
+    finisher = tracker_named(run.tracker).finisher.finish
+    return finish_with_ticks(
+        finisher, run, recording.view, recording.fps, given, Ticks.of(recording)
+    )
 
 
 def run_of_steps(

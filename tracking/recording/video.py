@@ -317,20 +317,7 @@ def pace_of(times_s: NDArray[np.float64] | None, told_fps: float | None) -> Pace
     usual = float(np.median(steps))
     regular = steps[np.abs(steps - usual) < 0.5 * usual]
     if len(regular) < _REGULAR_SHARE * len(steps):
-        fps = len(steps) / float(times_s[-1])
-        spread = msg(
-            "{shortest:.0f} to {longest:.0f} ms",
-            shortest=steps.min() * 1000,
-            longest=steps.max() * 1000,
-        )
-        return Pace(
-            fps,
-            (
-                msg(
-                    "the time between frames varies ({spread}); the mean rate counts", spread=spread
-                ),
-            ),
-        )
+        return Pace(len(steps) / float(times_s[-1]), (_uneven(steps),))
     fps = 1 / float(regular.mean())
     if told_fps and abs(told_fps - fps) < 0.005 * fps:
         fps = told_fps
@@ -338,13 +325,19 @@ def pace_of(times_s: NDArray[np.float64] | None, told_fps: float | None) -> Pace
     gaps = np.flatnonzero(missing > 0)
     if not gaps.size:
         return Pace(fps, ())
-    return Pace(
-        fps,
-        (
-            msg(
-                "{frames} not recorded, first after {first}",
-                frames=count_msg(int(missing[gaps].sum()), "{n} frame", "{n} frames"),
-                first=gaps[0],
-            ),
-        ),
+    note = msg(
+        "{frames} not recorded, first after {first}",
+        frames=count_msg(int(missing[gaps].sum()), "{n} frame", "{n} frames"),
+        first=gaps[0],
     )
+    return Pace(fps, (note,))
+
+
+def _uneven(steps_s: NDArray[np.float64]) -> Message:
+    """What is said of frames (n + 1,) whose steps in time (n,) differ."""
+    spread = msg(
+        "{shortest:.0f} to {longest:.0f} ms",
+        shortest=steps_s.min() * 1000,
+        longest=steps_s.max() * 1000,
+    )
+    return msg("the time between frames varies ({spread}); the mean rate counts", spread=spread)

@@ -11,7 +11,7 @@ from tracking.editing import Change, Entry, StoredChange, plan_undo_alone, with_
 from tracking.errors import EditError, OutputError, SessionError
 from tracking.owned_files import real_path
 from tracking.session.backups import read_backup, with_runs_from
-from tracking.session.image import Stamps, empty_snapshot
+from tracking.session.image import Snapshot, Stamps, empty_snapshot
 from tracking.session.journal import Act
 from tracking.session.known_recordings import KnownRecordings
 from tracking.session.notes import tell
@@ -262,9 +262,7 @@ class Session(OnDisk):
         stamps = next_stamps(older.stamps, self._stamps, store)
         recording = self._whereabouts.reference
         if older.changed:
-            kept = keep_damaged(path, file).name
-            findings = (*older.findings[:-1], replace(older.findings[-1], kept=kept))
-            older = replace(older, findings=findings, changed=False)
+            older = _with_damaged_kept(older, keep_damaged(path, file).name)
         snapshot = replace(with_runs_from(older, file), stamps=stamps, recording=recording)
         pending = PendingSave(snapshot, path, 0, store, UNLIMITED)
         try:
@@ -316,3 +314,9 @@ class Session(OnDisk):
         )
         self._notes += [tell(note) for note in notes if note not in self._notes]
         return recording
+
+
+def _with_damaged_kept(older: Snapshot, kept: str) -> Snapshot:
+    """A backup that was changed on being read; kept: the file that holds it as it was."""
+    findings = (*older.findings[:-1], replace(older.findings[-1], kept=kept))
+    return replace(older, findings=findings, changed=False)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 from tracking.errors import EditError, OutputError, SessionError
@@ -75,22 +76,20 @@ def recover(edited: EditedTracks, store: Store, stamps: Stamps) -> Recovery:
     if not (misfit or missing.problem):
         return _gone_on_with(journal, stamps, steps, store.kept_aside)
 
-    def damage(kept: Message) -> Message:
-        if misfit:
-            return msg(
-                "{edits} ({why}); {kept}",
-                edits=explain_misfit(steps[made:]),
-                why=misfit,
-                kept=kept,
-            )
-        return msg(
-            "the journal of edits is damaged ({problem}); it was {kept}: {may_miss}",
-            problem=missing.problem,
-            kept=kept,
-            may_miss=MAY_MISS,
-        )
-
+    damage = partial(_damage_of, misfit, missing.problem, steps[made:])
     return _replaced(store, stamps, steps[:made], damage)
+
+
+def _damage_of(misfit: Message, problem: str, left: Sequence[Step], kept: Message) -> Message:
+    """What is wrong with a journal: the steps that are left do not fit, or else its problem."""
+    if misfit:
+        return msg("{edits} ({why}); {kept}", edits=explain_misfit(left), why=misfit, kept=kept)
+    return msg(
+        "the journal of edits is damaged ({problem}); it was {kept}: {may_miss}",
+        problem=problem,
+        kept=kept,
+        may_miss=MAY_MISS,
+    )
 
 
 def _gone_on_with(
