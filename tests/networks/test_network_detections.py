@@ -56,3 +56,18 @@ def test_finding_nobody_is_warned_of(source: NetworkDetections) -> None:
     source.look(StereoFrame(0, 0.0, np.zeros((64, 64, 3), np.uint8), None))
     assert len(source.of(0)) == 0
     assert source.notes[0].startswith("warning: people.toml (network test network) found nobody")
+
+
+def test_who_is_outside_of_the_region_is_not_found(tmp_path: Path) -> None:
+    looked_at = np.zeros((2 * SIZE, 2 * SIZE), np.uint8)
+    looked_at[:, SIZE:] = 255
+    read = model(tmp_path, bright_rectangles(10, 20), **KEYS)
+    settings = DetectionSettings(model="people.toml", max_overlap=0.3)
+    made = NetworkDetections(read, settings, both=False, looked_at=looked_at)
+    try:
+        made.look(StereoFrame(0, 0.0, picture(16, 40), None))
+        assert len(made.of(0)) == 0
+        made.look(StereoFrame(1, 0.1, picture(SIZE + 16, 40), None))
+        assert len(made.of(1)) == 1
+    finally:
+        made.close()

@@ -62,18 +62,21 @@ class BoxTable:
         return self.select(self.score >= least)
 
     def in_region(self, looked_at: Mask | None) -> BoxTable:
-        """Those whose middle lies where people are looked for.
+        """Those in the region of interest, see `are_in_region`; None: all."""
+        return self if looked_at is None else self.select(are_in_region(self.box, looked_at))
 
-        Args:
-            looked_at: (height, width) non-zero there; None: everywhere.
-        """
-        if looked_at is None or not len(self):
-            return self
-        height, width = looked_at.shape
-        u, v = np.rint(self.box[:, :2] + self.box[:, 2:] / 2).T
-        inside = (u >= 0) & (v >= 0) & (u < width) & (v < height)
-        u, v = (np.where(inside, side, 0).astype(np.intp) for side in (u, v))
-        return self.select(inside & (looked_at[v, u] > 0))
+
+def are_in_region(box: Floats, looked_at: Mask) -> Flags:
+    """(n,) whether the middles of boxes (n, 4) px lie where people are looked for.
+
+    Args:
+        looked_at: (height, width) non-zero there, of the picture as recorded.
+    """
+    height, width = looked_at.shape
+    u, v = np.rint(box[:, :2] + box[:, 2:] / 2).T
+    inside = (u >= 0) & (v >= 0) & (u < width) & (v < height)
+    u, v = (np.where(inside, side, 0).astype(np.intp) for side in (u, v))
+    return np.asarray(inside & (looked_at[v, u] > 0))
 
 
 def learnt_threshold(score: Floats) -> float:

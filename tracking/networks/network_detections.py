@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from tracking.arrays import Mask
 from tracking.detections import DetectionSettings, place_of
 from tracking.detections.settings import ONLY
-from tracking.detections.table import suppress_overlaps
+from tracking.detections.table import are_in_region, suppress_overlaps
 from tracking.networks.model_file import Model, read_model
 from tracking.networks.network_process import NetworkProcess
 from tracking.people.detection_source import FrameDetections
@@ -22,13 +23,22 @@ class NetworkDetections:
     Args:
         model: the network. settings: which of its boxes are used.
         both: whether the right camera is looked at, too.
+        looked_at: the region of interest in the left picture, see `Recording`; None: everywhere.
 
     Raises FormatError where it cannot be run; what it holds is to be closed.
     """
 
-    def __init__(self, model: Model, settings: DetectionSettings, *, both: bool) -> None:
+    def __init__(
+        self,
+        model: Model,
+        settings: DetectionSettings,
+        *,
+        both: bool,
+        looked_at: Mask | None = None,
+    ) -> None:
         self._model, self._settings, self._both = model, settings, both
         self._process = NetworkProcess(model, settings.max_overlap, 2 if both else 1)
+        self._looked_at = looked_at
         self._left: dict[int, FrameDetections] = {}
         self._right: dict[int, FrameDetections] = {}
         self._pictures = self._count = 0
@@ -42,6 +52,9 @@ class NetworkDetections:
         pictures = [frame.left] if right is None else [frame.left, right]
         found = self._process.find(pictures, self._least_score)
         chosen = [suppress_overlaps(boxes, self._settings.max_overlap) for boxes in found]
+        if self._looked_at is not None:
+            left = are_in_region(chosen[0].box, self._looked_at)
+            chosen[0] = FrameDetections(chosen[0].box[left], chosen[0].score[left])
         self._left = {frame.number: chosen[0]}
         self._right = {} if right is None else {frame.number + (frame.right_lag or 0): chosen[1]}
         self._pictures += len(chosen)
@@ -128,4 +141,6 @@ def network_detections(
     if not settings.model:
         return None
     model = read_model(place_of(recording, settings.model))
-    return NetworkDetections(model, settings, both=stereo and recording.is_stereo)
+    return NetworkDetections(
+        model, settings, both=stereo and recording.is_stereo, looked_at=recording.looked_at
+    )
