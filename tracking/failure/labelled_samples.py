@@ -97,30 +97,32 @@ def samples_of(
     Returns:
         Samples by frame, track and part; those of one instant and part: the tracker's first.
     """
-    given = sorted(labels, key=lambda label: label.key)
     seen = part_states(parts, fps)
-    places = np.array([(label.track, label.frame) for label in given], np.int64).reshape(-1, 2)
-    rows = seen.rows_of(places[:, 0], places[:, 1]).tolist()
-    told = [(label, row) for label, row in zip(given, rows, strict=True) if row >= 0]
-    if not told:
-        return no_samples()
+    told = _with_rows(labels, seen)
     right = _put_right(seen, told)
     drafts = [draft for label, row in told for draft in _drafts(label, row, seen, right)]
     if not drafts:
         return no_samples()
     now = np.stack([draft.state for draft in drafts])
     asked = np.array([draft.row for draft in drafts], np.int64)
-    mended = np.array([draft.mended for draft in drafts])[:, None, None]
     times = seen.frame / fps
-    before = np.where(
-        mended,
-        states_before(times, seen.track, right, asked, now),
-        states_before(times, seen.track, seen.states, asked, now),
+    mended = np.array([draft.mended for draft in drafts])[:, None, None]
+    tracked, corrected = (
+        states_before(times, seen.track, states, asked, now) for states in (seen.states, right)
     )
+    before = np.where(mended, corrected, tracked)
     named = [(recording, *draft.named) for draft in drafts]
     known = people or {}
     person = np.array([known.get(draft.named[0], 0) for draft in drafts], np.int32)
     return samples_from_rows(named, part_features(now, before), person=person, time_s=times[asked])
+
+
+def _with_rows(labels: Iterable[PartLabel], seen: PartStates) -> list[tuple[PartLabel, int]]:
+    """The labels in order, each with its row of the run; those of people not seen are left out."""
+    given = sorted(labels, key=lambda label: label.key)
+    places = np.array([(label.track, label.frame) for label in given], np.int64).reshape(-1, 2)
+    rows = seen.rows_of(places[:, 0], places[:, 1]).tolist()
+    return [(label, row) for label, row in zip(given, rows, strict=True) if row >= 0]
 
 
 @dataclass(frozen=True, slots=True, eq=False)

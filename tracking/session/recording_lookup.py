@@ -65,22 +65,32 @@ def find_recording(
     problems: list[Message] = []
     trusted = None if known is None else _plain(known)
     for place in _places(reference, session_folder, search, trusted, allow_outside):
-        failures: list[Message] = []
-        for way in _ways(reference, place, allow_outside, place == trusted):
-            try:
-                recording = way()
-            except TrackwrightError as why:
-                failures.append(why.message)
-                continue
-            if _is_it(reference, recording):
-                moved = _moved(reference, session_folder, search, place)
-                return FoundRecording(
-                    recording, place, (*failures, *moved, *_changes(reference, recording))
-                )
-            recording.close()
-            failures.append(msg("what stands at {place} is another one", place=place))
+        recording, failures = _opened(reference, place, allow_outside, place == trusted)
+        if recording is not None:
+            moved = _moved(reference, session_folder, search, place)
+            return FoundRecording(
+                recording, place, (*failures, *moved, *_changes(reference, recording))
+            )
         problems += failures
     raise _missing(reference, problems).advising("name its place", option="--recording PATH")
+
+
+def _opened(
+    reference: RecordingReference, place: Path, allow_outside: bool, trusted: bool
+) -> tuple[Recording | None, list[Message]]:
+    """The session's recording at a place, None where it is not there; and what failed before."""
+    failures: list[Message] = []
+    for way in _ways(reference, place, allow_outside, trusted):
+        try:
+            recording = way()
+        except TrackwrightError as why:
+            failures.append(why.message)
+            continue
+        if _is_it(reference, recording):
+            return recording, failures
+        recording.close()
+        failures.append(msg("what stands at {place} is another one", place=place))
+    return None, failures
 
 
 def _places(
