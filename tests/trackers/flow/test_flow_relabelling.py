@@ -101,12 +101,6 @@ def test_who_stands_stays_as_followed() -> None:
     assert own.tolist() == list(range(5, 75))
 
 
-def test_who_is_followed_where_no_tracklets_lead_is_nobody() -> None:
-    unproven = Walker((0.9, 9.0), (0.0, -0.8), range(0))
-    run = run_with((COMING, unproven), ((1, 0, range(5, 75)), (2, 1, range(5, 75))))
-    assert set(relabel_run(run, VIEW, FPS).tracks["track"]) == {1}
-
-
 def test_tracklets_of_who_stays_as_followed_stay_theirs_under_the_new_name_too() -> None:
     standing = Walker((0.9, 6.0), (0.0, 0.0))
     followed = ((2, 1, range(5, 20)), (2, 0, range(20, 60)), (2, 1, range(60, 75)))

@@ -37,8 +37,6 @@ _BREAK_S = 0.3
 _LEAST_S = 1.0
 """Pieces of tracks that no trajectory explains stay if they are as long: who stands, or has few
 tracklets."""
-_SLOW_M_S = 0.35
-"""Who goes on more slowly stands."""
 _NEAR_ACROSS_M, _NEAR_ALONG = 0.5, 0.2
 """So near to a trajectory, across the sight and along it, as a share of the distance, is who walks
 it."""
@@ -183,7 +181,7 @@ def _find_pieces_off_trajectories(
     taken, found = set(relabelled["track"].tolist()), list[tuple[int, Rows]]()
     off = [np.zeros(0, np.intp), *(piece[_is_off(tracks, piece, relabelled)] for piece in pieces)]
     for rows in _split_at_gaps(tracks, np.concatenate(off), fps):
-        if len(rows) < _LEAST_S * fps or _is_walking(tracks, rows, fps):
+        if len(rows) < _LEAST_S * fps:
             continue
         name = int(tracks["track"][rows[0]])
         if name in taken:  # whether it is the same person is settled later
@@ -192,13 +190,6 @@ def _find_pieces_off_trajectories(
         taken.add(name)
         found.append((name, rows))
     return found
-
-
-def _is_walking(tracks: Columns, rows: Rows, fps: float) -> bool:
-    """Whether rows of a track lead on: who walks has a trajectory, or is nobody."""
-    place = places_of(tracks, rows[[0, -1]])
-    elapsed_s = (tracks["frame"][rows[-1]] - tracks["frame"][rows[0]]) / fps
-    return bool(np.hypot(*(place[1] - place[0])) > _SLOW_M_S * elapsed_s)
 
 
 def _concatenate(relabelled: Columns, tracks: Columns, off: Sequence[tuple[int, Rows]]) -> Columns:
