@@ -17,9 +17,10 @@ Flags = NDArray[np.bool_]
 _LED_S = 0.3
 _FAIR = 3.0
 """Misfit up to which a tracklet counts in full."""
-_HALF_WIDTH_M, _HIGHEST_M, _BEHIND_M = 0.25, 1.85, 0.3
-"""What is seen so near to a body's axis, and no higher, is of this body: of nobody who is farther
-away than it by more."""
+_HEIGHTS_M, _HALF_WIDTHS_M = (0.0, 0.8, 1.5, 1.6, 1.75), (0.12, 0.2, 0.22, 0.12, 0.08)
+_BEHIND_M = 0.3
+"""What is seen within this outline of a body is of this body: of nobody who is farther away than
+it by more."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -77,6 +78,6 @@ def cover_rows(
     rows, place, z_m = rows_near(trajectory, chains, floor)
     slope = chains.slope[rows]
     cross = slope[:, 1] * place[:, 0] - slope[:, 0] * place[:, 1]
-    shown = np.abs(cross) < _HALF_WIDTH_M * np.maximum(np.hypot(*slope.T), 1e-6)
-    shown &= (z_m > 0.0) & (z_m < _HIGHEST_M)
+    half_m = np.interp(z_m, _HEIGHTS_M, _HALF_WIDTHS_M, left=0.0, right=0.0)
+    shown = np.abs(cross) < half_m * np.maximum(np.hypot(*slope.T), 1e-6)
     front_m[rows[shown]] = np.minimum(front_m[rows[shown]], np.hypot(*place[shown].T))

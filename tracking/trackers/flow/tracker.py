@@ -127,7 +127,7 @@ class FlowTracker(TrackerBase[FlowSettings]):
         speed = speeds(seen.tracklets, self._history, self._fps, self._floor)
         gone = (owner == 0) & (speed < self._settings.points.min_speed_m_s)
         if self._settings.points.foreground_only:
-            gone |= _on_shadow(seen)
+            gone |= (owner == 0) & _on_shadow(seen)
         self._follower.drop(gone)
 
 

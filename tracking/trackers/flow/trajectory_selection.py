@@ -31,7 +31,7 @@ _LEAST_ROWS_S, _LEAST_S, _LEAST_WAY_M = 4.0, 0.8, 0.8
 least."""
 _LEAST_SHARE = 0.4
 """Of what a trajectory explains, that nobody else explains already."""
-_TWIN_ACROSS_M, _TWIN_ACROSS, _TWIN_ALONG, _TWIN_SHARE = 0.45, 0.02, 0.12, 0.5
+_TWIN_ACROSS_M, _TWIN_ACROSS, _TWIN_ALONG, _TWIN_SHARE = 0.4, 0.02, 0.08, 0.5
 """Nobody walks so near to another, across the sight (in m, and as a share of the distance if that
 is more) and along it (as a share of it), for as large a share of the time."""
 
