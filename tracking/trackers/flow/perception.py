@@ -100,6 +100,11 @@ class FlowPerception:
         overlays = _overlays(mask, frame.left)
         return FlowObservation(frame.number, frame.time_s, people, overlays, frame.left, mask=mask)
 
+    @property
+    def learns(self) -> bool:
+        """Whether something is learnt of the frame observed last, so that `tell` is of use."""
+        return self._background.update_is_due
+
     def tell(self, people: BodyMasks) -> None:
         """Say where people are in the frame observed last, before the next is observed.
 

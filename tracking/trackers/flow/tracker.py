@@ -92,12 +92,13 @@ class FlowTracker(TrackerBase[FlowSettings]):
             self._people.take_over(resume_walkers(resume), seen)
 
     def step(self, observation: Observation) -> StepResult:
-        """Take one frame further: follow points, then the stages, then drop points that stand."""
+        """Take one frame further: follow points, then the stages, then drop idle points."""
         seen = self._measure(observation)
         self._people.step(seen)
         result = self._report(observation.frame, seen)
         self._drop(seen, self._people.owner)
-        self._perception.tell(body_masks(self._people.walkers, self._floor))
+        if self._perception.learns:
+            self._perception.tell(body_masks(self._people.walkers, self._floor))
         return result
 
     def _report(self, frame: int, seen: FlowFrame) -> StepResult:
@@ -123,12 +124,12 @@ class FlowTracker(TrackerBase[FlowSettings]):
         return FlowFrame.of(tracklets, mask, elapsed_s, self._fps, self._floor)
 
     def _drop(self, seen: FlowFrame, owner: NDArray[np.int32]) -> None:
-        """Follow no further what is nobody's and hardly moves, nor what moves as a shadow does."""
+        """Follow no further what is nobody's and hardly moves, or lies in a shadow."""
         speed = speeds(seen.tracklets, self._history, self._fps, self._floor)
-        gone = (owner == 0) & (speed < self._settings.points.min_speed_m_s)
+        idle = speed < self._settings.points.min_speed_m_s
         if self._settings.points.foreground_only:
-            gone |= (owner == 0) & _on_shadow(seen)
-        self._follower.drop(gone)
+            idle |= _on_shadow(seen)
+        self._follower.drop((owner == 0) & idle)
 
 
 def _solid(mask: NDArray[np.uint8]) -> NDArray[np.uint8]:
