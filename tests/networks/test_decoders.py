@@ -45,7 +45,7 @@ def found(
     return [(*map(float, box), float(s)) for box, s in zip(boxes.box, boxes.score, strict=True)]
 
 
-def only_box(rows: list[tuple[float, ...]], score: float) -> None:
+def assert_only_box(rows: list[tuple[float, ...]], score: float) -> None:
     """The box is the only one, with that score."""
     assert len(rows) == 1
     assert rows[0] == pytest.approx((*BOX, score), abs=1e-3)
@@ -57,30 +57,30 @@ def test_yolox_from_steps_of_its_grids(tmp_path: Path, engine: str) -> None:
     at = 64 + 1 * 4 + 1  # of the grid of 16 px: row 1, column 1
     rows[at] = (20 / 16 - 1, 28 / 16 - 1, np.log(20 / 16), np.log(40 / 16), 0.9, 0.8, 0.1)
     rows[0] = (0, 0, 0, 0, 0.9, 0.1, 0.8)  # a dog
-    only_box(found(tmp_path, {"output": rows}, decoder="yolox", engine=engine), 0.72)
+    assert_only_box(found(tmp_path, {"output": rows}, decoder="yolox", engine=engine), 0.72)
 
 
 def test_yolox_that_has_decoded_its_boxes(tmp_path: Path) -> None:
     rows = _rows((*CENTRE, 0.9, 0.8, 0.1), count=10)
-    only_box(found(tmp_path, {"output": rows}, decoder="yolox", decoded=True), 0.72)
+    assert_only_box(found(tmp_path, {"output": rows}, decoder="yolox", decoded=True), 0.72)
 
 
 @pytest.mark.parametrize("engine", ENGINES)
 def test_yolo_with_objectness_as_v5_has_it(tmp_path: Path, engine: str) -> None:
     rows = _rows((*CENTRE, 0.9, 0.8, 0.1), (*CENTRE, 0.8, 0.8, 0.1), (*CENTRE, 0.9, 0.1, 0.9))
-    only_box(found(tmp_path, {"output": rows}, decoder="yolo", engine=engine), 0.72)
+    assert_only_box(found(tmp_path, {"output": rows}, decoder="yolo", engine=engine), 0.72)
 
 
 @pytest.mark.parametrize("engine", ENGINES)
 def test_yolo_in_columns_as_v8_has_it(tmp_path: Path, engine: str) -> None:
     rows = _rows((*CENTRE, 0.8, 0.1), (*CENTRE, 0.7, 0.1), (*CENTRE, 0.1, 0.9))
     columns = np.ascontiguousarray(rows.T)
-    only_box(found(tmp_path, {"output0": columns}, decoder="yolo", engine=engine), 0.8)
+    assert_only_box(found(tmp_path, {"output0": columns}, decoder="yolo", engine=engine), 0.8)
 
 
 def test_yolo_that_has_chosen_its_boxes_as_v10_has_it(tmp_path: Path) -> None:
     rows = _rows((*CORNERS, 0.8, 0.0), (*CORNERS, 0.9, 1.0), count=300)
-    only_box(found(tmp_path, {"output0": rows}, decoder="yolo"), 0.8)
+    assert_only_box(found(tmp_path, {"output0": rows}, decoder="yolo"), 0.8)
 
 
 def test_a_head_that_may_be_two_has_to_be_named(tmp_path: Path) -> None:
@@ -88,7 +88,7 @@ def test_a_head_that_may_be_two_has_to_be_named(tmp_path: Path) -> None:
     keys: dict[str, Any] = {"decoder": "yolo", "classes": ["person"]}
     with pytest.raises(FormatError, match="may be of head v10 or v5"):
         found(tmp_path, {"output0": rows}, **keys)
-    only_box(found(tmp_path, {"output0": rows}, head="v10", **keys), 0.8)
+    assert_only_box(found(tmp_path, {"output0": rows}, head="v10", **keys), 0.8)
 
 
 @pytest.mark.parametrize("engine", ENGINES)
@@ -99,16 +99,16 @@ def test_detr_with_sigmoid_or_softmax_by_the_number_of_its_logits(
     sigmoid = np.full((ROWS, 2), -9.0, np.float32)
     sigmoid[:2] = (2.0, -2.0), (-2.0, 4.0)
     rows = found(tmp_path, {"logits": sigmoid, "pred_boxes": boxes}, **keys)
-    only_box(rows, 1 / (1 + np.exp(-2.0)))
+    assert_only_box(rows, 1 / (1 + np.exp(-2.0)))
     softmax = np.zeros((ROWS, 3), np.float32)
     softmax[:, 2], softmax[0] = 9.0, (3.0, 1.0, 0.0)
     rows = found(tmp_path, {"logits": softmax, "pred_boxes": boxes}, **keys)
-    only_box(rows, np.exp(3) / (np.exp(3) + np.exp(1) + 1))
+    assert_only_box(rows, np.exp(3) / (np.exp(3) + np.exp(1) + 1))
 
 
 def test_detr_in_one_output_with_scores(tmp_path: Path) -> None:
     rows = _rows((*SHARES, 0.8, 0.1), (*SHARES, 0.1, 0.8))
-    only_box(found(tmp_path, {"output0": rows}, decoder="detr"), 0.8)
+    assert_only_box(found(tmp_path, {"output0": rows}, decoder="detr"), 0.8)
 
 
 @pytest.mark.parametrize(
@@ -128,12 +128,12 @@ def test_plain_boxes_with_scores_and_labels(
         "scores": np.array([0.8, 0.9] + [0.0] * (ROWS - 2), np.float32),
         "labels": np.array([0, 1] + [0] * (ROWS - 2), np.int64),
     }
-    only_box(found(tmp_path, outputs, decoder="boxes", **keys), 0.8)
+    assert_only_box(found(tmp_path, outputs, decoder="boxes", **keys), 0.8)
 
 
 def test_plain_boxes_in_one_output(tmp_path: Path) -> None:
     rows = _rows((*CORNERS, 0.8, 0.0), (*CORNERS, 0.9, 1.0))
-    only_box(found(tmp_path, {"dets": rows}, decoder="boxes"), 0.8)
+    assert_only_box(found(tmp_path, {"dets": rows}, decoder="boxes"), 0.8)
 
 
 @pytest.mark.parametrize(
