@@ -190,8 +190,8 @@ class KeptSteps:
 
 
 def _finished(run: Run, recording: Recording, resume: Resume | None) -> Run:
-    """The run with smoothed tracks, where its settings want them and there is a floor."""
-    if not run.settings.get("smooth") or recording.view is None:
+    """The run finished, where its settings want it."""
+    if not run.settings.get("smooth"):
         return run
     given = resume.last(_TIED_S) if resume is not None else None
     finisher = tracker_named(run.tracker).finisher.finish

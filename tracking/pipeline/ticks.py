@@ -13,7 +13,7 @@ from tracking.geometry import View
 from tracking.recording import Recording
 from tracking.tracks import Columns, Particles, Run
 
-Finish = Callable[[Run, View, float, Columns | None], Run]
+Finish = Callable[[Run, View | None, float, Columns | None], Run]
 
 _LONGEST_S = 20.0
 """Between two frames; more is as much: nobody is waited for so long, and times may be nonsense."""
@@ -66,7 +66,12 @@ class Ticks:
 
 
 def finish_with_ticks(
-    finish: Finish, run: Run, view: View, fps: float, given: Columns | None, ticks: Ticks | None
+    finish: Finish,
+    run: Run,
+    view: View | None,
+    fps: float,
+    given: Columns | None,
+    ticks: Ticks | None,
 ) -> Run:
     """The run finished by a tracker's `finish`, which takes frames for even time.
 
@@ -75,6 +80,7 @@ def finish_with_ticks(
     one frame to the next one, whenever that came.
 
     Args:
+        view: the camera on its floor; None: no floor is known.
         given: rows of earlier frames that stand fast. ticks: of the recording, if there are any.
     """
     first, stop = run.frames

@@ -26,7 +26,12 @@ from tracking.trackers.flow import (
     link_walkers,
 )
 from tracking.trackers.joint import JointSettings, build_joint
-from tracking.trackers.linking import Finisher, Published, link_tracks
+from tracking.trackers.linking import (
+    Finisher,
+    Published,
+    extend_ends_in_pixels,
+    link_tracks,
+)
 from tracking.trackers.shared.overlays import TrackerOverlays
 from tracking.trackers.shared.protocol import Perception, Tracker
 from tracking.trackers.spheroid import SPHEROID_OVERLAYS, SpheroidSettings, build_spheroid
@@ -100,6 +105,7 @@ _FLOW_PATH_MEMORY_S = 0.25
 _LIVE_IF_PAPER = Finisher(published=Published((("paper", True),), smoothed=False))
 _THREE_PART = Finisher(
     relabel=link_tracks,
+    extend_in_pixels=extend_ends_in_pixels,
     published=Published((("adjust", False), ("reidentify", False)), smoothed=False),
 )
 

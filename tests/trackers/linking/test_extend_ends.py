@@ -17,6 +17,7 @@ from tests.trackers.linking.linked_runs import (
     run_of,
     straight,
 )
+from tracking.trackers.linking import Finisher, extend_ends_in_pixels
 from tracking.tracks import Columns, Run
 
 WAY = straight((-1.5, 6), (1.5, 6), 80)
@@ -76,3 +77,17 @@ def test_detections_elsewhere_are_nobodys(shift: tuple[float, float]) -> None:
         seen[name][:8] = column
     run = link_run(replace(tracked, detections=seen), VIEW, FPS)
     assert run.tracks["frame"].min() == 8
+
+
+def test_where_no_floor_is_known_boxes_alone_lead_tracks_on() -> None:
+    tracked = known_late_and_lost_early(range(8, 70))
+    nowhere = {name: np.full(80, np.nan, np.float32) for name in ("x", "y")}
+    run = replace(tracked, detections={**tracked.detections, **nowhere})
+    finished = Finisher(extend_in_pixels=extend_ends_in_pixels).finish(run, None, FPS)
+    assert finished.tracks["frame"].tolist() == list(range(80))
+    assert np.isnan(finished.tracks["x"][[0, 79]]).all()
+
+
+def test_without_floor_a_tracker_that_needs_one_keeps_its_tracks_as_they_were() -> None:
+    run = known_late_and_lost_early(range(8, 70))
+    assert link_run(run, None, FPS) is run

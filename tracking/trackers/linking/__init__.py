@@ -10,7 +10,8 @@ Where no source stands beside a constant, it was chosen on rendered clips: tunin
 which number is not recorded.
 """
 
+from tracking.trackers.linking.extend_ends import extend_ends_in_pixels
 from tracking.trackers.linking.finisher import Finisher, Published
 from tracking.trackers.linking.linker import link_tracks
 
-__all__ = ["Finisher", "Published", "link_tracks"]
+__all__ = ["Finisher", "Published", "extend_ends_in_pixels", "link_tracks"]

@@ -46,7 +46,7 @@ class _Ends:
     box: Floats
 
 
-def extend_ends(run: Run, free: Flags, view: View, fps: float) -> Run:
+def extend_ends(run: Run, free: Flags, view: View | None, fps: float) -> Run:
     """The run with its people from when they were first detected until they were last.
 
     A tracker waits until it is sure that somebody is there, and tells nothing before. Afterwards
@@ -56,18 +56,29 @@ def extend_ends(run: Run, free: Flags, view: View, fps: float) -> Run:
     Args:
         free: (detections,) whom the tracker gave to nobody; what it gave to somebody and is in
             doubt stays nobody's.
-        view: the camera the boxes were seen by. fps: frames a second.
+        view: the camera the boxes were seen by; None: no floor is known, and boxes alone tell.
+        fps: frames a second.
     """
-    found = [_chain(run, free, fps, back) for back in (True, False)]
+    found = [_chain(run, free, fps, back, placed=view is not None) for back in (True, False)]
     row, detection = np.concatenate(found, axis=1)
     taken, first = np.unique(detection, return_index=True)
     return _add_rows(run, row[first], taken, view) if len(taken) else run
 
 
-def _chain(run: Run, unnamed: Flags, fps: float, back: bool) -> Rows:
+def extend_ends_in_pixels(run: Run, fps: float) -> Run:
+    """`extend_ends` where no floor is known, over the detections that the tracker gave to nobody.
+
+    Args:
+        fps: frames a second.
+    """
+    return extend_ends(run, run.detections["track"] == 0, None, fps)
+
+
+def _chain(run: Run, unnamed: Flags, fps: float, back: bool, *, placed: bool) -> Rows:
     """(2, k) a row at that end of a person's track, and a detection that is this person's too."""
     seen, way = run.detections, -1 if back else 1
-    free = np.isfinite(np.stack([seen[name] for name in ("x", "y", *SIDES)])).all(axis=0)
+    needed = ("x", "y", *SIDES) if placed else SIDES
+    free = np.isfinite(np.stack([seen[name] for name in needed])).all(axis=0)
     free = np.flatnonzero(free & unnamed)
     ends, gap, found = _ends(run.tracks, back), round(_GAP_S * fps) + 1, []
     for rows in _frames(seen["frame"][free], back):
@@ -103,17 +114,22 @@ def _ends(tracks: Columns, back: bool) -> _Ends:
 def _match(
     ends: _Ends, near: Rows, seen: Columns, detection: Rows, elapsed_s: Floats
 ) -> tuple[Rows, Rows]:
-    """Who goes on as which detection of a frame, by how much boxes have in common."""
+    """Who goes on as which detection of a frame, by how much boxes have in common.
+
+    Places that are known must be within a walk of each other.
+    """
     place, box = places_of(seen, detection), boxes_of(seen, detection)
     common = overlaps(ends.box[near, None], box[None])
     for k, (end, time_s) in enumerate(zip(near.tolist(), elapsed_s.tolist(), strict=True)):
-        common[k, ~may_have_walked(place - ends.place[end], place, time_s)] = 0.0
+        step = place - ends.place[end]
+        too_far = np.isfinite(step).all(axis=1) & ~may_have_walked(step, place, time_s)
+        common[k, too_far] = 0.0
     one, other = linear_sum_assignment(common, maximize=True)
     good = common[one, other] >= _OVERLAP
     return near[one[good]], detection[other[good]]
 
 
-def _add_rows(run: Run, row: Rows, detection: Rows, view: View) -> Run:
+def _add_rows(run: Run, row: Rows, detection: Rows, view: View | None) -> Run:
     """The run with a row more for each of these detections, like the person's own rows (k,)."""
     seen, tracks = run.detections, run.tracks
     added = {name: tracks[name][row] for name in TRACK_COLUMNS}
@@ -121,7 +137,8 @@ def _add_rows(run: Run, row: Rows, detection: Rows, view: View) -> Run:
         added[name] = seen[name][detection]
     added = dict(typed(added, TRACK_COLUMNS))
     whole, order = merged_rows(tracks, added)
-    expect_visibility(whole, order >= len(tracks["frame"]), view)
+    if view is not None:
+        expect_visibility(whole, order >= len(tracks["frame"]), view)
     track = seen["track"].copy()
     track[detection] = added["track"]
     return replace(

@@ -13,6 +13,7 @@ from tracking.tracks.run import Run
 
 Relabel = Callable[[Run, View, float, Columns | None], Run]
 Extend = Callable[[Run, View, float], Run]
+ExtendInPixels = Callable[[Run, float], Run]
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,23 +43,31 @@ class Finisher:
         path_memory_s: of the smoothed paths, see `smooth_run`.
         extend: (smoothed run, camera, frames a second) -> the run with people before their first
             row and after the last; None: nobody is added.
+        extend_in_pixels: (run, frames a second) -> the same where no floor is known, for trackers
+            that need none; None: such runs stay as they were live.
         published: runs of these settings are smoothed at most.
     """
 
     relabel: Relabel | None = None
     path_memory_s: float = PATH_MEMORY_S
     extend: Extend | None = None
+    extend_in_pixels: ExtendInPixels | None = None
     published: Published | None = None
 
-    def finish(self, run: Run, view: View, fps: float, given: Columns | None = None) -> Run:
+    def finish(self, run: Run, view: View | None, fps: float, given: Columns | None = None) -> Run:
         """The run with what came later taken into account.
 
         Args:
-            view: the camera the boxes were seen by. fps: frames a second.
+            view: the camera the boxes were seen by; None: no floor is known.
+            fps: frames a second.
             given: rows of frames before the run's that stand fast, as corrected by people.
         """
         published = self.published
-        if published is not None and published.has_made(run.settings):
+        as_published = published is not None and published.has_made(run.settings)
+        if view is None:
+            extend = None if as_published else self.extend_in_pixels
+            return run if extend is None else extend(run, fps)
+        if published is not None and as_published:
             return smooth_run(run, view, fps, given) if published.smoothed else run
         if self.relabel is not None:
             run = self.relabel(run, view, fps, given)
