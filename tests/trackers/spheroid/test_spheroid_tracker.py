@@ -32,6 +32,7 @@ from tracking.trackers.spheroid.weights import is_taken
 from tracking.tracks.table import TrackTable
 
 BARREL = (-0.2, 0.05, 0.0, 0.0, 0.0)
+CAMERA = np.array([0.0, 0.0, 2.4])
 
 
 def _with_absence(path: np.ndarray, begin: int, end: int) -> np.ndarray:
@@ -133,9 +134,23 @@ def test_who_is_spread_too_wide_is_let_go() -> None:
     people = begin_people(np.ones(1, np.int32), mean, np.array([1.8]), 0.0, 300, (0.1, 0.2), random)
     assert should_keep(people, settings).all()
     for _ in range(200):
-        people = weigh_hypotheses(predict(people, 1 / FPS, settings, random), np.zeros((1, 300)))
-    assert people.spread[0] > settings.max_spread_m
+        people = weigh_hypotheses(
+            predict(people, 1 / FPS, settings, random, CAMERA), np.zeros((1, 300))
+        )
+    assert people.spread[0] > settings.widest_spread_m
     assert not should_keep(people, settings).any()
+
+
+def test_hypotheses_whose_heights_change_keep_head_or_feet_where_they_were() -> None:
+    settings, random = SpheroidSettings(process_noise_m=0.0), np.random.default_rng(3)
+    mean = np.array([[3.0, 6.0, 0.0, 0.0]])
+    people = begin_people(np.ones(1, np.int32), mean, np.array([1.7]), 0.1, 400, (0, 0), random)
+    later = predict(people, 1 / FPS, settings, random, CAMERA)
+    heads = later.state[0, :, :2] / (CAMERA[2] - later.tall[0, :, None])
+    same_head = np.isclose(heads, mean[0, :2] / (CAMERA[2] - 1.7), rtol=1e-4).all(axis=1)
+    same_feet = np.isclose(later.state[0, :, :2], mean[0, :2]).all(axis=1)
+    assert (same_head | same_feet).all()
+    assert 0.2 < same_head.mean() < 0.4
 
 
 def test_no_ghost_stays_where_somebody_stood_when_the_scene_began() -> None:

@@ -10,7 +10,7 @@ from tracking.foreground import ForegroundSettings, RampSettings
 from tracking.setting import setting, stage
 from tracking.trackers.shared.occluders import occluders_from
 
-_PAPER_HEIGHT_M = 1.8
+_PAPER_HEIGHT_M, _PAPER_SPREAD_M = 1.8, 0.9
 _UNUSED = (
     *("shadow_threshold", "floor_shadow_threshold", "shadow_texture", "shadow_hue"),
     *("shadow_constant", "shadow_min_brightness"),
@@ -141,11 +141,11 @@ class SpheroidSettings:
         group="Track management",
     )
     max_spread_m: float = setting(
-        0.9,
+        1.5,
         "m",
         (0.1, 10.0),
-        "A track whose particles spread wider than this is no longer reported; higher: uncertain "
-        "tracks are kept longer",
+        "A track whose particles spread wider than this (with paper: 0.9) is no longer reported; "
+        "higher: uncertain tracks are kept longer",
         formerly=("largest_spread_m",),
         group="Particles and motion",
         expert=True,
@@ -196,6 +196,11 @@ class SpheroidSettings:
     def tentative_height_m(self) -> float:
         """Body height of a tentative track, m; as published, the fixed height of all tracks."""
         return _PAPER_HEIGHT_M if self.paper else self.initial_height_m
+
+    @property
+    def widest_spread_m(self) -> float:
+        """How far particles may spread, m."""
+        return _PAPER_SPREAD_M if self.paper else self.max_spread_m
 
     def __post_init__(self) -> None:
         """Check what belongs together, before any work; raises `SettingsError`."""

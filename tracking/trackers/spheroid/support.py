@@ -80,7 +80,7 @@ def should_keep(people: SpheroidPeople, settings: SpheroidSettings) -> NDArray[n
     he would be in plain sight, and who has walked out of the picture, is let go at once, before the
     hypotheses drift onto somebody else.
     """
-    gathered = people.spread <= settings.max_spread_m
+    gathered = people.spread <= settings.widest_spread_m
     if settings.paper:
         return np.asarray(gathered)
     empty_s = _UNBOXED_S if settings.detections_only else _EMPTY_S

@@ -70,7 +70,8 @@ class SpheroidTracker(TrackerBase[SpheroidSettings]):
         - weights are likelihood ratios of what lies in a silhouette (see `weights`): plain scores
           hardly tell near hypotheses apart;
         - other people are masked out where they are expected now, not where they were;
-        - body heights are estimated: a fixed one errs by a share of the distance;
+        - body heights are estimated: a fixed one errs by a share of the distance; some hypotheses
+          move along their lines of sight as their heights change (see `filter_steps`);
         - feet say how far away people are who are seen from the side (see `feet`), and the lower
           half of a silhouette is taken for legs, which leave a gap (see `weights`);
         - spheroids of people who walk are ahead of where they stand, as bodies lean;
@@ -134,7 +135,8 @@ class SpheroidTracker(TrackerBase[SpheroidSettings]):
         assert isinstance(observation, FlatObservation), "spheroids step on flat observations"
         elapsed_s = self._clock.elapsed_s(observation.time_s)
         look = ColourLook(self._flat, observation.working.picture)
-        people = predict(self._people, elapsed_s, self._settings, self._random)
+        camera = np.asarray(self._flat.camera_position)
+        people = predict(self._people, elapsed_s, self._settings, self._random, camera)
         people = self._update(people, observation, look, elapsed_s)
         people = self._terminate(people, observation)
         people = self._initiate(people, observation, look)
