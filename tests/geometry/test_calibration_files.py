@@ -170,10 +170,17 @@ def test_a_pair_of_ros_camera_infos_gives_rotation_and_baseline(tmp_path: Path) 
     )
 
 
-def test_a_fisheye_model_is_refused_by_name(tmp_path: Path) -> None:
+def test_an_unknown_lens_model_is_refused_by_name(tmp_path: Path) -> None:
+    path = tmp_path / "left.yaml"
+    path.write_text(ros_text(ROTATION, 0.0, model="double_sphere"))
+    with pytest.raises(CalibrationError, match="double_sphere"):
+        read_calibration([path])
+
+
+def test_a_fisheye_of_ros_with_other_than_four_coefficients_is_refused(tmp_path: Path) -> None:
     path = tmp_path / "left.yaml"
     path.write_text(ros_text(ROTATION, 0.0, model="equidistant"))
-    with pytest.raises(CalibrationError, match="equidistant"):
+    with pytest.raises(CalibrationError, match="5 distortion coefficients"):
         read_calibration([path])
 
 

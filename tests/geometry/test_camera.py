@@ -98,3 +98,19 @@ def test_what_makes_no_camera_is_refused_in_one_line(
     with pytest.raises(CalibrationError) as caught:
         Camera(matrix, distortion, *size)
     assert "\n" not in str(caught.value)
+
+
+def test_a_fisheye_sees_rays_where_its_model_says_and_takes_them_back() -> None:
+    camera = Camera(
+        np.array([[300.0, 0, 320], [0, 300.0, 240], [0, 0, 1]]),
+        np.array([0.05, -0.01, 0.002, 0.0]),
+        640,
+        480,
+        fisheye=True,
+    )
+    angle = np.deg2rad([0.0, 20.0, 50.0])
+    rays = np.column_stack((np.tan(angle), np.zeros(3), np.ones(3)))
+    shown = angle * (1 + 0.05 * angle**2 - 0.01 * angle**4 + 0.002 * angle**6)
+    pixels = camera.project(rays)
+    np.testing.assert_allclose(pixels[:, 0], 320 + 300 * shown)
+    np.testing.assert_allclose(camera.undistort(pixels), rays[:, :2], atol=1e-9)

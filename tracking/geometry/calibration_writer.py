@@ -9,6 +9,8 @@ import numpy as np
 from tracking.arrays import Floats
 from tracking.atomic_output import replace_with
 from tracking.errors import OutputError
+from tracking.geometry.camera import Camera
+from tracking.geometry.opencv_calibration import FISHEYE
 from tracking.geometry.stereo_calibration import StereoCalibration
 
 _NUMBERS_A_LINE = 4
@@ -16,6 +18,8 @@ _NUMBERS_A_LINE = 4
 
 def write_calibration(path: Path, calibration: StereoCalibration) -> None:
     """Write OpenCV FileStorage YAML with M1 D1 M2 D2 R T, image_width and image_height.
+
+    A fisheye has `distortion_model: equidistant`, as ROS calls it, a rough calibration `rough: 1`.
 
     The file appears whole or not at all. Numbers read back exactly.
 
@@ -31,21 +35,29 @@ def write_calibration(path: Path, calibration: StereoCalibration) -> None:
 def format_calibration(calibration: StereoCalibration) -> str:
     """The text of the file."""
     left, right = calibration.left, calibration.right
-    parts = ["%YAML 1.2\n---\n", _matrix("M1", left.matrix), _matrix("D1", left.distortion)]
+    parts = ["%YAML 1.2\n---\n", _matrix("M1", left.matrix), _matrix("D1", _coefficients(left))]
     if right is not None:
         parts += [
             _matrix("M2", right.matrix),
-            _matrix("D2", right.distortion),
+            _matrix("D2", _coefficients(right)),
             _matrix("R", calibration.rotation),
             _matrix("T", calibration.translation[:, None]),
         ]
     parts.append(f"image_width: {left.width}\nimage_height: {left.height}\n")
+    if left.fisheye:
+        parts.append(f"distortion_model: {FISHEYE}\n")
+    if calibration.rough:
+        parts.append("rough: 1\n")
     return "".join(parts)
 
 
+def _coefficients(camera: Camera) -> Floats:
+    """Its distortion; zeros where there is none, as OpenCV refuses an empty matrix."""
+    return camera.distortion if camera.distortion.size else np.zeros(4 if camera.fisheye else 5)
+
+
 def _matrix(name: str, values: Floats) -> str:
-    # Five zeros where there is no distortion: OpenCV refuses an empty matrix.
-    table = np.atleast_2d(values if values.size else np.zeros(5))
+    table = np.atleast_2d(values)
     numbers = [_number(value) for value in table.ravel()]
     lines = [
         ", ".join(numbers[i : i + _NUMBERS_A_LINE]) for i in range(0, len(numbers), _NUMBERS_A_LINE)

@@ -1,4 +1,4 @@
-"""One pinhole camera with lens distortion."""
+"""One camera: a pinhole with lens distortion, or a fisheye."""
 
 from __future__ import annotations
 
@@ -8,20 +8,24 @@ import numpy as np
 
 from tracking.arrays import Floats
 from tracking.errors import CalibrationError
+from tracking.geometry.fisheye_lens import FisheyeLens
 from tracking.geometry.lens import Lens
 
 DISTORTION_LENGTHS = (0, 4, 5, 8, 12, 14)
 """Numbers of distortion coefficients that OpenCV's model knows."""
+FISHEYE_LENGTHS = (0, 4)
+"""Those of its fisheye model."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Camera:
-    """A pinhole camera as OpenCV has it: x right, y down, z forward.
+    """A camera as OpenCV has it: x right, y down, z forward.
 
     Attributes:
         matrix: (3, 3) focal lengths and principal point in px; pixel centres at integers.
-        distortion: (k,) OpenCV's coefficients; empty or zero: none.
+        distortion: (k,) OpenCV's coefficients; empty or zero: none, or an exact fisheye.
         width, height: size in px of the images it takes.
+        fisheye: the lens follows Kannala and Brandt's model (OpenCV's `fisheye`, "equidistant").
 
     Raises:
         CalibrationError: a value has the wrong shape, is not finite or makes no camera.
@@ -31,18 +35,20 @@ class Camera:
     distortion: Floats
     width: int
     height: int
-    lens: Lens = field(init=False, repr=False)
+    fisheye: bool = False
+    lens: Lens | FisheyeLens = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
         matrix = np.array(self.matrix, float)
         distortion = np.array(self.distortion, float).ravel()
         _check_matrix(matrix)
-        if distortion.size not in DISTORTION_LENGTHS or not np.isfinite(distortion).all():
+        lengths = FISHEYE_LENGTHS if self.fisheye else DISTORTION_LENGTHS
+        if distortion.size not in lengths or not np.isfinite(distortion).all():
             raise CalibrationError(
                 "calibration: {size} distortion coefficients are not one of {lengths} finite "
-                "numbers; calibrate with OpenCV's pinhole model",
+                "numbers; calibrate with OpenCV's pinhole or fisheye model",
                 size=distortion.size,
-                lengths=DISTORTION_LENGTHS,
+                lengths=lengths,
             )
         if self.width < 1 or self.height < 1:
             raise CalibrationError(
@@ -53,7 +59,8 @@ class Camera:
             )
         object.__setattr__(self, "matrix", matrix)
         object.__setattr__(self, "distortion", distortion)
-        object.__setattr__(self, "lens", Lens.from_coefficients(distortion))
+        kind = FisheyeLens if self.fisheye else Lens
+        object.__setattr__(self, "lens", kind.from_coefficients(distortion))
 
     @property
     def size(self) -> tuple[int, int]:

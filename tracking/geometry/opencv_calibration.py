@@ -15,6 +15,8 @@ from tracking.geometry.stereo_calibration import StereoCalibration
 
 _SINGLE_NAMES = {"camera_matrix": "M1", "distortion_coefficients": "D1"}
 """Names that OpenCV's sample for one camera writes, and ours."""
+FISHEYE = "equidistant"
+"""The fisheye model under `distortion_model`, as ROS calls it."""
 
 
 def calibration_of_opencv(
@@ -30,17 +32,19 @@ def calibration_of_opencv(
     values = {_SINGLE_NAMES.get(name, name): value for name, value in values.items()}
     size = _size(values, where, size)
     left = _camera(values, "1", where, size)
+    rough = str(values.get("rough", "0")) == "1"
     if not {"M2", "D2", "R", "T"} & set(values):
-        return StereoCalibration.of_one(left)
+        return StereoCalibration.of_one(left, rough=rough)
     right = _camera(values, "2", where, size)
     return StereoCalibration(
-        left, right, _matrix(values, "R", where), _matrix(values, "T", where).ravel()
+        left, right, _matrix(values, "R", where), _matrix(values, "T", where).ravel(), rough
     )
 
 
 def _camera(values: Mapping[str, Any], side: str, where: Path, size: tuple[int, int]) -> Camera:
     distortion = _matrix(values, f"D{side}", where) if f"D{side}" in values else np.zeros(0)
-    return Camera(_matrix(values, f"M{side}", where), distortion, *size)
+    fisheye = values.get("distortion_model") == FISHEYE
+    return Camera(_matrix(values, f"M{side}", where), distortion, *size, fisheye=fisheye)
 
 
 def _matrix(values: Mapping[str, Any], name: str, where: Path) -> Floats:

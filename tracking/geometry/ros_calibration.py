@@ -14,7 +14,8 @@ from tracking.geometry.calibration_file_text import matrix
 from tracking.geometry.camera import Camera
 from tracking.geometry.stereo_calibration import StereoCalibration
 
-_MODELS = ("plumb_bob", "rational_polynomial", "")
+_FISHEYE = "equidistant"
+_MODELS = ("plumb_bob", "rational_polynomial", _FISHEYE, "")
 
 
 def is_ros(values: Mapping[str, Any]) -> bool:
@@ -47,8 +48,8 @@ def _camera(where: Path, values: Mapping[str, Any], size: tuple[int, int] | None
     model = values.get("distortion_model", "")
     if model not in _MODELS:
         raise CalibrationError(
-            "{where}: distortion model {model} is not known; calibrate with plumb_bob or "
-            "rational_polynomial",
+            "{where}: distortion model {model} is not known; calibrate with plumb_bob, "
+            "rational_polynomial or equidistant",
             where=where,
             model=str(model)[:40],
         )
@@ -61,7 +62,8 @@ def _camera(where: Path, values: Mapping[str, Any], size: tuple[int, int] | None
         raise CalibrationError(
             "{where}: image_width and image_height are not both whole numbers", where=where
         ) from error
-    return Camera(_matrix(values, "camera_matrix", (3, 3), where), distortion, width, height)
+    named = _matrix(values, "camera_matrix", (3, 3), where)
+    return Camera(named, distortion, width, height, fisheye=model == _FISHEYE)
 
 
 def _offset_m(values: Mapping[str, Any], where: Path) -> float:

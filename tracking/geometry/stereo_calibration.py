@@ -23,6 +23,7 @@ class StereoCalibration:
         right: the right camera; None in a monocular rig.
         rotation: (3, 3), x_right = rotation @ x_left + translation.
         translation: (3,) in metres; a right camera on the right has a negative first number.
+        rough: estimated from matched points, without a board: metres are rough.
 
     Raises:
         CalibrationError: the rotation is none, or the cameras do not stand side by side.
@@ -32,6 +33,7 @@ class StereoCalibration:
     right: Camera | None
     rotation: Floats
     translation: Floats
+    rough: bool = False
 
     def __post_init__(self) -> None:
         rotation = _checked_rotation(np.array(self.rotation, float))
@@ -44,9 +46,9 @@ class StereoCalibration:
             _check_side_by_side(rotation, translation)
 
     @classmethod
-    def of_one(cls, camera: Camera) -> StereoCalibration:
+    def of_one(cls, camera: Camera, *, rough: bool = False) -> StereoCalibration:
         """The calibration of a monocular recording."""
-        return cls(camera, None, np.eye(3), np.zeros(3))
+        return cls(camera, None, np.eye(3), np.zeros(3), rough)
 
     @property
     def baseline_m(self) -> float:

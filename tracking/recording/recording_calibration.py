@@ -56,10 +56,14 @@ def read_calibrated(
     calibration.check_size(size)
     notes: tuple[Message, ...] = ()
     if not stereo and calibration.right is not None:
-        calibration = StereoCalibration.of_one(calibration.left)
+        calibration = StereoCalibration.of_one(calibration.left, rough=calibration.rough)
     if stereo and calibration.right is None:
         notes = (
             msg("{name}: calibrates the left camera only; there is no depth", name=files[0].name),
+        )
+    if calibration.rough:
+        notes += (
+            msg("{name}: a rough calibration; metres may be off by a tenth", name=files[0].name),
         )
     return Calibrated(
         calibration,

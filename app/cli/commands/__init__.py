@@ -5,10 +5,19 @@ runs, so that help comes at once and no command waits for libraries it does not 
 """
 
 # isort: off
-from app.cli.commands import recordings, trackers, scores, counts, sessions
+from app.cli.commands import recordings, calibration, trackers, scores, counts, sessions
 
 # isort: on
 from app.cli.commands.program import program
 from app.cli.commands.recordings import SCENE_NAMES
 
-__all__ = ["SCENE_NAMES", "counts", "program", "recordings", "scores", "sessions", "trackers"]
+__all__ = [
+    "SCENE_NAMES",
+    "calibration",
+    "counts",
+    "program",
+    "recordings",
+    "scores",
+    "sessions",
+    "trackers",
+]

@@ -32,7 +32,7 @@ class Floor:
         self.camera_m = float(centre[2])
         self._onto = view.camera.matrix @ rotation.T
         self._moved = -self._onto @ centre
-        self._bent = bool(view.camera.distortion.any())
+        self._bent = not view.camera.lens.is_ideal
 
     def slopes(self, points: Floats) -> Floats:
         """(n, 2) of points (n, 2) px; NaN at or above the horizon."""

@@ -1,0 +1,1 @@
+"""Cameras calibrated and floors found from footage: boards, matched points, people, planes."""
