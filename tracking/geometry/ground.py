@@ -10,6 +10,10 @@ import numpy as np
 from tracking.arrays import Floats
 from tracking.errors import CalibrationError
 
+_ROTATION_TOLERANCE = 1e-3
+_STRAIGHT = 1e-9
+"""Of a camera that looks straight down there is no roll."""
+
 
 @dataclass(frozen=True, slots=True)
 class Ground:
@@ -50,6 +54,29 @@ class Ground:
         down, forward is the direction of the image's upper edge.
         """
         return _world_from_camera(self.height_m, self.tilt_deg, self.roll_deg)
+
+
+def ground_of_pose(rotation: Floats, translation: Floats) -> Ground:
+    """The floor of a pose: x_camera = rotation @ x_world + translation, world z up, metres.
+
+    The world's origin moves to the floor below the camera.
+
+    Raises:
+        CalibrationError: the rotation (3, 3) is none, or the camera is not above the floor.
+    """
+    finite = np.isfinite(rotation).all() and np.isfinite(translation).all()
+    if not finite or np.abs(rotation @ rotation.T - np.eye(3)).max() > _ROTATION_TOLERANCE:
+        raise CalibrationError("ground: R is not a rotation")
+    centre = -rotation.T @ translation
+    return ground_of_plane(rotation[:, 2], float(centre[2]))
+
+
+def ground_of_plane(up: Floats, height_m: float) -> Ground:
+    """The floor whose normal (3,), a unit vector in camera axes, points up; see `Ground`."""
+    tilt_deg = float(np.rad2deg(np.arcsin(np.clip(-up[2], -1.0, 1.0))))
+    level = np.hypot(up[0], up[1])
+    roll_deg = float(np.rad2deg(np.arctan2(-up[0], -up[1]))) if level > _STRAIGHT else 0.0
+    return Ground(height_m, tilt_deg, roll_deg)
 
 
 @lru_cache(maxsize=32)

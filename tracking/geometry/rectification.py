@@ -115,6 +115,10 @@ class Rectification:
             )
         return self._maps[0].apply(left), self._maps[1].apply(right)
 
+    def recorded_axes(self, direction: Floats) -> Floats:
+        """A direction (3,) in rectified axes in those of the left camera as recorded."""
+        return np.asarray(self._rig.left_rotation.T @ direction)
+
     def recorded_from_rectified(self, points: Floats) -> Floats:
         """Left pixels (n, 2) as recorded of rectified left pixels (n, 2)."""
         if self.identity:

@@ -8,9 +8,11 @@ from dataclasses import dataclass
 from pathlib import Path, PurePath
 from typing import Any, TypeVar
 
+import numpy as np
+
 from tracking.atomic_output import replace_with
 from tracking.errors import CalibrationError, OutputError, RecordingError
-from tracking.geometry import Ground
+from tracking.geometry import Ground, ground_of_pose
 from tracking.recording.image_pairs import MOST_LAG, Layout, Side
 from tracking.recording.limits import checked_fps, checked_ground
 from tracking.recording.region_of_interest import EVERYWHERE, Outline, RegionOfInterest, outlines_of
@@ -36,7 +38,7 @@ _KNOWN: Mapping[str, frozenset[str]] = {
     "right": frozenset(("source", "lag")),
     "stereo": frozenset(("source", "layout", "first", "lag")),
     "calibration": frozenset(("file",)),
-    "ground": frozenset(("height", "tilt", "roll")),
+    "ground": frozenset(("height", "tilt", "roll", "R", "t")),
     "region": frozenset(("look", "mask")),
 }
 
@@ -291,6 +293,8 @@ def _ground(table: _Table) -> Ground | None:
     if "ground" not in table:
         return None
     section = table.section("ground")
+    if "R" in section or "t" in section:
+        return _ground_of_pose(section)
     for key in ("height", "tilt"):
         if key not in section:
             raise section.error(key, msg("is missing; give height in metres and tilt in degrees"))
@@ -304,6 +308,22 @@ def _ground(table: _Table) -> Ground | None:
         raise section.error(
             "height", msg("and tilt make no floor: {error}", error=error)
         ) from error
+
+
+def _ground_of_pose(section: _Table) -> Ground:
+    """The floor of a camera's pose: x_camera = R x_world + t, world z up, in metres."""
+    try:
+        rotation = np.array(section.get("R", list, []), float)
+        shift = np.array(section.get("t", list, []), float)
+    except (TypeError, ValueError) as error:
+        raise section.error("R", msg("and t must be lists of numbers, 3 x 3 and 3")) from error
+    if rotation.shape != (3, 3) or shift.shape != (3,):
+        raise section.error("R", msg("and t must be lists of numbers, 3 x 3 and 3"))
+    try:
+        ground = ground_of_pose(rotation, shift)
+        return checked_ground(ground.height_m, ground.tilt_deg, ground.roll_deg)
+    except CalibrationError as error:
+        raise section.error("R", msg("and t make no floor: {error}", error=error)) from error
 
 
 def _region(table: _Table) -> RegionOfInterest:

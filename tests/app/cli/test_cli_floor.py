@@ -1,0 +1,54 @@
+"""`floor`: the document of the contract, what is written, and wrong input."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+from command_line import Trackwright
+
+from tracking.recording import open_recording, read_manifest
+
+
+def test_the_contracts_document_is_printed_and_the_floor_written(
+    trackwright: Trackwright, recording: Path
+) -> None:
+    with open_recording(recording) as opened:
+        truth = opened.ground
+    assert truth is not None
+    manifest = recording / "recording.toml"
+    kept = manifest.read_text().split("[ground]")[0]
+    manifest.write_text(kept)
+    status, printed, _ = trackwright("floor", recording, "--write", "--json")
+    assert status == 0
+    document = json.loads(printed)
+    assert document["method"] == "stereo"
+    assert set(document["sigma"]) == {"height", "tilt", "roll"}
+    assert document["height"] == pytest.approx(truth.height_m, rel=0.03)
+    written = read_manifest(recording).ground
+    assert written is not None
+    assert written.height_m == pytest.approx(document["height"], abs=1e-5)
+    assert manifest.read_text().startswith(kept)
+
+
+def test_points_are_taken_as_typed(trackwright: Trackwright, recording: Path) -> None:
+    points = ["--points", "10,10:0,0", "--points", "60,12:1,0", "--points", "12,80:0,1"]
+    status, _, said = trackwright("floor", recording, *points)
+    assert status == 1
+    assert "3 points" in said
+    status, _, said = trackwright("floor", recording, "--points", "10,10")
+    assert status == 2
+    assert "320,240:1.5,4" in said
+
+
+def test_two_ways_at_once_are_a_usage_error(trackwright: Trackwright, recording: Path) -> None:
+    status, _, _ = trackwright("floor", recording, "--heights", "--points", "1,1:0,0")
+    assert status == 2
+
+
+def test_a_bare_video_has_nothing_to_write_into(trackwright: Trackwright, recording: Path) -> None:
+    video = next(recording.glob("left*.*"))
+    status, _, said = trackwright("floor", video, "--heights", "--write")
+    assert status == 1
+    assert "recording.toml" in said

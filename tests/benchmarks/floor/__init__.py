@@ -1,0 +1,1 @@
+"""How far the floor that is found is from the one given."""
