@@ -5,7 +5,7 @@ BIN := $(VENV)/bin
 STAMP := $(VENV)/.ready
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
-.PHONY: help demo test format bench footage ablation results results-parts results-stereo results-spheroid results-flow detector kills power-cuts failed-calls two-programs mutants networks hostile soak long memory model peers scorers interchange pictures messages lock clean
+.PHONY: help demo test format bench footage ablation results results-parts results-stereo results-spheroid results-flow results-doctor detector kills power-cuts failed-calls two-programs mutants networks hostile soak long memory model peers scorers interchange pictures messages lock clean
 .DEFAULT_GOAL := help
 
 help: ## what can be made
@@ -47,7 +47,10 @@ ablation: $(STAMP) ## docs/results/ablation.md: what each mechanism of a tracker
 	for tracker in spheroid flow three-part stereo-joint; do \
 	  $(BIN)/python -m tests.benchmarks.footage.ablation --tracker $$tracker --report || exit 1; done
 
-results: results-parts results-stereo results-spheroid results-flow ## docs/results/: the papers' figures beside ours (six and a half hours)
+results: results-parts results-stereo results-spheroid results-flow results-doctor ## docs/results/: the papers' figures beside ours (six and a half hours)
+
+results-doctor: $(STAMP) ## docs/results/doctor.md: faults put into recordings and found (a quarter of an hour)
+	$(BIN)/python -m tests.benchmarks.doctor --report
 
 results-parts: $(STAMP) ## docs/results/parts.md: body parts on scenes no setting was chosen on (half an hour)
 	$(BIN)/python -m tests.benchmarks.parts --report

@@ -5,7 +5,8 @@ runs, so that help comes at once and no command waits for libraries it does not 
 """
 
 # isort: off
-from app.cli.commands import recordings, calibration, floor, trackers, scores, counts, sessions
+from app.cli.commands import recordings, calibration, floor, doctor
+from app.cli.commands import trackers, scores, counts, sessions
 
 # isort: on
 from app.cli.commands.program import program
@@ -15,6 +16,7 @@ __all__ = [
     "SCENE_NAMES",
     "calibration",
     "counts",
+    "doctor",
     "floor",
     "program",
     "recordings",

@@ -1,0 +1,99 @@
+"""What is wrong with this installation: Python, libraries, Qt, extras, folders it writes to."""
+
+from __future__ import annotations
+
+import importlib
+import importlib.metadata
+import os
+import platform
+import sys
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import platformdirs
+
+from app.cli.system_libraries import this_machine
+from tracking.translation import Message, msg
+
+_PYTHON = (3, 11)
+"""As pyproject.toml asks."""
+_NEEDED = ("numpy", "cv2", "scipy", "sklearn", "av", "h5py", "PySide6", "pyqtgraph", "yaml")
+_EXTRAS = {"onnx": ("onnxruntime",), "bags": ("rosbags", "mcap")}
+_NAME = "trackwright"
+
+
+@dataclass(frozen=True, slots=True)
+class Check:
+    """One thing looked at.
+
+    Attributes:
+        name: of it. is_well: nothing to do. said: its version, or what is wrong and what to do.
+        needed: without it something that every user needs does not work.
+    """
+
+    name: str
+    is_well: bool
+    said: Message | str
+    needed: bool = True
+
+
+def check_installation() -> Iterator[Check]:
+    """Everything looked at, in order."""
+    version = platform.python_version()
+    too_old = msg("{version}; install Python 3.11 or newer", version=version)
+    is_new = sys.version_info >= _PYTHON
+    yield Check("python", is_new, version if is_new else too_old)
+    yield from (_imported(name) for name in _NEEDED)
+    missing = this_machine().missing()
+    advice = msg("{missing}; run python -m app.cli.system_libraries", missing=missing)
+    yield Check("qt", not missing, advice if missing else msg("the window can start"))
+    yield _display()
+    offered = importlib.metadata.metadata(_NAME).get_all("Provides-Extra") or ()
+    for extra, names in _EXTRAS.items():
+        if extra not in offered:
+            continue
+        yield from (_imported(name, extra) for name in names)
+    for name, folder in _folders().items():
+        yield _writable(name, folder)
+
+
+def _imported(name: str, extra: str = "") -> Check:
+    try:
+        module = importlib.import_module(name)
+    except (ImportError, OSError) as error:
+        if extra:
+            said = msg('not installed; for it: pip install "trackwright[{extra}]"', extra=extra)
+        else:
+            said = msg("{reason}; install trackwright again", reason=error)
+        return Check(name, False, said, needed=not extra)
+    return Check(name, True, str(getattr(module, "__version__", "")) or msg("installed"))
+
+
+def _display() -> Check:
+    if sys.platform != "linux":
+        return Check("display", True, msg("there"))
+    named = next((name for name in ("WAYLAND_DISPLAY", "DISPLAY") if os.environ.get(name)), None)
+    if named is not None:
+        return Check("display", True, f"{named}={os.environ[named]}")
+    said = msg("none; the window needs a screen, commands work without")
+    return Check("display", False, said, needed=False)
+
+
+def _folders() -> dict[str, Path]:
+    kinds: dict[str, Callable[..., Path]] = {
+        "settings folder": platformdirs.user_config_path,
+        "data folder": platformdirs.user_data_path,
+        "log folder": platformdirs.user_log_path,
+    }
+    return {name: where(_NAME, appauthor=False) for name, where in kinds.items()}
+
+
+def _writable(name: str, folder: Path) -> Check:
+    """Of a folder that is not there yet, the nearest one above it that is counts."""
+    there = folder
+    while not there.exists() and there != there.parent:
+        there = there.parent
+    if there.is_dir() and os.access(there, os.W_OK | os.X_OK):
+        return Check(name, True, str(folder))
+    return Check(name, False, msg("{folder} is not writable; have its owner let you", folder=there))

@@ -1,0 +1,1 @@
+"""The doctor: faults put into rendered recordings, and what it says of sound ones."""

@@ -1,0 +1,7 @@
+"""What is wrong with a recording's pairing, calibration and floor, and what that costs."""
+
+from tracking.doctor.examination import examine
+from tracking.doctor.finding import Examination, Finding, Mend
+from tracking.doctor.mending import mend
+
+__all__ = ["Examination", "Finding", "Mend", "examine", "mend"]

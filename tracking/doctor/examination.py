@@ -1,0 +1,92 @@
+"""A recording examined: every check that it allows, dearest finding first."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from tracking.doctor import camera_moved, geometry_check, pairing_checks
+from tracking.doctor.evidence import Samples, read_samples, still_pair
+from tracking.doctor.finding import Examination, Finding
+from tracking.doctor.residuals import focal_px
+from tracking.geometry import StereoCalibration
+from tracking.progress import Progress, no_progress
+from tracking.recording import Recording
+from tracking.translation import Message, msg
+
+_LEAST_SAMPLES = 3
+"""Images whose median shows no people."""
+
+
+@dataclass
+class _Findings:
+    """What has been found so far, and what could be looked at."""
+
+    found: list[Finding] = field(default_factory=list)
+    checked: list[str] = field(default_factory=list)
+    unchecked: dict[str, Message] = field(default_factory=dict)
+
+    def add(self, code: str, finding: Finding | None) -> None:
+        """A check that was made."""
+        self.checked.append(code)
+        if finding is not None:
+            self.found.append(finding)
+
+    def leave(self, why: Message, *codes: str) -> None:
+        """Checks that cannot be made."""
+        self.unchecked |= dict.fromkeys(codes, why)
+
+
+def examine(recording: Recording, tell: Progress = no_progress) -> Examination:
+    """Look for what is wrong with a recording's pairing, calibration and floor.
+
+    Raises:
+        RecordingError: a frame cannot be read.
+    """
+    calibration = recording.calibration if recording.is_stereo else None
+    if calibration is not None and calibration.right is None:
+        calibration = None
+    samples = read_samples(recording, tell)
+    findings = _Findings()
+    focal = None if calibration is None else focal_px(calibration)
+    moved, before = camera_moved.check_moved(samples, focal)
+    findings.add(camera_moved.CODE, moved)
+    if calibration is None:
+        findings.leave(
+            msg("needs two calibrated cameras"),
+            pairing_checks.LAG, pairing_checks.SWAPPED, geometry_check.ROWS, geometry_check.FLOOR,
+        )  # fmt: skip
+    else:
+        findings.add(pairing_checks.LAG, pairing_checks.check_lag(recording, calibration))
+        _check_rig(findings, recording, calibration, _unmoved(samples, before))
+    dearest_first = sorted(findings.found, key=lambda one: -one.cost_m)
+    return Examination(tuple(dearest_first), tuple(findings.checked), findings.unchecked)
+
+
+def _unmoved(samples: Samples, before: int) -> Samples:
+    """Those before the camera moved, as it was set up; those after it where these are too few."""
+    if before >= _LEAST_SAMPLES:
+        return samples.part(0, before)
+    return samples.part(before % len(samples.numbers), len(samples.numbers))
+
+
+def _check_rig(
+    findings: _Findings, recording: Recording, calibration: StereoCalibration, samples: Samples
+) -> None:
+    pair = still_pair(samples)
+    geometry = (geometry_check.ROWS, geometry_check.FLOOR)
+    if len(pair.matches) < geometry_check.FEWEST_MATCHES:
+        why = msg("only {n} points are seen in both cameras", n=len(pair.matches))
+        findings.leave(why, pairing_checks.SWAPPED, *geometry)
+        return
+    swapped = pairing_checks.check_swapped(pair, calibration)
+    findings.add(pairing_checks.SWAPPED, swapped)
+    if swapped is not None:
+        # Everything else would be told about cameras that are not these.
+        findings.leave(msg("needs cameras that are not swapped"), *geometry)
+        return
+    findings.found += geometry_check.check_geometry(pair, (calibration, recording.ground))
+    findings.checked.append(geometry_check.ROWS)
+    if recording.ground is None:
+        findings.leave(msg("the recording does not say where the floor is"), geometry_check.FLOOR)
+    else:
+        findings.checked.append(geometry_check.FLOOR)
