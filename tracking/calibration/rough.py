@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -16,6 +16,7 @@ from tracking.arrays import Floats
 from tracking.errors import CalibrationError
 from tracking.geometry import Camera, StereoCalibration
 from tracking.progress import Progress, no_progress
+from tracking.recording.frame import Image
 from tracking.recording.places import open_pictures
 
 _CV: Any = cv2
@@ -29,6 +30,9 @@ _RANSAC_PX = 1.5
 _FEWEST = 60
 """Matched points on which the two views agree, over all instants."""
 _LEAST_SHARE = 0.3
+_FEWEST_TO_LOOK = 16
+"""Of matches for a first look at how two cameras stand."""
+_USUAL_FOV_DEG = 65.0
 _NARROWEST_DEG, _WIDEST_DEG = 5.0, 150.0
 _LOSS_PX = 0.5
 """Errors of matched points beyond which they count less."""
@@ -103,6 +107,54 @@ def calibrate_roughly(request: RoughRequest, progress: Progress = no_progress) -
     return RoughCalibration(calibration, len(rays), share, error_px, request.fov_deg)
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class MatchedViews:
+    """Points (n, 2, 2) px in images of two cameras, and the images' width and height."""
+
+    points: Floats
+    size: tuple[int, int]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class RelativePose:
+    """How the second camera stands to the first, by matched points.
+
+    Attributes:
+        direction: (3,) unit vector, x_second = rotation @ x_first + direction times some length: a
+            second camera on the right has a negative first number. agreeing: points that agree.
+        roll_deg: by which the second camera is turned about its axis.
+        shift_px: (2,) by which points are farther right, farther down in the first image: usual
+            ones of those that agree. row_scatter_px: of the second number.
+    """
+
+    direction: Floats
+    agreeing: int
+    roll_deg: float
+    shift_px: Floats
+    row_scatter_px: float
+
+
+def match_images(views: Sequence[tuple[Image, Image]]) -> MatchedViews:
+    """Points matched between the images of each pair; all of one size."""
+    points = np.concatenate([_matches(one, other) for one, other in views])
+    height, width = views[0][0].shape[:2]
+    return MatchedViews(points, (width, height))
+
+
+def pose_of_matches(views: MatchedViews) -> RelativePose | None:
+    """The pose on which most points agree, for cameras of a usual field of view; None: too few."""
+    focal_px = 0.5 * views.size[0] / np.tan(np.deg2rad(_USUAL_FOV_DEG) / 2)
+    rays = (views.points - (np.array(views.size) - 1) / 2) / focal_px
+    if len(rays) < _FEWEST_TO_LOOK:
+        return None
+    rotation, direction, agreeing = _pose(rays, focal_px, _FEWEST_TO_LOOK)
+    roll_deg = float(np.rad2deg(np.arctan2(rotation[1, 0], rotation[0, 0])))
+    shift = (views.points[:, 0] - views.points[:, 1])[agreeing]
+    usual = np.median(shift, axis=0) if len(shift) else np.zeros(2)
+    scatter = float(np.median(np.abs(shift[:, 1] - usual[1]))) if len(shift) else np.inf
+    return RelativePose(direction, int(agreeing.sum()), roll_deg, usual, scatter)
+
+
 def _check(request: RoughRequest) -> None:
     if not _NARROWEST_DEG <= request.fov_deg <= _WIDEST_DEG:
         raise CalibrationError(
@@ -163,9 +215,11 @@ def _both(nearest: Any) -> Iterator[tuple[cv2.DMatch, cv2.DMatch]]:
             yield found[0], found[1]
 
 
-def _pose(rays: Floats, focal_px: float) -> tuple[Floats, Floats, NDArray[np.bool_]]:
+def _pose(
+    rays: Floats, focal_px: float, fewest: int = _FEWEST
+) -> tuple[Floats, Floats, NDArray[np.bool_]]:
     """Rotation (3, 3), direction (3,) and which points (n,) agree with them."""
-    if len(rays) < _FEWEST:
+    if len(rays) < fewest:
         return np.eye(3), np.array([-1.0, 0, 0]), np.zeros(len(rays), bool)
     left, right = rays[:, 0].copy(), rays[:, 1].copy()
     cv2.setRNGSeed(0)

@@ -21,7 +21,7 @@ from tracking.recording.places import is_pattern, place_inside
 from tracking.translation import Message, msg
 
 _KITTI_FPS = 10.0
-_VIDEO_SUFFIXES = frozenset(
+VIDEO_SUFFIXES = frozenset(
     (".mp4", ".m4v", ".mov", ".avi", ".mkv", ".webm", ".ts", ".mts", ".m2ts", ".mpg", ".mpeg")
 )
 
@@ -246,7 +246,7 @@ def _camera(folder: Path, side: str) -> Path | None:
     """A video or an image folder with a camera's name."""
     if _images_in(folder / side) is not None:
         return _images_in(folder / side)
-    videos = [f for f in folder.glob(f"{side}.*") if f.suffix.lower() in _VIDEO_SUFFIXES]
+    videos = [f for f in folder.glob(f"{side}.*") if f.suffix.lower() in VIDEO_SUFFIXES]
     return min(videos, default=None)
 
 

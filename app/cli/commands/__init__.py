@@ -5,7 +5,7 @@ runs, so that help comes at once and no command waits for libraries it does not 
 """
 
 # isort: off
-from app.cli.commands import recordings, calibration, floor, doctor
+from app.cli.commands import recordings, setup, calibration, floor, doctor
 from app.cli.commands import trackers, scores, counts, sessions
 
 # isort: on
@@ -22,5 +22,6 @@ __all__ = [
     "recordings",
     "scores",
     "sessions",
+    "setup",
     "trackers",
 ]

@@ -1,0 +1,193 @@
+"""`setup`: cameras found, and recording.toml written beside them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any, Literal
+
+import typer
+
+from app.cli.option_groups import Bare
+from app.cli.output import print_json, print_line, progress, say
+from app.cli.recordings import options_of
+from tracking.calibration.floor import FloorEstimate, floor_by_people, floor_by_stereo
+from tracking.errors import RecordingError
+from tracking.people.first_lag import first_lag
+from tracking.recording import MANIFEST_NAME, OpenOptions, open_recording
+from tracking.recording.image_pairs import Side
+from tracking.recording.images import IMAGE_SUFFIXES
+from tracking.recording.locate import VIDEO_SUFFIXES
+from tracking.setup import CameraFindings, SetupPlan, find_cameras, pair_by_name, write_setup
+from tracking.setup.plan import plan_of, setup_text, with_lag
+from tracking.translation import msg, tr
+
+
+@dataclass(frozen=True, slots=True)
+class SetupRequest:
+    """What was typed.
+
+    Attributes:
+        sources: files or a folder. name: of the recording. lag: None: found.
+        as_given: nothing is found. floor: how it is found; None: as given. force: replace.
+    """
+
+    sources: tuple[Path, ...]
+    name: str
+    lag: int | None
+    as_given: bool
+    floor: Literal["stereo", "people"] | None
+    force: bool
+
+
+def run_setup(request: SetupRequest, bare: Bare, *, as_json: bool) -> None:
+    """Find what is to be found, write the manifest, and tell."""
+    given = options_of(bare)
+    plan, found = _cameras(request, given)
+    plan = _as_typed(plan, request, given)
+    target = plan.folder / MANIFEST_NAME
+    if target.exists() and not request.force:
+        raise RecordingError(
+            "{path} exists; open that recording, or replace it", option="--force", path=target
+        )
+    for note in (*found.notes, *found.doubts):
+        say(note)
+    if found.same_scene is False:
+        raise RecordingError(
+            "{left} and {right} do not show the same place; give a pair, or take them as they are",
+            option="--as-given",
+            left=found.left,
+            right=found.right,
+        )
+    plan = _completed(plan, request)
+    path = write_setup(plan, replace_old=request.force)
+    if as_json:
+        print_json({"recording": str(path.parent), **_document(plan, found)})
+        return
+    for line in setup_text(plan).splitlines():
+        print_line(line)
+    say(msg("written: {path}", path=path))
+
+
+def _cameras(request: SetupRequest, given: OpenOptions) -> tuple[SetupPlan, CameraFindings]:
+    """The sources as a plan, by what the files show, or as given."""
+    old = request.sources[0] if len(request.sources) == 1 else None
+    if old is not None and (old / MANIFEST_NAME).is_file() and given.left is None:
+        plan = plan_of(old)
+        return plan, CameraFindings(plan.left, plan.right)
+    left, right = _files(request, given)
+    if request.as_given or given.layout is not None:
+        found = CameraFindings(left, right, given.layout)
+    else:
+        with progress(msg("looking at the cameras")):
+            found = find_cameras(left, right)
+    first: Side = "left" if found.left_first else "right"
+    plan = SetupPlan(found.left, found.right, layout=found.layout, first=given.first or first)
+    return plan, found
+
+
+def _files(request: SetupRequest, given: OpenOptions) -> tuple[Path, Path | None]:
+    sources = request.sources
+    if given.left is not None:
+        return given.left, given.right
+    if len(sources) == 1 and sources[0].is_dir():
+        sources = tuple(_sources_in(sources[0]))
+    if not sources:
+        raise typer.BadParameter(msg("name one or two videos, or a folder with them"))
+    for path in sources:
+        if not path.exists() and not any(sign in path.name for sign in "*?["):
+            raise RecordingError("{path}: no such file; check the path", path=path)
+    if len(sources) == 1:
+        return sources[0], None
+    pair = pair_by_name(sources)
+    if pair is not None:
+        return pair.left, pair.right
+    if len(sources) == 2:
+        return sources[0], sources[1]
+    raise RecordingError(
+        "{count} files are given, and by their names no two are a pair; name the two with --left "
+        "and --right",
+        count=len(sources),
+    )
+
+
+def _sources_in(folder: Path) -> list[Path]:
+    """Videos in a folder, or folders of images in it, or itself where it holds images."""
+    inside = sorted(path for path in folder.iterdir() if not path.name.startswith("."))
+    videos = [path for path in inside if path.suffix.lower() in VIDEO_SUFFIXES and path.is_file()]
+    if videos:
+        return videos
+    folders = [path for path in inside if path.is_dir() and _holds_images(path)]
+    if folders:
+        return folders
+    if _holds_images(folder):
+        return [folder]
+    raise RecordingError("{folder}: no videos or images in it; check the folder", folder=folder)
+
+
+def _holds_images(folder: Path) -> bool:
+    return any(path.suffix.lower() in IMAGE_SUFFIXES for path in folder.iterdir())
+
+
+def _as_typed(plan: SetupPlan, request: SetupRequest, given: OpenOptions) -> SetupPlan:
+    """The plan with what was typed in place of what was found."""
+    return replace(
+        plan,
+        name=request.name or plan.name,
+        lag=plan.lag if request.lag is None else request.lag,
+        fps=given.rate(plan.fps),
+        calibration=given.calibration or plan.calibration,
+        ground=given.ground(plan.ground),
+        region=given.region(plan.region),
+    )
+
+
+def _completed(plan: SetupPlan, request: SetupRequest) -> SetupPlan:
+    """The plan with lag and floor as they are found, checked by opening the recording."""
+    with open_recording(plan.folder, _options(plan)) as recording:
+        if recording.is_stereo and request.lag is None and not request.as_given:
+            lag = first_lag(recording)
+            if lag:
+                say(msg("the right camera is {lag} frames late", lag=lag))
+            plan = with_lag(plan, lag)
+        if request.floor is None:
+            return plan
+        find = floor_by_stereo if request.floor == "stereo" else floor_by_people
+        with progress(msg("finding the floor")) as tell:
+            estimate: FloorEstimate = find(recording, tell)
+    for note in estimate.notes:
+        say(note)
+    return replace(plan, ground=estimate.ground)
+
+
+def _options(plan: SetupPlan) -> OpenOptions:
+    ground = plan.ground
+    return OpenOptions(
+        left=plan.left,
+        right=plan.right,
+        calibration=plan.calibration,
+        height_m=ground.height_m if ground else None,
+        tilt_deg=ground.tilt_deg if ground else None,
+        roll_deg=ground.roll_deg if ground else None,
+        fps=plan.fps,
+        layout=plan.layout,
+        first=plan.first if plan.layout else None,
+        look=plan.region.look,
+        mask=plan.region.mask,
+    )
+
+
+def _document(plan: SetupPlan, found: CameraFindings) -> dict[str, Any]:
+    ground = plan.ground
+    return {
+        "left": str(plan.left),
+        "right": str(plan.right) if plan.right else None,
+        "layout": plan.layout,
+        "first": plan.first if plan.layout else None,
+        "swapped": found.swapped,
+        "lag": plan.lag or 0,
+        "ground": ground
+        and {"height": ground.height_m, "tilt": ground.tilt_deg, "roll": ground.roll_deg},
+        "notes": [tr(note) for note in found.notes],
+        "doubts": [tr(doubt) for doubt in found.doubts],
+    }

@@ -1,0 +1,53 @@
+"""`setup`: from files to a recording that opens, and wrong input."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from pathlib import Path
+
+import pytest
+from command_line import Trackwright
+
+from tracking.recording import open_recording
+
+
+@pytest.fixture
+def files(recording: Path, tmp_path: Path) -> Path:
+    """The cameras' files and the calibration, named as a camera names them; no recording.toml."""
+    folder = tmp_path / "card"
+    folder.mkdir()
+    for side, name in (("left", "GX010035"), ("right", "GX010034")):
+        source = next(recording.glob(f"{side}*"))
+        target = folder / (name + source.suffix)
+        (shutil.copytree if source.is_dir() else shutil.copyfile)(source, target)
+    shutil.copyfile(recording / "calibration.yaml", folder / "calibration.yaml")
+    return folder
+
+
+def test_two_files_become_a_recording_with_metres(trackwright: Trackwright, files: Path) -> None:
+    calibration = ("--calibration", files / "calibration.yaml")
+    status, printed, _ = trackwright("setup", files, *calibration, "--floor", "stereo", "--json")
+    assert status == 0
+    document = json.loads(printed)
+    assert Path(document["left"]).stem == "GX010035"
+    with open_recording(files) as opened:
+        assert opened.is_stereo
+        assert opened.view is not None
+        assert opened.notes == ()
+
+
+def test_a_recording_that_is_there_is_not_replaced(trackwright: Trackwright, files: Path) -> None:
+    (files / "recording.toml").write_text("mine")
+    status, _, said = trackwright("setup", "--left", next(files.glob("GX010035*")))
+    assert status == 1
+    assert "--force" in said
+    assert (files / "recording.toml").read_text() == "mine"
+
+
+def test_nothing_to_set_up_is_told(trackwright: Trackwright, tmp_path: Path) -> None:
+    assert trackwright("setup")[0] == 2
+    status, _, said = trackwright("setup", tmp_path / "none.mp4")
+    assert (status, "no such file" in said) == (1, True)
+    status, _, said = trackwright("setup", tmp_path)
+    assert (status, "no videos or images" in said) == (1, True)

@@ -1,0 +1,244 @@
+"""What two files, or one, show: a pair of cameras, which is left, one camera, both in one image."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from tracking.calibration.rough import MatchedViews, RelativePose, match_images, pose_of_matches
+from tracking.errors import RecordingError
+from tracking.recording.frame import Image
+from tracking.recording.image_pairs import Layout
+from tracking.recording.pictures import PictureSource
+from tracking.recording.places import open_pictures
+from tracking.translation import Message, msg
+
+_LOOKS = 5
+"""Instants at which the cameras' images are compared."""
+_SAME_SCENE = 40
+"""Matched points on which both views agree, over all looks: fewer are by chance."""
+_SURELY_SAME = 400
+"""With fewer it is looked whether one is mirrored, which many agree on then."""
+_SURELY_LEFT = 3.0
+"""The right camera stands that many times more to the side than above or behind the left one."""
+_LEAST_SHIFT = 3.0
+"""Images of cameras that look the same way are shifted so much more along rows than across."""
+_SAME_SIZE = 0.6
+"""Of the matches of two whole views, those that the halves of one image have at least."""
+_TURNED_DEG = 45.0
+_DARK = 12
+"""Mean grey level of a black image."""
+_LENGTHS_DIFFER = 0.02
+
+
+@dataclass(frozen=True, slots=True)
+class CameraFindings:
+    """What was found of the cameras' files.
+
+    Attributes:
+        left, right: files; right None: one camera, or both in `left`.
+        layout: how both lie in one image; None: one camera an image.
+        left_first: in one image that holds both, the left camera is on the left or at the top.
+        swapped: the files were given, or are named, the other way round.
+        same_scene: both show one place; None: there is but one camera.
+        notes: what was found, in words; doubts: what is likely wrong.
+    """
+
+    left: Path
+    right: Path | None = None
+    layout: Layout | None = None
+    left_first: bool = True
+    swapped: bool = False
+    same_scene: bool | None = None
+    notes: tuple[Message, ...] = ()
+    doubts: tuple[Message, ...] = ()
+
+
+def find_cameras(left: Path, right: Path | None) -> CameraFindings:
+    """Look into one file, or into two that may be a pair.
+
+    Args:
+        left, right: videos, image folders or patterns; which of the two is left is found.
+
+    Raises:
+        RecordingError: a file cannot be read.
+    """
+    source = open_pictures(left, left.name)
+    try:
+        if right is None:
+            return _one_file(left, source)
+        other = open_pictures(right, right.name)
+        try:
+            return _two_files(left, right, source, other)
+        finally:
+            other.close()
+    finally:
+        source.close()
+
+
+def _two_files(
+    left: Path, right: Path, source: PictureSource, other: PictureSource
+) -> CameraFindings:
+    _check_sizes(source, other)
+    notes, doubts = _rates_and_lengths(source, other)
+    count = min(source.frame_count, other.frame_count)
+    views = [(source.read(number), other.read(number)) for number in _numbers(count)]
+    notes += _black(views, source, other)
+    matched = match_images(views)
+    found = pose_of_matches(matched)
+    if found is None or found.agreeing < _SURELY_SAME:
+        unlike = _unlike(left, right, views, found, (*notes,), (*doubts,))
+        if unlike is not None:
+            return unlike
+        assert found is not None, "no matches are unlike"
+    turn_deg = found.roll_deg
+    if abs(turn_deg) > _TURNED_DEG:
+        doubts += [
+            msg(
+                "{right} is turned by {turn:.0f} degrees against {left}: turn its images",
+                right=other.name,
+                left=source.name,
+                turn=turn_deg,
+            )
+        ]
+        return CameraFindings(left, right, same_scene=True, notes=(*notes,), doubts=(*doubts,))
+    swapped, sure = _is_swapped(found)
+    names = (other.name, source.name) if swapped else (source.name, other.name)
+    notes += [
+        msg(
+            "{left} and {right} show one place ({count} points agree); {left} is the left camera",
+            left=names[0],
+            right=names[1],
+            count=found.agreeing,
+        )
+    ]
+    if not sure:
+        doubts += [msg("the cameras do not stand side by side: which is left is not sure")]
+    files = (right, left) if swapped else (left, right)
+    return CameraFindings(
+        *files, swapped=swapped, same_scene=True, notes=(*notes,), doubts=(*doubts,)
+    )
+
+
+def _is_swapped(found: RelativePose) -> tuple[bool, bool]:
+    """Whether the first camera stands on the right, and whether that is sure.
+
+    Over a flat scene the pose alone is not: the images of two cameras that look the same way say
+    it, too, as everything is farther right in the left one's.
+    """
+    side, off_side = float(found.direction[0]), float(np.hypot(*found.direction[1:]))
+    if abs(side) >= _SURELY_LEFT * off_side:
+        return side > 0, True
+    shift = float(found.shift_px[0])
+    parallel = abs(shift) > _LEAST_SHIFT * max(found.row_scatter_px, abs(found.shift_px[1]), 0.5)
+    return (shift < 0, True) if parallel else (side > 0, False)
+
+
+def _check_sizes(source: PictureSource, other: PictureSource) -> None:
+    if source.size != other.size:
+        raise RecordingError(
+            "{left} is {width} x {height} px, {right} {width2} x {height2}; a pair has one size",
+            left=source.name,
+            right=other.name,
+            width=source.size[0],
+            height=source.size[1],
+            width2=other.size[0],
+            height2=other.size[1],
+        )
+
+
+def _rates_and_lengths(
+    source: PictureSource, other: PictureSource
+) -> tuple[list[Message], list[Message]]:
+    notes: list[Message] = []
+    doubts: list[Message] = []
+    if source.fps and other.fps and abs(source.fps / other.fps - 1.0) > 0.001:
+        doubts.append(
+            msg(
+                "{left} has {fps:g} frames per second, {right} {fps2:g}: frames drift apart",
+                left=source.name,
+                right=other.name,
+                fps=source.fps,
+                fps2=other.fps,
+            )
+        )
+    counts = source.frame_count, other.frame_count
+    if abs(counts[0] - counts[1]) > _LENGTHS_DIFFER * max(counts):
+        notes.append(
+            msg(
+                "{left} has {count} frames, {right} {count2}: the shorter one counts",
+                left=source.name,
+                right=other.name,
+                count=counts[0],
+                count2=counts[1],
+            )
+        )
+    return notes, doubts
+
+
+def _numbers(count: int) -> list[int]:
+    looks = np.linspace(0, count - 1, min(count, _LOOKS + 2))
+    return [int(number) for number in (looks[1:-1] if len(looks) > 2 else looks)]
+
+
+def _black(
+    views: list[tuple[Image, Image]], source: PictureSource, other: PictureSource
+) -> list[Message]:
+    names = (source.name, other.name)
+    dark = [name for side, name in enumerate(names) if views[0][side].mean() < _DARK]
+    return [msg("{name} is black where it was looked at first", name=name) for name in dark]
+
+
+def _unlike(
+    left: Path,
+    right: Path,
+    views: list[tuple[Image, Image]],
+    found: RelativePose | None,
+    notes: tuple[Message, ...],
+    doubts: tuple[Message, ...],
+) -> CameraFindings | None:
+    """Two that show no common place, unless one of them is mirrored; None: they are a pair."""
+    agreeing = 0 if found is None else found.agreeing
+    mirrored = pose_of_matches(match_images([(one, other[:, ::-1]) for one, other in views]))
+    names = {"left": left.name, "right": right.name}
+    if mirrored is not None and mirrored.agreeing >= max(_SAME_SCENE, 2 * agreeing):
+        doubt = msg("{right} is mirrored against {left}: mirror its images", **names)
+        return CameraFindings(left, right, same_scene=True, notes=notes, doubts=(*doubts, doubt))
+    if agreeing >= _SAME_SCENE:
+        return None
+    doubt = msg("{left} and {right} do not show the same place", **names)
+    return CameraFindings(left, right, same_scene=False, notes=notes, doubts=(*doubts, doubt))
+
+
+def _one_file(path: Path, source: PictureSource) -> CameraFindings:
+    """One camera, or both cameras in one image."""
+    images = [source.read(number) for number in _numbers(source.frame_count)]
+    height, width = images[0].shape[:2]
+    halves: dict[Layout, MatchedViews] = {
+        "side-by-side": match_images([(i[:, : width // 2], i[:, width // 2 :]) for i in images]),
+        "top-bottom": match_images([(i[: height // 2], i[height // 2 :]) for i in images]),
+    }
+    poses = {layout: pose_of_matches(views) for layout, views in halves.items()}
+    agreeing = {layout: pose.agreeing if pose else 0 for layout, pose in poses.items()}
+    layout = max(agreeing, key=lambda one: agreeing[one])
+    pose = poses[layout]
+    if pose is None or agreeing[layout] < _SAME_SCENE or not _alike(halves[layout]):
+        return CameraFindings(path, notes=(msg("{name} is of one camera", name=source.name),))
+    left_first = bool(pose.direction[0] < 0)
+    note = msg(
+        "{name} holds both cameras, {layout} ({count} points agree); the left camera is {place}",
+        name=source.name,
+        layout=msg("side by side") if layout == "side-by-side" else msg("one above the other"),
+        count=pose.agreeing,
+        place=msg("first") if left_first else msg("second"),
+    )
+    return CameraFindings(path, None, layout, left_first, same_scene=True, notes=(note,))
+
+
+def _alike(views: MatchedViews) -> bool:
+    """Whether matches lie at about the same places of both halves, as views of a pair have it."""
+    offset = views.points[:, 0] - views.points[:, 1]
+    near = np.abs(offset - np.median(offset, axis=0)) < 0.25 * np.array(views.size)
+    return float(near.all(axis=1).mean()) > _SAME_SIZE
