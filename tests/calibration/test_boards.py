@@ -151,3 +151,19 @@ def test_swapped_cameras_are_told(tmp_path: Path) -> None:
     left, right = write_pairs(tmp_path, CHESSBOARD, pair_of(CAMERA))
     with pytest.raises(CalibrationError, match="swap"):
         calibrate_boards(BoardRequest(right, left, CHESSBOARD))
+
+
+def test_a_video_beside_pictures_is_refused(tmp_path: Path) -> None:
+    left, _ = write_pairs(tmp_path, CHESSBOARD, pair_of(CAMERA), count=2)
+    video = tmp_path / "right.avi"
+    writer = cv2.VideoWriter(str(video), cv2.VideoWriter.fourcc(*"MJPG"), 10, (640, 480))
+    writer.write(np.zeros((480, 640, 3), np.uint8))
+    writer.release()
+    with pytest.raises(CalibrationError, match="two sets of pictures"):
+        calibrate_boards(BoardRequest(left, str(video), CHESSBOARD))
+
+
+def test_a_picture_that_cannot_be_read_is_left_out_and_told(tmp_path: Path) -> None:
+    left, right = write_pairs(tmp_path, CHESSBOARD, pair_of(CAMERA), count=7)
+    (tmp_path / "right05.png").write_bytes(b"no picture")
+    assert calibrate_boards(BoardRequest(left, right, CHESSBOARD)).missed == ("left05.png",)

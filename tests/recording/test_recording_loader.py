@@ -203,10 +203,22 @@ def test_half_a_floor_among_the_options_is_refused(tmp_path: Path) -> None:
         open_recording(video, OpenOptions(height_m=2.0))
 
 
-def test_a_calibration_of_the_wrong_size_is_refused(tmp_path: Path) -> None:
+def test_a_calibration_of_another_resolution_is_scaled_and_told(tmp_path: Path) -> None:
     write_pair(tmp_path)
     write_calibration(tmp_path / "c.yaml", rig((640, 480)))
-    with pytest.raises(CalibrationError, match=r"640 x 480.*128 x 96"):
+    options = OpenOptions(calibration=(tmp_path / "c.yaml",))
+    with open_recording(tmp_path, options) as recording:
+        calibration = recording.calibration
+        assert calibration is not None
+        assert calibration.left.size == (128, 96)
+        assert calibration.left.matrix[0, 0] == pytest.approx(rig((640, 480)).left.matrix[0, 0] / 5)
+        assert any("scaled" in str(note) for note in recording.notes)
+
+
+def test_a_calibration_of_the_wrong_size_is_refused(tmp_path: Path) -> None:
+    write_pair(tmp_path)
+    write_calibration(tmp_path / "c.yaml", rig((640, 400)))
+    with pytest.raises(CalibrationError, match=r"640 x 400.*128 x 96"):
         open_recording(tmp_path, OpenOptions(calibration=(tmp_path / "c.yaml",)))
 
 

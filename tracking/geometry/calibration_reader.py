@@ -8,10 +8,19 @@ from typing import Any
 
 from tracking.errors import CalibrationError
 from tracking.geometry.calibration_file_text import parse_xml, parse_yaml, read_text
+from tracking.geometry.colmap_calibration import calibration_of_colmap, is_colmap
+from tracking.geometry.json_calibration import calibration_of_json, parsed
+from tracking.geometry.kalibr_calibration import (
+    calibration_of_camchain,
+    calibration_of_euroc,
+    is_camchain,
+    is_euroc,
+)
 from tracking.geometry.kitti_calibration import calibration_of_kitti, is_kitti
 from tracking.geometry.opencv_calibration import calibration_of_opencv
 from tracking.geometry.ros_calibration import calibration_of_ros, is_ros
 from tracking.geometry.stereo_calibration import StereoCalibration
+from tracking.geometry.zed_calibration import calibration_of_zed, is_zed
 
 
 def read_calibration(
@@ -20,8 +29,11 @@ def read_calibration(
     """The calibration in one file, or in a pair of files.
 
     Known are OpenCV FileStorage YAML and XML (one file, or intrinsics and extrinsics), KITTI's
-    calib.txt and ROS camera_info YAML (left, right). Lengths are metres. Nothing in the files is
-    trusted: sizes, depth and numbers are capped and checked.
+    calib.txt, ROS camera_info YAML (left, right), EuRoC's sensor.yaml (left, right), Kalibr's
+    camchain, COLMAP's cameras.txt, a ZED's SN*.conf, an OAK's calib.json, MATLAB's stereoParams as
+    JSON, and JSON or TOML with K, D, R and t; they are told by their contents. Lengths are metres
+    where the kind has no unit of its own. Nothing in the files is trusted: sizes, depth and numbers
+    are capped and checked.
 
     Args:
         paths: one or two files.
@@ -36,17 +48,34 @@ def read_calibration(
         )
     texts = [read_text(path) for path in paths]
     try:
-        if is_kitti(texts[0]):
-            return calibration_of_kitti(texts[0], paths[0], size)
+        plain = _of_text(texts[0], paths[0], size)
+        if plain is not None:
+            return plain
         files = [(path, _values(path, text)) for path, text in zip(paths, texts, strict=True)]
         if all(is_ros(values) for _, values in files):
             return calibration_of_ros(files, size)
+        if all(is_euroc(values) for _, values in files):
+            return calibration_of_euroc(files, size)
+        if is_camchain(files[0][1]):
+            return calibration_of_camchain(files[0][1], paths[0], size)
         merged = {name: value for _, values in files for name, value in values.items()}
         return calibration_of_opencv(merged, paths[0], size)
     except CalibrationError as error:
         if error.reason.values.keys() & {"path", "where"}:  # it names the file
             raise
         raise CalibrationError("{path}: {error}", path=paths[0], error=error) from error
+
+
+def _of_text(text: str, path: Path, size: tuple[int, int] | None) -> StereoCalibration | None:
+    """The calibration of a file that is neither YAML nor XML; None where it is one of these."""
+    if is_kitti(text):
+        return calibration_of_kitti(text, path, size)
+    if is_zed(text):
+        return calibration_of_zed(text, path, size)
+    if is_colmap(text):
+        return calibration_of_colmap(text, path)
+    values = parsed(text)
+    return None if values is None else calibration_of_json(values, path, size)
 
 
 def _values(path: Path, text: str) -> dict[str, Any]:

@@ -67,6 +67,14 @@ class Camera:
         """Width and height of its images in px."""
         return self.width, self.height
 
+    def scaled_to(self, size: tuple[int, int]) -> Camera:
+        """The same camera whose images were made this large (width, height)."""
+        scale = np.array(size, float) / self.size
+        matrix = self.matrix.copy()
+        matrix[:2] *= scale[:, None]
+        matrix[:2, 2] += 0.5 * scale - 0.5  # pixel centres are whole numbers
+        return Camera(matrix, self.distortion, *size, fisheye=self.fisheye)
+
     def undistort(self, points: Floats) -> Floats:
         """Ideal rays (n, 2), x / z and y / z, of pixels (n, 2) as recorded."""
         points = np.asarray(points, float).reshape(-1, 2)

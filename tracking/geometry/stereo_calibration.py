@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -12,6 +12,8 @@ from tracking.geometry.camera import Camera
 
 _ROTATION_TOLERANCE = 1e-3
 _WIDEST_BASELINE_M = 20.0
+_SAME_SHAPE = 0.005
+"""By which share the shapes of two resolutions may differ: sides are whole pixels."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -54,6 +56,18 @@ class StereoCalibration:
     def baseline_m(self) -> float:
         """Distance between the two camera centres; 0 with one camera."""
         return float(np.linalg.norm(self.translation))
+
+    def scaled_to(self, size: tuple[int, int]) -> StereoCalibration:
+        """The same for images of another resolution (width, height) of the same field of view.
+
+        Raises:
+            CalibrationError: the images' shape differs: they are cut out, nobody knows where.
+        """
+        shapes = (self.left.width * size[1], size[0] * self.left.height)
+        if abs(shapes[0] - shapes[1]) > _SAME_SHAPE * max(shapes):
+            self.check_size(size)
+        right = None if self.right is None else self.right.scaled_to(size)
+        return replace(self, left=self.left.scaled_to(size), right=right)
 
     def check_size(self, size: tuple[int, int]) -> None:
         """Raise CalibrationError if images of this size (width, height) do not fit it."""

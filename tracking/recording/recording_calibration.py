@@ -53,12 +53,23 @@ def read_calibrated(
     if not files:
         return Calibrated(None, None, None, "", ())
     calibration = read_calibration(files, size)
-    calibration.check_size(size)
     notes: tuple[Message, ...] = ()
+    if calibration.left.size != size:
+        width, height = calibration.left.size
+        calibration = calibration.scaled_to(size)
+        notes = (
+            msg(
+                "{name}: made for {width} x {height} px, and scaled to the recording's images",
+                name=files[0].name,
+                width=width,
+                height=height,
+            ),
+        )
+    calibration.check_size(size)
     if not stereo and calibration.right is not None:
         calibration = StereoCalibration.of_one(calibration.left, rough=calibration.rough)
     if stereo and calibration.right is None:
-        notes = (
+        notes += (
             msg("{name}: calibrates the left camera only; there is no depth", name=files[0].name),
         )
     if calibration.rough:

@@ -70,8 +70,10 @@ class Views:
 
 @dataclass(frozen=True, slots=True)
 class _Instant:
+    """Images of one instant; left None: not readable."""
+
     name: str
-    left: GrayImage
+    left: GrayImage | None
     right: GrayImage | None
 
 
@@ -89,7 +91,8 @@ def find_views(left: str, right: str | None, board: Board, progress: Progress) -
     is_video = any(isinstance(side, VideoSource) for side in sides)
     try:
         sizes = {side.size for side in sides if isinstance(side, VideoSource)}
-        if is_video and len(sizes) != 1:
+        videos = sum(isinstance(side, VideoSource) for side in sides)
+        if is_video and (len(sizes) != 1 or videos < len(sides)):
             raise CalibrationError(
                 "calibration: {left} and {right} are not two videos of one size; give two videos, "
                 "or two sets of pictures",
@@ -118,7 +121,8 @@ def first_images(named: str, count: int = 12) -> list[GrayImage]:
         images = [_gray(source.read(number)) for number in numbers]
         source.close()
         return images
-    return [instant.left for instant in _read([(file,) for file in source[:count]])]
+    read = _read([(file,) for file in source[:count]])
+    return [instant.left for instant in read if instant.left is not None]
 
 
 def _pictures(named: str) -> VideoSource | list[Path]:
@@ -177,15 +181,17 @@ def _number(file: Path) -> str:
 
 def _read(pairs: Sequence[tuple[Path, ...]]) -> Iterator[_Instant]:
     for files in pairs:
-        images = [_read_gray(file) for file in files]
+        found = [_read_gray(file) for file in files]
+        images = [image for image in found if image is not None]
+        if len(images) < len(found):
+            yield _Instant(files[0].name, None, None)
+            continue
         yield _Instant(files[0].name, images[0], images[1] if len(images) > 1 else None)
 
 
-def _read_gray(file: Path) -> GrayImage:
+def _read_gray(file: Path) -> GrayImage | None:
     image = cv2.imread(str(file), cv2.IMREAD_GRAYSCALE)
-    if image is None:
-        raise RecordingError("{path}: not readable as an image; leave it out", path=file)
-    return np.asarray(image, np.uint8)
+    return None if image is None else np.asarray(image, np.uint8)
 
 
 def _gray(image: Image) -> GrayImage:
@@ -232,6 +238,8 @@ def _same_size(size: tuple[int, int] | None, image: GrayImage, name: str) -> tup
 
 
 def _view(instant: _Instant, board: Board) -> PairedView | None:
+    if instant.left is None:
+        return None
     left = find_board(instant.left, board)
     if left is None:
         return None
