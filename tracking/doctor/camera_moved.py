@@ -77,11 +77,14 @@ def movement_of(before: Picture, after: Picture) -> Moved | None:
     return Moved(middle, sigma, matches)
 
 
-def check_moved(samples: Samples, focal_px: float | None) -> tuple[Finding | None, int]:
+def check_moved(
+    samples: Samples, focal_px: float | None, baseline_m: float | None = None
+) -> tuple[Finding | None, int]:
     """The finding where a camera moved, and the number of samples before it did so.
 
     Args:
         focal_px: of the cameras; None: taken to be as the image is wide.
+        baseline_m: of a pair; None: places do not come from disparity.
     """
     lefts, rights, frames = samples.lefts, samples.rights, samples.numbers
     moved = {
@@ -111,7 +114,10 @@ def check_moved(samples: Samples, focal_px: float | None) -> tuple[Finding | Non
             "camera": which, "shift_px": shift_px, "sigma_px": worst.sigma_px,
             "after_frame": frames[split - 1], "before_frame": frames[split],
         },
-        _cost_m(shift_px, focal_px or float(images[0].shape[1])),
+        _cost_m(
+            shift_px / (focal_px or float(images[0].shape[1])),
+            None if which == "both" else baseline_m,
+        ),
         picture=draw_moves(images[-1], worst.matches),
     )  # fmt: skip
     return finding, split
@@ -130,6 +136,8 @@ def moment_of(images: tuple[Picture, ...]) -> int:
     return high
 
 
-def _cost_m(shift_px: float, focal_px: float) -> float:
-    """Of places on the floor 5 m away, across: along the view it is more."""
-    return min(DISTANCE_M, DISTANCE_M * shift_px / focal_px)
+def _cost_m(angle_rad: float, baseline_m: float | None) -> float:
+    """Of a person 5 m away: across, or along the view where one camera of a pair moved alone."""
+    across = DISTANCE_M * angle_rad
+    along = 0.0 if baseline_m is None else DISTANCE_M * across / baseline_m
+    return min(DISTANCE_M, max(across, along))

@@ -48,7 +48,8 @@ def examine(recording: Recording, tell: Progress = no_progress) -> Examination:
     samples = read_samples(recording, tell)
     findings = _Findings()
     focal = None if calibration is None else focal_px(calibration)
-    moved, before = camera_moved.check_moved(samples, focal)
+    baseline = None if calibration is None else calibration.baseline_m
+    moved, before = camera_moved.check_moved(samples, focal, baseline)
     findings.add(camera_moved.CODE, moved)
     if calibration is None:
         findings.leave(

@@ -9,7 +9,14 @@ from tracking.atomic_output import replace_with
 from tracking.doctor.finding import Finding, Mend
 from tracking.errors import RecordingError
 from tracking.geometry import StereoCalibration, write_calibration
-from tracking.recording import MANIFEST_NAME, Manifest, Recording, read_manifest, write_manifest
+from tracking.recording import (
+    MANIFEST_NAME,
+    Manifest,
+    Recording,
+    read_manifest,
+    write_manifest,
+)
+from tracking.recording.ground_writer import write_ground
 
 BACKUP = ".bak"
 """After the name of a file as it was before; the newest one is kept."""
@@ -39,8 +46,14 @@ def mend(recording: Recording, finding: Finding) -> tuple[Path, ...]:
             path=recording.path,
             name=MANIFEST_NAME,
         )
-    manifest = _mended_manifest(read_manifest(folder), finding.mend)
+    told = finding.mend
+    manifest = _mended_manifest(read_manifest(folder), told)
     written = []
+    if told.ground is not None and told.calibration is None:
+        # The rest of the text stays as its writer has it.
+        _keep(folder / MANIFEST_NAME)
+        write_ground(folder, told.ground)
+        return (folder / MANIFEST_NAME,)
     if finding.mend.calibration is not None:
         name = _calibration_name(manifest)
         # First the calibration: a manifest must never name one that is not there.

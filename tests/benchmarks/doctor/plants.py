@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import shutil
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -162,13 +162,13 @@ def _knocked(axis: int, degrees: float, when: float) -> Callable[[int, int, Fram
 _FOCAL_PX = 510.0
 """Of the rendered recordings' cameras."""
 _COLUMNS = ("right-shifted-columns",)
-_SIGNS = (1, -1)
+BOTH_WAYS = (1, -1)
 
 
-def plants(tilt_deg: float) -> list[Plant]:
-    """Every fault of issue, both ways where it has a sign. tilt_deg: of the recording's camera."""
+def plants(tilt_deg: float, signs: Sequence[int] = BOTH_WAYS) -> list[Plant]:
+    """Every fault. tilt_deg: of the recording's camera. signs: ways that a number is off."""
     found = []
-    for sign in _SIGNS:
+    for sign in signs:
         for axis, code in enumerate(("right-tilted", "right-turned", "right-rolled")):
             kind = f"right camera rotated about {'xyz'[axis]}"
             found.append(
@@ -186,9 +186,10 @@ def plants(tilt_deg: float) -> list[Plant]:
                   _shifted(0, 3 * sign)),
             Plant("height", f"{10 * sign:+} %", ("scale",), _ground(height=sign * 0.1)),
         ]  # fmt: skip
-        if tilt_deg + 2 * sign <= _STRAIGHT_DEG:
-            found.append(Plant("tilt", f"{2 * sign:+} degrees", ("ground-tilt",),
-                               _ground(tilt_deg=2 * sign)))  # fmt: skip
+        off_deg = 2 * sign if tilt_deg + 2 * sign <= _STRAIGHT_DEG else -2
+        found.append(
+            Plant("tilt", f"{off_deg:+} degrees", ("ground-tilt",), _ground(tilt_deg=off_deg))
+        )
     step, moved = ("cameras-out-of-step",), ("camera-moved",)
     return [
         *found,
@@ -203,3 +204,16 @@ def plants(tilt_deg: float) -> list[Plant]:
 
 
 _STRAIGHT_DEG = 90.0
+
+
+def cut(recording: Path, folder: str, begin: float, end: float) -> Path:
+    """A part of the recording, from a share of its frames to another, filmed anew."""
+
+    def change(number: int, count: int, frame: Frame) -> Frame | None:
+        return frame if begin * count <= number < end * count else None
+
+    halves = (Plant("", "", (), side=side, video=change) for side in ("left", "right"))
+    place = recording
+    for number, half in enumerate(halves):
+        place = half.put(place, Path(folder) / str(number))
+    return place
