@@ -110,6 +110,18 @@ def test_a_wrong_height_is_named_and_mended(copied: Path) -> None:
     assert found.height_m == pytest.approx(ground.height_m, rel=0.01)
 
 
+def test_a_mended_floor_leaves_comments_in_the_manifest(copied: Path) -> None:
+    path = copied / "recording.toml"
+    told = path.read_text(encoding="utf-8") + "# hung by Ada\n"
+    ground = read_manifest(copied).ground
+    assert ground is not None
+    high = told.replace(f"height = {ground.height_m}", f"height = {ground.height_m * 1.2}")
+    path.write_text(high, encoding="utf-8")
+    mended(copied)
+    assert "# hung by Ada" in path.read_text(encoding="utf-8")
+    assert (copied / "recording.toml.bak").read_text(encoding="utf-8") == high
+
+
 def test_a_wrong_tilt_costs_metres_and_is_named(copied: Path) -> None:
     ground = read_manifest(copied).ground
     assert ground is not None
