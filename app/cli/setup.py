@@ -16,9 +16,8 @@ from tracking.errors import RecordingError
 from tracking.people.first_lag import first_lag
 from tracking.recording import MANIFEST_NAME, OpenOptions, open_recording
 from tracking.recording.image_pairs import Side
-from tracking.recording.images import IMAGE_SUFFIXES
-from tracking.recording.locate import VIDEO_SUFFIXES
 from tracking.setup import CameraFindings, SetupPlan, find_cameras, pair_by_name, write_setup
+from tracking.setup.files import sources_in
 from tracking.setup.plan import plan_of, setup_text, with_lag
 from tracking.translation import msg, tr
 
@@ -91,7 +90,7 @@ def _files(request: SetupRequest, given: OpenOptions) -> tuple[Path, Path | None
     if given.left is not None:
         return given.left, given.right
     if len(sources) == 1 and sources[0].is_dir():
-        sources = tuple(_sources_in(sources[0]))
+        sources = sources_in(sources[0])
     if not sources:
         raise typer.BadParameter(msg("name one or two videos, or a folder with them"))
     for path in sources:
@@ -109,24 +108,6 @@ def _files(request: SetupRequest, given: OpenOptions) -> tuple[Path, Path | None
         "and --right",
         count=len(sources),
     )
-
-
-def _sources_in(folder: Path) -> list[Path]:
-    """Videos in a folder, or folders of images in it, or itself where it holds images."""
-    inside = sorted(path for path in folder.iterdir() if not path.name.startswith("."))
-    videos = [path for path in inside if path.suffix.lower() in VIDEO_SUFFIXES and path.is_file()]
-    if videos:
-        return videos
-    folders = [path for path in inside if path.is_dir() and _holds_images(path)]
-    if folders:
-        return folders
-    if _holds_images(folder):
-        return [folder]
-    raise RecordingError("{folder}: no videos or images in it; check the folder", folder=folder)
-
-
-def _holds_images(folder: Path) -> bool:
-    return any(path.suffix.lower() in IMAGE_SUFFIXES for path in folder.iterdir())
 
 
 def _as_typed(plan: SetupPlan, request: SetupRequest, given: OpenOptions) -> SetupPlan:

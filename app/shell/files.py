@@ -38,9 +38,11 @@ from app.shell.recording_controller import RecordingController
 from app.shell.result_storage import ResultStorage
 from app.shell.save_controller import SaveController
 from app.shell.sessions_beside import SessionsBeside
+from app.shell.setup_controller import SetupController
 from app.shell.whereabouts import Whereabouts
 from tracking.recording import OpenOptions
 from tracking.session import Session
+from tracking.setup.files import may_be_camera
 
 if TYPE_CHECKING:
     from app.shell.main_window import MainWindow
@@ -76,6 +78,7 @@ class Files(Controller):
         self.detectors.changed.connect(self.changed)
         self.backups: BackupController = BackupController(window, work, self)
         self.backups.changed.connect(self.changed)
+        self.setup: SetupController = SetupController(window, work, self)
         self.beside: SessionsBeside = SessionsBeside(window, work, self)
         self.keeping: ResultStorage = ResultStorage(window, work, self)
         self.keeping.changed.connect(self.changed)
@@ -95,9 +98,12 @@ class Files(Controller):
         choose_file(self._window, tr("Open folder"), "", self.open_path, last, folder=True)
 
     def open_dropped(self, urls: Sequence[QUrl]) -> None:
-        """Open the first of some files that were dropped; tracks go into the recording shown."""
+        """Open what was dropped: tracks go into the recording shown, several videos are set up."""
         paths = [Path(url.toLocalFile()) for url in urls if url.isLocalFile()]
-        if paths and self.controller is not None and holds_tracks_alone(paths[0]):
+        cameras = [path for path in paths if may_be_camera(path)]
+        if len(cameras) > 1:
+            self.setup.begin(cameras)
+        elif paths and self.controller is not None and holds_tracks_alone(paths[0]):
             self.importing.read_dropped(paths[0])
         elif paths:
             self.open_path(paths[0])

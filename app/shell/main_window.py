@@ -108,6 +108,7 @@ class MainWindow(QMainWindow):
         self.welcome.open_asked.connect(self.files.ask_open)
         self.welcome.demo_asked.connect(self.files.open_demo)
         self.welcome.path_chosen.connect(self.files.open_path)
+        self.welcome.dropped.connect(self.files.open_dropped)
         self.workspace.camera_switch.mode_chosen.connect(
             lambda mode: self.run_command(f"view.{mode}")
         )
@@ -274,5 +275,5 @@ class MainWindow(QMainWindow):
             event.acceptProposedAction()
 
     def dropEvent(self, event: QDropEvent) -> None:  # noqa: N802
-        """Open the first file dropped."""
+        """Open what was dropped."""
         self.files.open_dropped(event.mimeData().urls())

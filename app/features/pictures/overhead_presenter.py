@@ -31,7 +31,7 @@ class OverheadPresenter:
         self._field_of_view: Floats = np.zeros((0, 2))
         self._message = tr(
             "The position of the floor is unknown, so people cannot be placed on it. Enter the "
-            "calibration and the camera's height and tilt in recording.toml."
+            "calibration and the camera's height and tilt: File, Set up."
         )
         self._looks_down = False
         self._reach_m = reach_m(recording)

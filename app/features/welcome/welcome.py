@@ -30,12 +30,14 @@ class WelcomePage(QWidget):
 
     Signals:
         open_asked(), demo_asked(): the buttons.
-        path_chosen(object): a `Path`, recent or dropped.
+        path_chosen(object): a recent `Path`.
+        dropped(object): the list of `QUrl` that were dropped.
     """
 
     open_asked = Signal()
     demo_asked = Signal()
     path_chosen = Signal(object)
+    dropped = Signal(object)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -143,13 +145,11 @@ class WelcomePage(QWidget):
         self.update()
 
     def dropEvent(self, event: QDropEvent) -> None:  # noqa: N802
-        """Open the first file or folder."""
+        """Tell what was dropped."""
         self._over = False
         self.update()
-        paths = [Path(url.toLocalFile()) for url in event.mimeData().urls() if url.isLocalFile()]
         event.acceptProposedAction()
-        if paths:
-            self.path_chosen.emit(paths[0])
+        self.dropped.emit(event.mimeData().urls())
 
     def paintEvent(self, event: QPaintEvent) -> None:  # noqa: ARG002, N802
         """A floor with two paths; a frame while something hangs over the page."""

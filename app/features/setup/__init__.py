@@ -1,0 +1,1 @@
+"""Set-up: from videos to a recording with metres, in the window."""
