@@ -33,7 +33,8 @@ _PLACINGS, _FARTHEST_M = 3, 200.0
 _LOOKS = 600
 """Frames looked at, at most."""
 _LOOK_EVERY_S = 0.15
-_MOST_BOXES = 1200
+_MOST_BOXES, _SEARCHED = 1200, 300
+"""Boxes that count in the end, and that a floor is searched by."""
 _FEWEST_PEOPLE, _FEWEST_AREAS = 4, 4
 """Passages, and cells of the image (of 4 x 4) that people stand in."""
 _SHORTEST_PASSAGE = 5
@@ -174,11 +175,12 @@ def floor_of_people(camera: Camera, seen: PeopleSeen) -> FloorEstimate:
             count=people,
             areas=len(cells),
         )
-    state = _fitted(camera, seen)
+    state = _fitted(camera, _thinned(seen))
     for _ in range(_SELECTIONS):
-        steady = _steady(camera, seen, state)
-        state = _fitted(camera, steady, [state, *_starts()])
-    seen = steady
+        state = _fitted(camera, _thinned(_steady(camera, seen, state)), [state])
+    seen = _steady(camera, seen, state)
+    state = _fitted(camera, seen, [state])
+    seen = _thinned(seen)
     ground = _ground(state)
     check_above(ground.height_m)
     spread = _bootstrap(camera, seen, state)
@@ -202,6 +204,12 @@ def _fitted(camera: Camera, seen: PeopleSeen, starts: Sequence[Floats] | None = 
         for start in starts
     ]
     return np.asarray(min(fits, key=lambda fit: fit.cost).x)
+
+
+def _thinned(seen: PeopleSeen) -> PeopleSeen:
+    """As many boxes as are looked at in a search; each passage keeps its share."""
+    every = max(1, len(seen.box) // _SEARCHED)
+    return seen.select(np.arange(0, len(seen.box), every))
 
 
 def _starts() -> list[Floats]:
