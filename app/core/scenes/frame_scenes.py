@@ -137,6 +137,7 @@ class OverheadScene:
         looks_down: the camera looks (nearly) straight down, not forward.
         ghosts: people where they are before that edit, as far as it moves or takes them out.
         movable: people can be dragged over the floor.
+        rough: the calibration is rough, and metres with it.
     """
 
     frame: int
@@ -153,3 +154,4 @@ class OverheadScene:
     looks_down: bool = False
     ghosts: tuple[FloorPerson, ...] = ()
     movable: bool = False
+    rough: bool = False

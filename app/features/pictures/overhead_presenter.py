@@ -34,6 +34,8 @@ class OverheadPresenter:
             "calibration and the camera's height and tilt: File, Set up."
         )
         self._looks_down = False
+        calibration = recording.calibration
+        self._rough = calibration is not None and calibration.rough
         self._reach_m = reach_m(recording)
         self._seen: Bounds = (-5.0, -1.0, 5.0, 9.0)
         if recording.view is not None:
@@ -75,6 +77,7 @@ class OverheadPresenter:
             looks_down=self._looks_down,
             ghosts=_ghosts(state),
             movable=state.movable and not state.waits,
+            rough=self._rough,
         )
 
     def _people(self, state: FrameState) -> tuple[FloorPerson, ...]:

@@ -206,7 +206,8 @@ class OverheadView(FloorSurface):
         if self._explained and self._flow is None:
             above = foot - QPointF(0, told + _LEGEND_PX) if told else foot
             self._legend.draw(painter, scene, above, area, self._taken(scene), theme)
-        draw_scale_bar(painter, area, self.viewport, theme, tr("m"))
+        unit = tr("m, roughly") if scene.rough else tr("m")
+        draw_scale_bar(painter, area, self.viewport, theme, unit)
 
     def _taken(self, scene: OverheadScene) -> list[QRectF]:
         """Where people and their names are drawn."""

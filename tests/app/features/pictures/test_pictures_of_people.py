@@ -1,3 +1,4 @@
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -163,11 +164,19 @@ def test_the_card_tells_of_the_selected_track(document):
     assert (card.first_frame, card.last_frame) == (rows["frame"][0], rows["frame"][-1])
 
 
+def test_metres_of_a_rough_calibration_are_marked_as_rough(document, monkeypatch):
+    state = document.frame_state(CROWDED)
+    assert not OverheadPresenter(document.recording).scene(state).rough
+    rough = replace(document.recording.calibration, rough=True)
+    monkeypatch.setattr(document.recording, "calibration", rough)
+    assert OverheadPresenter(document.recording).scene(state).rough
+
+
 def test_the_floor_worth_showing_holds_the_camera_also_where_it_sees_none_near_it():
     seen = np.array([(-2.0, 3.0), (2.0, 3.0), (6.0, 12.0), (-6.0, 12.0)])
     ground = SimpleNamespace(height_m=2.4, tilt_deg=10.0)
     view = SimpleNamespace(ground=ground, field_of_view=lambda _: seen)
-    presenter = OverheadPresenter(SimpleNamespace(fps=20.0, view=view))
+    presenter = OverheadPresenter(SimpleNamespace(fps=20.0, view=view, calibration=None))
     left, bottom, right, top = presenter.bounds
     assert (left, right) == (-6 - MARGIN_M, 6 + MARGIN_M)
     assert (bottom, top) == (-MARGIN_M, 12 + MARGIN_M)
