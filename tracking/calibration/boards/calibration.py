@@ -130,7 +130,8 @@ def _found(request: BoardRequest, progress: Progress) -> tuple[Board, Views]:
     """The board as it lies, and its views."""
     board = request.board
     views = find_views(request.left, request.right, board, progress)
-    if not views.views and board.columns != board.rows:
+    # Corners of a chessboard are found whichever way round its size is given.
+    if not views.views and board.kind != "chessboard" and board.columns != board.rows:
         board = board.turned()
         views = find_views(request.left, request.right, board, progress)
     if len(views.views) < _FEWEST_VIEWS:

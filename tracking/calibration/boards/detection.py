@@ -42,14 +42,19 @@ class BoardView:
         return BoardView(self.point[kept], self.pixel[kept])
 
 
-def find_board(image: GrayImage, board: Board) -> BoardView | None:
+def find_board(image: GrayImage, board: Board, *, thorough: bool = True) -> BoardView | None:
     """The board in an image (height, width); None where it is not found whole.
 
-    Of a ChArUco board a part suffices.
+    Of a ChArUco board a part suffices. A chessboard that is not found at once is sought for long if
+    `thorough`.
     """
     if board.kind == "charuco":
         return _find_charuco(image, board)
-    found = _find_corners(image, board) if board.kind == "chessboard" else _circles(image, board)
+    found = (
+        _find_corners(image, board, thorough)
+        if board.kind == "chessboard"
+        else _circles(image, board)
+    )
     if found is None or not np.isfinite(found).all():
         return None
     return BoardView(np.arange(len(found)), found)
@@ -66,13 +71,13 @@ def find_dictionary(images: list[GrayImage], board: Board) -> str:
     return best if seen[best] else ""
 
 
-def _find_corners(image: GrayImage, board: Board) -> Floats | None:
+def _find_corners(image: GrayImage, board: Board, thorough: bool) -> Floats | None:
     size = board.columns, board.rows
     quick = cv2.CALIB_CB_ADAPTIVE_THRESH | cv2.CALIB_CB_NORMALIZE_IMAGE | cv2.CALIB_CB_FAST_CHECK
     found, corners = cv2.findChessboardCorners(image, size, flags=quick)
-    if not found:
-        thorough = cv2.CALIB_CB_NORMALIZE_IMAGE | cv2.CALIB_CB_EXHAUSTIVE
-        found, corners = cv2.findChessboardCornersSB(image, size, flags=thorough)
+    if not found and thorough:
+        everything = cv2.CALIB_CB_NORMALIZE_IMAGE | cv2.CALIB_CB_EXHAUSTIVE
+        found, corners = cv2.findChessboardCornersSB(image, size, flags=everything)
     if not found or len(corners) != board.columns * board.rows:
         return None
     return _refined(image, np.asarray(corners, np.float32).reshape(-1, 2), board)

@@ -105,7 +105,8 @@ def find_views(left: str, right: str | None, board: Board, progress: Progress) -
         else:
             paired, unpaired = _pairs([side for side in sides if isinstance(side, list)])
             instants, total = _read(paired), len(paired)
-        found = _look(instants, board, progress, total)
+        # A video has more views than are needed, and most of its frames may have no board.
+        found = _look(instants, board, progress, (total, not is_video))
     finally:
         for side in sides:
             if isinstance(side, VideoSource):
@@ -207,15 +208,16 @@ def _frames(sides: Sequence[VideoSource | list[Path]]) -> Iterator[_Instant]:
 
 
 def _look(
-    instants: Iterator[_Instant], board: Board, progress: Progress, total: int
+    instants: Iterator[_Instant], board: Board, progress: Progress, asked: tuple[int, bool]
 ) -> tuple[tuple[PairedView, ...], tuple[int, int], tuple[str, ...]]:
     found: list[PairedView] = []
     missed: list[str] = []
     size: tuple[int, int] | None = None
+    total, thorough = asked
     for done, instant in enumerate(instants):
         for image in (instant.left, instant.right):
             size = _same_size(size, image, instant.name) if image is not None else size
-        view = _view(instant, board)
+        view = _view(instant, board, thorough)
         if view is None:
             missed.append(instant.name)
         else:
@@ -237,16 +239,16 @@ def _same_size(size: tuple[int, int] | None, image: GrayImage, name: str) -> tup
     return own
 
 
-def _view(instant: _Instant, board: Board) -> PairedView | None:
+def _view(instant: _Instant, board: Board, thorough: bool) -> PairedView | None:
     if instant.left is None:
         return None
-    left = find_board(instant.left, board)
+    left = find_board(instant.left, board, thorough=thorough)
     if left is None:
         return None
     sharpness = _sharpness(instant.left, left)
     if instant.right is None:
         return PairedView(instant.name, left, None, sharpness)
-    right = find_board(instant.right, board)
+    right = find_board(instant.right, board, thorough=thorough)
     if right is None:
         return None
     if board.kind in ("chessboard", "circles"):

@@ -85,9 +85,8 @@ def floor_by_people(recording: Recording, progress: Progress = no_progress) -> F
     """
     if recording.calibration is None:
         raise CalibrationError(
-            "{path}: the floor by people needs a calibrated camera; give its calibration, or a "
-            "field of view",
-            option="--fov",
+            "{path}: the floor by people needs a calibrated camera; give its calibration",
+            option="--calibration",
             path=recording.path,
         )
     return floor_of_people(recording.calibration.left, people_seen(recording, progress))
