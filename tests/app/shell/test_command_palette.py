@@ -158,9 +158,10 @@ def test_the_choices_are_open_and_demo(welcome, qtbot, heard):
     assert [len(one) for one in asked] == [1, 1]
 
 
-def test_a_dropped_file_is_opened(welcome, qtbot, tmp_path):
+def test_all_that_is_dropped_is_told(welcome, qtbot, tmp_path):
     carried = QMimeData()
-    carried.setUrls([QUrl.fromLocalFile(str(tmp_path / "left.mp4"))])
+    urls = [QUrl.fromLocalFile(str(tmp_path / name)) for name in ("left.mp4", "right.mp4")]
+    carried.setUrls(urls)
     event = QDropEvent(
         QPointF(QPoint(50, 50)),
         Qt.DropAction.CopyAction,
@@ -168,9 +169,9 @@ def test_a_dropped_file_is_opened(welcome, qtbot, tmp_path):
         LEFT,
         Qt.KeyboardModifier.NoModifier,
     )
-    with qtbot.waitSignal(welcome.path_chosen) as chosen:
+    with qtbot.waitSignal(welcome.dropped) as dropped:
         welcome.dropEvent(event)
-    assert chosen.args == [tmp_path / "left.mp4"]
+    assert dropped.args == [urls]
 
 
 def test_the_page_is_drawn_with_and_without_recent_recordings(welcome, drawn):
