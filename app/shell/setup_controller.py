@@ -65,7 +65,7 @@ class SetupController(Controller):
         if not (plan.folder / MANIFEST_NAME).exists():
             self._write_and_open(plan)
             return
-        box = QMessageBox(self._window)
+        box = QMessageBox(self.dialog or self._window)
         box.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         box.setIcon(QMessageBox.Icon.Question)
         box.setTextFormat(Qt.TextFormat.PlainText)
@@ -81,4 +81,6 @@ class SetupController(Controller):
         except TrackwrightError as error:
             self._window.notice.say(explain(error))
             return
+        if self.dialog is not None:
+            self.dialog.accept()
         self._window.files.open_path(path.parent)

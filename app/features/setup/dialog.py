@@ -45,7 +45,8 @@ _FORM_LETTERS, _PICTURE_PX = 58, (420, 320)
 class SetupDialog(QDialog):
     """Shows a :class:`SetupScene` and changes it; what it takes long for is done beside.
 
-    Signals: `planned(plan)`, the plan is to be written and opened.
+    Signals: `planned(plan)`, the plan is to be written and opened. Whoever has written it accepts
+    the form; until then nothing that was typed is lost.
     """
 
     planned = Signal(object)
@@ -224,7 +225,6 @@ class SetupDialog(QDialog):
 
     def _write(self) -> None:
         self.planned.emit(self.plan)
-        self.accept()
 
     @property
     def plan(self) -> SetupPlan:

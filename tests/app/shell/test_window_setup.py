@@ -101,7 +101,13 @@ def test_an_open_recording_is_set_up_again_and_asked_for_before_it_is_replaced(
     _press(form.buttons.button(OK))
     qtbot.waitUntil(lambda: bool(window.findChildren(QMessageBox)))
     boxes = window.findChildren(QMessageBox)
+    _press(boxes[0].button(QMessageBox.StandardButton.Cancel))
     assert (folder / "recording.toml").read_text() == old
+    assert form.isVisible()
+    qtbot.waitUntil(lambda: not window.findChildren(QMessageBox))
+    _press(form.buttons.button(OK))
+    qtbot.waitUntil(lambda: bool(window.findChildren(QMessageBox)))
+    boxes = window.findChildren(QMessageBox)
     _press(next(button for button in boxes[0].buttons() if button.text() == "Replace"))
     assert (folder / "recording.toml").read_text() != old
 
