@@ -13,6 +13,7 @@ import numpy as np
 from tracking.atomic_output import replace_with
 from tracking.errors import CalibrationError, OutputError, RecordingError
 from tracking.geometry import Ground, ground_of_pose
+from tracking.recording.depth_pictures import USUAL_SCALE_M, checked_scale
 from tracking.recording.image_pairs import MOST_LAG, Layout, Side
 from tracking.recording.limits import checked_fps, checked_ground
 from tracking.recording.region_of_interest import EVERYWHERE, Outline, RegionOfInterest, outlines_of
@@ -32,10 +33,14 @@ _LAYOUTS: tuple[Layout, ...] = ("side-by-side", "top-bottom")
 _SIDES: tuple[Side, ...] = ("left", "right")
 _KNOWN: Mapping[str, frozenset[str]] = {
     "": frozenset(
-        ("format", "name", "fps", "left", "right", "stereo", "calibration", "ground", "region")
+        (
+            *("format", "name", "fps", "left", "right", "stereo", "depth"),
+            *("calibration", "ground", "region"),
+        )
     ),
-    "left": frozenset(("source",)),
-    "right": frozenset(("source", "lag")),
+    "left": frozenset(("source", "topic")),
+    "right": frozenset(("source", "topic", "lag")),
+    "depth": frozenset(("source", "topic", "scale")),
     "stereo": frozenset(("source", "layout", "first", "lag")),
     "calibration": frozenset(("file",)),
     "ground": frozenset(("height", "tilt", "roll", "R", "t")),
@@ -54,6 +59,9 @@ class Manifest:
         layout: how both cameras lie in `left`; None: `left` holds one camera.
         first: the camera on the left or at the top, where `layout` is given.
         right_lag: frames by which the right camera is late; negative: the left one; None: not told.
+        depth: a source of 16-bit pictures, one for each of `left`; None: no depth.
+        depth_scale_m: metres of a unit of depth.
+        topics: of `left`, `right` and `depth` where the source is a bag; "": found by content.
         fps: frames a second; None: as the video says.
         calibration: one file, or a pair; empty: not calibrated.
         ground: where the floor is; None: unknown.
@@ -67,6 +75,9 @@ class Manifest:
     layout: Layout | None = None
     first: Side = "left"
     right_lag: int | None = None
+    depth: str | None = None
+    depth_scale_m: float = USUAL_SCALE_M
+    topics: tuple[str, str, str] = ("", "", "")
     fps: float | None = None
     calibration: tuple[str, ...] = ()
     ground: Ground | None = None
@@ -134,6 +145,9 @@ def parse_manifest(text: str, where: str, fallback_name: str) -> Manifest:
         layout=layout,
         first=first,
         right_lag=_right_lag(table),
+        depth=_depth(table),
+        depth_scale_m=_depth_scale(table),
+        topics=_topics(table),
         fps=_fps(table),
         calibration=_calibration(table),
         ground=_ground(table),
@@ -151,11 +165,14 @@ def format_manifest(manifest: Manifest) -> str:
         lines += ["", "[stereo]", f"source = {_quoted(manifest.left)}"]
         lines += [f"layout = {_quoted(manifest.layout)}", f"first = {_quoted(manifest.first)}"]
     else:
-        lines += ["", "[left]", f"source = {_quoted(manifest.left)}"]
+        lines += ["", "[left]", f"source = {_quoted(manifest.left)}", *_topic(manifest, 0)]
     if manifest.right is not None:
-        lines += ["", "[right]", f"source = {_quoted(manifest.right)}"]
+        lines += ["", "[right]", f"source = {_quoted(manifest.right)}", *_topic(manifest, 1)]
     if manifest.right_lag is not None and (manifest.right or manifest.layout):
         lines.append(f"lag = {manifest.right_lag}")
+    if manifest.depth is not None:
+        lines += ["", "[depth]", f"source = {_quoted(manifest.depth)}", *_topic(manifest, 2)]
+        lines.append(f"scale = {manifest.depth_scale_m!r}")
     if manifest.calibration:
         files = [_quoted(file) for file in manifest.calibration]
         listed = files[0] if len(files) == 1 else f"[{', '.join(files)}]"
@@ -169,6 +186,11 @@ def format_manifest(manifest: Manifest) -> str:
         lines += [f"look = {_listed(manifest.region.look)}"] if manifest.region.look else []
         lines += [f"mask = {_listed(manifest.region.mask)}"] if manifest.region.mask else []
     return "\n".join(lines) + "\n"
+
+
+def _topic(manifest: Manifest, place: int) -> list[str]:
+    topic = manifest.topics[place]
+    return [f"topic = {_quoted(topic)}"] if topic else []
 
 
 def write_manifest(folder: Path, manifest: Manifest) -> None:
@@ -230,6 +252,28 @@ def _sources(table: _Table) -> tuple[str, str | None, Layout | None, Side]:
         raise table.error("left", msg("is missing; say where the images are: [left] source = ..."))
     right = _source(table.section("right")) if "right" in table else None
     return _source(table.section("left")), right, None, "left"
+
+
+def _depth(table: _Table) -> str | None:
+    if "depth" not in table:
+        return None
+    if "right" in table or "stereo" in table:
+        raise table.error(
+            "depth", msg("stands beside a right camera; keep one of the two, [depth] or [right]")
+        )
+    return _source(table.section("depth"))
+
+
+def _depth_scale(table: _Table) -> float:
+    section = table.section("depth")
+    return checked_scale(section.get("scale", float, USUAL_SCALE_M), section.place("scale"))
+
+
+def _topics(table: _Table) -> tuple[str, str, str]:
+    left, right, depth = (
+        table.section(side).get("topic", str, "") for side in ("left", "right", "depth")
+    )
+    return left, right, depth
 
 
 def _source(table: _Table) -> str:

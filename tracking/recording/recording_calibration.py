@@ -12,6 +12,7 @@ from tracking.geometry import (
     StereoCalibration,
     View,
     calibration_text,
+    depth_pair,
     read_calibration,
 )
 from tracking.translation import Message, msg
@@ -37,7 +38,12 @@ class Calibrated:
 
 
 def read_calibrated(
-    files: Sequence[Path], size: tuple[int, int], stereo: bool, ground: Ground | None
+    files: Sequence[Path],
+    size: tuple[int, int],
+    stereo: bool,
+    ground: Ground | None,
+    *,
+    depth: bool = False,
 ) -> Calibrated:
     """Read a recording's calibration files and fit them to its pictures.
 
@@ -46,6 +52,7 @@ def read_calibrated(
         size: width and height of one camera in px.
         stereo: whether the recording has two cameras.
         ground: where the floor is; None where unknown.
+        depth: whether depth stands beside its one camera.
 
     Raises:
         CalibrationError: unreadable, or made for pictures of another size.
@@ -66,6 +73,7 @@ def read_calibrated(
             ),
         )
     calibration.check_size(size)
+    beside = depth_pair(calibration) if depth else calibration
     if not stereo and calibration.right is not None:
         calibration = StereoCalibration.of_one(calibration.left, rough=calibration.rough)
     if stereo and calibration.right is None:
@@ -79,7 +87,9 @@ def read_calibrated(
     return Calibrated(
         calibration,
         View(calibration.left, ground) if ground is not None else None,
-        Rectification(calibration, ground) if calibration.right is not None else None,
+        Rectification(beside, ground)
+        if depth or (stereo and calibration.right is not None)
+        else None,
         calibration_text(files),
         notes,
     )

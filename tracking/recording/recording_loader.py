@@ -5,12 +5,18 @@ from __future__ import annotations
 from pathlib import Path
 
 from tracking.errors import RecordingError
+from tracking.recording.depth_pictures import DepthSource, check_fits
 from tracking.recording.image_pairs import ImagePairs, OneCamera, Side, SplitSource, TwoSources
 from tracking.recording.locate import Located, from_manifest, locate
 from tracking.recording.manifest import MANIFEST_NAME
 from tracking.recording.options import OpenOptions
 from tracking.recording.pictures import PictureSource
-from tracking.recording.places import is_pattern, open_pictures, place_inside
+from tracking.recording.places import (
+    is_pattern,
+    open_depth,
+    open_pictures,
+    place_inside,
+)
 from tracking.recording.recording import Recording
 from tracking.recording.recording_calibration import read_calibrated
 from tracking.translation import msg
@@ -54,8 +60,25 @@ def _open(located: Located, options: OpenOptions) -> Recording:
     files = list(options.calibration) or [
         place_inside(located.folder, file, inside) for file in located.manifest.calibration
     ]
-    calibrated = read_calibrated(files, cameras.size, cameras.is_stereo, located.manifest.ground)
-    return Recording(located, cameras, calibrated)
+    depth = _open_depth(located, inside)
+    if depth is not None:
+        check_fits(depth, cameras.sources[0])
+    calibrated = read_calibrated(
+        files,
+        cameras.size,
+        cameras.is_stereo,
+        located.manifest.ground,
+        depth=depth is not None,
+    )
+    return Recording(located, cameras, calibrated, depth)
+
+
+def _open_depth(located: Located, allow_outside: bool) -> DepthSource | None:
+    manifest = located.manifest
+    if manifest.depth is None:
+        return None
+    place = place_inside(located.folder, manifest.depth, allow_outside)
+    return open_depth(place, manifest.depth, manifest.depth_scale_m)
 
 
 def _open_sources(located: Located, allow_outside: bool) -> ImagePairs:

@@ -97,7 +97,7 @@ def build(
     settings: StereoColourSettings,
     seed: int,
     boxes: DetectionSource | None = None,
-) -> tuple[StereoPerception, StereoTracker | PaperTracker]:
+) -> tuple[StereoPerception | DepthPerception, StereoTracker | PaperTracker]:
     """Perception and tracker at their start."""
     follow = PaperTracker if settings.paper else StereoTracker
     if settings.paper:

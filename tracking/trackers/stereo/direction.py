@@ -44,7 +44,7 @@ def build(
     settings: StereoDirectionSettings,
     seed: int,
     boxes: DetectionSource | None = None,
-) -> tuple[StereoPerception, StereoTracker | PaperTracker]:
+) -> tuple[StereoPerception | DepthPerception, StereoTracker | PaperTracker]:
     """Perception and tracker at their start."""
     perception, view = perception_and_view(recording, settings, boxes)
     follow = PaperTracker if settings.paper else StereoTracker
