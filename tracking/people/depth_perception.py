@@ -122,7 +122,8 @@ class DepthPerception:
         ranged = np.stack(disparities)
         nearer = _mean_where(ranged, primary) > _mean_where(ranged, ~primary) + _NEARER_PX
         size = (other.where.shape[1], other.where.shape[0])
-        return in_size(cv2.dilate(nearer.astype(np.uint8) * 255, _PROTECTED), size)
+        people = cv2.dilate(nearer.astype(np.uint8) * 255, _PROTECTED)
+        return in_size(np.asarray(people, np.uint8), size)
 
     def observe(self, frame: StereoFrame) -> Observation:
         """What is seen in the frame. Frames come in order.

@@ -103,7 +103,7 @@ class DepthImages:
         if units is None or units.shape != self.size[::-1] or units.dtype != np.uint16:
             self._lost.add(number)
             return np.zeros(self.size[::-1], np.float32)
-        return depth_of_units(units, self._scale)
+        return depth_of_units(units.astype(np.uint16, copy=False), self._scale)
 
     def close(self) -> None:
         """Nothing is held open."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import tomllib
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path, PurePath
 from typing import Any, TypeVar
 
@@ -115,20 +115,24 @@ def manifest_text(folder: Path) -> str:
         ) from error
 
 
-def parse_manifest(text: str, where: str, fallback_name: str) -> Manifest:
+def names_sources(text: str, where: str) -> bool:
+    """Whether a manifest says what the recording is made of; RecordingError: it is no TOML."""
+    content = _content(text, where)
+    return "left" in content or "stereo" in content
+
+
+def parse_manifest(
+    text: str, where: str, fallback_name: str, found: Manifest | None = None
+) -> Manifest:
     """The manifest in a text.
 
     Args:
         text: TOML.
         where: its path, for messages.
         fallback_name: the name where it gives none.
+        found: what its folder was found to hold, for a text that names no sources.
     """
-    try:
-        content = tomllib.loads(text)
-    except (tomllib.TOMLDecodeError, RecursionError, ValueError) as error:
-        raise RecordingError(
-            "{where}: not readable as TOML ({error}); correct it there", where=where, error=error
-        ) from error
+    content = _content(text, where)
     table = _Table(content, where)
     if table.get("format", int, FORMAT) != FORMAT:
         raise RecordingError(
@@ -136,6 +140,16 @@ def parse_manifest(text: str, where: str, fallback_name: str) -> Manifest:
             where=where,
             said=content["format"],
             known=FORMAT,
+        )
+    if found is not None:
+        return replace(
+            found,
+            name=table.get("name", str, fallback_name),
+            fps=_fps(table) or found.fps,
+            calibration=_calibration(table) or found.calibration,
+            ground=_ground(table),
+            region=_region(table),
+            unknown=_unknown(content),
         )
     left, right, layout, first = _sources(table)
     return Manifest(
@@ -154,6 +168,15 @@ def parse_manifest(text: str, where: str, fallback_name: str) -> Manifest:
         region=_region(table),
         unknown=_unknown(content),
     )
+
+
+def _content(text: str, where: str) -> dict[str, Any]:
+    try:
+        return tomllib.loads(text)
+    except (tomllib.TOMLDecodeError, RecursionError, ValueError) as error:
+        raise RecordingError(
+            "{where}: not readable as TOML ({error}); correct it there", where=where, error=error
+        ) from error
 
 
 def format_manifest(manifest: Manifest) -> str:

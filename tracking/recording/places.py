@@ -9,6 +9,7 @@ from tracking.errors import RecordingError
 from tracking.recording.depth_pictures import DepthImages, DepthSource
 from tracking.recording.images import IMAGE_SUFFIXES, ImageSource, image_files
 from tracking.recording.pictures import PictureSource
+from tracking.recording.time_stamps import stamps_of
 from tracking.recording.video import VideoSource
 
 _GLOB_SIGNS = "*?["
@@ -49,7 +50,9 @@ def open_pictures(path: Path, name: str) -> PictureSource:
         RecordingError: nothing is there, or it cannot be read.
     """
     files = _images_at(path)
-    return VideoSource(path, name) if files is None else ImageSource(files, name)
+    if files is None:
+        return VideoSource(path, name)
+    return ImageSource(files, name, stamps_of(files))
 
 
 def open_depth(path: Path, name: str, scale_m: float) -> DepthSource:

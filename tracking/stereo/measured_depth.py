@@ -87,8 +87,8 @@ def _recorded_places(
     """
     height, width = lines.shape
     u, v = np.meshgrid(np.arange(0, width, STEP), np.arange(0, height, STEP))
-    grid = (np.stack((u.ravel(), v.ravel()), axis=1) + 0.5) * lines.shrink - 0.5
-    recorded = np.nan_to_num(rectification.recorded_from_rectified(grid), nan=-1.0)
+    grid = (np.column_stack((u.ravel(), v.ravel())) + 0.5) * float(lines.shrink) - 0.5
+    recorded = np.nan_to_num(rectification.recorded_from_rectified(grid.astype(float)), nan=-1.0)
     pixel = np.floor(recorded + 0.5).astype(np.intp)
     size = np.array(rectification.size)
     outside = ((pixel < 0) | (pixel >= size)).any(axis=1)

@@ -237,7 +237,8 @@ def disparities_of_people(
 def slack_of(scene: Disparity, lines: SightLines) -> Disparity:
     """How far from the scene's disparity (rows, columns) what is on it may be."""
     per_m = (scene - np.float32(lines.offset)) ** 2 / np.float32(lines.focal_baseline)
-    return np.minimum(per_m * _SAME_PLACE_M, np.float32(_SAME_PLACE_PX))
+    slack = np.minimum(per_m * _SAME_PLACE_M, np.float32(_SAME_PLACE_PX))
+    return np.asarray(slack, np.float32)
 
 
 def least_side_px(window_px: int) -> int:

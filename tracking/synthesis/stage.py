@@ -48,6 +48,7 @@ class Stage:
             Painter(rig, side, spec.lamp, still) for side, still in enumerate(stills)
         ]
         self._left_still = stills[0]
+        self._depth: Float32s | None = None
         self._parts = [behind.split() for behind in self._backdrops]
 
     def empty(self) -> list[Float32s]:
@@ -82,7 +83,9 @@ class Stage:
 
     def depth(self) -> Float32s:
         """(height, width) m along the left camera's axis, with nobody there."""
-        return depth_without_people(self._spec, self.rig, self._left_still)
+        if self._depth is None:
+            self._depth = depth_without_people(self._spec, self.rig, self._left_still)
+        return self._depth
 
     def _still(self, side: int) -> Float32s | None:
         """Draw the pillars into a camera's backdrop; inverse depth of what people can be behind."""

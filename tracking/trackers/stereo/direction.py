@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.people import Detections, StereoPerception
+from tracking.people import DepthPerception, Detections, StereoPerception
 from tracking.people.detection_source import DetectionSource
 from tracking.recording import Recording
 from tracking.setting import setting
