@@ -24,6 +24,7 @@ from tracking.recording.options import OpenOptions
 from tracking.recording.places import is_pattern, place_inside
 from tracking.translation import Message, msg
 
+
 @dataclass(frozen=True, slots=True)
 class Located:
     """A recording found at a path, not opened yet.
@@ -132,10 +133,14 @@ def _made_up(path: Path, name: str, left: Path, right: Path | None) -> Located:
     return _of_sources(path, FoundSources(left, right, name=name))
 
 
-def _of_sources(path: Path, found: FoundSources) -> Located:
-    """A manifest for what was found, with paths relative to a folder that all of it shares."""
+def _of_sources(path: Path, found: FoundSources, base: Path | None = None) -> Located:
+    """A manifest for what was found.
+
+    Paths are relative to `base`, or to a folder that all of it shares.
+    """
     sources = (found.left, found.right, found.depth)
-    folder = _shared_folder([*(one for one in sources if one is not None), *found.calibration])
+    files = [*(one for one in sources if one is not None), *found.calibration]
+    folder = _shared_folder(files) if base is None else base
     left, right, depth = (None if one is None else _relative(one, folder) for one in sources)
     assert left is not None
     manifest = Manifest(
@@ -156,12 +161,14 @@ def _of_sources(path: Path, found: FoundSources) -> Located:
 def _with_manifest(folder: Path, text: str, where: str) -> Located:
     """What a folder holds, with a recording.toml that names no sources: floor, rate, region."""
     found = find_sources(folder)
-    located = None if found is None else _of_sources(folder, found)
-    if located is None or located.folder.resolve() != folder.resolve():
+    if found is None:
         parse_manifest(text, where, folder.name)  # says what is missing
         raise RecordingError("{where}: names no sources", where=where)
+    located = _of_sources(folder, found, folder)
     own = parse_manifest(text, where, located.manifest.name, located.manifest)
-    return replace(located, manifest=own, text=format_manifest(own), trusted=False)
+    # What was found may lie above the folder, as KITTI's calibration does; what a text names not.
+    trusted = own.calibration == located.manifest.calibration
+    return replace(located, manifest=own, text=format_manifest(own), trusted=trusted)
 
 
 def _with_options(found: Located, options: OpenOptions) -> Located:

@@ -27,6 +27,8 @@ _DARK = 40
 _FLAT = 6
 _LEAST_BAR_SHARE = 0.03
 _LEAST_LIKENESS = 0.5
+_LEAST_UNEVEN_SHARE = 0.1
+"""Of the time of a frame, by which stamps of cameras differ from an even rate to be kept."""
 
 
 class Recording:
@@ -233,7 +235,9 @@ def _uneven_times(cameras: ImagePairs, fps: float, count: int) -> NDArray[np.flo
         return None
     even = np.arange(count) / fps
     times = source.times_s[:count]
-    return None if np.abs(times - even).max() < 0.5 / fps else times
+    # Stamps of cameras are kept where they tell more than the rate; those of videos are rounded.
+    share = 0.5 if source.stamps_ns is None else _LEAST_UNEVEN_SHARE
+    return None if np.abs(times - even).max() < share / fps else times
 
 
 def _manifest_notes(located: Located, cameras: ImagePairs, fps: float) -> tuple[Message, ...]:

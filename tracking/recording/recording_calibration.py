@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from tracking.errors import CalibrationError
 from tracking.geometry import (
     Ground,
     Rectification,
@@ -15,6 +16,9 @@ from tracking.geometry import (
     depth_pair,
     read_calibration,
 )
+from tracking.geometry.calibration_file_text import parse_yaml
+from tracking.geometry.ros_calibration import calibration_of_ros
+from tracking.recording.bags.bag_pictures import calibration_texts, is_bag, open_bag
 from tracking.translation import Message, msg
 
 
@@ -44,6 +48,7 @@ def read_calibrated(
     ground: Ground | None,
     *,
     depth: bool = False,
+    topics: Sequence[str] = ("", "", ""),
 ) -> Calibrated:
     """Read a recording's calibration files and fit them to its pictures.
 
@@ -53,13 +58,17 @@ def read_calibrated(
         stereo: whether the recording has two cameras.
         ground: where the floor is; None where unknown.
         depth: whether depth stands beside its one camera.
+        topics: of the cameras, where a file is a bag.
 
     Raises:
         CalibrationError: unreadable, or made for pictures of another size.
     """
     if not files:
         return Calibrated(None, None, None, "", ())
-    calibration = read_calibration(files, size)
+    if is_bag(files[0]):
+        calibration, text = _of_bag(files[0], topics, size)
+    else:
+        calibration, text = read_calibration(files, size), calibration_text(files)
     notes: tuple[Message, ...] = ()
     if calibration.left.size != size:
         width, height = calibration.left.size
@@ -90,6 +99,19 @@ def read_calibrated(
         Rectification(beside, ground)
         if depth or (stereo and calibration.right is not None)
         else None,
-        calibration_text(files),
+        text,
         notes,
     )
+
+
+def _of_bag(
+    path: Path, topics: Sequence[str], size: tuple[int, int]
+) -> tuple[StereoCalibration, str]:
+    """The calibration that a bag's camera_info says, and its text."""
+    texts = calibration_texts(open_bag(path, topics).contents)
+    if not texts:
+        raise CalibrationError(
+            "{path}: holds no camera_info of all its cameras; give a calibration file", path=path
+        )
+    values = [(path, parse_yaml(text, path)) for text in texts]
+    return calibration_of_ros(values, size), "\n".join(texts)

@@ -44,9 +44,7 @@ class Stage:
         self._backdrops = [backdrop(spec, rig, side, seed) for side in range(cameras)]
         self._pillars = Pillars.of_scene(spec)
         stills = [self._still(side) for side in range(cameras)]
-        self._painters = [
-            Painter(rig, side, spec.lamp, still) for side, still in enumerate(stills)
-        ]
+        self._painters = [Painter(rig, side, spec.lamp, still) for side, still in enumerate(stills)]
         self._left_still = stills[0]
         self._depth: Float32s | None = None
         self._parts = [behind.split() for behind in self._backdrops]

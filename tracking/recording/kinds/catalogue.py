@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from tracking.recording.kinds.bag import BAG
 from tracking.recording.kinds.euroc import EUROC
 from tracking.recording.kinds.kind import FoundSources, RecordingKind
 from tracking.recording.kinds.kitti import KITTI
 from tracking.recording.kinds.oak import OAK
 from tracking.recording.kinds.zed import ZED
 
-KINDS: tuple[RecordingKind, ...] = (EUROC, KITTI, OAK, ZED)
+KINDS: tuple[RecordingKind, ...] = (BAG, EUROC, KITTI, OAK, ZED)
 """In the order they are asked."""
 
 
