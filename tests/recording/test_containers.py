@@ -219,9 +219,8 @@ def test_camera_info_is_a_calibration_that_a_manifest_may_name(
 
 def test_a_bag_without_camera_info_has_no_calibration(tmp_path: Path, footage: Footage) -> None:
     path = write_rosbag1(tmp_path, footage)
-    path.write_bytes(
-        path.read_bytes().replace(b"sensor_msgs/CameraInfo", b"sensor_msgs/CameraNono")
-    )
+    data = path.read_bytes()
+    path.write_bytes(data.replace(b"sensor_msgs/CameraInfo", b"sensor_msgs/CameraNono"))
     with open_recording(path) as recording:
         assert recording.calibration is None
         assert_frames(recording, footage)

@@ -146,7 +146,7 @@ def opened(bag: Bag) -> tuple[dict[str, Any], list[memoryview]]:
         "recorded_times": bag.recorded_times,
         "calibrations": bag.calibrations(),
     }
-    return head, [memoryview(np.ascontiguousarray(stamps)).cast("B") for stamps in bag.stamps]
+    return head, [np.ascontiguousarray(stamps).data.cast("B") for stamps in bag.stamps]
 
 
 def _allow(seconds: float) -> None:
@@ -200,5 +200,5 @@ def main(commands: IO[bytes], answers: IO[bytes]) -> None:
             send(answers, {"refused": message_data(why_of(error))})
         else:
             told = {"shape": list(picture.shape), "kind": str(picture.dtype)}
-            send(answers, told, memoryview(picture).cast("B"))
+            send(answers, told, picture.data.cast("B"))
         _allow(0)

@@ -70,7 +70,9 @@ class Entries:
 class Container(Protocol):
     """A bag."""
 
-    topics: Sequence[Topic]
+    @property
+    def topics(self) -> Sequence[Topic]:
+        """All that can be read."""
 
     def entries(self, topic: Topic) -> Entries:
         """The messages of a topic."""
@@ -121,7 +123,7 @@ class Rosbag1:
         for connection in self._reader.connections:
             self._connections.setdefault(connection.topic, []).append(connection.id)
         kinds = {each.topic: each.msgtype for each in self._reader.connections}
-        self.topics = [
+        self.topics: Sequence[Topic] = [
             Topic(name, kinds[name], True, sum(len(self._reader.indexes[n]) for n in ids))
             for name, ids in self._connections.items()
         ]
@@ -200,7 +202,9 @@ class Sqlite:
         self._reader.open()
         found = self._reader.connections[:_MOST_TOPICS]
         self._ids = {each.topic: each.id for each in found}
-        self.topics = [Topic(each.topic, each.msgtype, False, each.msgcount) for each in found]
+        self.topics: Sequence[Topic] = [
+            Topic(each.topic, each.msgtype, False, each.msgcount) for each in found
+        ]
 
     def entries(self, topic: Topic) -> Entries:
         """See `Container`."""
@@ -262,7 +266,7 @@ class Mcap:
             found[channel.topic] = Topic(
                 channel.topic, kind, channel.message_encoding == "ros1", count
             )
-        self.topics = list(found.values())
+        self.topics: Sequence[Topic] = list(found.values())
 
     def entries(self, topic: Topic) -> Entries:
         """See `Container`."""
@@ -340,7 +344,7 @@ class Several:
         for topic in (topic for each in containers for topic in each.topics):
             before = found[topic.name].count if topic.name in found else 0
             found[topic.name] = Topic(topic.name, topic.kind, topic.is_ros1, before + topic.count)
-        self.topics = list(found.values())
+        self.topics: Sequence[Topic] = list(found.values())
         self._most = 1 << 40
 
     def entries(self, topic: Topic) -> Entries:
