@@ -23,6 +23,7 @@ from containers_of_scene import (
 from tracking.errors import CalibrationError, RecordingError
 from tracking.geometry import StereoCalibration
 from tracking.recording import OpenOptions, Recording, open_from_manifest, open_recording
+from tracking.recording.bags import bag_contents
 
 FLOOR = OpenOptions(height_m=2.4, tilt_deg=30.0)
 
@@ -229,3 +230,29 @@ def test_a_bag_without_camera_info_has_no_calibration(tmp_path: Path, footage: F
     )
     with pytest.raises(CalibrationError, match="no camera_info of all its cameras"):
         open_recording(tmp_path)
+
+
+def test_a_large_bag_opens_again_by_what_is_kept(
+    tmp_path: Path, footage: Footage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+    monkeypatch.setattr(bag_contents, "_LEAST_MESSAGES", 1)
+    path = write_rosbag1(tmp_path, footage)
+    for _ in range(2):
+        with open_recording(path, FLOOR) as recording:
+            assert_frames(recording, footage)
+            assert_times(recording, footage)
+            assert_calibration(recording.calibration, footage)
+        assert len(list((tmp_path / "cache" / "trackwright" / "bags").iterdir())) == 1
+    kept = next((tmp_path / "cache" / "trackwright" / "bags").iterdir())
+    kept.write_bytes(kept.read_bytes()[:500])
+    with open_recording(path) as recording:
+        assert_frames(recording, footage)
+
+
+def test_a_number_of_many_digits_is_no_time(tmp_path: Path, footage: Footage) -> None:
+    write_euroc(tmp_path, footage)
+    table = tmp_path / "mav0" / "cam0" / "data.csv"
+    table.write_text(table.read_text().replace("17000", "1" * 5000, 1))
+    with open_recording(tmp_path) as recording:
+        assert_frames(recording, footage)

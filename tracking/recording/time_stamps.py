@@ -17,6 +17,7 @@ Stamps = NDArray[np.int64]
 _MOST_BYTES = 64 << 20
 _EUROC, _KITTI = "data.csv", "timestamps.txt"
 _LINE = re.compile(r"(\d{4}-\d{2}-\d{2} \d{2}:\d{2}:\d{2})(?:\.(\d{1,9}))?\s*")
+_MOST_DIGITS = 19
 _NANOSECONDS = 18
 """Digits that a name has at the least which is a time in ns: from 2001 on it has 19."""
 
@@ -34,7 +35,7 @@ def stamps_of(files: Sequence[Path]) -> Stamps | None:
         if found is not None:
             return _increasing(found)
     named = [file.stem for file in files]
-    if all(name.isdecimal() and len(name) >= _NANOSECONDS for name in named):
+    if all(_is_number(name) and len(name) >= _NANOSECONDS for name in named):
         return _increasing([int(name) for name in named])
     return None
 
@@ -58,7 +59,7 @@ def _of_table(path: Path, files: Sequence[Path]) -> list[int] | None:
         return None
     named: dict[str, int] = {}
     for row in csv.reader(text.splitlines()):
-        if len(row) >= 2 and row[0].strip().isdecimal():
+        if len(row) >= 2 and _is_number(row[0].strip()):
             named[row[1].strip()] = int(row[0])
     stamps = [named.get(file.name) for file in files]
     return [s for s in stamps if s is not None] if None not in stamps else None
@@ -72,12 +73,17 @@ def _of_lines(path: Path, files: Sequence[Path]) -> list[int] | None:
     lines = text.splitlines()
     stamps = []
     for file in files:
-        number = int(file.stem) if file.stem.isdecimal() else len(lines)
+        number = int(file.stem) if _is_number(file.stem) else len(lines)
         found = _LINE.fullmatch(lines[number]) if number < len(lines) else None
         if found is None:
             return None
         stamps.append(_nanoseconds(found[1], found[2] or "0"))
     return stamps
+
+
+def _is_number(text: str) -> bool:
+    """Whether a text is a whole number that 64 bits hold, or nearly."""
+    return text.isascii() and text.isdecimal() and len(text) <= _MOST_DIGITS
 
 
 def _nanoseconds(second: str, fraction: str) -> int:

@@ -11,7 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.errors import RecordingError
-from tracking.recording.bags.bag_process import BagContents, BagProcess, BrokenMessageError
+from tracking.recording.bags.bag_contents import BagContents
+from tracking.recording.bags.bag_process import BagProcess, BrokenMessageError
 from tracking.recording.depth_pictures import Depth, depth_of_units, lost_notes
 from tracking.recording.frame import Image
 from tracking.recording.pace import pace_of

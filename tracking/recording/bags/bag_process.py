@@ -9,7 +9,6 @@ import sys
 import threading
 import weakref
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +17,12 @@ from numpy.typing import NDArray
 
 from tracking.errors import RecordingError
 from tracking.message_data import message_from
+from tracking.recording.bags.bag_contents import (
+    BagContents,
+    contents_of,
+    keep_contents,
+    known_contents,
+)
 from tracking.translation import msg
 from tracking.untrusted.pipe import receive_bytes, receive_head, send
 
@@ -33,26 +38,6 @@ _DAMAGED = msg("is damaged: it cannot be read safely")
 
 class BrokenMessageError(Exception):
     """One picture of a bag cannot be read."""
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class BagContents:
-    """What a bag holds, of its left camera, its right one, and depth, in this order.
-
-    Attributes:
-        topics: "" where there is none. sizes: width and height px; None where there is none.
-        stamps_ns: (n,) each, not decreasing.
-        in_metres: depth is in metres, and needs no scale.
-        recorded_times: times are those of recording, not the cameras' own.
-        calibrations: camera_info in YAML: of both cameras, of the left one, or of none.
-    """
-
-    topics: tuple[str, ...]
-    sizes: tuple[tuple[int, int] | None, ...]
-    stamps_ns: tuple[NDArray[np.int64], ...]
-    in_metres: bool
-    recorded_times: bool
-    calibrations: tuple[str, ...]
 
 
 class BagProcess:
@@ -72,7 +57,12 @@ class BagProcess:
         self._topics = list(topics)
         self._lock = threading.Lock()
         self._restarts = 0
-        self._start()
+        known = known_contents(path, topics)
+        if known is not None:
+            self.contents = known
+        self._start(known)
+        if known is None:
+            keep_contents(path, topics, self.contents)
 
     def read(self, side: int, number: int) -> NDArray[Any]:
         """One picture: (height, width, 3) uint8 BGR, or depth (height, width) uint16 or float32.
@@ -93,7 +83,8 @@ class BagProcess:
         """End the program."""
         self._end()
 
-    def _start(self) -> None:
+    def _start(self, known: BagContents | None) -> None:
+        """Start the program; of a bag that was opened before it is told what is known."""
         environment = {"OPENBLAS_NUM_THREADS": "1", "MALLOC_ARENA_MAX": "4"}
         self._child = subprocess.Popen(
             [sys.executable, "-P", str(_WORKER)],
@@ -105,8 +96,15 @@ class BagProcess:
         )
         self._end = weakref.finalize(self, _ended, self._child)
         try:
-            head = self._ask({"path": str(self.path.resolve()), "topics": self._topics})
-            self.contents = self._contents(head)
+            where = str(self.path.resolve())
+            if known is None:
+                head = self._ask({"path": where, "topics": self._topics})
+                self.contents = self._contents(head)
+            else:
+                counts = [table.shape[1] for table in known.tables]
+                told = {"path": where, "topics": list(known.topics), "counts": counts}
+                tables = [table.tobytes() for table in known.tables]
+                self._ask(told, *tables)
         except BrokenMessageError as error:
             self._end()
             raise RecordingError("{path}: {why}", path=self.path, why=error.args[0]) from error
@@ -119,9 +117,9 @@ class BagProcess:
         self._restarts += 1
         if self._restarts > _MOST_RESTARTS:
             raise RecordingError("{path}: {why}", path=self.path, why=_DAMAGED)
-        self._start()
+        self._start(self.contents)
 
-    def _ask(self, head: dict[str, Any]) -> dict[str, Any]:
+    def _ask(self, head: dict[str, Any], *parts: bytes) -> dict[str, Any]:
         """The head of the answer. Raises BrokenMessageError where it is a refusal."""
         assert self._child.stdin is not None
         assert self._child.stdout is not None
@@ -130,7 +128,7 @@ class BagProcess:
         timer.start()
         try:
             with contextlib.suppress(BrokenPipeError):  # it may have said why it ended
-                send(self._child.stdin, head)
+                send(self._child.stdin, head, *parts)
             answer = receive_head(self._child.stdout)
         finally:
             timer.cancel()
@@ -146,19 +144,11 @@ class BagProcess:
         if len(counts) != 3 or not all(0 <= count <= _MOST_MESSAGES for count in counts):
             raise ValueError("no counts of messages")
         assert self._child.stdout is not None
-        stamps = [
-            np.frombuffer(receive_bytes(self._child.stdout, 8 * count), np.int64)
+        tables = [
+            np.frombuffer(receive_bytes(self._child.stdout, 24 * count), np.int64).reshape(3, -1)
             for count in counts
         ]
-        sizes = [(int(one[0]), int(one[1])) if one else None for one in head["sizes"]]
-        return BagContents(
-            tuple(str(topic) for topic in head["topics"]),
-            tuple(sizes),
-            tuple(stamps),
-            head["in_metres"] is True,
-            head["recorded_times"] is True,
-            tuple(str(text) for text in head["calibrations"]),
-        )
+        return contents_of(head, tables)
 
     def _picture(self, head: dict[str, Any]) -> NDArray[Any]:
         kind = np.dtype(_KINDS[head["kind"]])

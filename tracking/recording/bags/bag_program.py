@@ -36,7 +36,7 @@ from tracking.recording.bags.messages import (
     stamp_ns,
 )
 from tracking.translation import msg
-from tracking.untrusted.pipe import receive_head, send
+from tracking.untrusted.pipe import receive_bytes, receive_head, send
 
 _MEMORY_BYTES = 4 << 30
 _ASK_S = 1.5
@@ -49,15 +49,34 @@ _MOST_IMAGE_TOPICS = 64
 class Bag:
     """An opened bag: the topics of its cameras, and their messages in order of time.
 
+    Args:
+        path: the bag. named: topics of left, right and depth; "": not told.
+        known: the entries of each, of a bag that was opened before; `named` are its topics then.
+
     Attributes:
         topics: of the left camera, the right one and depth; None where there is none.
-        stamps: of each. first: the first picture of each.
+        entries: of each, in order of time. stamps: when each was taken.
+        first: the first picture of each.
         recorded_times: the times are those of recording, not the cameras' own.
     """
 
-    def __init__(self, path: Path, named: list[str]) -> None:
+    def __init__(self, path: Path, named: list[str], known: list[Entries] | None = None) -> None:
         self._container: Container = open_container(path)
         self._messages = Messages()
+        self.recorded_times = False
+        self.first: list[Picture | None] = [None] * 3
+        if known is not None:
+            by_name = {topic.name: topic for topic in self._container.topics}
+            self.topics = [by_name[name] if name else None for name in named]
+            self.entries = known
+            self.stamps = [one.time_ns for one in known]
+            return
+        self._choose(named)
+        ordered = [self._in_order(topic) for topic in self.topics]
+        self.entries, self.stamps = [one[0] for one in ordered], [one[1] for one in ordered]
+
+    def _choose(self, named: list[str]) -> None:
+        """Find the topics of the cameras by what they hold."""
         there = [t for t in self._container.topics if t.kind in (IMAGE, COMPRESSED) and t.count]
         firsts = dict(self._first(topic) for topic in there[:_MOST_IMAGE_TOPICS])
         images = [topic for topic in there if firsts.get(topic.name) is not None]
@@ -65,14 +84,11 @@ class Bag:
         names = choose_topics(images, named, is_depth)
         if not names[0]:
             raise BagError(msg("holds no images (sensor_msgs Image or CompressedImage)"))
-        by_name = {topic.name: topic for topic in images}
         if names[2] and not named[2] and _size(firsts[names[2]]) != _size(firsts[names[0]]):
             names = (names[0], names[1], "")  # it is not aligned to this camera
+        by_name = {topic.name: topic for topic in images}
         self.topics = [by_name.get(name) for name in names]
         self.first = [firsts.get(name) for name in names]
-        self.recorded_times = False
-        ordered = [self._in_order(topic) for topic in self.topics]
-        self.entries, self.stamps = [one[0] for one in ordered], [one[1] for one in ordered]
 
     def _first(self, topic: Topic) -> tuple[str, Picture | None]:
         """The first picture of a topic; None: it is of a kind that is not read."""
@@ -83,10 +99,11 @@ class Bag:
         except Exception:  # whatever the libraries raise: this topic is of no use
             return topic.name, None
 
-    def _in_order(self, topic: Topic | None) -> tuple[Entries | None, NDArray[np.int64]]:
+    def _in_order(self, topic: Topic | None) -> tuple[Entries, NDArray[np.int64]]:
         """The messages of a topic by the cameras' own times, where these can be had at once."""
         if topic is None:
-            return None, np.zeros(0, np.int64)
+            nothing = np.zeros(0, np.int64)
+            return Entries(nothing, nothing, nothing), nothing
         entries = self._container.entries(topic)
         heads = self._container.heads(entries)
         stamps = entries.time_ns
@@ -103,7 +120,6 @@ class Bag:
         """One picture of the left camera, the right one or depth."""
         topic, entries = self.topics[side], self.entries[side]
         assert topic is not None
-        assert entries is not None
         data = self._container.read(int(entries.part[number]), int(entries.place[number]))
         picture = self._messages.picture(topic, data)
         return picture if side == 2 else _of_camera(picture)
@@ -116,8 +132,11 @@ class Bag:
             info = info_topic(topic.name, infos)
             if info is None:
                 return []
-            value = first_value(self._container, self._messages, info)
-            texts.append(calibration_text(value, topic.name))
+            try:
+                value = first_value(self._container, self._messages, info)
+                texts.append(calibration_text(value, topic.name))
+            except Exception:  # whatever the libraries raise: there is none of use
+                return []
         return texts
 
 
@@ -136,8 +155,8 @@ def _size(picture: Picture | None) -> list[int]:
     return [] if picture is None else [picture.shape[1], picture.shape[0]]
 
 
-def opened(bag: Bag) -> tuple[dict[str, Any], list[memoryview]]:
-    """What is told of a bag: a head, and the times of each of its three topics."""
+def opened(bag: Bag) -> tuple[dict[str, Any], list[bytes]]:
+    """What is told of a bag: a head, and time, part and place of each message of three topics."""
     head = {
         "topics": ["" if topic is None else topic.name for topic in bag.topics],
         "counts": [len(stamps) for stamps in bag.stamps],
@@ -146,7 +165,22 @@ def opened(bag: Bag) -> tuple[dict[str, Any], list[memoryview]]:
         "recorded_times": bag.recorded_times,
         "calibrations": bag.calibrations(),
     }
-    return head, [np.ascontiguousarray(stamps).data.cast("B") for stamps in bag.stamps]
+    tables = [
+        np.stack((stamps, entries.part, entries.place))
+        for stamps, entries in zip(bag.stamps, bag.entries, strict=True)
+    ]
+    return head, [table.tobytes() for table in tables]
+
+
+def _known(start: dict[str, Any], commands: IO[bytes]) -> list[Entries] | None:
+    """The entries that come with the first message; None where there are none."""
+    if "counts" not in start:
+        return None
+    tables = [
+        np.frombuffer(receive_bytes(commands, 24 * int(count)), np.int64).reshape(3, -1)
+        for count in start["counts"]
+    ]
+    return [Entries(*table) for table in tables]
 
 
 def _allow(seconds: float) -> None:
@@ -185,8 +219,9 @@ def main(commands: IO[bytes], answers: IO[bytes]) -> None:
     path = Path(start["path"])
     try:
         _allow(min(_LONGEST_S, _ASK_S + _size_of(path) / _BYTES_A_SECOND))
-        bag = Bag(path, list(start["topics"]))
-        head, parts = opened(bag)
+        known = _known(start, commands)
+        bag = Bag(path, list(start["topics"]), known)
+        head, parts = opened(bag) if known is None else ({"ready": True}, [])
     except Exception as error:
         send(answers, {"refused": message_data(why_of(error))})
         return

@@ -6,6 +6,8 @@ files' own indexes, so that an hour opens at once.
 
 from __future__ import annotations
 
+import os
+import sqlite3
 import struct
 from collections import OrderedDict
 from collections.abc import Sequence
@@ -27,6 +29,8 @@ _MOST_UNPACKED = 256 << 20
 """Bytes that are unpacked for the sake of the cameras' own times; beyond, those of recording."""
 HEAD_BYTES = 16
 """Of a message, which hold its header's time in either serialization."""
+_LONGEST_HEAD = 256
+_DAMAGED_INDEX = msg("has an index that is damaged")
 _NOT_INDEXED = msg("has no index: it was not closed; repair it (rosbag reindex, mcap recover)")
 
 
@@ -103,39 +107,74 @@ class Chunks:
 
 
 class Rosbag1:
-    """A bag of ROS 1, version 2.0."""
+    """A bag of ROS 1, version 2.0.
+
+    The library's own reader makes an object for each message as it opens a bag; here its parts are
+    used, and the index of a topic is read when it is asked for.
+    """
 
     def __init__(self, path: Path) -> None:
-        from rosbags.rosbag1 import Reader
-        from rosbags.rosbag1.reader import ReaderError
+        from rosbags.rosbag1.reader import Header, Reader, RecordType
 
         self._reader = Reader(path)
-        try:
-            self._reader.open()
-        except ReaderError as error:
-            if "not indexed" in str(error):
-                raise BagError(_NOT_INDEXED) from error
-            raise
-        assert self._reader.bio is not None
-        self._file: IO[bytes] = self._reader.bio
-        self._chunks = Chunks()
-        self._connections: dict[str, list[int]] = {}
-        for connection in self._reader.connections:
-            self._connections.setdefault(connection.topic, []).append(connection.id)
-        kinds = {each.topic: each.msgtype for each in self._reader.connections}
+        self._file: IO[bytes] = path.open("rb")
+        self._reader.bio = self._file
+        if self._file.readline(64) != b"#ROSBAG V2.0\n":
+            raise BagError(msg("is no bag of version 2.0"))
+        header = Header.read(self._file, RecordType.BAGHEADER)
+        if header.get_uint64("index_pos") == 0:
+            raise BagError(_NOT_INDEXED)
+        self._file.seek(header.get_uint64("index_pos"))
+        connections = [
+            self._reader.read_connection() for _ in range(header.get_uint32("conn_count"))
+        ]
+        self._infos = [
+            self._reader.read_chunk_info() for _ in range(header.get_uint32("chunk_count"))
+        ]
+        self._chunks, self._places = Chunks(), dict[int, Any]()
+        self._ids: dict[str, list[int]] = {}
+        kinds: dict[str, str] = {}
+        for connection in connections[:_MOST_TOPICS]:
+            self._ids.setdefault(connection.topic, []).append(connection.id)
+            kinds[connection.topic] = connection.msgtype
+        counts: dict[int, int] = {}
+        for info in self._infos:
+            for number, count in info.connection_counts.items():
+                counts[number] = counts.get(number, 0) + count
         self.topics: Sequence[Topic] = [
-            Topic(name, kinds[name], True, sum(len(self._reader.indexes[n]) for n in ids))
-            for name, ids in self._connections.items()
+            Topic(name, kinds[name], True, sum(counts.get(number, 0) for number in ids))
+            for name, ids in self._ids.items()
         ]
 
     def entries(self, topic: Topic) -> Entries:
         """See `Container`."""
-        rows = [
-            row for number in self._connections[topic.name] for row in self._reader.indexes[number]
-        ]
-        table = np.array([tuple(row) for row in rows], np.int64).reshape(-1, 3)
+        wanted = set(self._ids[topic.name])
+        tables = [np.zeros((0, 3), np.int64)]
+        for info in self._infos:
+            if wanted.isdisjoint(info.connection_counts):
+                continue
+            self._place_of(info.pos)
+            chunk = self._places[info.pos]
+            self._file.seek(chunk.datapos + chunk.datasize)
+            for _ in info.connection_counts:
+                number, rows = self._index_record()
+                if number in wanted:
+                    tables.append(np.insert(rows, 1, info.pos, axis=1))
+        table = np.concatenate(tables)
         table = table[np.argsort(table[:, 0], kind="stable")]
         return Entries(table[:, 0], table[:, 1], table[:, 2])
+
+    def _index_record(self) -> tuple[int, NDArray[np.int64]]:
+        """A connection's number, and (n, 2) time and place of its messages in a chunk."""
+        (size,) = struct.unpack("<I", self._file.read(4))
+        head = self._file.read(min(size, _LONGEST_HEAD))
+        at = head.index(b"conn=") + 5
+        (number,) = struct.unpack_from("<I", head, at)
+        (size,) = struct.unpack("<I", self._file.read(4))
+        if b"op=\x04" not in head or size % 12 or size > MOST_MESSAGE_BYTES:
+            raise BagError(_DAMAGED_INDEX)
+        rows = np.frombuffer(self._file.read(size), "<u4").reshape(-1, 3).astype(np.int64)
+        return number, np.column_stack((rows[:, 0] * 10**9 + rows[:, 1], rows[:, 2]))
 
     def read(self, part: int, place: int) -> bytes:
         """See `Container`."""
@@ -148,7 +187,7 @@ class Rosbag1:
         from rosbags.rosbag1.reader import decompressors
 
         pairs = list(zip(entries.part.tolist(), entries.place.tolist(), strict=True))
-        chunks = [self._reader.chunks[part] for part in {part for part, _ in pairs}]
+        chunks = [self._place_of(part) for part in {part for part, _ in pairs}]
         if all(chunk.decompressor is decompressors["none"] for chunk in chunks):
             return [self._head(part, place) for part, place in pairs]
         if sum(chunk.datasize for chunk in chunks) > _MOST_UNPACKED:
@@ -157,17 +196,25 @@ class Rosbag1:
 
     def _head(self, part: int, place: int) -> bytes:
         """The first bytes of a message in a chunk that is not packed."""
-        chunk = self._reader.chunks[part]
-        self._file.seek(chunk.datapos + place)
-        data = self._file.read(512)
+        at = self._places[part].datapos + place
+        data = os.pread(self._file.fileno(), _LONGEST_HEAD, at)
+        if b"op=\x07" in data:  # a connection may stand before it
+            data = os.pread(self._file.fileno(), 1 << 16, at)
         start, _ = _rosbag1_message(data, 0)
         return data[start : start + HEAD_BYTES]
+
+    def _place_of(self, part: int) -> Any:
+        """Where the data of a chunk stands, and how it is packed."""
+        if part not in self._places:
+            self._file.seek(part)
+            self._places[part] = self._reader.read_chunk()
+        return self._places[part]
 
     def _chunk(self, part: int) -> bytes:
         kept = self._chunks.get(part)
         if kept is not None:
             return kept
-        chunk = self._reader.chunks[part]
+        chunk = self._place_of(part)
         if chunk.datasize > _MOST_CHUNK_BYTES:
             raise BagError(msg("holds a chunk that is too large"))
         self._file.seek(chunk.datapos)
@@ -193,17 +240,18 @@ def _rosbag1_message(data: bytes, place: int) -> tuple[int, int]:
 
 
 class Sqlite:
-    """The database of a ROS 2 bag."""
+    """The database of a ROS 2 bag.
+
+    The library counts all messages as it opens one, which reads most of the file.
+    """
 
     def __init__(self, path: Path) -> None:
-        from rosbags.rosbag2.storage_sqlite3 import Sqlite3Reader
-
-        self._reader = Sqlite3Reader(path)
-        self._reader.open()
-        found = self._reader.connections[:_MOST_TOPICS]
-        self._ids = {each.topic: each.id for each in found}
+        where = f"{path.resolve().as_uri()}?mode=ro&immutable=1"
+        self._database = sqlite3.connect(where, uri=True)
+        topics = self._database.execute("SELECT id, name, type FROM topics").fetchmany(_MOST_TOPICS)
+        self._ids = {str(name): int(number) for number, name, _ in topics}
         self.topics: Sequence[Topic] = [
-            Topic(each.topic, each.msgtype, False, each.msgcount) for each in found
+            Topic(str(name), _ros2_name(str(kind)), False, 1) for _, name, kind in topics
         ]
 
     def entries(self, topic: Topic) -> Entries:
@@ -235,8 +283,7 @@ class Sqlite:
         return [bytes(found[place]) for place in wanted]
 
     def _rows(self, query: str, value: int) -> list[tuple[Any, ...]]:
-        assert self._reader.dbconn is not None
-        return list(self._reader.dbconn.execute(query, (value,)))
+        return self._database.execute(query, (value,)).fetchall()
 
 
 class Mcap:
@@ -288,7 +335,7 @@ class Mcap:
         self._file.seek(offset)
         opcode, _, number, size = struct.unpack("<BQHI", self._file.read(15))
         if opcode != 0x07 or number != channel or size % 16 or size > MOST_MESSAGE_BYTES:
-            raise BagError(msg("has an index that is damaged"))
+            raise BagError(_DAMAGED_INDEX)
         return np.frombuffer(self._file.read(size), "<i8").reshape(-1, 2)
 
     def read(self, part: int, place: int) -> bytes:
