@@ -5,7 +5,7 @@ BIN := $(VENV)/bin
 STAMP := $(VENV)/.ready
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
-.PHONY: help demo test format bench footage ablation results results-parts results-stereo results-spheroid results-flow results-doctor detector kills power-cuts failed-calls two-programs mutants networks hostile soak long memory model peers scorers interchange pictures messages lock clean
+.PHONY: help demo test format bench footage ablation results results-parts results-stereo results-spheroid results-flow results-doctor detector kills power-cuts failed-calls two-programs mutants networks containers hostile soak long memory model peers scorers interchange pictures messages lock clean
 .DEFAULT_GOAL := help
 
 help: ## what can be made
@@ -84,6 +84,9 @@ mutants: $(STAMP) ## damaged files of each kind through the real command, 10,000
 
 networks: $(STAMP) ## 1,000 damaged networks, run by either engine (ten minutes)
 	$(BIN)/python -m tests.sweeps.networks
+
+containers: $(STAMP) ## 10,000 damaged bags and folders of stereo cameras, opened and read (three hours)
+	$(BIN)/python -m tests.sweeps.containers
 
 hostile: $(STAMP) ## 300 files and folders made to harm, each through the real command (five minutes)
 	$(BIN)/python -m tests.sweeps.hostile

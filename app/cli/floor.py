@@ -92,6 +92,7 @@ def _found(
             )
         return floor_by_points(calibration.left, clicked)
     two = recording.is_stereo and calibration is not None and calibration.right is not None
+    two = two or (recording.has_depth and calibration is not None)
     by_people = request.heights or not two
     with progress(msg("looking at people") if by_people else msg("looking at the floor")) as tell:
         find = floor_by_people if by_people else floor_by_stereo

@@ -48,6 +48,7 @@ def _of_recording(recording: Recording) -> dict[str, Any]:
         "size": list(recording.size),
         "duration": recording.duration_s,
         "stereo": recording.is_stereo,
+        "depth": recording.has_depth,
         "calibrated": recording.calibration is not None,
         "ground": None
         if ground is None

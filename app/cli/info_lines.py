@@ -19,6 +19,7 @@ _NAMES: Final = {
     "size": N_("size"),
     "duration": N_("duration"),
     "stereo": N_("stereo"),
+    "depth": N_("stereo by depth"),
     "calibrated": N_("calibrated"),
     "ground": N_("ground"),
     "region": N_("region"),

@@ -24,6 +24,7 @@ class SynthRequest:
         scene: its name.
         seconds, people: the scene's own if None.
         seed: of all random numbers.
+        depth: exact depth in place of the right camera.
         begin_s, dimmed_s, bumped_s: as `Disturbances` has them.
     """
 
@@ -34,6 +35,7 @@ class SynthRequest:
     begin_s: float = 0.0
     dimmed_s: float | None = None
     bumped_s: float | None = None
+    depth: bool = False
 
 
 def run_synth(out: Path, request: SynthRequest, *, as_json: bool) -> None:
@@ -50,6 +52,7 @@ def run_synth(out: Path, request: SynthRequest, *, as_json: bool) -> None:
             request.seed,
             advance,
             disturbances=disturbances,
+            depth=request.depth,
         )
     if as_json:
         print_json({"recording": str(folder)})

@@ -47,7 +47,9 @@ from tracking.setup.files import may_be_camera
 if TYPE_CHECKING:
     from app.shell.main_window import MainWindow
 
-_OPENABLE = N_("Recordings and sessions (recording.toml *.h5 *.mp4 *.avi *.mkv *.mov *.ts *.m4v)")
+_OPENABLE = N_(
+    "Recordings and sessions (recording.toml *.h5 *.mp4 *.avi *.mkv *.mov *.ts *.m4v *.bag *.mcap)"
+)
 GIVE_BACK_MS = 500
 """After a recording is closed: by then jobs that were stopped have let their arrays go."""
 

@@ -102,6 +102,14 @@ class Rectification:
         """
         if self.identity:
             return left, right
+        maps = self._both_maps()
+        return maps[0].apply(left), maps[1].apply(right)
+
+    def rectify_left(self, left: Image) -> Image:
+        """The left camera rectified, as `rectify` does."""
+        return left if self.identity else self._both_maps()[0].apply(left)
+
+    def _both_maps(self) -> tuple[_Map, _Map]:
         if self._maps is None:
             pixels = self._grid(1)
             self._maps = (
@@ -113,7 +121,7 @@ class Rectification:
                     self.size,
                 ),
             )
-        return self._maps[0].apply(left), self._maps[1].apply(right)
+        return self._maps
 
     def recorded_axes(self, direction: Floats) -> Floats:
         """A direction (3,) in rectified axes in those of the left camera as recorded."""

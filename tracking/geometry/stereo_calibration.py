@@ -12,6 +12,8 @@ from tracking.geometry.camera import Camera
 
 _ROTATION_TOLERANCE = 1e-3
 _WIDEST_BASELINE_M = 20.0
+_USUAL_BASELINE_M = 0.12
+"""Of depth whose cameras are not known: that of a ZED; others have 0.05 to 0.1 m."""
 _SAME_SHAPE = 0.005
 """By which share the shapes of two resolutions may differ: sides are whole pixels."""
 
@@ -82,6 +84,18 @@ class StereoCalibration:
                     width2=size[0],
                     height2=size[1],
                 )
+
+
+def depth_pair(calibration: StereoCalibration) -> StereoCalibration:
+    """The left camera with a partner that would measure its depth as a disparity.
+
+    The partner is the same camera moved along its row, as far as the right camera stands where
+    there is one: errors of depth grow with distance as that pair's do.
+    """
+    left = calibration.left
+    aside = calibration.baseline_m if calibration.right is not None else _USUAL_BASELINE_M
+    shift = np.array([-aside, 0.0, 0.0])
+    return StereoCalibration(left, left, np.eye(3), shift, calibration.rough)
 
 
 def _checked_rotation(rotation: Floats) -> Floats:

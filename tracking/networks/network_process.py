@@ -21,8 +21,8 @@ from tracking.message_data import message_from
 from tracking.networks.candidates import MOST_CANDIDATES
 from tracking.networks.letterbox import Picture
 from tracking.networks.model_file import Model
-from tracking.networks.network_pipe import receive_bytes, receive_head, send
 from tracking.people.detection_source import FrameDetections
+from tracking.untrusted.pipe import receive_bytes, receive_head, send
 
 _WORKER = Path(__file__).with_name("network_worker.py")
 _COLUMNS = 5

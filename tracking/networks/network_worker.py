@@ -22,8 +22,8 @@ from tracking.message_data import message_data
 from tracking.networks.candidates import chosen_boxes
 from tracking.networks.decoders import Found, decode
 from tracking.networks.letterbox import Picture, Placement, network_input
-from tracking.networks.network_pipe import receive_bytes, receive_head, send
 from tracking.networks.network_spec import ONNXRUNTIME, OPENCV, NetworkSpec
+from tracking.untrusted.pipe import receive_bytes, receive_head, send
 
 _MOST_THREADS = 8
 _ALIKE, _ALIKE_PX = 1e-3, 0.1

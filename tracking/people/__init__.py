@@ -1,5 +1,6 @@
 """Regions of the foreground as people."""
 
+from tracking.people.depth_perception import DepthPerception
 from tracking.people.detections import Detections
 from tracking.people.first_lag import first_lag, lag_looks
 from tracking.people.observation import Observation, Overlays

@@ -45,6 +45,18 @@ def add_bodies(
     return replace(left, mask=masks[0]), replace(right, mask=masks[1])
 
 
+def add_bodies_of_left(
+    left: Subtraction,
+    source: DetectionSource,
+    frame: StereoFrame,
+    rectification: Rectification,
+    shrink: int,
+) -> Subtraction:
+    """The left camera, rectified, with the bodies in the boxes as foreground."""
+    seen = working_boxes(rectified_boxes(source.of(frame.number).box, rectification), shrink)
+    return replace(left, mask=paint_bodies(left.mask, seen, 255, only=source.detections_only))
+
+
 def rectified_boxes(boxes: Floats, rectification: Rectification, *, right: bool = False) -> Floats:
     """(n, 4) left, top, width, height rectified px about boxes (n, 4) px as recorded.
 

@@ -207,7 +207,11 @@ class Tracking:
         """What is told where hardly anything that moves has a distance; "": it has one."""
         if self._followed or not self._spec.needs_stereo or not self._ranged.is_too_small:
             return Message()
-        cameras = msg("are the cameras swapped, or is the calibration of other cameras?")
+        cameras = (
+            msg("is the scale of [depth] right, and is it aligned to the left image?")
+            if self._recording.has_depth
+            else msg("are the cameras swapped, or is the calibration of other cameras?")
+        )
         changed = changed_matching(self._spec.name, self._settings)
         asked = (
             msg("{changed}, is that right? If so, {cameras}", changed=changed, cameras=cameras)

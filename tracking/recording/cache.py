@@ -107,7 +107,7 @@ class FrameCache:
                     yield number
 
     def _keep(self, frame: StereoFrame) -> None:
-        size = frame.left.nbytes + (0 if frame.right is None else frame.right.nbytes)
+        size = _bytes_of(frame)
         with self._lock:
             self._frame_bytes = size
             if frame.number in self._frames or size > self._capacity_bytes:
@@ -116,8 +116,7 @@ class FrameCache:
             self._bytes += size
             while self._bytes > self._capacity_bytes:
                 dropped = self._frames.pop(max(self._frames, key=self._cost))
-                self._bytes -= dropped.left.nbytes
-                self._bytes -= 0 if dropped.right is None else dropped.right.nbytes
+                self._bytes -= _bytes_of(dropped)
 
     def _cost(self, number: int) -> int:
         """How far off a frame's use is."""
@@ -125,3 +124,8 @@ class FrameCache:
         if not self._direction:
             return abs(ahead)
         return ahead if ahead >= 0 else -ahead * _BEHIND_COST
+
+
+def _bytes_of(frame: StereoFrame) -> int:
+    """What a frame's pictures take."""
+    return sum(one.nbytes for one in (frame.left, frame.right, frame.depth) if one is not None)

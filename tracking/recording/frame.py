@@ -23,6 +23,8 @@ class StereoFrame:
         right_lag: by so many frames the right picture was recorded later than the left one, so
             that both show one instant; 0 where no camera is late. None: the right camera recorded
             nothing of this instant, and `right` shows another.
+        depth: (height, width) m along the left camera's optical axis, 0 where it is unknown; None
+            in a recording without depth.
     """
 
     number: int
@@ -30,3 +32,4 @@ class StereoFrame:
     left: Image
     right: Image | None
     right_lag: int | None = 0
+    depth: NDArray[np.float32] | None = None

@@ -60,6 +60,10 @@ def _common_keys(
     left: PictureSource, right: PictureSource
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]] | None:
     """When each picture was taken, in frames, on a clock the cameras share; None without one."""
+    if left.stamps_ns is not None and right.stamps_ns is not None and left.fps:
+        first = min(left.stamps_ns[0], right.stamps_ns[0])
+        rate = left.fps / 1e9
+        return (left.stamps_ns - first) * rate, (right.stamps_ns - first) * rate
     if isinstance(left, ImageSource) and isinstance(right, ImageSource):
         numbers = frame_numbers(left.files), frame_numbers(right.files)
         if numbers[0] is None or numbers[1] is None:

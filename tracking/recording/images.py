@@ -14,10 +14,14 @@ from numpy.typing import NDArray
 from tracking.errors import RecordingError
 from tracking.recording.frame import Image
 from tracking.recording.image_headers import looks_odd, why_not_decoded
+from tracking.recording.pace import pace_of
 from tracking.translation import Message, count_msg, msg
 
 IMAGE_SUFFIXES = frozenset(
     (".png", ".jpg", ".jpeg", ".bmp", ".pgm", ".ppm", ".tif", ".tiff", ".webp")
+)
+VIDEO_SUFFIXES = frozenset(
+    (".mp4", ".m4v", ".mov", ".avi", ".mkv", ".webm", ".ts", ".mts", ".m2ts", ".mpg", ".mpeg")
 )
 _MOST_LOOKED_OVER = 5000
 _NUMBER = re.compile(r"(\d+)")
@@ -44,18 +48,24 @@ class ImageSource:
     Args:
         files: the images in order.
         name: what to call them in messages.
+        stamps_ns: when each was taken, increasing; None where nothing says so.
 
     Raises:
         RecordingError: there are none, or none of the first ones can be read.
     """
 
-    def __init__(self, files: Sequence[Path], name: str) -> None:
+    def __init__(
+        self, files: Sequence[Path], name: str, stamps_ns: NDArray[np.int64] | None = None
+    ) -> None:
         if not files:
             raise RecordingError(
                 "{name}: no images found; check the folder or the pattern", name=name
             )
         self.name = name
         self._files = tuple(files)
+        self.stamps_ns = stamps_ns
+        self._times_s = None if stamps_ns is None else (stamps_ns - stamps_ns[0]) / 1e9
+        self._pace = pace_of(self._times_s, None)
         self._size = self._usual_size()
         self._lost: set[int] = set()
         self._look_over()
@@ -72,13 +82,13 @@ class ImageSource:
 
     @property
     def fps(self) -> float | None:
-        """None: images have no rate."""
-        return None
+        """Images a second by their times; None where they have none."""
+        return self._pace.fps
 
     @property
     def times_s(self) -> NDArray[np.float64] | None:
-        """None: images have no times."""
-        return None
+        """(frame_count,) seconds since the first image; None where nothing says so."""
+        return self._times_s
 
     @property
     def files(self) -> tuple[Path, ...]:
@@ -88,8 +98,8 @@ class ImageSource:
     @property
     def notes(self) -> tuple[Message, ...]:
         """Numbers missing among the file names, and images found broken up to now."""
-        notes = []
-        numbers = frame_numbers(self._files)
+        notes = [msg("{name}: {note}", name=self.name, note=note) for note in self._pace.notes]
+        numbers = frame_numbers(self._files) if self.stamps_ns is None else None
         gaps = numbers[-1] - numbers[0] + 1 - len(numbers) if numbers else 0
         if 0 < gaps < self.frame_count:
             notes.append(

@@ -9,21 +9,20 @@ from pathlib import Path
 
 from tracking.errors import RecordingError
 from tracking.recording.images import IMAGE_SUFFIXES, image_files
+from tracking.recording.kinds.catalogue import find_sources
+from tracking.recording.kinds.folders import camera_in, images_in
+from tracking.recording.kinds.kind import FoundSources
 from tracking.recording.manifest import (
     MANIFEST_NAME,
     Manifest,
     format_manifest,
     manifest_text,
+    names_sources,
     parse_manifest,
 )
 from tracking.recording.options import OpenOptions
 from tracking.recording.places import is_pattern, place_inside
 from tracking.translation import Message, msg
-
-_KITTI_FPS = 10.0
-VIDEO_SUFFIXES = frozenset(
-    (".mp4", ".m4v", ".mov", ".avi", ".mkv", ".webm", ".ts", ".mts", ".m2ts", ".mpg", ".mpeg")
-)
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,6 +66,9 @@ def locate(path: Path, options: OpenOptions) -> Located:
         return _with_options(_in_folder(path.parent), options)
     if path.suffix.lower() in IMAGE_SUFFIXES:
         raise RecordingError("{path}: a single image; open the folder it is in", path=path)
+    found = find_sources(path)
+    if found is not None:
+        return _with_options(_of_sources(path, found), options)
     return _with_options(_made_up(path, path.stem, path, None), options)
 
 
@@ -98,25 +100,24 @@ def _is_source(place: Path, left: str) -> bool:
         return True
     if is_pattern(left) or (place / left).exists():
         return False
-    return _images_in(place) == place
+    return images_in(place) == place
 
 
 def _in_folder(folder: Path) -> Located:
     if (folder / MANIFEST_NAME).exists():
         text = manifest_text(folder)
-        manifest = parse_manifest(text, str(folder / MANIFEST_NAME), folder.resolve().name)
+        where, name = str(folder / MANIFEST_NAME), folder.resolve().name
+        if not names_sources(text, where):
+            return _with_manifest(folder, text, where)
+        manifest = parse_manifest(text, where, name)
         return Located(folder, folder, manifest, text, trusted=False, own=True)
-    kitti = _kitti(folder) or _only_sequence(folder)
-    if kitti is not None:
-        rate = msg(
-            "frames per second are not stated: {fps:g}, as KITTI has; --fps says otherwise",
-            fps=_KITTI_FPS,
-        )
-        return replace(kitti, notes=(rate,))
+    found = find_sources(folder)
+    if found is not None:
+        return _of_sources(folder, found)
     name = folder.resolve().name
     if image_files([file for file in folder.iterdir() if file.is_file()]):
         return _made_up(folder, name, folder, None)
-    left, right = _camera(folder, "left"), _camera(folder, "right")
+    left, right = camera_in(folder, "left"), camera_in(folder, "right")
     if left is not None:
         return _made_up(folder, name, left, right)
     raise RecordingError(
@@ -127,25 +128,47 @@ def _in_folder(folder: Path) -> Located:
     )
 
 
-def _made_up(
-    path: Path,
-    name: str,
-    left: Path,
-    right: Path | None,
-    calibration: Sequence[Path] = (),
-    fps: float | None = None,
-) -> Located:
-    """A manifest for files that have none, with paths relative to a folder they share."""
-    cameras = [left] if right is None else [left, right]
-    folder = _shared_folder([*cameras, *calibration])
+def _made_up(path: Path, name: str, left: Path, right: Path | None) -> Located:
+    """A manifest for files that have none."""
+    return _of_sources(path, FoundSources(left, right, name=name))
+
+
+def _of_sources(path: Path, found: FoundSources, base: Path | None = None) -> Located:
+    """A manifest for what was found.
+
+    Paths are relative to `base`, or to a folder that all of it shares.
+    """
+    sources = (found.left, found.right, found.depth)
+    files = [*(one for one in sources if one is not None), *found.calibration]
+    folder = _shared_folder(files) if base is None else base
+    left, right, depth = (None if one is None else _relative(one, folder) for one in sources)
+    assert left is not None
     manifest = Manifest(
-        name,
-        _relative(left, folder),
-        _relative(right, folder) if right is not None else None,
-        fps=fps,
-        calibration=tuple(_relative(file, folder) for file in calibration),
+        found.name or path.resolve().name,
+        left,
+        right,
+        layout=found.layout,
+        depth=depth,
+        depth_scale_m=found.depth_scale_m,
+        topics=found.topics,
+        fps=found.fps,
+        calibration=tuple(_relative(file, folder) for file in found.calibration),
     )
-    return Located(path, folder, manifest, format_manifest(manifest), trusted=True)
+    text = format_manifest(manifest)
+    return Located(path, folder, manifest, text, trusted=True, notes=found.notes)
+
+
+def _with_manifest(folder: Path, text: str, where: str) -> Located:
+    """What a folder holds, with a recording.toml that names no sources: floor, rate, region."""
+    found = find_sources(folder)
+    if found is None:
+        parse_manifest(text, where, folder.name)  # says what is missing
+        raise RecordingError("{where}: names no sources", where=where)
+    located = _of_sources(folder, found, folder)
+    own = parse_manifest(text, where, located.manifest.name, located.manifest)
+    # What was found may lie above the folder, as KITTI's calibration does; what a text names not.
+    trusted = own.calibration == located.manifest.calibration
+    return replace(located, manifest=own, text=format_manifest(own), trusted=trusted)
 
 
 def _with_options(found: Located, options: OpenOptions) -> Located:
@@ -189,69 +212,6 @@ def _with_calibration(found: Located, options: OpenOptions) -> Located:
     )
     text = format_manifest(changed)
     return replace(found, folder=folder, manifest=changed, text=text, own=False)
-
-
-def _kitti(folder: Path) -> Located | None:
-    """A KITTI sequence: image_02 and image_03 in a folder, or one sequence of the benchmark's.
-
-    Known are the raw data's (image_02/data), the odometry benchmark's (image_2) and the tracking
-    benchmark's tree (training/image_02/0000 with training/calib/0000.txt).
-    """
-    for left_name, right_name in (("image_02", "image_03"), ("image_2", "image_3")):
-        left = _images_in(folder / left_name)
-        if left is not None:
-            right = _images_in(folder / right_name)
-            calibration = _first_file(
-                (folder, "calib.txt"), (folder, "calib_cam_to_cam.txt"),
-                (folder.parent, "calib_cam_to_cam.txt"),
-            )  # fmt: skip
-            return _made_up(folder, folder.resolve().name, left, right, calibration, _KITTI_FPS)
-    if folder.parent.name == "image_02" and _images_in(folder) is not None:
-        training = folder.parent.parent
-        right = _images_in(training / "image_03" / folder.name)
-        calibration = _first_file((training / "calib", f"{folder.name}.txt"))
-        return _made_up(folder, folder.name, folder, right, calibration, _KITTI_FPS)
-    return None
-
-
-def _only_sequence(folder: Path) -> Located | None:
-    """The sequence of a KITTI benchmark's tree that has one; None where it is no such tree.
-
-    Raises:
-        RecordingError: there are several, of which the user must choose.
-    """
-    for half in (folder, folder / "training", folder / "testing"):
-        if (half / "image_02").is_dir():
-            found = [place for place in sorted((half / "image_02").iterdir()) if _images_in(place)]
-            if len(found) > 1:
-                raise RecordingError(
-                    "{folder}: holds {count} KITTI sequences; open one of them, e.g. {example}",
-                    folder=folder,
-                    count=len(found),
-                    example=found[0],
-                )
-            return _kitti(found[0]) if found else None
-    return None
-
-
-def _images_in(folder: Path) -> Path | None:
-    """The folder, or the `data` folder in it, that has images."""
-    for place in (folder, folder / "data"):
-        if place.is_dir() and image_files([f for f in place.iterdir() if f.is_file()]):
-            return place
-    return None
-
-
-def _camera(folder: Path, side: str) -> Path | None:
-    """A video or an image folder with a camera's name."""
-    if _images_in(folder / side) is not None:
-        return _images_in(folder / side)
-    videos = [f for f in folder.glob(f"{side}.*") if f.suffix.lower() in VIDEO_SUFFIXES]
-    return min(videos, default=None)
-
-
-def _first_file(*places: tuple[Path, str]) -> tuple[Path, ...]:
-    return next(((place / name,) for place, name in places if (place / name).is_file()), ())
 
 
 def _shared_folder(files: Sequence[Path]) -> Path:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import tomllib
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path, PurePath
 from typing import Any, TypeVar
 
@@ -13,6 +13,7 @@ import numpy as np
 from tracking.atomic_output import replace_with
 from tracking.errors import CalibrationError, OutputError, RecordingError
 from tracking.geometry import Ground, ground_of_pose
+from tracking.recording.depth_pictures import USUAL_SCALE_M, checked_scale
 from tracking.recording.image_pairs import MOST_LAG, Layout, Side
 from tracking.recording.limits import checked_fps, checked_ground
 from tracking.recording.region_of_interest import EVERYWHERE, Outline, RegionOfInterest, outlines_of
@@ -32,10 +33,14 @@ _LAYOUTS: tuple[Layout, ...] = ("side-by-side", "top-bottom")
 _SIDES: tuple[Side, ...] = ("left", "right")
 _KNOWN: Mapping[str, frozenset[str]] = {
     "": frozenset(
-        ("format", "name", "fps", "left", "right", "stereo", "calibration", "ground", "region")
+        (
+            *("format", "name", "fps", "left", "right", "stereo", "depth"),
+            *("calibration", "ground", "region"),
+        )
     ),
-    "left": frozenset(("source",)),
-    "right": frozenset(("source", "lag")),
+    "left": frozenset(("source", "topic")),
+    "right": frozenset(("source", "topic", "lag")),
+    "depth": frozenset(("source", "topic", "scale")),
     "stereo": frozenset(("source", "layout", "first", "lag")),
     "calibration": frozenset(("file",)),
     "ground": frozenset(("height", "tilt", "roll", "R", "t")),
@@ -54,6 +59,9 @@ class Manifest:
         layout: how both cameras lie in `left`; None: `left` holds one camera.
         first: the camera on the left or at the top, where `layout` is given.
         right_lag: frames by which the right camera is late; negative: the left one; None: not told.
+        depth: a source of 16-bit pictures, one for each of `left`; None: no depth.
+        depth_scale_m: metres of a unit of depth.
+        topics: of `left`, `right` and `depth` where the source is a bag; "": found by content.
         fps: frames a second; None: as the video says.
         calibration: one file, or a pair; empty: not calibrated.
         ground: where the floor is; None: unknown.
@@ -67,6 +75,9 @@ class Manifest:
     layout: Layout | None = None
     first: Side = "left"
     right_lag: int | None = None
+    depth: str | None = None
+    depth_scale_m: float = USUAL_SCALE_M
+    topics: tuple[str, str, str] = ("", "", "")
     fps: float | None = None
     calibration: tuple[str, ...] = ()
     ground: Ground | None = None
@@ -104,20 +115,24 @@ def manifest_text(folder: Path) -> str:
         ) from error
 
 
-def parse_manifest(text: str, where: str, fallback_name: str) -> Manifest:
+def names_sources(text: str, where: str) -> bool:
+    """Whether a manifest says what the recording is made of; RecordingError: it is no TOML."""
+    content = _content(text, where)
+    return "left" in content or "stereo" in content
+
+
+def parse_manifest(
+    text: str, where: str, fallback_name: str, found: Manifest | None = None
+) -> Manifest:
     """The manifest in a text.
 
     Args:
         text: TOML.
         where: its path, for messages.
         fallback_name: the name where it gives none.
+        found: what its folder was found to hold, for a text that names no sources.
     """
-    try:
-        content = tomllib.loads(text)
-    except (tomllib.TOMLDecodeError, RecursionError, ValueError) as error:
-        raise RecordingError(
-            "{where}: not readable as TOML ({error}); correct it there", where=where, error=error
-        ) from error
+    content = _content(text, where)
     table = _Table(content, where)
     if table.get("format", int, FORMAT) != FORMAT:
         raise RecordingError(
@@ -125,6 +140,16 @@ def parse_manifest(text: str, where: str, fallback_name: str) -> Manifest:
             where=where,
             said=content["format"],
             known=FORMAT,
+        )
+    if found is not None:
+        return replace(
+            found,
+            name=table.get("name", str, fallback_name),
+            fps=_fps(table) or found.fps,
+            calibration=_calibration(table) or found.calibration,
+            ground=_ground(table),
+            region=_region(table),
+            unknown=_unknown(content),
         )
     left, right, layout, first = _sources(table)
     return Manifest(
@@ -134,12 +159,24 @@ def parse_manifest(text: str, where: str, fallback_name: str) -> Manifest:
         layout=layout,
         first=first,
         right_lag=_right_lag(table),
+        depth=_depth(table),
+        depth_scale_m=_depth_scale(table),
+        topics=_topics(table),
         fps=_fps(table),
         calibration=_calibration(table),
         ground=_ground(table),
         region=_region(table),
         unknown=_unknown(content),
     )
+
+
+def _content(text: str, where: str) -> dict[str, Any]:
+    try:
+        return tomllib.loads(text)
+    except (tomllib.TOMLDecodeError, RecursionError, ValueError) as error:
+        raise RecordingError(
+            "{where}: not readable as TOML ({error}); correct it there", where=where, error=error
+        ) from error
 
 
 def format_manifest(manifest: Manifest) -> str:
@@ -151,11 +188,14 @@ def format_manifest(manifest: Manifest) -> str:
         lines += ["", "[stereo]", f"source = {_quoted(manifest.left)}"]
         lines += [f"layout = {_quoted(manifest.layout)}", f"first = {_quoted(manifest.first)}"]
     else:
-        lines += ["", "[left]", f"source = {_quoted(manifest.left)}"]
+        lines += ["", "[left]", f"source = {_quoted(manifest.left)}", *_topic(manifest, 0)]
     if manifest.right is not None:
-        lines += ["", "[right]", f"source = {_quoted(manifest.right)}"]
+        lines += ["", "[right]", f"source = {_quoted(manifest.right)}", *_topic(manifest, 1)]
     if manifest.right_lag is not None and (manifest.right or manifest.layout):
         lines.append(f"lag = {manifest.right_lag}")
+    if manifest.depth is not None:
+        lines += ["", "[depth]", f"source = {_quoted(manifest.depth)}", *_topic(manifest, 2)]
+        lines.append(f"scale = {manifest.depth_scale_m!r}")
     if manifest.calibration:
         files = [_quoted(file) for file in manifest.calibration]
         listed = files[0] if len(files) == 1 else f"[{', '.join(files)}]"
@@ -169,6 +209,11 @@ def format_manifest(manifest: Manifest) -> str:
         lines += [f"look = {_listed(manifest.region.look)}"] if manifest.region.look else []
         lines += [f"mask = {_listed(manifest.region.mask)}"] if manifest.region.mask else []
     return "\n".join(lines) + "\n"
+
+
+def _topic(manifest: Manifest, place: int) -> list[str]:
+    topic = manifest.topics[place]
+    return [f"topic = {_quoted(topic)}"] if topic else []
 
 
 def write_manifest(folder: Path, manifest: Manifest) -> None:
@@ -230,6 +275,28 @@ def _sources(table: _Table) -> tuple[str, str | None, Layout | None, Side]:
         raise table.error("left", msg("is missing; say where the images are: [left] source = ..."))
     right = _source(table.section("right")) if "right" in table else None
     return _source(table.section("left")), right, None, "left"
+
+
+def _depth(table: _Table) -> str | None:
+    if "depth" not in table:
+        return None
+    if "right" in table or "stereo" in table:
+        raise table.error(
+            "depth", msg("stands beside a right camera; keep one of the two, [depth] or [right]")
+        )
+    return _source(table.section("depth"))
+
+
+def _depth_scale(table: _Table) -> float:
+    section = table.section("depth")
+    return checked_scale(section.get("scale", float, USUAL_SCALE_M), section.place("scale"))
+
+
+def _topics(table: _Table) -> tuple[str, str, str]:
+    left, right, depth = (
+        table.section(side).get("topic", str, "") for side in ("left", "right", "depth")
+    )
+    return left, right, depth
 
 
 def _source(table: _Table) -> str:

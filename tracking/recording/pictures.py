@@ -37,6 +37,10 @@ class PictureSource(Protocol):
         """(frame_count,) seconds since the first picture; None where the source has no times."""
 
     @property
+    def stamps_ns(self) -> NDArray[np.int64] | None:
+        """(frame_count,) ns on a clock that the cameras share; None where there is none."""
+
+    @property
     def files(self) -> tuple[Path, ...]:
         """The files it is made of, in order."""
 

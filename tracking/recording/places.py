@@ -6,8 +6,10 @@ from collections.abc import Iterator
 from pathlib import Path, PurePosixPath, PureWindowsPath
 
 from tracking.errors import RecordingError
+from tracking.recording.depth_pictures import DepthImages, DepthSource
 from tracking.recording.images import IMAGE_SUFFIXES, ImageSource, image_files
 from tracking.recording.pictures import PictureSource
+from tracking.recording.time_stamps import stamps_of
 from tracking.recording.video import VideoSource
 
 _GLOB_SIGNS = "*?["
@@ -47,13 +49,38 @@ def open_pictures(path: Path, name: str) -> PictureSource:
     Raises:
         RecordingError: nothing is there, or it cannot be read.
     """
+    files = _images_at(path)
+    if files is None:
+        return VideoSource(path, name)
+    return ImageSource(files, name, stamps_of(files))
+
+
+def open_depth(path: Path, name: str, scale_m: float) -> DepthSource:
+    """The depth at a path: one image, an image folder or a glob of images.
+
+    Args:
+        path: where it is. name: what to call it in messages. scale_m: metres of a unit.
+
+    Raises:
+        RecordingError: nothing is there, or it is no depth.
+    """
+    if not is_pattern(path.name) and not path.exists():
+        raise RecordingError("{path}: no such depth images; check the path", path=path)
+    files = _images_at(path)
+    if files is None:
+        raise RecordingError(
+            "{path}: depth is read from images of 16 bits; give such as depth/*.png", path=path
+        )
+    return DepthImages(files, name, scale_m)
+
+
+def _images_at(path: Path) -> list[Path] | None:
+    """The images at a path in order; None where it leads to another file."""
     if is_pattern(path.name) and not path.exists():
-        return ImageSource(image_files(_matching(path)), name)
+        return image_files(_matching(path))
     if path.is_dir():
-        return ImageSource(image_files([file for file in path.iterdir() if file.is_file()]), name)
-    if path.suffix.lower() in IMAGE_SUFFIXES and path.is_file():
-        return ImageSource([path], name)
-    return VideoSource(path, name)
+        return image_files([file for file in path.iterdir() if file.is_file()])
+    return [path] if path.suffix.lower() in IMAGE_SUFFIXES and path.is_file() else None
 
 
 def _places(path: Path) -> Iterator[Path]:

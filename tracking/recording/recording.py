@@ -13,11 +13,13 @@ from numpy.typing import NDArray
 from tracking.arrays import Mask
 from tracking.errors import RecordingError
 from tracking.geometry import Ground, Rectification, StereoCalibration, View
+from tracking.recording.depth_pictures import Depth, DepthSource
 from tracking.recording.fingerprint import Fingerprint, fingerprint
 from tracking.recording.frame import Image, StereoFrame
 from tracking.recording.image_pairs import ImagePairs
 from tracking.recording.locate import Located
 from tracking.recording.manifest import TRUTH_NAME
+from tracking.recording.pictures import PictureSource
 from tracking.recording.recording_calibration import Calibrated
 from tracking.translation import Message, msg
 
@@ -25,6 +27,8 @@ _DARK = 40
 _FLAT = 6
 _LEAST_BAR_SHARE = 0.03
 _LEAST_LIKENESS = 0.5
+_LEAST_UNEVEN_SHARE = 0.1
+"""Of the time of a frame, by which stamps of cameras differ from an even rate to be kept."""
 
 
 class Recording:
@@ -45,7 +49,7 @@ class Recording:
         right_lag: frames by which the right camera is late, where the manifest tells; see
             `Instants`.
         calibration, ground, view, rectification: None where not known; a rectification needs two
-            calibrated cameras, a view a calibrated left camera and the floor.
+            calibrated cameras, or one and depth, a view a calibrated left camera and the floor.
         looked_at: (height, width) uint8, 255 where people are looked for in the left picture;
             None: everywhere.
         manifest_text, calibration_text: as read; the manifest's is made up where there is none,
@@ -54,7 +58,13 @@ class Recording:
         truth_path: the truth.txt in the recording's folder; None without one.
     """
 
-    def __init__(self, located: Located, cameras: ImagePairs, calibrated: Calibrated) -> None:
+    def __init__(
+        self,
+        located: Located,
+        cameras: ImagePairs,
+        calibrated: Calibrated,
+        depth: DepthSource | None = None,
+    ) -> None:
         self.path: Path = located.path
         self.folder: Path = located.folder
         self.name: str = located.manifest.name
@@ -73,6 +83,7 @@ class Recording:
         truth = located.path / TRUTH_NAME
         self.truth_path: Path | None = truth if truth.is_file() else None
         self._cameras = cameras
+        self._depth = depth
         self._times_s = _uneven_times(cameras, self.fps, self.frame_count)
         self._lock = Lock()
         self._opening_notes = (
@@ -88,6 +99,11 @@ class Recording:
         return self._cameras.is_stereo
 
     @property
+    def has_depth(self) -> bool:
+        """Whether a depth picture stands beside each left one, in place of a right camera."""
+        return self._depth is not None
+
+    @property
     def duration_s(self) -> float:
         """Length in seconds, the last frame's own time included."""
         last = self.frame_count - 1
@@ -97,14 +113,15 @@ class Recording:
     def notes(self) -> tuple[Message, ...]:
         """Oddities to tell the user, in words; grows where broken frames are met."""
         sources = [note for source in self._cameras.sources for note in source.notes]
-        return (*self._opening_notes, *self._cameras.notes, *sources)
+        depth = self._depth.notes if self._depth is not None else ()
+        return (*self._opening_notes, *self._cameras.notes, *sources, *depth)
 
     @property
     def sources(self) -> tuple[Path, ...]:
         """Where the pictures are, the left (or only) camera first; a folder for images."""
         return tuple(
             files[0] if len(files) == 1 else files[0].parent
-            for files in (source.files for source in self._cameras.sources)
+            for files in (source.files for source in self._all_sources)
         )
 
     def picture_files(self, *, right: bool = False) -> tuple[Path, ...]:
@@ -113,7 +130,12 @@ class Recording:
 
     def fingerprints(self) -> tuple[Fingerprint, ...]:
         """A fingerprint of each source, in the order of `sources`."""
-        return tuple(fingerprint(source.name, source.files) for source in self._cameras.sources)
+        return tuple(fingerprint(source.name, source.files) for source in self._all_sources)
+
+    @property
+    def _all_sources(self) -> tuple[PictureSource | DepthSource, ...]:
+        depth = () if self._depth is None else (self._depth,)
+        return (*self._cameras.sources, *depth)
 
     @property
     def uneven_times_s(self) -> NDArray[np.float64] | None:
@@ -135,7 +157,8 @@ class Recording:
         self._check(right_number)
         with self._lock:
             left, right = self._cameras.read(number, right_number)
-        return StereoFrame(number, self.time_s(number), left, right, right_number - number)
+        lag = right_number - number
+        return StereoFrame(number, self.time_s(number), left, right, lag, self._depth_of(number))
 
     def frames(
         self, start: int = 0, stop: int | None = None, lag: int = 0
@@ -161,12 +184,13 @@ class Recording:
         lag = lag if self.is_stereo else 0
         for number, (left, right) in enumerate(self._cameras.pairs(start, stop, lag), start):
             right_lag = lag if 0 <= number + lag < self.frame_count else None
-            yield StereoFrame(number, self.time_s(number), left, right, right_lag)
+            depth = self._depth_of(number)
+            yield StereoFrame(number, self.time_s(number), left, right, right_lag, depth)
 
     def close(self) -> None:
         """Let go of all files."""
         with self._lock:
-            for source in self._cameras.sources:
+            for source in self._all_sources:
                 source.close()
 
     def __enter__(self) -> Recording:
@@ -174,6 +198,9 @@ class Recording:
 
     def __exit__(self, *_: object) -> None:
         self.close()
+
+    def _depth_of(self, number: int) -> Depth | None:
+        return None if self._depth is None else self._depth.read(number)
 
     def _check(self, number: int) -> None:
         if not 0 <= number < self.frame_count:
@@ -208,7 +235,9 @@ def _uneven_times(cameras: ImagePairs, fps: float, count: int) -> NDArray[np.flo
         return None
     even = np.arange(count) / fps
     times = source.times_s[:count]
-    return None if np.abs(times - even).max() < 0.5 / fps else times
+    # Stamps of cameras are kept where they tell more than the rate; those of videos are rounded.
+    share = 0.5 if source.stamps_ns is None else _LEAST_UNEVEN_SHARE
+    return None if np.abs(times - even).max() < share / fps else times
 
 
 def _manifest_notes(located: Located, cameras: ImagePairs, fps: float) -> tuple[Message, ...]:

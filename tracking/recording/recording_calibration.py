@@ -6,14 +6,19 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from tracking.errors import CalibrationError
 from tracking.geometry import (
     Ground,
     Rectification,
     StereoCalibration,
     View,
     calibration_text,
+    depth_pair,
     read_calibration,
 )
+from tracking.geometry.calibration_file_text import parse_yaml
+from tracking.geometry.ros_calibration import calibration_of_ros
+from tracking.recording.bags.bag_pictures import calibration_texts, is_bag, open_bag
 from tracking.translation import Message, msg
 
 
@@ -37,7 +42,13 @@ class Calibrated:
 
 
 def read_calibrated(
-    files: Sequence[Path], size: tuple[int, int], stereo: bool, ground: Ground | None
+    files: Sequence[Path],
+    size: tuple[int, int],
+    stereo: bool,
+    ground: Ground | None,
+    *,
+    depth: bool = False,
+    topics: Sequence[str] = ("", "", ""),
 ) -> Calibrated:
     """Read a recording's calibration files and fit them to its pictures.
 
@@ -46,13 +57,18 @@ def read_calibrated(
         size: width and height of one camera in px.
         stereo: whether the recording has two cameras.
         ground: where the floor is; None where unknown.
+        depth: whether depth stands beside its one camera.
+        topics: of the cameras, where a file is a bag.
 
     Raises:
         CalibrationError: unreadable, or made for pictures of another size.
     """
     if not files:
         return Calibrated(None, None, None, "", ())
-    calibration = read_calibration(files, size)
+    if is_bag(files[0]):
+        calibration, text = _of_bag(files[0], topics, size)
+    else:
+        calibration, text = read_calibration(files, size), calibration_text(files)
     notes: tuple[Message, ...] = ()
     if calibration.left.size != size:
         width, height = calibration.left.size
@@ -66,6 +82,7 @@ def read_calibrated(
             ),
         )
     calibration.check_size(size)
+    beside = depth_pair(calibration) if depth else calibration
     if not stereo and calibration.right is not None:
         calibration = StereoCalibration.of_one(calibration.left, rough=calibration.rough)
     if stereo and calibration.right is None:
@@ -79,7 +96,22 @@ def read_calibrated(
     return Calibrated(
         calibration,
         View(calibration.left, ground) if ground is not None else None,
-        Rectification(calibration, ground) if calibration.right is not None else None,
-        calibration_text(files),
+        Rectification(beside, ground)
+        if depth or (stereo and calibration.right is not None)
+        else None,
+        text,
         notes,
     )
+
+
+def _of_bag(
+    path: Path, topics: Sequence[str], size: tuple[int, int]
+) -> tuple[StereoCalibration, str]:
+    """The calibration that a bag's camera_info says, and its text."""
+    texts = calibration_texts(open_bag(path, topics).contents)
+    if not texts:
+        raise CalibrationError(
+            "{path}: holds no camera_info of all its cameras; give a calibration file", path=path
+        )
+    values = [(path, parse_yaml(text, path)) for text in texts]
+    return calibration_of_ros(values, size), "\n".join(texts)

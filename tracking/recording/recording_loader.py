@@ -5,12 +5,19 @@ from __future__ import annotations
 from pathlib import Path
 
 from tracking.errors import RecordingError
+from tracking.recording.bags.bag_pictures import BagDepth, BagPictures, is_bag, open_bag
+from tracking.recording.depth_pictures import DepthSource, check_fits
 from tracking.recording.image_pairs import ImagePairs, OneCamera, Side, SplitSource, TwoSources
 from tracking.recording.locate import Located, from_manifest, locate
 from tracking.recording.manifest import MANIFEST_NAME
 from tracking.recording.options import OpenOptions
 from tracking.recording.pictures import PictureSource
-from tracking.recording.places import is_pattern, open_pictures, place_inside
+from tracking.recording.places import (
+    is_pattern,
+    open_depth,
+    open_pictures,
+    place_inside,
+)
 from tracking.recording.recording import Recording
 from tracking.recording.recording_calibration import read_calibrated
 from tracking.translation import msg
@@ -54,8 +61,29 @@ def _open(located: Located, options: OpenOptions) -> Recording:
     files = list(options.calibration) or [
         place_inside(located.folder, file, inside) for file in located.manifest.calibration
     ]
-    calibrated = read_calibrated(files, cameras.size, cameras.is_stereo, located.manifest.ground)
-    return Recording(located, cameras, calibrated)
+    depth = _open_depth(located, cameras.sources[0], inside)
+    if depth is not None:
+        check_fits(depth, cameras.sources[0])
+    calibrated = read_calibrated(
+        files,
+        cameras.size,
+        cameras.is_stereo,
+        located.manifest.ground,
+        depth=depth is not None,
+        topics=located.manifest.topics,
+    )
+    return Recording(located, cameras, calibrated, depth)
+
+
+def _open_depth(located: Located, left: PictureSource, allow_outside: bool) -> DepthSource | None:
+    manifest = located.manifest
+    if manifest.depth is None:
+        return None
+    place = place_inside(located.folder, manifest.depth, allow_outside)
+    if is_bag(place):
+        bag = open_bag(place, manifest.topics)
+        return BagDepth(bag, manifest.depth, manifest.depth_scale_m, left.stamps_ns)
+    return open_depth(place, manifest.depth, manifest.depth_scale_m)
 
 
 def _open_sources(located: Located, allow_outside: bool) -> ImagePairs:
@@ -82,6 +110,8 @@ def _opened(located: Located, source: str, side: Side, allow_outside: bool) -> P
             place=place,
             instead=instead,
         )
+    if is_bag(place):
+        return BagPictures(open_bag(place, located.manifest.topics), source, right=side == "right")
     return open_pictures(place, source)
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections import OrderedDict, deque
 from collections.abc import Iterator
-from dataclasses import dataclass
 from pathlib import Path
 from threading import Lock
 
@@ -15,15 +14,13 @@ from numpy.typing import NDArray
 
 from tracking.errors import RecordingError
 from tracking.recording.frame import Image
+from tracking.recording.pace import Pace, pace_of
 from tracking.recording.packet_index import PacketIndex, index_video, open_video
 from tracking.recording.video_cursor import NumberedFrame, VideoCursor
 from tracking.translation import Message, count_msg, msg
 
 _RECENT_BYTES = 48 * 1024 * 1024
 _STEPS_BACK = 2
-
-
-_REGULAR_SHARE = 0.9
 
 
 class VideoSource:
@@ -86,6 +83,11 @@ class VideoSource:
     def times_s(self) -> NDArray[np.float64] | None:
         """(frame_count,) seconds since the first frame; None where the stream has no times."""
         return self._index.times_s
+
+    @property
+    def stamps_ns(self) -> NDArray[np.int64] | None:
+        """None: a video's times begin with it."""
+        return None
 
     @property
     def files(self) -> tuple[Path, ...]:
@@ -287,57 +289,3 @@ def bgr(frame: av.VideoFrame, reformatter: VideoReformatter) -> Image:
             pts=frame.pts,
             name=frame.format.name,
         ) from error
-
-
-@dataclass(frozen=True, slots=True)
-class Pace:
-    """The rate of a stream and what is odd about it.
-
-    Attributes:
-        fps: frames a second; None where nothing tells.
-        notes: in words; empty where frames come evenly.
-    """
-
-    fps: float | None
-    notes: tuple[Message, ...]
-
-
-def pace_of(times_s: NDArray[np.float64] | None, told_fps: float | None) -> Pace:
-    """The pace of frames at the given times.
-
-    Args:
-        times_s: (n,) increasing seconds; None where the stream has none.
-        told_fps: what the container says.
-    """
-    if times_s is None:
-        return Pace(told_fps, ())
-    steps = np.diff(times_s)
-    if not steps.size or steps.max() <= 0:
-        return Pace(told_fps, ())
-    usual = float(np.median(steps))
-    regular = steps[np.abs(steps - usual) < 0.5 * usual]
-    if len(regular) < _REGULAR_SHARE * len(steps):
-        return Pace(len(steps) / float(times_s[-1]), (_uneven(steps),))
-    fps = 1 / float(regular.mean())
-    if told_fps and abs(told_fps - fps) < 0.005 * fps:
-        fps = told_fps
-    missing = np.round(steps / usual).astype(int) - 1
-    gaps = np.flatnonzero(missing > 0)
-    if not gaps.size:
-        return Pace(fps, ())
-    note = msg(
-        "{frames} not recorded, first after {first}",
-        frames=count_msg(int(missing[gaps].sum()), "{n} frame", "{n} frames"),
-        first=gaps[0],
-    )
-    return Pace(fps, (note,))
-
-
-def _uneven(steps_s: NDArray[np.float64]) -> Message:
-    """What is said of frames (n + 1,) whose steps in time (n,) differ."""
-    spread = msg(
-        "{shortest:.0f} to {longest:.0f} ms",
-        shortest=steps_s.min() * 1000,
-        longest=steps_s.max() * 1000,
-    )
-    return msg("the time between frames varies ({spread}); the mean rate counts", spread=spread)

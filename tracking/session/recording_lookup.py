@@ -139,7 +139,8 @@ def _lies_flat(reference: RecordingReference) -> bool:
         manifest = parse_manifest(reference.manifest, _MANIFEST, "")
     except RecordingError:
         return False
-    files = [manifest.left, manifest.right or manifest.left, *manifest.calibration]
+    cameras = filter(None, (manifest.left, manifest.right, manifest.depth))
+    files = [*cameras, *manifest.calibration]
     return all(stays_inside(file) and len(PurePosixPath(file).parts) == 1 for file in files)
 
 

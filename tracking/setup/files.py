@@ -5,8 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from tracking.errors import RecordingError
-from tracking.recording.images import IMAGE_SUFFIXES
-from tracking.recording.locate import VIDEO_SUFFIXES
+from tracking.recording.images import IMAGE_SUFFIXES, VIDEO_SUFFIXES
 
 
 def sources_in(folder: Path) -> tuple[Path, ...]:

@@ -9,6 +9,7 @@ from pathlib import Path
 from tracking.atomic_output import replace_with
 from tracking.errors import OutputError, RecordingError
 from tracking.geometry import Ground
+from tracking.recording.depth_pictures import USUAL_SCALE_M
 from tracking.recording.image_pairs import Layout, Side
 from tracking.recording.manifest import MANIFEST_NAME, Manifest, format_manifest, read_manifest
 from tracking.recording.region_of_interest import EVERYWHERE, RegionOfInterest
@@ -16,6 +17,7 @@ from tracking.recording.region_of_interest import EVERYWHERE, RegionOfInterest
 _HEADINGS = {
     "[left]": "# The left camera, or the only one.",
     "[right]": "# The right camera. lag: frames by which it is late.",
+    "[depth]": "# In place of a right camera: an image of 16 bits for each frame; m per unit.",
     "[stereo]": "# One video that holds both cameras.",
     "[calibration]": "# The cameras' lenses, and how they stand to each other.",
     "[ground]": "# The left camera over the floor, m and degrees; tilt 90 looks straight down.",
@@ -32,6 +34,7 @@ class SetupPlan:
         layout, first: of one source that holds both cameras. lag: frames; None: not told.
         fps: None: as the video says. calibration: one file, or a pair. ground: None: unknown.
         region: where people are looked for.
+        depth: in place of a right camera, m per unit `depth_scale_m`. topics: of bags.
     """
 
     left: Path
@@ -44,6 +47,9 @@ class SetupPlan:
     calibration: tuple[Path, ...] = ()
     ground: Ground | None = None
     region: RegionOfInterest = EVERYWHERE
+    depth: Path | None = None
+    depth_scale_m: float = USUAL_SCALE_M
+    topics: tuple[str, str, str] = ("", "", "")
 
     @property
     def folder(self) -> Path:
@@ -76,6 +82,9 @@ def plan_of(folder: Path) -> SetupPlan:
         calibration=tuple(folder / file for file in manifest.calibration),
         ground=manifest.ground,
         region=manifest.region,
+        depth=folder / manifest.depth if manifest.depth else None,
+        depth_scale_m=manifest.depth_scale_m,
+        topics=manifest.topics,
     )
 
 
@@ -101,6 +110,9 @@ def manifest_of(plan: SetupPlan) -> Manifest:
         calibration=tuple(relative(file) for file in plan.calibration),
         ground=ground,
         region=plan.region,
+        depth=relative(plan.depth) if plan.depth else None,
+        depth_scale_m=plan.depth_scale_m,
+        topics=plan.topics,
     )
 
 

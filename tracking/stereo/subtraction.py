@@ -48,12 +48,7 @@ class SubtractionStereo:
 
     def __init__(self, lines: SightLines, settings: StereoSettings | None = None) -> None:
         self._settings = settings or StereoSettings()
-        near, far = self._settings.nearest_m, self._settings.farthest_m
-        self._least = lines.disparity_at_height(0.0, near, far)[::STEP, ::STEP] - _SLACK_PX
-        self._most = (
-            lines.disparity_at_height(self._settings.max_height_m, near, far)[::STEP, ::STEP]
-            + _SLACK_PX
-        )
+        self._least, self._most = disparities_of_people(lines, self._settings)
         least, most = math.floor(float(self._least.min())), math.ceil(float(self._most.max()))
         self._beside = max(most, -least) + 1
         across = np.arange(0, lines.shape[1], STEP) + self._beside
@@ -117,9 +112,7 @@ class SubtractionStereo:
     def _take_scene(self, scene: Disparity) -> None:
         """What is as far away as this is no person from now on."""
         self._scene = scene
-        infinite = np.float32(self._lines.offset)
-        per_m = (self._scene - infinite) ** 2 / np.float32(self._lines.focal_baseline)
-        self._scene_slack = np.minimum(per_m * _SAME_PLACE_M, np.float32(_SAME_PLACE_PX))
+        self._scene_slack = slack_of(scene, self._lines)
 
     def _ranged_scene(self, left: Grey, right: Grey) -> Disparity:
         """(rows, columns) px of the empty scene, NaN where nothing matched."""
@@ -227,6 +220,25 @@ class SubtractionStereo:
         fewest = self._matcher.getBlockSize() + 1
         top = max(0, min(rows.start - self._reach_px, height - fewest))
         return top, min(height, max(rows.stop + self._reach_px, fewest))
+
+
+def disparities_of_people(
+    lines: SightLines, settings: StereoSettings
+) -> tuple[Disparity, Disparity]:
+    """The least and the largest disparity that people have, (rows, columns) on the grid each."""
+    near, far = settings.nearest_m, settings.farthest_m
+    floor, head = (
+        lines.disparity_at_height(height_m, near, far)[::STEP, ::STEP]
+        for height_m in (0.0, settings.max_height_m)
+    )
+    return floor - _SLACK_PX, head + _SLACK_PX
+
+
+def slack_of(scene: Disparity, lines: SightLines) -> Disparity:
+    """How far from the scene's disparity (rows, columns) what is on it may be."""
+    per_m = (scene - np.float32(lines.offset)) ** 2 / np.float32(lines.focal_baseline)
+    slack = np.minimum(per_m * _SAME_PLACE_M, np.float32(_SAME_PLACE_PX))
+    return np.asarray(slack, np.float32)
 
 
 def least_side_px(window_px: int) -> int:

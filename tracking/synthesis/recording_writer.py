@@ -6,14 +6,17 @@ import contextlib
 from collections.abc import Callable
 from pathlib import Path
 
+import cv2
 import numpy as np
 
+from tracking.arrays import Float32s
 from tracking.atomic_output import replacing_folder
-from tracking.errors import CancelledError, SettingsError
+from tracking.errors import CancelledError, OutputError, SettingsError
 from tracking.formats import write_mot
 from tracking.geometry import write_calibration
 from tracking.progress import Progress
 from tracking.recording import Manifest, write_manifest
+from tracking.recording.depth_pictures import USUAL_SCALE_M
 from tracking.synthesis.disturbances import NO_DISTURBANCES, Disturbances
 from tracking.synthesis.scenario import EVERYBODY
 from tracking.synthesis.scene import Scene
@@ -30,6 +33,8 @@ _SIDES = ("left", "right")
 
 
 FLOOR, MOMENTS = "floor.csv", "moments.csv"
+DEPTH = "depth"
+"""The folder of depth images."""
 
 
 def render_recording(
@@ -45,6 +50,7 @@ def render_recording(
     fps: float | None = None,
     cameras: int | None = None,
     disturbances: Disturbances = NO_DISTURBANCES,
+    depth: bool = False,
 ) -> Path:
     """Render a scene into a recording folder with exact truth.
 
@@ -61,6 +67,7 @@ def render_recording(
         fps: frames a second; the scene's own if None.
         cameras: 2, or 1 for a recording of the left camera alone; the scene's own if None.
         disturbances: what is out of the ordinary.
+        depth: write exact depth beside the left camera, and no right camera.
 
     Returns:
         The folder.
@@ -71,6 +78,7 @@ def render_recording(
         CancelledError: `cancelled` said so.
     """
     spec = _spec_of(scene)
+    cameras = 1 if depth else cameras
     fps, cameras = spec.fps if fps is None else fps, spec.cameras if cameras is None else cameras
     _check(seconds, people, spec.size_px if size is None else size, fps, cameras)
     _check_begin(spec, seconds, disturbances)
@@ -85,7 +93,7 @@ def render_recording(
             cameras=cameras,
             disturbances=disturbances,
         )
-        _write(part, rendered, seed, progress, cancelled)
+        _write(part, rendered, seed, progress, cancelled, depth=depth)
     return folder
 
 
@@ -148,6 +156,8 @@ def _write(
     seed: int,
     progress: Progress | None,
     cancelled: Callable[[], bool] | None,
+    *,
+    depth: bool,
 ) -> None:
     truths: list[SceneTruth] = []
     size = scene.rig.size
@@ -163,21 +173,35 @@ def _write(
             for video, image in zip(videos, (frame.left, frame.right), strict=False):
                 if image is not None:
                     video.write(image)
+            if depth:
+                write_depth(folder, number, scene.depth(number))
             truths.append(truth)
             if progress is not None:
                 progress(number + 1, scene.frames)
     write_truth(folder, truths)
     if scene.spec.scenario or scene.spec.passage is not None:
         write_scenario(folder, scene)
-    _write_descriptions(folder, scene, seed)
+    _write_descriptions(folder, scene, seed, depth=depth)
 
 
-def _write_descriptions(folder: Path, scene: Scene, seed: int) -> None:
+def write_depth(folder: Path, number: int, depth_m: Float32s) -> None:
+    """Write a frame's depth (height, width) m as an image of 16 bits, in mm; 0 beyond 65 m."""
+    units = np.rint(depth_m / USUAL_SCALE_M)
+    units = np.where(units < np.iinfo(np.uint16).max, units, 0).astype(np.uint16)
+    path = folder / DEPTH / f"{number:06d}.png"
+    path.parent.mkdir(exist_ok=True)
+    fast = (cv2.IMWRITE_PNG_COMPRESSION, 1)
+    if not cv2.imwrite(str(path), units, fast):
+        raise OutputError("cannot write {path}; make room on the disk", path=path)
+
+
+def _write_descriptions(folder: Path, scene: Scene, seed: int, *, depth: bool) -> None:
     write_calibration(folder / "calibration.yaml", scene.rig.calibration)
     manifest = Manifest(
         name=f"{scene.spec.name} {seed}",
         left="left.mp4",
         right="right.mp4" if scene.cameras == 2 else None,
+        depth=f"{DEPTH}/*.png" if depth else None,
         fps=scene.fps,
         calibration=("calibration.yaml",),
         ground=scene.rig.view.ground,

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from tracking.arrays import Float32s, Floats
 from tracking.recording.frame import Image, StereoFrame
 from tracking.synthesis.cast import Cast
+from tracking.synthesis.depth import with_people
 from tracking.synthesis.disturbances import NO_DISTURBANCES, Disturbances, knock_camera
 from tracking.synthesis.rig import Rig
 from tracking.synthesis.scenario import Moment
@@ -106,6 +107,14 @@ class Scene:
             return no_surfaces(self.rig.size)
         posture = self.cast.posture(people, number + self._skipped)
         return self._stage_at(number).surfaces(self.cast, people, posture)
+
+    def depth(self, number: int) -> Float32s:
+        """(height, width) m along the left camera's optical axis of what each pixel shows.
+
+        Raises:
+            IndexError: there is no such frame.
+        """
+        return with_people(self._stage_at(number).depth(), self.surfaces(number), self.rig)
 
     def on_floor(self, number: int) -> NDArray[np.intp]:
         """Indices in the cast of who is there in a frame, in view or not.

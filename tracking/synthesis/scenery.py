@@ -103,6 +103,18 @@ def inverse_depth(spec: SceneSpec, rig: Rig, side: int, samples: int) -> Float32
     return np.asarray(1.0 / np.minimum.reduce(away), np.float32)
 
 
+def depth_of_scenery(spec: SceneSpec, rig: Rig) -> Float32s:
+    """(height, width) m along the left camera's optical axis of floor and walls."""
+    width, height = rig.size
+    rays = rig.rays(np.stack(np.meshgrid(np.arange(width), np.arange(height)), axis=-1))
+    centre = rig.camera_centre(0)
+    with np.errstate(divide="ignore"):
+        nearest = np.where(rays[..., 2] < 0, -centre[2] / rays[..., 2], np.inf)
+    nearest = np.minimum(nearest, _FARTHEST_M / np.maximum(rays[..., 1], 0.1))
+    away = [_distance(wall, centre, rays) for wall in spec.walls]
+    return np.asarray(np.minimum.reduce([nearest, *away]), np.float32)
+
+
 def _distance(wall: WallSpec, centre: Floats, rays: Floats) -> Floats:
     """How many ray lengths away a wall is; infinite where it is not met."""
     axis = 0 if wall.axis == "x" else 1

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from tracking.arrays import Float32s, Floats
 from tracking.synthesis.body import topology
 from tracking.synthesis.cast import Cast
+from tracking.synthesis.depth import depth_without_people
 from tracking.synthesis.light import FloorShade, FloorShadows
 from tracking.synthesis.painter import FINE, Painter, PeopleSamples, composite
 from tracking.synthesis.pillars import Pillars
@@ -42,9 +43,10 @@ class Stage:
         self._shadows = FloorShadows(rig, spec.lamp)
         self._backdrops = [backdrop(spec, rig, side, seed) for side in range(cameras)]
         self._pillars = Pillars.of_scene(spec)
-        self._painters = [
-            Painter(rig, side, spec.lamp, self._still(side)) for side in range(cameras)
-        ]
+        stills = [self._still(side) for side in range(cameras)]
+        self._painters = [Painter(rig, side, spec.lamp, still) for side, still in enumerate(stills)]
+        self._left_still = stills[0]
+        self._depth: Float32s | None = None
         self._parts = [behind.split() for behind in self._backdrops]
 
     def empty(self) -> list[Float32s]:
@@ -76,6 +78,12 @@ class Stage:
         light = np.ones((*points.shape[:2], 2), np.float32)
         drawn = self._painters[0].draw(points, light, cast.textures, people[near])
         return surfaces_of(drawn, people[near], self.rig)
+
+    def depth(self) -> Float32s:
+        """(height, width) m along the left camera's axis, with nobody there."""
+        if self._depth is None:
+            self._depth = depth_without_people(self._spec, self.rig, self._left_still)
+        return self._depth
 
     def _still(self, side: int) -> Float32s | None:
         """Draw the pillars into a camera's backdrop; inverse depth of what people can be behind."""

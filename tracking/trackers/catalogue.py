@@ -230,7 +230,7 @@ def tracker_named(name: str) -> TrackerSpec:
 def best_tracker(recording: Recording) -> str:
     """The name of the best tracker: two cameras over a known floor, one over it, or neither."""
     measured = recording.rectification is not None and recording.ground is not None
-    if recording.is_stereo and measured:
+    if measured:
         return "stereo-joint"
     return "three-part" if recording.view is None else "spheroid"
 
@@ -299,7 +299,7 @@ def require(spec: TrackerSpec, recording: Recording) -> None:
     Raises `RecordingError` for a missing camera, `CalibrationError` for a missing calibration or
     floor.
     """
-    if spec.needs_stereo and not recording.is_stereo:
+    if spec.needs_stereo and not (recording.is_stereo or recording.has_depth):
         raise RecordingError(
             "recording {name} has one camera: {tracker} needs two; choose {better}",
             name=recording.name,

@@ -117,10 +117,14 @@ def synth(
         float | None,
         typer.Option(help="Second at which something bumps the camera.", show_default="never"),
     ] = None,
+    depth: Annotated[
+        bool,
+        typer.Option("--depth", help="Write exact depth in place of the right camera."),
+    ] = False,
     json: options.Json = False,
 ) -> None:
     """Render a recording of people with exact ground truth; the scene has one camera or two."""
     from app.cli.synth import SynthRequest, run_synth
 
-    request = SynthRequest(scene, seconds, people, seed, begin, dim, bump)
+    request = SynthRequest(scene, seconds, people, seed, begin, dim, bump, depth)
     run_synth(out, request, as_json=json)

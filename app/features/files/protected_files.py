@@ -38,7 +38,8 @@ def _is_of(folder: Path, place: Path) -> bool:
         manifest = read_manifest(folder)
     except RecordingError:
         return False  # it says of no file that the recording is made of it
-    sources = filter(None, (manifest.left, manifest.right, *manifest.calibration))
+    cameras = (manifest.left, manifest.right, manifest.depth)
+    sources = filter(None, (*cameras, *manifest.calibration))
     return any(_is_named(folder, source, place) for source in sources)
 
 

@@ -13,7 +13,7 @@ from app.core.tracks.frame_state import Kinds
 from app.core.tracks.made_by import MadeBy, overlay_of
 from tracking.errors import CalibrationError
 from tracking.geometry import Rectification
-from tracking.people import Overlays, StereoPerception
+from tracking.people import DepthPerception, Overlays, StereoPerception
 from tracking.pipeline import background_samples
 from tracking.recording import Recording, StereoFrame
 
@@ -52,7 +52,8 @@ class OverlayPainter:
         _, settings = overlay_of(run, lambda overlays: overlays.subtraction or None)
         self._recording = recording
         self._rectification = rectification
-        self._perception = StereoPerception(
+        kind = DepthPerception if recording.has_depth else StereoPerception
+        self._perception = kind(
             rectification, ground, recording.fps, settings.foreground, settings.stereo
         )
         self._scale = disparity_scale(recording, rectification)

@@ -145,7 +145,8 @@ def measured(scene: SetupScene, progress: Progress) -> FloorEstimate:
     """
     plan = replace(scene.plan, ground=None)
     with open_recording(plan.folder, options_of(plan)) as recording:
-        find = floor_by_stereo if recording.is_stereo else floor_by_people
+        by_stereo = recording.is_stereo or recording.has_depth
+        find = floor_by_stereo if by_stereo else floor_by_people
         return find(recording, progress)
 
 

@@ -62,18 +62,20 @@ class _Views:
 
 
 def floor_by_stereo(recording: Recording, progress: Progress = no_progress) -> FloorEstimate:
-    """The floor of a recording with two calibrated cameras.
+    """The floor of a recording with two calibrated cameras, or one with depth.
 
     A plane in the world is one in disparities, too: `d = a u + b v + c`. It is found by RANSAC in
     the median of frames spread over the recording, so that people who move are not in it, as the
     plane with the most points that has hardly any below it; and refined by aligning the images
-    over it, brightness by brightness.
+    over it, brightness by brightness; or, of depth, by the median of each block of it.
 
     Raises:
-        CalibrationError: there are no two calibrated cameras, or no floor is seen.
+        CalibrationError: there are no two calibrated cameras and no depth, or no floor is seen.
         RecordingError: a frame cannot be read.
     """
     calibration = recording.calibration
+    if recording.has_depth and recording.rectification is not None:
+        return _by_depth(recording, recording.rectification, progress)
     if not recording.is_stereo or calibration is None or calibration.right is None:
         raise CalibrationError(
             "{path}: the floor by stereo needs two calibrated cameras; give their calibration, or "
@@ -85,6 +87,57 @@ def floor_by_stereo(recording: Recording, progress: Progress = no_progress) -> F
     plane = _search(views, rectification)
     plane, blocks = _refined(views, plane)
     return _estimate(plane, blocks, rectification)
+
+
+def _by_depth(
+    recording: Recording, rectification: Rectification, progress: Progress
+) -> FloorEstimate:
+    """The floor in the median of depth, as disparities of the camera's imagined partner."""
+    numbers = np.linspace(0, recording.frame_count - 1, min(_FRAMES, recording.frame_count))
+    seen = []
+    for done, number in enumerate(np.unique(numbers.astype(int)).tolist()):
+        depth = recording.read(number).depth
+        assert depth is not None, "there is depth beside the camera"
+        seen.append(np.where(depth > 0, depth, np.inf))
+        progress(done + 1, len(numbers))
+    rows, columns = _grid(seen[0].shape)
+    recorded = rectification.recorded_from_rectified(
+        np.column_stack((columns.ravel(), rows.ravel())).astype(float)
+    )
+    u, v = np.nan_to_num(recorded, nan=-9.0).astype(np.float32).T.reshape(2, *rows.shape)
+    median = np.median(seen, axis=0).astype(np.float32)
+    away = np.asarray(cv2.remap(median, u.copy(), v.copy(), cv2.INTER_NEAREST), np.float32)
+    product = rectification.focal_px * rectification.baseline_m
+    known = np.isfinite(away) & (away > 0)
+    disparity = np.full(rows.shape, np.nan, np.float32)
+    disparity[known] = product / away[known] + rectification.disparity_offset_px
+    views = _Views(disparity, disparity, disparity)
+    plane = _search(views, rectification)
+    blocks = np.zeros((0, 4))
+    for _ in range(_REFINE_ROUNDS):
+        blocks = _depth_offsets(views, plane)
+        if len(blocks) < _FEWEST_BLOCKS:
+            raise _nothing_seen()
+        plane = plane + _robust_plane(blocks)
+    return _estimate(plane, blocks, rectification)
+
+
+def _depth_offsets(views: _Views, plane: Floats) -> Floats:
+    """(k, 4) middle u, v of each block of the floor, by how much it is off (px), and its size."""
+    rows, columns = _grid(views.disparity.shape)
+    off = views.disparity - (plane[0] * columns + plane[1] * rows + plane[2])
+    with np.errstate(invalid="ignore"):
+        near = np.abs(off) < _INLIER_SHARE * off.shape[1]
+    side = max(off.shape[1] // _BLOCKS, 8)
+    found = []
+    for top in range(0, off.shape[0], side):
+        for begin in range(0, off.shape[1], side):
+            part = np.s_[top : top + side, begin : begin + side]
+            inside = near[part]
+            if inside.mean() >= _LEAST_IN_BLOCK:
+                middle = (float(columns[part][inside].mean()), float(rows[part][inside].mean()))
+                found.append((*middle, float(np.median(off[part][inside])), float(inside.sum())))
+    return np.array(found).reshape(-1, 4)
 
 
 def _empty_scene(recording: Recording, rectification: Rectification, progress: Progress) -> _Views:

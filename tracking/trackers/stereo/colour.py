@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.people import Detections, StereoPerception
+from tracking.people import DepthPerception, Detections, StereoPerception
 from tracking.people.detection_source import DetectionSource
 from tracking.recording import Recording
 from tracking.setting import setting
@@ -97,7 +97,7 @@ def build(
     settings: StereoColourSettings,
     seed: int,
     boxes: DetectionSource | None = None,
-) -> tuple[StereoPerception, StereoTracker | PaperTracker]:
+) -> tuple[StereoPerception | DepthPerception, StereoTracker | PaperTracker]:
     """Perception and tracker at their start."""
     follow = PaperTracker if settings.paper else StereoTracker
     if settings.paper:

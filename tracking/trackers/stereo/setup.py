@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from tracking.errors import CalibrationError
 from tracking.geometry import View
-from tracking.people import StereoPerception
+from tracking.people import DepthPerception, StereoPerception
 from tracking.people.detection_source import DetectionSource
 from tracking.recording import Recording
 from tracking.trackers.stereo.settings import StereoFilterSettings
@@ -12,8 +12,8 @@ from tracking.trackers.stereo.settings import StereoFilterSettings
 
 def perception_and_view(
     recording: Recording, settings: StereoFilterSettings, boxes: DetectionSource | None = None
-) -> tuple[StereoPerception, View]:
-    """Stereo perception at its start, and the camera that people are seen by.
+) -> tuple[StereoPerception | DepthPerception, View]:
+    """Stereo perception, or by depth, at its start, and the camera that people are seen by.
 
     Raises `CalibrationError`: the recording has not what metres on the floor need.
     """
@@ -24,7 +24,8 @@ def perception_and_view(
             "[calibration] and [ground] to recording.toml",
             name=recording.name,
         )
-    perception = StereoPerception(
+    kind = DepthPerception if recording.has_depth else StereoPerception
+    perception = kind(
         rectification,
         ground,
         recording.fps,

@@ -1,7 +1,6 @@
-"""What goes through the pipe to the program that runs a network, and back.
+"""What goes through the pipe to a program of its own that reads what is not trusted, and back.
 
-Each message is a line of JSON and then bytes: of the ONNX file or of pictures one way, of boxes the
-other way.
+Each message is a line of JSON and then bytes.
 """
 
 from __future__ import annotations

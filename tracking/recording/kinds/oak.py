@@ -1,0 +1,41 @@
+"""Folders that an OAK camera's programs write: pictures or videos of each camera, calib.json."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+from tracking.recording.kinds.folders import camera_in, images_in
+from tracking.recording.kinds.kind import FoundSources, RecordingKind
+from tracking.translation import N_
+
+_NAMES = ("calib.json", "calibration.json")
+_MOST_BYTES = 256 * 1024
+
+
+def find_oak(folder: Path) -> FoundSources | None:
+    """Left and right, or left and depth; None without an OAK's calibration."""
+    if not folder.is_dir():
+        return None
+    calibration = [folder / name for name in _NAMES if is_oak_calibration(folder / name)]
+    left = camera_in(folder, "left")
+    if not calibration or left is None:
+        return None
+    right = camera_in(folder, "right")
+    depth = None if right is not None else images_in(folder / "depth")
+    name = folder.resolve().name
+    return FoundSources(left, right, depth, calibration=tuple(calibration[:1]), name=name)
+
+
+def is_oak_calibration(path: Path) -> bool:
+    """Whether a file is an OAK's calibration."""
+    try:
+        if not path.is_file() or path.stat().st_size > _MOST_BYTES:
+            return False
+        values = json.loads(path.read_text("utf-8-sig"))
+    except (OSError, ValueError, RecursionError):
+        return False
+    return isinstance(values, dict) and "cameraData" in values
+
+
+OAK = RecordingKind("oak", N_("OAK folders: left, right or depth, and calib.json"), find_oak)

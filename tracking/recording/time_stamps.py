@@ -1,0 +1,103 @@
+"""When images were taken, as files beside them or their names say."""
+
+from __future__ import annotations
+
+import csv
+import re
+from collections.abc import Sequence
+from datetime import UTC, datetime
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+Stamps = NDArray[np.int64]
+"""(n,) ns since 1970, or since anything that all cameras of a recording share."""
+
+_MOST_BYTES = 64 << 20
+_EUROC, _KITTI = "data.csv", "timestamps.txt"
+_LINE = re.compile(r"(\d{4}-\d{2}-\d{2} \d{2}:\d{2}:\d{2})(?:\.(\d{1,9}))?\s*")
+_MOST_DIGITS = 19
+_NANOSECONDS = 18
+"""Digits that a name has at the least which is a time in ns: from 2001 on it has 19."""
+
+
+def stamps_of(files: Sequence[Path]) -> Stamps | None:
+    """When each image was taken; None where nothing says it of all, or it does not increase.
+
+    Known are EuRoC's data.csv and KITTI's timestamps.txt beside the folder of the images, and names
+    that are ns.
+    """
+    if not files:
+        return None
+    above = files[0].parent.parent
+    for found in (_of_table(above / _EUROC, files), _of_lines(above / _KITTI, files)):
+        if found is not None:
+            return _increasing(found)
+    named = [file.stem for file in files]
+    if all(_is_number(name) and len(name) >= _NANOSECONDS for name in named):
+        return _increasing([int(name) for name in named])
+    return None
+
+
+def has_stamps(folder: Path) -> bool:
+    """Whether a table of times stands beside a folder of images."""
+    return any((folder.parent / name).is_file() for name in (_EUROC, _KITTI))
+
+
+def _increasing(stamps: Sequence[int]) -> Stamps | None:
+    if any(abs(stamp) >= 2**63 for stamp in stamps):
+        return None
+    found = np.array(stamps, np.int64)
+    return found if (np.diff(found) > 0).all() else None
+
+
+def _of_table(path: Path, files: Sequence[Path]) -> list[int] | None:
+    """Of EuRoC's table: a time in ns and a file's name a row."""
+    text = _text(path)
+    if text is None:
+        return None
+    named: dict[str, int] = {}
+    for row in csv.reader(text.splitlines()):
+        if len(row) >= 2 and _is_number(row[0].strip()):
+            named[row[1].strip()] = int(row[0])
+    stamps = [named.get(file.name) for file in files]
+    return [s for s in stamps if s is not None] if None not in stamps else None
+
+
+def _of_lines(path: Path, files: Sequence[Path]) -> list[int] | None:
+    """Of KITTI's lines: date and time of the image of that number."""
+    text = _text(path)
+    if text is None:
+        return None
+    lines = text.splitlines()
+    stamps = []
+    for file in files:
+        number = int(file.stem) if _is_number(file.stem) else len(lines)
+        found = _LINE.fullmatch(lines[number]) if number < len(lines) else None
+        if found is None:
+            return None
+        stamps.append(_nanoseconds(found[1], found[2] or "0"))
+    return stamps
+
+
+def _is_number(text: str) -> bool:
+    """Whether a text is a whole number that 64 bits hold, or nearly."""
+    return text.isascii() and text.isdecimal() and len(text) <= _MOST_DIGITS
+
+
+def _nanoseconds(second: str, fraction: str) -> int:
+    try:
+        moment = datetime.strptime(second, "%Y-%m-%d %H:%M:%S").replace(tzinfo=UTC)
+    except ValueError:  # a 31st of February
+        return 0
+    return int(moment.timestamp()) * 10**9 + int(fraction.ljust(9, "0"))
+
+
+def _text(path: Path) -> str | None:
+    try:
+        if not path.is_file() or path.stat().st_size > _MOST_BYTES:
+            return None
+        return path.read_text("utf-8-sig")
+    except (OSError, UnicodeDecodeError):
+        return None
