@@ -9,7 +9,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.arrays import Mask, Picture
+from tracking.arrays import Flags, Mask, Picture
 from tracking.foreground.background_modes import (
     SecondaryMode,
     primary_and_secondary_mode,
@@ -21,8 +21,9 @@ from tracking.foreground.difference import (
     channels_of,
     split_into,
 )
-from tracking.foreground.gain import brightness_ratio
+from tracking.foreground.gain import channel_ratios, scaled
 from tracking.foreground.local_light import MUCH_CHANGED, change_of_light, patches_of_light
+from tracking.foreground.recurrence import Recurrence
 from tracking.foreground.settings import ForegroundSettings
 
 _SMALLEST_GAIN_STEP = 0.012
@@ -40,7 +41,10 @@ _PATCHES_EVERY = 2
 _LEARN_S = 1.5
 """How long changes become background ten times faster where nothing was learnt beforehand, so that
 people who stand in the first frames leave a ghost for less time."""
+_UNSEEN_ELSEWHEN = 10.0
+"""What the rest of the recording does not show must keep still for so many times as long."""
 _NOISE_AT_FIRST = 2.0
+_UNCHANGED = np.ones(3, np.float32)
 _OPENING = cv2.getStructuringElement(cv2.MORPH_CROSS, (3, 3))
 
 
@@ -88,27 +92,42 @@ class BackgroundModel:
         self._period_s = self._every / fps
         self._primed = False
         self._frames = 0
-        self._odd_s = 0.0
-        self._exposure = 1.0
+        self._odd_s = self._time_s = 0.0
+        self._exposure = _UNCHANGED
+        self._recurrence: Recurrence | None = None
         self._explained = False
         self._channels: Channels = []
 
-    def learn(self, pictures: Sequence[Picture]) -> None:
+    def learn(
+        self,
+        pictures: Sequence[Picture],
+        later: Sequence[Picture] = (),
+        times_s: Sequence[float] = (),
+    ) -> None:
         """Start from the primary mode of pictures spread over some time, people or not.
 
         Args:
-            pictures: at least one (height, width, 3), in any order.
+            pictures: at least one (height, width, 3), in order of time, evenly spread.
+            later: of each the picture a moment later; empty: it is not known what moves.
+            times_s: of each, on the clock of `subtract`; empty: other times tell nothing of what stays.
         """
-        self._begin_with(*primary_mode(pictures))
+        self._begin_with(*primary_mode(pictures, later))
+        self._recurrence = Recurrence(pictures, later, times_s) if times_s else None
 
-    def learn_both_modes(self, pictures: Sequence[Picture]) -> SecondaryMode:
+    def learn_both_modes(
+        self,
+        pictures: Sequence[Picture],
+        later: Sequence[Picture] = (),
+        times_s: Sequence[float] = (),
+    ) -> SecondaryMode:
         """Start as `learn` does; returns the secondary mode, for `restore_secondary`.
 
         Args:
-            pictures: see `learn`.
+            pictures, later, times_s: see `learn`.
         """
-        picture, deviation, other = primary_and_secondary_mode(pictures)
+        picture, deviation, other = primary_and_secondary_mode(pictures, later)
         self._begin_with(picture, deviation)
+        self._recurrence = Recurrence(pictures, later, times_s) if times_s else None
         return other
 
     def _begin_with(self, picture: Picture, deviation: NDArray[np.float32]) -> None:
@@ -132,12 +151,13 @@ class BackgroundModel:
         self._stillness_s[here] = 0
         self._refresh()
 
-    def subtract(self, picture: Picture) -> Subtraction:
+    def subtract(self, picture: Picture, time_s: float = 0.0) -> Subtraction:
         """Compare a picture with the background, its exposure taken out.
 
         Args:
-            picture: (height, width, 3) uint8.
+            picture: (height, width, 3) uint8. time_s: of the picture, on the clock of `learn`.
         """
+        self._time_s = time_s
         smooth = np.asarray(cv2.blur(picture, (3, 3)), np.uint8)
         if self._frames == 0 and not self._primed:
             self._start(smooth)
@@ -147,7 +167,7 @@ class BackgroundModel:
             mask, differs = self._threshold(smooth)
         changed = differs > self._settings.scene_change
         self._explained = differs < MUCH_CHANGED
-        if changed or not _within(self._exposure, _READABLE_EXPOSURE):
+        if changed or not _within(self._brightness, _READABLE_EXPOSURE):
             return Subtraction(smooth, self._background, np.zeros(mask.shape, np.uint8), True)
         return Subtraction(smooth, self._background, self.within_region(mask), False)
 
@@ -209,7 +229,7 @@ class BackgroundModel:
         self._frames += 1
         if not due:
             return
-        odd = seen.scene_changed or not _within(self._exposure, _USUAL_EXPOSURE)
+        odd = seen.scene_changed or not _within(self._brightness, _USUAL_EXPOSURE)
         self._odd_s = self._odd_s + self._period_s if odd else 0.0
         if odd and self._primed and self._odd_s < _PATIENCE_S:
             return
@@ -236,7 +256,7 @@ class BackgroundModel:
         self._channels, self._candidate = channels_of(picture), channels_of(picture)
         self._compare = ChannelDifference(picture.shape)
         self._stillness_s = np.zeros(picture.shape[:2], np.float32)
-        self._exposure, self._odd_s = 1.0, 0.0
+        self._exposure, self._odd_s = _UNCHANGED, 0.0
         self._refresh()
 
     def _refresh(self) -> None:
@@ -247,28 +267,31 @@ class BackgroundModel:
         self._limit = np.asarray(cv2.max(np.asarray(limit, np.uint8), lowest), np.uint8)
 
     def _follow_exposure(self, picture: Picture) -> None:
-        """Scale what is compared with where the whole picture became brighter or darker.
+        """Scale what is compared with where the whole picture became brighter, darker or bluer.
 
         The mean itself keeps its own exposure, unclipped, so that errors do not pile up and what
         was overexposed comes back as it was.
         """
-        ratio = brightness_ratio(picture, self._background)
-        if abs(ratio - 1) > _SMALLEST_GAIN_STEP:
-            self._exposure *= ratio
+        ratio = channel_ratios(picture, self._background)
+        if np.abs(ratio - 1).max() > _SMALLEST_GAIN_STEP:
+            self._exposure = self._exposure * ratio
             self._expose()
+
+    @property
+    def _brightness(self) -> float:
+        """Of the present exposure, beside the background's own."""
+        return float(self._exposure[1])
 
     def _expose(self) -> None:
         """Show the mean at the present exposure."""
-        self._background = np.asarray(
-            cv2.convertScaleAbs(self._mean, alpha=self._exposure), np.uint8
-        )
+        self._background = scaled(self._mean, self._exposure)
         self._usual = channels_of(self._background)
 
     def _take_exposure_in(self) -> None:
         """Make the present exposure the background's own."""
-        if self._exposure != 1.0:
-            self._mean *= np.float32(self._exposure)
-            self._exposure = 1.0
+        if (self._exposure != 1.0).any():
+            self._mean *= self._exposure
+            self._exposure = _UNCHANGED
 
     def _adapt(self, seen: Subtraction) -> None:
         """Follow slow changes where there is no foreground."""
@@ -287,23 +310,48 @@ class BackgroundModel:
         longer_s = self._stillness_s + np.float32(self._period_s)
         self._stillness_s = np.asarray(cv2.copyTo(longer_s, still), np.float32)
         if self._frames % (_PATCHES_EVERY * self._every) == 1:
-            self._take_patches(seen)
+            self._take_patches(seen, people)
         settled = self._stillness_s > np.float32(self._absorb_after_s())
         box = _around(settled)
         if box is None:
             return
-        settled = settled[box]
+        settled = self._staying(seen, settled[box], box)
         if people is not None:
             lasting = self._stillness_s[box] > np.float32(self._settings.absorb_person_s)
             settled &= (people[box] == 0) | lasting
         self._mean[box][settled] = seen.picture[box][settled]
         self._noise[box][settled] = _NOISE_AT_FIRST
 
-    def _take_patches(self, seen: Subtraction) -> None:
-        """Give the background the light of patches that keep still, whoever seems to be there."""
+    def _staying(self, seen: Subtraction, settled: Flags, box: tuple[slice, slice]) -> Flags:
+        """What of the settled pixels of a box is there to stay, or has been there for long.
+
+        Each is looked for at later times when it settles, and then from time to time.
+        """
+        if self._recurrence is None or not self._recurrence.tells:
+            return settled
+        still_s = self._stillness_s[box]
+        due = settled & (np.fmod(still_s, self._absorb_after_s()) <= self._period_s)
+        here = still_s > np.float32(_UNSEEN_ELSEWHEN * self._settings.absorb_s)
+        if due.any():
+            since_s = self._time_s - self._settings.absorb_s
+            stays = self._recurrence.stays(seen.picture, seen.background, box, since_s)
+            here |= due & stays
+        return np.asarray(settled & here, np.bool_)
+
+    def _take_patches(self, seen: Subtraction, people: Mask | None) -> None:
+        """Give the background the light of patches that keep still.
+
+        It is believed whoever seems to be there; but less light is not where people are and the
+        light is as before later on: plain dark clothes over a plain floor look like shade.
+        """
         found = patches_of_light(seen.picture, self._background, self._stillness_s, _LIT_AFTER_S)
         if found is not None:
             box, ratio = found
+            if people is not None and self._recurrence is not None:
+                clothes = (people[box] != 0) & (ratio.max(axis=2) < 1.0)
+                since_s = self._time_s - _LIT_AFTER_S[1]
+                seen_here = (seen.picture, seen.background, box, since_s)
+                ratio[clothes & self._recurrence.passes(*seen_here)] = 1.0
             self._mean[box] *= ratio
 
     def _absorb_after_s(self) -> float:

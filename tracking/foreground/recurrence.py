@@ -1,0 +1,97 @@
+"""What a place shows again and again over a recording, and so is no person who stands there."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from tracking.arrays import Flags, Float32s, Picture
+from tracking.foreground.background_modes import thinned
+from tracking.foreground.difference import largest_difference
+from tracking.foreground.gain import channel_ratios, scaled
+from tracking.foreground.stillness import stillness
+
+_SAME_WITHIN = 20
+"""Grey levels by which a pixel is the same, as in the background's modes."""
+_LEAST = 0.9
+"""Looks, weighed by how still all is near by, that tell enough."""
+_FEWEST = 3
+"""Pictures below which nothing is told of other times."""
+
+
+class Recurrence:
+    """Looks at a scene spread over a recording, to tell what stays there from who lingers.
+
+    A chair that was moved stands there for most of the time that is left, and nothing moves beside
+    it. Somebody who stands there does so for a while, and hardly ever as still.
+
+    Args:
+        pictures: at least one (height, width, 3), spread over the recording; at most 25 are used.
+        later: of each the picture a moment later; empty: it is not known what moves.
+        times_s: of each.
+    """
+
+    def __init__(
+        self,
+        pictures: Sequence[Picture],
+        later: Sequence[Picture],
+        times_s: Sequence[float],
+    ) -> None:
+        self._times_s = thinned(times_s)
+        self._pictures = [_smoothed(picture) for picture in thinned(pictures)]
+        still = [
+            np.rint(255 * stillness(picture, _smoothed(after))).astype(np.uint8)
+            for picture, after in zip(self._pictures, thinned(later), strict=False)
+        ]
+        self._still = still or [np.full(p.shape[:2], 255, np.uint8) for p in self._pictures]
+
+    @property
+    def tells(self) -> bool:
+        """Whether there are enough looks to tell anything."""
+        return len(self._pictures) >= _FEWEST
+
+    def stays(
+        self, picture: Picture, background: Picture, box: tuple[slice, slice], since_s: float
+    ) -> Flags:
+        """(rows, columns) of a box, where the time to come shows the picture, not the background.
+
+        Args:
+            picture: (height, width, 3). background: what it differs from, in its light.
+            since_s: when the picture began to show what it does.
+        """
+        looks, others = self._looks(picture, background, box, since_s)
+        return np.asarray((looks > others) & (looks > _LEAST), np.bool_)
+
+    def passes(
+        self, picture: Picture, background: Picture, box: tuple[slice, slice], since_s: float
+    ) -> Flags:
+        """(rows, columns) of a box, where the time to come shows the background again.
+
+        Args:
+            picture, background, box, since_s: see `stays`.
+        """
+        looks, others = self._looks(picture, background, box, since_s)
+        return np.asarray((others > looks) & (others > _LEAST), np.bool_)
+
+    def _looks(
+        self, picture: Picture, background: Picture, box: tuple[slice, slice], since_s: float
+    ) -> tuple[Float32s, Float32s]:
+        """(rows, columns) how often later times show the picture, and how often the background."""
+        looks, others = (np.zeros(picture[box].shape[:2], np.float32) for _ in range(2))
+        known = zip(self._pictures, self._still, self._times_s, strict=True)
+        for other, still, time_s in known:
+            if time_s < since_s:
+                continue
+            shown = scaled(other[box], channel_ratios(background, other))
+            alike = largest_difference(shown, picture[box]) < _SAME_WITHIN
+            usual = (largest_difference(shown, background[box]) < _SAME_WITHIN) & ~alike
+            cv2.accumulate(still[box], looks, mask=alike.view(np.uint8))
+            cv2.accumulate(still[box], others, mask=usual.view(np.uint8))
+        return looks / 255, others / 255
+
+
+def _smoothed(picture: Picture) -> NDArray[np.uint8]:
+    return np.asarray(cv2.blur(picture, (3, 3)), np.uint8)
