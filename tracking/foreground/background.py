@@ -109,7 +109,7 @@ class BackgroundModel:
         Args:
             pictures: at least one (height, width, 3), in order of time, evenly spread.
             later: of each the picture a moment later; empty: it is not known what moves.
-            times_s: of each, on the clock of `subtract`; empty: other times tell nothing of what stays.
+            times_s: of each, on the clock of `subtract`; empty: nothing is told of what stays.
         """
         self._begin_with(*primary_mode(pictures, later))
         self._recurrence = Recurrence(pictures, later, times_s) if times_s else None
@@ -242,13 +242,26 @@ class BackgroundModel:
         self._refresh()
 
     def _begin_anew(self, picture: Picture) -> None:
-        """The scene is another one; unless it is the same in very different light."""
+        """The scene is another one; unless it is the same in very different light.
+
+        What is still to come tells what it looks like without the people who are there now.
+        """
         if not self._explained:
-            self._start(picture)
+            pictures, later = self._pictures_to_come()
+            if pictures:
+                self._begin_with(*primary_mode(pictures, later))
+            else:
+                self._start(picture)
             return
         self._take_exposure_in()
         self._odd_s = 0.0
         self._refresh()
+
+    def _pictures_to_come(self) -> tuple[list[Picture], list[Picture]]:
+        """Those learnt from that show the scene since it changed, and those a moment later."""
+        if self._recurrence is None:
+            return [], []
+        return self._recurrence.after(self._time_s - _PATIENCE_S)
 
     def _start(self, picture: Picture) -> None:
         self._mean = picture.astype(np.float32)

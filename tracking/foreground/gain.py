@@ -15,19 +15,26 @@ _SAME_RATIO = 0.01
 _SUITS = 4
 """Grey levels within which a ratio explains a sample."""
 _CLEARLY = 0.15
-"""Share of the samples."""
+"""Share of the samples that one ratio must explain more than another."""
+_CHANGED, _PART = 0.15, 0.3
+"""A change of exposure so large leaves no such share of the samples as it is."""
 
 
 def brightness_ratio(picture: NDArray[np.uint8], background: NDArray[np.uint8]) -> float:
     """The median ratio of picture to background over a grid of pixels, in green.
 
     Pixels too dark to give a ratio and overexposed ones are left out; 1.0 where too few are left.
-    The median holds as long as people cover less than half of what is left.
+    The median holds as long as people cover less than half of what is left. Where a large part
+    keeps its light, light changed on the other part only, and the ratio is 1.0.
 
     Args:
         picture, background: (height, width, 3) uint8.
     """
-    return _ratio(_sampled(picture, 1), _sampled(background, 1))
+    now, usual = _sampled(picture, 1), _sampled(background, 1)
+    ratio = _ratio(now, usual)
+    if abs(ratio - 1) > _CHANGED and _suited(1.0, now, usual) > _PART * len(now):
+        return 1.0
+    return ratio
 
 
 def channel_ratios(
@@ -54,11 +61,13 @@ def _own_or(green: float, now: NDArray[np.uint8], usual: NDArray[np.uint8]) -> f
     own = _ratio(now, usual, green)
     if abs(own - green) < _SAME_RATIO:
         return green
-    suits = [
-        np.count_nonzero(np.abs(now - ratio * usual.astype(np.float32)) < _SUITS)
-        for ratio in (own, green)
-    ]
-    return own if suits[0] - suits[1] > _CLEARLY * len(now) else green
+    better = _suited(own, now, usual) - _suited(green, now, usual)
+    return own if better > _CLEARLY * len(now) else green
+
+
+def _suited(ratio: float, now: NDArray[np.uint8], usual: NDArray[np.uint8]) -> int:
+    """How many samples a ratio explains."""
+    return np.count_nonzero(np.abs(now - ratio * usual.astype(np.float32)) < _SUITS)
 
 
 def scaled(picture: NDArray[Any], ratios: NDArray[np.float32]) -> NDArray[np.uint8]:

@@ -41,12 +41,21 @@ class Recurrence:
         times_s: Sequence[float],
     ) -> None:
         self._times_s = thinned(times_s)
-        self._pictures = [_smoothed(picture) for picture in thinned(pictures)]
+        self._pictures, self._later = (
+            [_smoothed(picture) for picture in thinned(some)] for some in (pictures, later)
+        )
         still = [
-            np.rint(255 * stillness(picture, _smoothed(after))).astype(np.uint8)
-            for picture, after in zip(self._pictures, thinned(later), strict=False)
+            np.rint(255 * stillness(picture, after)).astype(np.uint8)
+            for picture, after in zip(self._pictures, self._later, strict=False)
         ]
         self._still = still or [np.full(p.shape[:2], 255, np.uint8) for p in self._pictures]
+
+    def after(self, time_s: float) -> tuple[list[Picture], list[Picture]]:
+        """The pictures from a time on and those a moment after each; too few to tell: none."""
+        rows = [k for k, each_s in enumerate(self._times_s) if each_s >= time_s]
+        if len(rows) < _FEWEST:
+            return [], []
+        return [self._pictures[k] for k in rows], [self._later[k] for k in rows if self._later]
 
     @property
     def tells(self) -> bool:
@@ -85,7 +94,7 @@ class Recurrence:
         for other, still, time_s in known:
             if time_s < since_s:
                 continue
-            shown = scaled(other[box], channel_ratios(background, other))
+            shown = scaled(other[box], channel_ratios(picture, other))
             alike = largest_difference(shown, picture[box]) < _SAME_WITHIN
             usual = (largest_difference(shown, background[box]) < _SAME_WITHIN) & ~alike
             cv2.accumulate(still[box], looks, mask=alike.view(np.uint8))
