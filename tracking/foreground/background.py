@@ -323,7 +323,7 @@ class BackgroundModel:
         longer_s = self._stillness_s + np.float32(self._period_s)
         self._stillness_s = np.asarray(cv2.copyTo(longer_s, still), np.float32)
         if self._frames % (_PATCHES_EVERY * self._every) == 1:
-            self._take_patches(seen, people)
+            self._take_patches(seen)
         settled = self._stillness_s > np.float32(self._absorb_after_s())
         box = _around(settled)
         if box is None:
@@ -351,20 +351,19 @@ class BackgroundModel:
             here |= due & stays
         return np.asarray(settled & here, np.bool_)
 
-    def _take_patches(self, seen: Subtraction, people: Mask | None) -> None:
+    def _take_patches(self, seen: Subtraction) -> None:
         """Give the background the light of patches that keep still.
 
-        It is believed whoever seems to be there; but less light is not where people are and the
-        light is as before later on: plain dark clothes over a plain floor look like shade.
+        It is believed whoever seems to be there; but less light is not where it is as before later
+        on: plain dark clothes over a plain floor look like shade.
         """
         found = patches_of_light(seen.picture, self._background, self._stillness_s, _LIT_AFTER_S)
         if found is not None:
             box, ratio = found
-            if people is not None and self._recurrence is not None:
-                clothes = (people[box] != 0) & (ratio.max(axis=2) < 1.0)
+            if self._recurrence is not None:
                 since_s = self._time_s - _LIT_AFTER_S[1]
-                seen_here = (seen.picture, seen.background, box, since_s)
-                ratio[clothes & self._recurrence.passes(*seen_here)] = 1.0
+                passes = self._recurrence.passes(seen.picture, seen.background, box, since_s)
+                ratio[passes & (ratio.max(axis=2) < 1.0)] = 1.0
             self._mean[box] *= ratio
 
     def _absorb_after_s(self) -> float:

@@ -213,7 +213,7 @@ def _in_light_of(usual: Picture, picture: Picture) -> Picture:
     """The picture as it would be in the light of another."""
     brighter = channel_ratios(picture, usual)
     if np.abs(brighter - 1).max() > _SAME_EXPOSURE:
-        picture = scaled(picture, 1 / brighter)
+        picture = scaled(picture, np.float32(1) / brighter)
     differs = largest_difference(picture, usual) > _DIFFERS
     if differs.mean() < MUCH_CHANGED:
         return picture

@@ -72,7 +72,7 @@ def _suited(ratio: float, now: NDArray[np.uint8], usual: NDArray[np.uint8]) -> i
 
 def scaled(picture: NDArray[Any], ratios: NDArray[np.float32]) -> NDArray[np.uint8]:
     """(height, width, 3) uint8, the picture with its channels times these."""
-    factors = (*(float(ratio) for ratio in ratios), 1.0)
+    factors = np.append(ratios, np.float32(1)).astype(np.float64)
     return np.asarray(cv2.multiply(picture, factors, dtype=cv2.CV_8U), np.uint8)
 
 

@@ -8,7 +8,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.arrays import Flags, Float32s, Picture
+from tracking.arrays import Flags, Picture
 from tracking.foreground.background_modes import thinned
 from tracking.foreground.difference import largest_difference
 from tracking.foreground.gain import channel_ratios, scaled
@@ -16,8 +16,8 @@ from tracking.foreground.stillness import stillness
 
 _SAME_WITHIN = 20
 """Grey levels by which a pixel is the same, as in the background's modes."""
-_LEAST = 0.9
-"""Looks, weighed by how still all is near by, that tell enough."""
+_STILL = 0.7
+"""Stillness from which on a look counts: who lingers is hardly ever so still."""
 _FEWEST = 3
 """Pictures below which nothing is told of other times."""
 
@@ -45,10 +45,10 @@ class Recurrence:
             [_smoothed(picture) for picture in thinned(some)] for some in (pictures, later)
         )
         still = [
-            np.rint(255 * stillness(picture, after)).astype(np.uint8)
+            (stillness(picture, after) > _STILL).view(np.uint8)
             for picture, after in zip(self._pictures, self._later, strict=False)
         ]
-        self._still = still or [np.full(p.shape[:2], 255, np.uint8) for p in self._pictures]
+        self._still = still or [np.ones(p.shape[:2], np.uint8) for p in self._pictures]
 
     def after(self, time_s: float) -> tuple[list[Picture], list[Picture]]:
         """The pictures from a time on and those a moment after each; too few to tell: none."""
@@ -72,7 +72,7 @@ class Recurrence:
             since_s: when the picture began to show what it does.
         """
         looks, others = self._looks(picture, background, box, since_s)
-        return np.asarray((looks > others) & (looks > _LEAST), np.bool_)
+        return np.asarray(looks > others, np.bool_)
 
     def passes(
         self, picture: Picture, background: Picture, box: tuple[slice, slice], since_s: float
@@ -83,23 +83,22 @@ class Recurrence:
             picture, background, box, since_s: see `stays`.
         """
         looks, others = self._looks(picture, background, box, since_s)
-        return np.asarray((others > looks) & (others > _LEAST), np.bool_)
+        return np.asarray(others > looks, np.bool_)
 
     def _looks(
         self, picture: Picture, background: Picture, box: tuple[slice, slice], since_s: float
-    ) -> tuple[Float32s, Float32s]:
-        """(rows, columns) how often later times show the picture, and how often the background."""
-        looks, others = (np.zeros(picture[box].shape[:2], np.float32) for _ in range(2))
-        known = zip(self._pictures, self._still, self._times_s, strict=True)
-        for other, still, time_s in known:
+    ) -> tuple[Picture, Picture]:
+        """(rows, columns) how often still looks to come show the picture, and the background."""
+        looks, others = (np.zeros(picture[box].shape[:2], np.uint8) for _ in range(2))
+        for other, still, time_s in zip(self._pictures, self._still, self._times_s, strict=True):
             if time_s < since_s:
                 continue
             shown = scaled(other[box], channel_ratios(picture, other))
             alike = largest_difference(shown, picture[box]) < _SAME_WITHIN
             usual = (largest_difference(shown, background[box]) < _SAME_WITHIN) & ~alike
-            cv2.accumulate(still[box], looks, mask=alike.view(np.uint8))
-            cv2.accumulate(still[box], others, mask=usual.view(np.uint8))
-        return looks / 255, others / 255
+            looks += still[box] & alike
+            others += still[box] & usual
+        return looks, others
 
 
 def _smoothed(picture: Picture) -> NDArray[np.uint8]:

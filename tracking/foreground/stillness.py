@@ -12,9 +12,10 @@ from tracking.foreground.gain import channel_ratios, scaled
 
 _MOVED = 12
 """Grey levels by which a pixel is another a moment later."""
-_WIDE, _TALL = 1 / 12, 1 / 6
-"""Shares of the picture's width near which motion counts: plain clothes move at their edges only,
-and who lingers stands on one leg and then on the other."""
+_NEAR = ((1 / 12, 1 / 6), (1 / 6, 1 / 3))
+"""Shares of the picture's width, across and down, within which motion counts, for people far away
+and nearby: plain clothes move at their edges only, and who lingers stands on one leg and then on
+the other."""
 _MUCH = 0.05
 """Share of what is near that moves and halves the stillness."""
 
@@ -30,6 +31,8 @@ def stillness(picture: Picture, later: Picture) -> NDArray[np.float32]:
     """
     in_its_light = scaled(later, channel_ratios(picture, later))
     moved = (largest_difference(picture, in_its_light) > _MOVED).astype(np.float32)
-    size = tuple(round(share * picture.shape[1]) | 1 for share in (_WIDE, _TALL))
-    near = cv2.blur(moved, size, borderType=cv2.BORDER_REFLECT)
+    near = np.zeros_like(moved)
+    for across, down in _NEAR:
+        size = round(across * picture.shape[1]) | 1, round(down * picture.shape[1]) | 1
+        cv2.max(near, cv2.blur(moved, size, borderType=cv2.BORDER_REFLECT), near)
     return np.asarray(1 / (1 + (near / _MUCH) ** 2), np.float32)
