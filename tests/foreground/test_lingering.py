@@ -148,3 +148,16 @@ def test_after_the_light_has_changed_for_good_nobody_who_is_there_is_learnt(kind
     assert (seen.mask[TORSO] > 0).mean() > 0.9
     empty = largest_difference(seen.background, lit(floor(), change_s)) > 16
     assert empty.mean() < 0.02
+
+
+def test_what_was_overexposed_when_learnt_is_nobody_in_less_light() -> None:
+    bright = floor().astype(np.float32)
+    bright[:, 110:] = 400.0
+    model = BackgroundModel(FPS)
+    model.learn([np.asarray(np.clip(bright, 0, 255), np.uint8)] * COUNT)
+    dim = np.asarray(np.clip(0.6 * bright, 0, 255), np.uint8)
+    assert not model.subtract(dim).mask.any()
+    dim[40:80, 120:140] = 30
+    mask = model.subtract(dim).mask
+    assert (mask[41:79, 121:139] > 0).all()
+    assert (mask > 0).mean() < 0.06

@@ -23,6 +23,7 @@ from tracking.foreground.difference import (
 )
 from tracking.foreground.gain import channel_ratios, scaled
 from tracking.foreground.local_light import MUCH_CHANGED, change_of_light, patches_of_light
+from tracking.foreground.overexposure import Overexposure
 from tracking.foreground.recurrence import Recurrence
 from tracking.foreground.settings import ForegroundSettings
 
@@ -162,6 +163,9 @@ class BackgroundModel:
         if self._frames == 0 and not self._primed:
             self._start(smooth)
         self._follow_exposure(smooth)
+        if self._overexposure.is_uncovered:
+            self._expose()
+            self._show(self._overexposure.seen_through(smooth, self._background))
         mask, differs = self._threshold(smooth)
         if differs > MUCH_CHANGED and self._take_light(smooth, mask):
             mask, differs = self._threshold(smooth)
@@ -268,6 +272,7 @@ class BackgroundModel:
         self._noise = np.full(picture.shape[:2], _NOISE_AT_FIRST, np.float32)
         self._channels, self._candidate = channels_of(picture), channels_of(picture)
         self._compare = ChannelDifference(picture.shape)
+        self._overexposure = Overexposure(picture)
         self._stillness_s = np.zeros(picture.shape[:2], np.float32)
         self._exposure, self._odd_s = _UNCHANGED, 0.0
         self._refresh()
@@ -288,6 +293,7 @@ class BackgroundModel:
         ratio = channel_ratios(picture, self._background)
         if np.abs(ratio - 1).max() > _SMALLEST_GAIN_STEP:
             self._exposure = self._exposure * ratio
+            self._overexposure.follow(ratio)
             self._expose()
 
     @property
@@ -297,8 +303,12 @@ class BackgroundModel:
 
     def _expose(self) -> None:
         """Show the mean at the present exposure."""
-        self._background = scaled(self._mean, self._exposure)
-        self._usual = channels_of(self._background)
+        self._show(scaled(self._mean, self._exposure))
+
+    def _show(self, background: Picture) -> None:
+        """Compare with this from now on."""
+        self._background = background
+        self._usual = channels_of(background)
 
     def _take_exposure_in(self) -> None:
         """Make the present exposure the background's own."""

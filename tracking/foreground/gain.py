@@ -67,7 +67,7 @@ def _own_or(green: float, now: NDArray[np.uint8], usual: NDArray[np.uint8]) -> f
 
 def _suited(ratio: float, now: NDArray[np.uint8], usual: NDArray[np.uint8]) -> int:
     """How many samples a ratio explains."""
-    return np.count_nonzero(np.abs(now - ratio * usual.astype(np.float32)) < _SUITS)
+    return int(np.count_nonzero(np.abs(now - ratio * usual.astype(np.float32)) < _SUITS))
 
 
 def scaled(picture: NDArray[Any], ratios: NDArray[np.float32]) -> NDArray[np.uint8]:

@@ -289,9 +289,8 @@ def background_samples(recording: Recording) -> tuple[list[StereoFrame], list[St
         RecordingError: one is unreadable.
     """
     count = min(BACKGROUND_SAMPLES, recording.frame_count)
-    moment = min(max(1, round(_MOMENT_S * recording.fps)), recording.frame_count - 1)
-    last = recording.frame_count - 1 - moment
-    numbers = np.linspace(0, last, count).astype(int)
+    moment = min(max(1, round(_MOMENT_S * recording.fps)), recording.frame_count // 4)
+    numbers = np.unique(np.linspace(0, recording.frame_count - 1 - moment, count).astype(int))
     pairs = [(recording.read(int(one)), recording.read(int(one) + moment)) for one in numbers]
     return [frame for frame, _ in pairs], [frame for _, frame in pairs]
 
