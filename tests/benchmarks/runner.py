@@ -238,7 +238,7 @@ def observations(
     recording: Recording, perception: Perception, frames: int, watch: Stopwatch | None = None
 ) -> Iterator[Observation]:
     """What is seen in the first so many frames; `watch` adds up how long looking takes."""
-    perception.learn(background_samples(recording))
+    perception.learn(*background_samples(recording))
     pairing, instants = perception.stereo_watch, Instants(recording)
     if pairing is not None:
         begin_pairing(pairing, instants, 0)

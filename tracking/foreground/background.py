@@ -9,7 +9,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.arrays import Mask, Picture
+from tracking.arrays import Flags, Mask, Picture
 from tracking.foreground.background_modes import (
     SecondaryMode,
     primary_and_secondary_mode,
@@ -21,8 +21,10 @@ from tracking.foreground.difference import (
     channels_of,
     split_into,
 )
-from tracking.foreground.gain import brightness_ratio
+from tracking.foreground.gain import channel_ratios, scaled
 from tracking.foreground.local_light import MUCH_CHANGED, change_of_light, patches_of_light
+from tracking.foreground.overexposure import Overexposure
+from tracking.foreground.recurrence import Recurrence
 from tracking.foreground.settings import ForegroundSettings
 
 _SMALLEST_GAIN_STEP = 0.012
@@ -40,7 +42,10 @@ _PATCHES_EVERY = 2
 _LEARN_S = 1.5
 """How long changes become background ten times faster where nothing was learnt beforehand, so that
 people who stand in the first frames leave a ghost for less time."""
+_UNSEEN_ELSEWHEN = 10.0
+"""What the rest of the recording does not show must keep still for so many times as long."""
 _NOISE_AT_FIRST = 2.0
+_UNCHANGED = np.ones(3, np.float32)
 _OPENING = cv2.getStructuringElement(cv2.MORPH_CROSS, (3, 3))
 
 
@@ -88,27 +93,42 @@ class BackgroundModel:
         self._period_s = self._every / fps
         self._primed = False
         self._frames = 0
-        self._odd_s = 0.0
-        self._exposure = 1.0
+        self._odd_s = self._time_s = 0.0
+        self._exposure = _UNCHANGED
+        self._recurrence: Recurrence | None = None
         self._explained = False
         self._channels: Channels = []
 
-    def learn(self, pictures: Sequence[Picture]) -> None:
+    def learn(
+        self,
+        pictures: Sequence[Picture],
+        later: Sequence[Picture] = (),
+        times_s: Sequence[float] = (),
+    ) -> None:
         """Start from the primary mode of pictures spread over some time, people or not.
 
         Args:
-            pictures: at least one (height, width, 3), in any order.
+            pictures: at least one (height, width, 3), in order of time, evenly spread.
+            later: of each the picture a moment later; empty: it is not known what moves.
+            times_s: of each, on the clock of `subtract`; empty: nothing is told of what stays.
         """
-        self._begin_with(*primary_mode(pictures))
+        self._begin_with(*primary_mode(pictures, later))
+        self._recurrence = Recurrence(pictures, later, times_s) if times_s else None
 
-    def learn_both_modes(self, pictures: Sequence[Picture]) -> SecondaryMode:
+    def learn_both_modes(
+        self,
+        pictures: Sequence[Picture],
+        later: Sequence[Picture] = (),
+        times_s: Sequence[float] = (),
+    ) -> SecondaryMode:
         """Start as `learn` does; returns the secondary mode, for `restore_secondary`.
 
         Args:
-            pictures: see `learn`.
+            pictures, later, times_s: see `learn`.
         """
-        picture, deviation, other = primary_and_secondary_mode(pictures)
+        picture, deviation, other = primary_and_secondary_mode(pictures, later)
         self._begin_with(picture, deviation)
+        self._recurrence = Recurrence(pictures, later, times_s) if times_s else None
         return other
 
     def _begin_with(self, picture: Picture, deviation: NDArray[np.float32]) -> None:
@@ -132,22 +152,26 @@ class BackgroundModel:
         self._stillness_s[here] = 0
         self._refresh()
 
-    def subtract(self, picture: Picture) -> Subtraction:
+    def subtract(self, picture: Picture, time_s: float = 0.0) -> Subtraction:
         """Compare a picture with the background, its exposure taken out.
 
         Args:
-            picture: (height, width, 3) uint8.
+            picture: (height, width, 3) uint8. time_s: of the picture, on the clock of `learn`.
         """
+        self._time_s = time_s
         smooth = np.asarray(cv2.blur(picture, (3, 3)), np.uint8)
         if self._frames == 0 and not self._primed:
             self._start(smooth)
         self._follow_exposure(smooth)
+        if self._overexposure.is_uncovered:
+            self._expose()
+            self._show(self._overexposure.seen_through(smooth, self._background))
         mask, differs = self._threshold(smooth)
         if differs > MUCH_CHANGED and self._take_light(smooth, mask):
             mask, differs = self._threshold(smooth)
         changed = differs > self._settings.scene_change
         self._explained = differs < MUCH_CHANGED
-        if changed or not _within(self._exposure, _READABLE_EXPOSURE):
+        if changed or not _within(self._brightness, _READABLE_EXPOSURE):
             return Subtraction(smooth, self._background, np.zeros(mask.shape, np.uint8), True)
         return Subtraction(smooth, self._background, self.within_region(mask), False)
 
@@ -209,7 +233,7 @@ class BackgroundModel:
         self._frames += 1
         if not due:
             return
-        odd = seen.scene_changed or not _within(self._exposure, _USUAL_EXPOSURE)
+        odd = seen.scene_changed or not _within(self._brightness, _USUAL_EXPOSURE)
         self._odd_s = self._odd_s + self._period_s if odd else 0.0
         if odd and self._primed and self._odd_s < _PATIENCE_S:
             return
@@ -222,21 +246,35 @@ class BackgroundModel:
         self._refresh()
 
     def _begin_anew(self, picture: Picture) -> None:
-        """The scene is another one; unless it is the same in very different light."""
+        """The scene is another one; unless it is the same in very different light.
+
+        What is still to come tells what it looks like without the people who are there now.
+        """
         if not self._explained:
-            self._start(picture)
+            pictures, later = self._pictures_to_come()
+            if pictures:
+                self._begin_with(*primary_mode(pictures, later))
+            else:
+                self._start(picture)
             return
         self._take_exposure_in()
         self._odd_s = 0.0
         self._refresh()
+
+    def _pictures_to_come(self) -> tuple[list[Picture], list[Picture]]:
+        """Those learnt from that show the scene since it changed, and those a moment later."""
+        if self._recurrence is None:
+            return [], []
+        return self._recurrence.after(self._time_s - _PATIENCE_S)
 
     def _start(self, picture: Picture) -> None:
         self._mean = picture.astype(np.float32)
         self._noise = np.full(picture.shape[:2], _NOISE_AT_FIRST, np.float32)
         self._channels, self._candidate = channels_of(picture), channels_of(picture)
         self._compare = ChannelDifference(picture.shape)
+        self._overexposure = Overexposure(picture)
         self._stillness_s = np.zeros(picture.shape[:2], np.float32)
-        self._exposure, self._odd_s = 1.0, 0.0
+        self._exposure, self._odd_s = _UNCHANGED, 0.0
         self._refresh()
 
     def _refresh(self) -> None:
@@ -247,28 +285,36 @@ class BackgroundModel:
         self._limit = np.asarray(cv2.max(np.asarray(limit, np.uint8), lowest), np.uint8)
 
     def _follow_exposure(self, picture: Picture) -> None:
-        """Scale what is compared with where the whole picture became brighter or darker.
+        """Scale what is compared with where the whole picture became brighter, darker or bluer.
 
         The mean itself keeps its own exposure, unclipped, so that errors do not pile up and what
         was overexposed comes back as it was.
         """
-        ratio = brightness_ratio(picture, self._background)
-        if abs(ratio - 1) > _SMALLEST_GAIN_STEP:
-            self._exposure *= ratio
+        ratio = channel_ratios(picture, self._background)
+        if np.abs(ratio - 1).max() > _SMALLEST_GAIN_STEP:
+            self._exposure = self._exposure * ratio
+            self._overexposure.follow(ratio)
             self._expose()
+
+    @property
+    def _brightness(self) -> float:
+        """Of the present exposure, beside the background's own."""
+        return float(self._exposure[1])
 
     def _expose(self) -> None:
         """Show the mean at the present exposure."""
-        self._background = np.asarray(
-            cv2.convertScaleAbs(self._mean, alpha=self._exposure), np.uint8
-        )
-        self._usual = channels_of(self._background)
+        self._show(scaled(self._mean, self._exposure))
+
+    def _show(self, background: Picture) -> None:
+        """Compare with this from now on."""
+        self._background = background
+        self._usual = channels_of(background)
 
     def _take_exposure_in(self) -> None:
         """Make the present exposure the background's own."""
-        if self._exposure != 1.0:
-            self._mean *= np.float32(self._exposure)
-            self._exposure = 1.0
+        if (self._exposure != 1.0).any():
+            self._mean *= self._exposure
+            self._exposure = _UNCHANGED
 
     def _adapt(self, seen: Subtraction) -> None:
         """Follow slow changes where there is no foreground."""
@@ -292,18 +338,42 @@ class BackgroundModel:
         box = _around(settled)
         if box is None:
             return
-        settled = settled[box]
+        settled = self._staying(seen, settled[box], box)
         if people is not None:
             lasting = self._stillness_s[box] > np.float32(self._settings.absorb_person_s)
             settled &= (people[box] == 0) | lasting
         self._mean[box][settled] = seen.picture[box][settled]
         self._noise[box][settled] = _NOISE_AT_FIRST
 
+    def _staying(self, seen: Subtraction, settled: Flags, box: tuple[slice, slice]) -> Flags:
+        """What of the settled pixels of a box is there to stay, or has been there for long.
+
+        Each is looked for at later times when it settles, and then from time to time.
+        """
+        if self._recurrence is None or not self._recurrence.tells:
+            return settled
+        still_s = self._stillness_s[box]
+        due = settled & (np.fmod(still_s, self._absorb_after_s()) <= self._period_s)
+        here = still_s > np.float32(_UNSEEN_ELSEWHEN * self._settings.absorb_s)
+        if due.any():
+            since_s = self._time_s - self._settings.absorb_s
+            stays = self._recurrence.stays(seen.picture, seen.background, box, since_s)
+            here |= due & stays
+        return np.asarray(settled & here, np.bool_)
+
     def _take_patches(self, seen: Subtraction) -> None:
-        """Give the background the light of patches that keep still, whoever seems to be there."""
+        """Give the background the light of patches that keep still.
+
+        It is believed whoever seems to be there; but less light is not where it is as before later
+        on: plain dark clothes over a plain floor look like shade.
+        """
         found = patches_of_light(seen.picture, self._background, self._stillness_s, _LIT_AFTER_S)
         if found is not None:
             box, ratio = found
+            if self._recurrence is not None:
+                since_s = self._time_s - _LIT_AFTER_S[1]
+                passes = self._recurrence.passes(seen.picture, seen.background, box, since_s)
+                ratio[passes & (ratio.max(axis=2) < 1.0)] = 1.0
             self._mean[box] *= ratio
 
     def _absorb_after_s(self) -> float:

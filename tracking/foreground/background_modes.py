@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TypeVar
 
 import cv2
 import numpy as np
@@ -15,8 +16,11 @@ from numpy.typing import NDArray
 
 from tracking.arrays import Picture
 from tracking.foreground.difference import largest_difference
-from tracking.foreground.gain import brightness_ratio
+from tracking.foreground.gain import channel_ratios, scaled
 from tracking.foreground.local_light import MUCH_CHANGED, change_of_light
+from tracking.foreground.stillness import stillness
+
+_Told = TypeVar("_Told")
 
 _SAME_WITHIN = 20
 _MOST_PICTURES = 25
@@ -46,44 +50,81 @@ class SecondaryMode:
     where: NDArray[np.uint8]
 
 
-def primary_mode(pictures: Sequence[Picture]) -> tuple[Picture, NDArray[np.float32]]:
-    """Per pixel, the one of the pictures' values that most others are close to.
+def primary_mode(
+    pictures: Sequence[Picture], later: Sequence[Picture] = ()
+) -> tuple[Picture, NDArray[np.float32]]:
+    """Per pixel, the one of the pictures' values that is seen again at most other times.
 
     Unlike a median it needs no majority: people may cover a pixel in most pictures as long as
-    they look different and the background looks the same. Light that changes between the
+    they look different and the background looks the same. Values that come back after a long time
+    count for more than those that stay for a while, and values count for little where something
+    moves near by, so that who lingers is told from the scene. Light that changes between the
     pictures is taken out before.
 
     Args:
-        pictures: at least one (height, width, 3) uint8; more than 25 are thinned out evenly.
+        pictures: at least one (height, width, 3) uint8, in order of time and spread evenly over it;
+            more than 25 are thinned out evenly.
+        later: of each the picture a moment later; empty: it is not known what moves.
 
     Returns:
         picture: (height, width, 3) uint8.
         deviation: (height, width) float32, mean difference of the values close to it.
     """
-    _, _, best, distances = _compare(pictures)
+    _, _, best, distances = _compare(pictures, later)
     return best, _deviation(distances)
 
 
 def primary_and_secondary_mode(
-    pictures: Sequence[Picture],
+    pictures: Sequence[Picture], later: Sequence[Picture] = ()
 ) -> tuple[Picture, NDArray[np.float32], SecondaryMode]:
     """As `primary_mode`, and what is commonest among the values unlike it."""
-    smooth, costs, best, distances = _compare(pictures)
+    smooth, costs, best, distances = _compare(pictures, later)
     return best, _deviation(distances), _secondary_mode(best, smooth, costs, distances)
 
 
 def _compare(
-    pictures: Sequence[Picture],
+    pictures: Sequence[Picture], later: Sequence[Picture]
 ) -> tuple[list[Picture], list[NDArray[np.float32]], Picture, list[NDArray[np.uint8]]]:
     """The pictures in one light, their strangeness, the primary mode, and how far from it."""
-    chosen = [pictures[i] for i in _spread(len(pictures))]
-    smooth = in_one_light([np.asarray(cv2.blur(picture, (3, 3)), np.uint8) for picture in chosen])
-    costs = [_strangeness(picture, smooth) for picture in smooth]
-    best = _least_strange(smooth, costs)
+    chosen = thinned(pictures)
+    smooth = [np.asarray(cv2.blur(picture, (3, 3)), np.uint8) for picture in chosen]
+    still = [
+        stillness(picture, np.asarray(cv2.blur(after, (3, 3)), np.uint8))
+        for picture, after in zip(smooth, thinned(later), strict=False)
+    ]
+    smooth = in_one_light(smooth)
+    costs, support = _strangeness_and_support(smooth, still)
+    lasting = _least(smooth, [-each for each in support])
+    best = _least_strange_like(lasting, smooth, costs)
     return smooth, costs, best, [largest_difference(picture, best) for picture in smooth]
 
 
-def _least_strange(pictures: Sequence[Picture], costs: Sequence[NDArray[np.float32]]) -> Picture:
+def _strangeness_and_support(
+    pictures: Sequence[Picture], still: Sequence[NDArray[np.float32]]
+) -> tuple[list[NDArray[np.float32]], list[NDArray[np.float32]]]:
+    """How far each picture is from the others, bounded, and how much speaks for its values.
+
+    Args:
+        still: (height, width) of each picture; empty: not known.
+    """
+    shape = pictures[0].shape[:2]
+    costs, support = ([np.zeros(shape, np.float32) for _ in pictures] for _ in range(2))
+    for i, picture in enumerate(pictures):
+        for k in range(i):
+            apart = np.minimum(largest_difference(picture, pictures[k]), _SAME_WITHIN)
+            for each in (costs[i], costs[k]):
+                cv2.accumulate(apart, each)
+            alike = np.float32(_SAME_WITHIN) - apart
+            alike *= np.float32(i - k)
+            if still:
+                alike *= still[i]
+                alike *= still[k]
+            for each in (support[i], support[k]):
+                cv2.accumulate(alike, each)
+    return costs, support
+
+
+def _least(pictures: Sequence[Picture], costs: Sequence[NDArray[np.float32]]) -> Picture:
     """Per pixel, the value of the picture that costs least."""
     best_cost = np.full(costs[0].shape, np.inf, np.float32)
     best = pictures[0].copy()
@@ -92,6 +133,17 @@ def _least_strange(pictures: Sequence[Picture], costs: Sequence[NDArray[np.float
         np.copyto(best, picture, where=better[..., None])
         np.copyto(best_cost, cost, where=better)
     return best
+
+
+def _least_strange_like(
+    lasting: Picture, pictures: Sequence[Picture], costs: Sequence[NDArray[np.float32]]
+) -> Picture:
+    """Per pixel, the most usual of the values like the one that lasts: it has the least noise."""
+    like = [
+        np.where(largest_difference(picture, lasting) < _SAME_WITHIN, cost, np.float32(np.inf))
+        for picture, cost in zip(pictures, costs, strict=True)
+    ]
+    return _least(pictures, like)
 
 
 def _secondary_mode(
@@ -124,19 +176,11 @@ def _secondary_mode(
     return SecondaryMode(picture, where)
 
 
-def _spread(count: int) -> NDArray[np.intp]:
-    """Indices of at most 25 pictures, spread evenly."""
-    return np.unique(np.linspace(0, count - 1, min(count, _MOST_PICTURES)).astype(np.intp))
-
-
-def _strangeness(
-    picture: NDArray[np.uint8], others: Sequence[NDArray[np.uint8]]
-) -> NDArray[np.float32]:
-    """(height, width) how far the picture is from the others, each bounded."""
-    total = np.zeros(picture.shape[:2], np.float32)
-    for other in others:
-        cv2.accumulate(np.minimum(largest_difference(picture, other), _SAME_WITHIN), total)
-    return total
+def thinned(values: Sequence[_Told]) -> list[_Told]:
+    """At most 25 of the pictures or what is told of each, spread evenly."""
+    count = len(values)
+    numbers = np.unique(np.linspace(0, count - 1, min(count, _MOST_PICTURES)).astype(np.intp))
+    return [values[i] for i in numbers]
 
 
 def _deviation(distances: Sequence[NDArray[np.uint8]]) -> NDArray[np.float32]:
@@ -167,9 +211,9 @@ def in_one_light(pictures: Sequence[Picture]) -> list[Picture]:
 
 def _in_light_of(usual: Picture, picture: Picture) -> Picture:
     """The picture as it would be in the light of another."""
-    brighter = brightness_ratio(picture, usual)
-    if abs(brighter - 1) > _SAME_EXPOSURE:
-        picture = np.asarray(cv2.convertScaleAbs(picture, alpha=1 / brighter), np.uint8)
+    brighter = channel_ratios(picture, usual)
+    if np.abs(brighter - 1).max() > _SAME_EXPOSURE:
+        picture = scaled(picture, np.float32(1) / brighter)
     differs = largest_difference(picture, usual) > _DIFFERS
     if differs.mean() < MUCH_CHANGED:
         return picture

@@ -107,19 +107,25 @@ class StereoPerception:
         """What the user should be told of the cameras, a line each."""
         return self.stereo_watch.notes()
 
-    def learn(self, frames: Iterable[StereoFrame]) -> None:
+    def learn(self, frames: Iterable[StereoFrame], later: Iterable[StereoFrame] = ()) -> None:
         """Learn both backgrounds from frames spread over some time, before the first `observe`.
 
         Not needed, but it spares the ghosts of people who stand in the very first frames.
         Some twenty frames, each a second or more from the next, do well.
+
+        Args:
+            later: of each the frame a moment later, which tells what moves.
         """
-        pairs = [self.rectify(frame) for frame in frames]
-        pairs = [pair for pair in pairs if not shows_nothing(*pair)] or pairs
+        frames = list(frames)
+        pairs, after = ([self.rectify(frame) for frame in some] for some in (frames, later))
+        told = [k for k, pair in enumerate(pairs) if not shows_nothing(*pair)] or range(len(pairs))
         others = [
-            background.learn_both_modes(pictures)
-            for background, pictures in zip(
-                self._backgrounds, zip(*pairs, strict=True), strict=True
+            background.learn_both_modes(
+                [pairs[k][camera] for k in told],
+                [after[k][camera] for k in told if after],
+                [frames[k].time_s for k in told],
             )
+            for camera, background in enumerate(self._backgrounds)
         ]
         self._learn_scene()
         self._restore_secondary(others[0], others[1])
@@ -154,7 +160,7 @@ class StereoPerception:
         images = self.rectify(frame)
         if not self._are_of_use(frame, images):
             return self._by_left_camera(frame, images[0])
-        plain = self.subtract(*images)
+        plain = self.subtract(*images, frame.time_s)
         left, right = self._with_bodies(frame, *plain)
         shadow = self.shade(left)
         disparity = self.match(left, right)
@@ -172,7 +178,7 @@ class StereoPerception:
 
     def _by_left_camera(self, frame: StereoFrame, image: Image) -> Observation:
         """What is seen by the left camera; the right one's background is left as it was."""
-        plain = self._backgrounds[0].subtract(image)
+        plain = self._backgrounds[0].subtract(image, frame.time_s)
         left, _ = self._with_bodies(frame, plain, plain)
         shadow = self.shade(left)
         size = (left.mask.shape[1], left.mask.shape[0])
@@ -212,9 +218,12 @@ class StereoPerception:
             image = np.asarray(cv2.cvtColor(image, cv2.COLOR_GRAY2BGR), np.uint8)
         return image
 
-    def subtract(self, left: Image, right: Image) -> tuple[Subtraction, Subtraction]:
+    def subtract(
+        self, left: Image, right: Image, time_s: float = 0.0
+    ) -> tuple[Subtraction, Subtraction]:
         """Both cameras against their backgrounds."""
-        return self._backgrounds[0].subtract(left), self._backgrounds[1].subtract(right)
+        one, other = self._backgrounds
+        return one.subtract(left, time_s), other.subtract(right, time_s)
 
     def _with_bodies(
         self, frame: StereoFrame, left: Subtraction, right: Subtraction

@@ -76,18 +76,23 @@ class SingleCameraPerception:
         """Nothing is to be told."""
         return ()
 
-    def learn(self, frames: Iterable[StereoFrame]) -> None:
+    def learn(self, frames: Iterable[StereoFrame], later: Iterable[StereoFrame] = ()) -> None:
         """Learn the background from frames spread over some time, before the first `observe`.
 
         Not needed, but it spares the ghosts of people who stand in the very first frames.
+
+        Args:
+            later: of each the frame a moment later, which tells what moves.
         """
-        self._background.learn([self._working(frame.left) for frame in frames])
+        frames = list(frames)
+        pictures, after = ([self._working(each.left) for each in some] for some in (frames, later))
+        self._background.learn(pictures, after, [frame.time_s for frame in frames])
 
     def observe(self, frame: StereoFrame) -> Observation:
         """What is seen in the frame. Frames come in order."""
         image = frame.left
         self._shrink = shrink_of(image.shape[1])
-        seen = self._background.subtract(self._working(image))
+        seen = self._background.subtract(self._working(image), frame.time_s)
         shadow = self._shadows.shadows(seen)
         standing = Standing(self._view, self._shrink, self._settings)
         kind = self._kinds(seen, shadow)

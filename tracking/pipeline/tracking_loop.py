@@ -40,6 +40,8 @@ from tracking.translation import Message, msg
 
 BACKGROUND_SAMPLES = 15
 """Frames spread over the recording that the background is learnt from before the first step."""
+_MOMENT_S = 0.4
+"""Somebody who lingers moves within it."""
 
 
 def track(
@@ -278,17 +280,23 @@ class Tracking:
 
     def _learn(self, perception: Perception) -> None:
         """The background; two cameras are looked at for whether they can be as told."""
-        samples = background_samples(self._recording)
+        samples, later = background_samples(self._recording)
         if self._spec.needs_stereo:
             self.doubt = doubt_of(self._recording, samples)
-        perception.learn(samples)
+        perception.learn(samples, later)
 
 
-def background_samples(recording: Recording) -> list[StereoFrame]:
-    """Frames spread evenly over the recording; raises `RecordingError` where one is unreadable."""
+def background_samples(recording: Recording) -> tuple[list[StereoFrame], list[StereoFrame]]:
+    """Frames spread evenly over the recording, and of each the one a moment later.
+
+    Raises:
+        RecordingError: one is unreadable.
+    """
     count = min(BACKGROUND_SAMPLES, recording.frame_count)
-    numbers = np.linspace(0, recording.frame_count - 1, count).astype(int)
-    return [recording.read(int(number)) for number in numbers]
+    moment = min(max(1, round(_MOMENT_S * recording.fps)), recording.frame_count // 4)
+    numbers = np.unique(np.linspace(0, recording.frame_count - 1 - moment, count).astype(int))
+    pairs = [(recording.read(int(one)), recording.read(int(one) + moment)) for one in numbers]
+    return [frame for frame, _ in pairs], [frame for _, frame in pairs]
 
 
 def begin_pairing(watch: StereoWatch, instants: Instants, start: int) -> None:

@@ -69,7 +69,7 @@ class OverlayPainter:
             RecordingError: a frame cannot be read.
         """
         if not self._learnt:
-            self._perception.learn(background_samples(self._recording))
+            self._perception.learn(*background_samples(self._recording))
             self._learnt = True
         painted = paint_overlays(self._perception.overlays(frame), kinds, self._scale)
         return self._as_recorded(painted)

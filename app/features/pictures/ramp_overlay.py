@@ -53,7 +53,7 @@ class RampPainter:
             RecordingError: a frame cannot be read.
         """
         if not self._learnt:
-            self._source.learn(background_samples(self._recording))
+            self._source.learn(*background_samples(self._recording))
             self._learnt = True
         grey = self._source.ramp_picture(frame)
         painted = np.empty((*grey.shape, 4), np.uint8)

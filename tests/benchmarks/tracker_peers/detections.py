@@ -55,7 +55,7 @@ def rendered_clip(folder: Path, perception_of: str = "stereo-joint") -> SeenClip
     spec = tracker_named(perception_of)
     with open_recording(folder) as recording:
         perception, _ = spec.build(recording, spec.settings_type(), 0)
-        perception.learn(background_samples(recording))
+        perception.learn(*background_samples(recording))
         seen = tuple(_without_pictures(perception.observe(f)) for f in recording.frames())
         return SeenClip(folder.name, folder, seen, recording.fps, truth_table(folder))
 

@@ -85,15 +85,21 @@ class FlowPerception:
         """There are no notes."""
         return ()
 
-    def learn(self, frames: Iterable[StereoFrame]) -> None:
-        """Learn the background from frames spread over some time, before the first `observe`."""
-        self._background.learn([halve(frame.left) for frame in frames])
+    def learn(self, frames: Iterable[StereoFrame], later: Iterable[StereoFrame] = ()) -> None:
+        """Learn the background from frames spread over some time, before the first `observe`.
+
+        Args:
+            later: of each the frame a moment later, which tells what moves.
+        """
+        frames = list(frames)
+        pictures, after = ([halve(frame.left) for frame in some] for some in (frames, later))
+        self._background.learn(pictures, after, [frame.time_s for frame in frames])
 
     def observe(self, frame: StereoFrame) -> FlowObservation:
         """The frame's picture and foreground. Frames come in order."""
         if self._last is not None:
             learn_frame(self._background, self._shadows, self._last, self._people)
-        seen = self._background.subtract(halve(frame.left))
+        seen = self._background.subtract(halve(frame.left), frame.time_s)
         mask = self._mask(seen, frame.number)
         self._last, self._people = seen, None
         people = Detections.none(frame.left.shape[:2])

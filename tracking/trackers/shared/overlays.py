@@ -61,7 +61,7 @@ class EvaluationOverlay:
 class RampSource(Protocol):
     """Makes ramp images of single frames, in any order, over a background of its own."""
 
-    def learn(self, frames: Sequence[StereoFrame]) -> None:
+    def learn(self, frames: Sequence[StereoFrame], later: Sequence[StereoFrame] = ()) -> None:
         """Learn the background from frames spread over some time, before the first image."""
 
     def ramp_picture(self, frame: StereoFrame) -> Picture:

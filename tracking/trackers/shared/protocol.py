@@ -76,7 +76,7 @@ class Perception(Protocol):
     def notes(self) -> tuple[Message, ...]:
         """Notes for the user about the footage, a line each."""
 
-    def learn(self, frames: Sequence[StereoFrame]) -> None:
+    def learn(self, frames: Sequence[StereoFrame], later: Sequence[StereoFrame] = ()) -> None:
         """Take the background from frames spread over the recording, before the first step."""
 
     def observe(self, frame: StereoFrame) -> Observation:

@@ -92,14 +92,20 @@ class SpheroidPerception:
         """There are no notes."""
         return ()
 
-    def learn(self, frames: Iterable[StereoFrame]) -> None:
-        """Learn the background from frames spread over some time, before the first `observe`."""
-        self._background.learn([self._working(frame.left) for frame in frames])
+    def learn(self, frames: Iterable[StereoFrame], later: Iterable[StereoFrame] = ()) -> None:
+        """Learn the background from frames spread over some time, before the first `observe`.
+
+        Args:
+            later: of each the frame a moment later, which tells what moves.
+        """
+        frames = list(frames)
+        pictures, after = ([self._working(each.left) for each in some] for some in (frames, later))
+        self._background.learn(pictures, after, [frame.time_s for frame in frames])
 
     def observe(self, frame: StereoFrame) -> FlatObservation:
         """What is seen in the frame. Frames come in order."""
         self._remember()
-        seen = self._background.subtract(self._working(frame.left))
+        seen = self._background.subtract(self._working(frame.left), frame.time_s)
         self.camera.look(frame.number, seen.picture)
         weight = self._shadows.weigh(seen)
         boxes = self._boxes_of(frame)
