@@ -65,7 +65,7 @@ class Samples:
     Attributes:
         columns: `SAMPLE_COLUMNS` and `BESIDES`, (n,) each; of the latter those given.
         features: (n, 60), see `FEATURE_NAMES`; those of the paper finite, evidence NaN where it
-            is not known.
+            is not known. Given as (n, 36) where no evidence is.
     """
 
     columns: Mapping[str, NDArray[Any]]
@@ -74,6 +74,10 @@ class Samples:
     def __post_init__(self) -> None:
         """Fill in what the source does not say."""
         rows = len(self.features)
+        lacking = FEATURES - self.features.shape[1]
+        if lacking:
+            evidence = np.full((rows, lacking), np.nan)
+            object.__setattr__(self, "features", np.concatenate((self.features, evidence), axis=1))
         unknown = {name: np.full(rows, one.unknown, one.dtype) for name, one in BESIDES.items()}
         object.__setattr__(self, "columns", {**unknown, **self.columns})
 

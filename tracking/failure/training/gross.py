@@ -118,7 +118,7 @@ def _nowhere(
     share = np.where(np.arange(PARTS) == part[:, None], 1.0, 0.5)
     offset = PART_EVIDENCE.index("offset")
     changed[..., offset] = np.maximum(changed[..., offset], share * far[:, None])
-    return changed.reshape(evidence.shape)
+    return np.where(np.isnan(evidence), np.nan, changed.reshape(evidence.shape))
 
 
 def _joined(each: list[Question]) -> Question:
