@@ -74,7 +74,7 @@ class Samples:
     def __post_init__(self) -> None:
         """Fill in what the source does not say."""
         rows = len(self.features)
-        lacking = FEATURES - self.features.shape[1]
+        lacking = FEATURES - self.features.shape[-1] if rows else 0
         if lacking:
             evidence = np.full((rows, lacking), np.nan)
             object.__setattr__(self, "features", np.concatenate((self.features, evidence), axis=1))
