@@ -64,7 +64,7 @@ results-spheroid: $(STAMP) ## docs/results/spheroid.md: marks, hard situations, 
 results-flow: $(STAMP) ## docs/results/flow.md: counted passages and sums (half an hour)
 	$(BIN)/python -m tests.benchmarks.flow --report
 
-detector: $(STAMP) ## the built-in failure detector: rendered, tracked, labelled from truth, trained (ten minutes)
+detector: $(STAMP) ## the built-in failure detector: rendered, tracked, labelled from truth, trained (ten minutes; the one by the paper: tests.benchmarks.parts.detector --paper)
 	$(BIN)/python -m tests.benchmarks.parts.detector
 
 kills: $(STAMP) ## kill programs that correct a session 2,000 times: nothing may be lost (half an hour)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -22,7 +23,8 @@ from tracking.failure import (
     write_report,
 )
 from tracking.failure.detector_layout import FORMAT
-from tracking.translation import joined, msg
+from tracking.failure.training import QuestionReport, TrainingReport
+from tracking.translation import Message, joined, msg
 
 _ENDINGS = (".h5", ".hdf5")
 MOST_FALSE_ALARMS = 0.5
@@ -39,6 +41,8 @@ class TrainRequest:
         false_alarms: share of good parts that may be taken for failed. seed: of the folds.
         from_truth: labels are made from the truth beside rendered recordings.
         allow_outside: a recording outside of its session's folder may be opened.
+        from_scratch: nothing of the built-in detector is kept.
+        paper: by the paper's features alone.
     """
 
     sources: tuple[Path, ...]
@@ -48,6 +52,8 @@ class TrainRequest:
     seed: int
     from_truth: bool = False
     allow_outside: bool = False
+    from_scratch: bool = False
+    paper: bool = False
 
 
 def run_train(request: TrainRequest, *, as_json: bool) -> None:
@@ -65,7 +71,9 @@ def run_train(request: TrainRequest, *, as_json: bool) -> None:
         raise TrainingError(
             "{names}: no label of a tracked body part; label some parts first", names=names
         )
-    plan = TrainingPlan(false_alarms=request.false_alarms)
+    plan = TrainingPlan(
+        false_alarms=request.false_alarms, adapt=not request.from_scratch, paper=request.paper
+    )
     with progress("training") as told:
         made = train(samples, plan, random=np.random.default_rng(request.seed), progress=told)
     save_detector(request.out, made.detector)
@@ -110,19 +118,8 @@ def _print(made: Trained, request: TrainRequest, page: Path | None, *, as_json: 
         print_json({**written, **report.as_json()})
         return
     for question in report.questions:
-        say(
-            msg(
-                "{question:<8} {found:6.1%} of {off} found, {alarms:5.1%} of {on} false alarms, "
-                "area under the curve {area:.2f}; {chosen}",
-                question=msg(question.name),
-                found=question.found,
-                off=question.confusion[1].sum(),
-                alarms=question.false_alarms,
-                on=question.confusion[0].sum(),
-                area=question.curve.area(),
-                chosen=question.candidate,
-            )
-        )
+        say(_line_of(question))
+    _say_what_was_kept(report)
     if report.by_chance:
         names = joined(", ", (msg(question.name) for question in report.by_chance))
         say(
@@ -135,3 +132,50 @@ def _print(made: Trained, request: TrainRequest, page: Path | None, *, as_json: 
     print_line(request.out)
     if page is not None:
         print_line(page)
+
+
+def _line_of(question: QuestionReport) -> Message:
+    """How well a question is answered, and how well the built-in detector answers it."""
+    if math.isnan(question.curve.area()):
+        return msg(
+            "{question:<8} too few labels: {off} off, {on} on; {chosen}",
+            question=msg(question.name),
+            off=question.confusion[1].sum(),
+            on=question.confusion[0].sum(),
+            chosen=question.candidate,
+        )
+    before = Message()
+    if not math.isnan(question.area_before):
+        before = msg(" (built-in detector: {area:.2f})", area=question.area_before)
+    return msg(
+        "{question:<8} {found:6.1%} of {off} found, {alarms:5.1%} of {on} false alarms, "
+        "area under the curve {area:.2f}{before}; {chosen}",
+        question=msg(question.name),
+        found=question.found,
+        off=question.confusion[1].sum(),
+        alarms=question.false_alarms,
+        on=question.confusion[0].sum(),
+        area=question.curve.area(),
+        before=before,
+        chosen=question.candidate,
+    )
+
+
+def _say_what_was_kept(report: TrainingReport) -> None:
+    """Say where the labels made nothing better, and which features are seen."""
+    if report.kept:
+        names = joined(", ", (msg(question.name) for question in report.kept))
+        say(
+            msg(
+                "kept from the built-in detector, as nothing learnt from these labels is better on "
+                "people held out: {names}",
+                names=names,
+            )
+        )
+    if report.adapted and report.detector.preparation.paper:
+        say(
+            msg(
+                "note: by the paper's features alone; sessions tracked with an older version know "
+                "no others: track again and label there for a better detector"
+            )
+        )

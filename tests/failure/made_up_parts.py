@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from tracking.failure import Samples, joined, samples_of
-from tracking.tracks import PART_COLUMNS, PartLabel
+from tracking.tracks import PART_COLUMNS, PART_EVIDENCE, PartLabel
 
 FPS = 20.0
 _PLACE = np.array([-0.33, -0.1, 0.25])
@@ -43,6 +43,7 @@ def as_parts(states: np.ndarray, track: int, first: int = 0) -> dict[str, np.nda
     """`PART_COLUMNS` of one person's states (frames, 3, 6)."""
     frames = len(states)
     columns = {name: np.zeros(frames * 3, dtype) for name, dtype in PART_COLUMNS.items()}
+    columns |= {name: np.full(frames * 3, np.nan) for name in PART_EVIDENCE}
     columns["frame"][:] = np.repeat(np.arange(first, first + frames), 3)
     columns["track"][:] = track
     columns["part"][:] = np.tile(np.arange(3), frames)

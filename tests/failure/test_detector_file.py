@@ -137,7 +137,7 @@ def test_other_files_are_refused(copy: Path, content: bytes) -> None:
 
 def test_the_verdict_of_another_program_is_told(good: Path, tmp_path: Path) -> None:
     path = Path(shutil.copy(good, tmp_path / "d.h5"))
-    spoiled(path, lambda file: file.attrs.__setitem__("format_version", "2.0"))
+    spoiled(path, lambda file: file.attrs.__setitem__("format_version", "3.0"))
     with pytest.raises(FormatError, match="newer trackwright"):
         load_detector(path)
 

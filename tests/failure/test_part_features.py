@@ -1,4 +1,4 @@
-"""The 36 features: the paper's order, by time and not by frame."""
+"""The features: the paper's order, by time and not by frame."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ def test_relative_states_come_first_and_then_their_differences() -> None:
     now[0] = (3, 0, 0, 0, 0, 0)
     before[2] = (0, 0, 0, 6, 0, 0)
     features = dict(zip(FEATURE_NAMES, part_features(now, before), strict=True))
-    assert len(features) == 36
-    assert list(features)[::6] == [
+    assert len(features) == 60
+    assert list(features)[:36:6] == [
         *("head_x", "torso_x", "hip_leg_x"),
         *("head_x_change", "torso_x_change", "hip_leg_x_change"),
     ]
@@ -37,7 +37,10 @@ def test_where_the_person_stands_makes_no_difference(seed: int, x: float, y: flo
     now, before = np.random.default_rng(seed).normal(0, 100, (2, 5, 3, 6))
     there = np.array([x, y, 0, 0, 0, 0])
     assert np.allclose(
-        part_features(now, before), part_features(now + there, before + there), atol=1e-9
+        part_features(now, before),
+        part_features(now + there, before + there),
+        atol=1e-9,
+        equal_nan=True,
     )
 
 
@@ -123,3 +126,12 @@ def test_states_of_a_run_are_by_person_and_frame_and_whole() -> None:
     at = int(rows[2])
     assert np.array_equal(seen.states[at, :, :4], states[4, :, :4])
     assert np.allclose(seen.states[at, :, 4:], states[4, :, 4:] * 20)
+
+
+def test_evidence_comes_last_and_is_not_known_where_none_is_given() -> None:
+    now, before = np.zeros((2, 2, 3, 6))
+    evidence = np.arange(48.0).reshape(2, 3, 8)
+    features = part_features(now, before, evidence)
+    assert np.array_equal(features[:, 36:], evidence.reshape(2, 24))
+    assert FEATURE_NAMES[36:38] == ("head_support", "head_above")
+    assert np.isnan(part_features(now, before)[:, 36:]).all()

@@ -41,7 +41,9 @@ def test_a_judged_rectangle_is_a_sample_of_the_trackers_state(parts) -> None:
     label = tracked(parts, 1, False, author="Ann", reason="unsure")
     samples = samples_of([label], parts, FPS, "yard")
     states = part_states(parts, FPS).states
-    assert np.allclose(samples.features[0], part_features(states[FRAME], states[FRAME - 10]))
+    assert np.allclose(
+        samples.features[0], part_features(states[FRAME], states[FRAME - 10]), equal_nan=True
+    )
     row = tuple(samples.columns[name][0] for name in SAMPLE_COLUMNS)
     assert row == ("yard", TRACK, FRAME, 1, 0, "Ann", "unsure", "label")
 
@@ -57,7 +59,9 @@ def test_a_rectangle_put_right_teaches_where_it_was_and_where_it_is(parts) -> No
     samples = samples_of([drawn], parts, FPS, "yard")
     assert said(samples) == [(0, 0, "correction"), (0, 1, "correction")]
     states = part_states(parts, FPS).states
-    assert np.allclose(samples.features[0], part_features(states[FRAME], states[FRAME - 10]))
+    assert np.allclose(
+        samples.features[0], part_features(states[FRAME], states[FRAME - 10]), equal_nan=True
+    )
     assert samples.features[1][0] == pytest.approx(samples.features[0][0] + 2 * width)
 
 

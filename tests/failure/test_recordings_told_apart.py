@@ -91,7 +91,7 @@ def test_the_tracks_of_two_sessions_are_never_one_instant(lobby: Samples) -> Non
 
 def test_nothing_but_names_is_changed(lobby: Samples) -> None:
     other = told_apart([(lobby, "a", "one"), (lobby, "b", "two")])[1]
-    assert np.array_equal(other.features, lobby.features)
+    assert np.array_equal(other.features, lobby.features, equal_nan=True)
     assert all(
         np.array_equal(other.columns[name], lobby.columns[name])
         for name in SAMPLE_COLUMNS

@@ -49,7 +49,7 @@ ROWS = st.lists(
 def any_samples(draw) -> Samples:
     rows = draw(ROWS)
     seed = draw(st.integers(0, 2**32))
-    features = np.random.default_rng(seed).normal(0, 1e3, (len(rows), 36))
+    features = np.random.default_rng(seed).normal(0, 1e3, (len(rows), 60))
     if rows:
         features[0, 0] = draw(NUMBERS)
     return samples_from_rows(rows, features)
@@ -85,10 +85,10 @@ def test_libsvm_text_is_a_file_a_part_that_the_library_reads(tmp_path: Path) -> 
 
     random = np.random.default_rng(1)
     rows = [("yard", 1, at, at % 2 * 2, at % 3 == 0, "", "", "label") for at in range(12)]
-    samples = samples_from_rows(rows, random.normal(size=(12, 36)))
+    samples = samples_from_rows(rows, random.normal(size=(12, 60)))
     made = write_samples(tmp_path / "s.libsvm", samples)
     assert [path.name for path in made] == ["s-head.libsvm", "s-hip-leg.libsvm"]
-    features, signs = load_svmlight_file(str(made[1]), n_features=36)
+    features, signs = load_svmlight_file(str(made[1]), n_features=60)
     of_part = samples[samples.columns["part"] == 2]
     assert np.array_equal(features.toarray(), of_part.features)
     assert ((signs > 0) == (of_part.columns["label"] == 1)).all()
@@ -99,7 +99,7 @@ def test_an_ending_that_names_no_form_is_refused(tmp_path: Path) -> None:
         write_samples(tmp_path / "s.xlsx", samples_from_rows((), np.zeros((0, 36))))
 
 
-GOOD = ("yard", "1", "3", "0", "1", "", "", "label", *("1.5",) * 36)
+GOOD = ("yard", "1", "3", "0", "1", "", "", "label", *("1.5",) * 60)
 
 
 @pytest.mark.parametrize(

@@ -24,7 +24,7 @@ def samples() -> Samples:
     time_s = np.arange(12) / 7.0
     time_s[3] = np.nan
     person = np.array([0, 5, -1] * 4, np.int32)
-    return samples_from_rows(rows, random.normal(size=(12, 36)), person=person, time_s=time_s)
+    return samples_from_rows(rows, random.normal(size=(12, 60)), person=person, time_s=time_s)
 
 
 @pytest.mark.parametrize("ending", [".csv", ".h5"])
@@ -110,8 +110,8 @@ def one_long_text(file: h5py.File) -> None:
 SPOILT = [
     (lambda file: file.attrs.__setitem__("format_version", "2.0"), "made by a newer trackwright"),
     (lambda file: file.__delitem__("track"), "has no column track"),
-    (lambda file: file.__delitem__("features"), "no table of 36 features"),
-    (put("features", np.zeros((12, 35))), "no table of 36 features"),
+    (lambda file: file.__delitem__("features"), "no table of 36 or 60 features"),
+    (put("features", np.zeros((12, 35))), "no table of 36 or 60 features"),
     (put("features", np.full((12, 36), np.nan)), "row 0: a feature is not a finite number"),
     (put("frame", np.zeros(11, np.int32)), "has 11 rows of frame and 12 of features"),
     (put("frame", np.full(12, -1)), "row 0: the frame is not"),
@@ -123,7 +123,7 @@ SPOILT = [
     (put("time_s", np.full(12, np.inf)), "row 0: the time is not"),
     (put("source", np.array(["guess"] * 12, object)), "row 0: the source is not one of"),
     (
-        lambda file: file["features"].attrs.__setitem__("names", ["a"] * 36),
+        lambda file: file["features"].attrs.__setitem__("names", ["a"] * 60),
         "the samples are damaged; export them again",
     ),
     (elsewhere, "has a link to somewhere else at label"),
@@ -174,3 +174,27 @@ def test_what_is_known_besides_has_its_types(samples: Samples) -> None:
         name: one.dtype for name, one in BESIDES.items()
     }
     assert bare.times_s()[4] == samples.columns["frame"][4] / 20.0
+
+
+@pytest.mark.parametrize("ending", [".csv", ".h5"])
+def test_evidence_that_is_not_known_stays_so(tmp_path: Path, samples: Samples, ending: str) -> None:
+    features = samples.features.copy()
+    features[2, 40:] = np.nan
+    path = tmp_path / f"s{ending}"
+    write_samples(path, Samples(samples.columns, features))
+    back = read_samples(path)
+    assert np.array_equal(back.features, features, equal_nan=True)
+    assert back.has_evidence.tolist() == [row != 2 for row in range(12)]
+
+
+def test_samples_of_older_programs_have_no_evidence(tmp_path: Path, samples: Samples) -> None:
+    path = tmp_path / "s.h5"
+    write_samples(path, samples)
+    with h5py.File(path, "a") as file:
+        names = file["features"].attrs["names"][:36]
+        del file["features"]
+        file["features"] = samples.features[:, :36]
+        file["features"].attrs["names"] = names
+    back = read_samples(path)
+    assert np.array_equal(back.features[:, :36], samples.features[:, :36])
+    assert not back.has_evidence.any()

@@ -162,7 +162,7 @@ def test_a_session_of_format_1_0_is_read_edited_and_saved_as_newer(older: Path) 
     assert again.history.taken_back_by(2) == 4
     again.close()
     with h5py.File(older) as file:
-        assert file.attrs["format_version"] == "1.6"
+        assert file.attrs["format_version"] == "1.7"
 
 
 def test_edits_waiting_in_a_journal_of_format_1_0_come_back(older: Path) -> None:

@@ -18,13 +18,14 @@ from tracking.failure.core.detector import Detector, Origin
 from tracking.failure.core.machines import Machine, Machines
 from tracking.failure.core.operating_points import Curve
 from tracking.failure.core.preparation import Preparation, numbers_seen
-from tracking.failure.detector_layout import FORMAT, MACHINES, VERSION
+from tracking.failure.detector_layout import FORMAT, MACHINES, PAPER_VERSION, VERSION
 from tracking.tracks import PART_NAMES, PARTS
 from tracking.translation import msg
 from tracking.untrusted import FAILURES, verdicts_of
 
 BUILT_IN = "part_failures.h5"
-"""The name of the detector among the resources."""
+BUILT_IN_PAPER = "part_failures_paper.h5"
+"""The names of the detectors among the resources: with evidence, and by the paper's features."""
 
 _TEXTS = ("samples", "made", "software", "chosen")
 _AGAIN = msg("train it again or choose another one")
@@ -58,21 +59,26 @@ def load_detector(path: Path) -> Detector:
 
 
 @cache
-def built_in_detector() -> Detector:
+def built_in_detector(*, paper: bool = False) -> Detector:
     """The detector that comes with the program, trained on its rendered scenes.
+
+    Args:
+        paper: the one that sees the features of [ZhaoLee2009] alone.
 
     Raises FormatError where the installation lacks it.
     """
-    with as_file(files("resources") / BUILT_IN) as path:
+    name = BUILT_IN_PAPER if paper else BUILT_IN
+    with as_file(files("resources") / name) as path:
         if not path.is_file():
-            raise FormatError("{path} is missing among the resources; install again", path=BUILT_IN)
+            raise FormatError("{path} is missing among the resources; install again", path=name)
         return _read(path)
 
 
 def _write(file: h5py.File, detector: Detector) -> None:
     preparation, origin = detector.preparation, detector.origin
     file.attrs["format"] = FORMAT
-    file.attrs["format_version"] = ".".join(map(str, VERSION))
+    version = PAPER_VERSION if preparation.paper else VERSION
+    file.attrs["format_version"] = ".".join(map(str, version))
     file.attrs["fingerprint"] = detector.fingerprint
     file.attrs["by_size"] = preparation.by_size
     file["preparation/centre"], file["preparation/scale"] = preparation.centre, preparation.scale
@@ -121,7 +127,8 @@ def _detector(file: h5py.File) -> Detector:
     if tuple(names[:PARTS]) != PART_NAMES:
         raise ValueError("it lacks a part")
     by_size = bool(file.attrs["by_size"])
-    numbers = numbers_seen(by_size=by_size)
+    paper = len(file["preparation/centre"]) == numbers_seen(by_size=by_size, paper=True)
+    numbers = numbers_seen(by_size=by_size, paper=paper)
     preparation = Preparation(
         by_size,
         _checked(file["preparation/centre"], (numbers,)),

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from tracking.arrays import Floats
 from tracking.failure.core.detector import Detector
 from tracking.failure.core.features import part_features
+from tracking.failure.detector_file import built_in_detector
 from tracking.failure.labelled_samples import PartStates, part_states, were_hidden
 from tracking.failure.past import states_before
 from tracking.tracks import PARTS, Columns, PartKey
@@ -61,6 +62,8 @@ def suggest(
         most: suggestions.
     """
     seen = part_states(parts, fps)
+    if not detector.preparation.paper and np.isnan(seen.evidence).all():
+        detector = built_in_detector(paper=True)  # the run is older than evidence
     scores = scores_of(seen, fps, detector)
     scores[were_hidden(seen.track, seen.frame, parts)] = np.nan
     unsure = np.abs(scores) / _spreads(detector)
@@ -79,7 +82,7 @@ def scores_of(seen: PartStates, fps: float, detector: Detector) -> Floats:
     """(n, 3) the detector's scores of all states of a run."""
     everything = np.arange(len(seen.track))
     before = states_before(seen.frame / fps, seen.track, seen.states, everything)
-    features = part_features(seen.states, before)
+    features = part_features(seen.states, before, seen.evidence)
     blocks = [
         detector.judge(features[start : start + _BLOCK]).score
         for start in range(0, len(features), _BLOCK)

@@ -12,7 +12,7 @@ from tracking.arrays import Floats
 from tracking.failure.core.features import NUMBERS, part_features
 from tracking.failure.core.samples import Samples, no_samples, samples_from_rows
 from tracking.failure.past import states_before
-from tracking.tracks import PARTS, Columns, PartLabel, pairs_of, row_keys
+from tracking.tracks import PART_EVIDENCE, PARTS, Columns, PartLabel, pairs_of, row_keys
 from tracking.tracks.boxes import corners_of_boxes
 from tracking.tracks.on_part import MOST_FOREIGN, corners_of, foreign_share
 
@@ -30,11 +30,13 @@ class PartStates:
     Attributes:
         track, frame: (n,), sorted by both.
         states: (n, 3, 6), see `STATE_NAMES`: velocities in px/s.
+        evidence: (n, 3, 8) `PART_EVIDENCE`; NaN where it was not measured.
     """
 
     track: NDArray[np.int64]
     frame: NDArray[np.int64]
     states: Floats
+    evidence: Floats
 
     def rows_of(self, track: NDArray[np.int64], frame: NDArray[np.int64]) -> NDArray[np.int64]:
         """(k,) the row of each person and frame; -1 where there is none."""
@@ -52,8 +54,12 @@ def part_states(parts: Columns, fps: float) -> PartStates:
     values = np.stack([parts[name].astype(float) for name in _STATE], axis=1)
     values[:, 4:] *= fps
     states[row.reshape(-1), parts["part"]] = values
+    evidence = np.full((len(known), PARTS, len(PART_EVIDENCE)), np.nan)
+    if all(name in parts for name in PART_EVIDENCE):
+        measured = np.stack([parts[name].astype(float) for name in PART_EVIDENCE], axis=1)
+        evidence[row.reshape(-1), parts["part"]] = measured
     whole = np.isfinite(states).all(axis=(1, 2))
-    return PartStates(*pairs_of(known[whole]), states[whole])
+    return PartStates(*pairs_of(known[whole]), states[whole], evidence[whole])
 
 
 def were_hidden(
@@ -85,8 +91,9 @@ def samples_of(
     that frame with this rectangle in place of its own. Unsure ones are dropped. A rectangle
     somebody put where the part is teaches twice: theirs lies on the part, and the tracker's off
     it, unless at least half of it lies within theirs. The state half a second before is as the
-    tracker had it; for a rectangle put right, with what else was put right. Labels of people
-    whose three parts the tracker did not follow in that frame give no sample.
+    tracker had it; for a rectangle put right, with what else was put right. What speaks for a
+    rectangle that the tracker did not have was not measured. Labels of people whose three parts
+    the tracker did not follow in that frame give no sample.
 
     Args:
         labels: of one recording. parts: `PART_COLUMNS` of the run they were given on, with its
@@ -114,7 +121,14 @@ def samples_of(
     named = [(recording, *draft.named) for draft in drafts]
     known = people or {}
     person = np.array([known.get(draft.named[0], 0) for draft in drafts], np.int32)
-    return samples_from_rows(named, part_features(now, before), person=person, time_s=times[asked])
+    features = part_features(now, before, _evidence(now, asked, seen))
+    return samples_from_rows(named, features, person=person, time_s=times[asked])
+
+
+def _evidence(now: Floats, asked: NDArray[np.int64], seen: PartStates) -> Floats:
+    """(k, 3, 8) what was measured of rows; NaN of rectangles that are not the tracker's."""
+    moved = np.abs(now[..., :4] - seen.states[asked, :, :4]).max(axis=2) > _SAME_PX
+    return np.where(moved[..., None], np.nan, seen.evidence[asked])
 
 
 def _with_rows(labels: Iterable[PartLabel], seen: PartStates) -> list[tuple[PartLabel, int]]:

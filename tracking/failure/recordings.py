@@ -7,6 +7,7 @@ from itertools import count
 
 import numpy as np
 
+from tracking.failure.core.features import PAPER_FEATURES
 from tracking.failure.core.samples import NOT_TOLD_APART, Samples
 
 Named = dict[str, str]
@@ -71,7 +72,8 @@ def _said(samples: Samples) -> dict[tuple[int, ...], bytes]:
     """What samples of a recording say, by track, frame, part and label."""
     names = ("track", "frame", "part", "label")
     keys = zip(*(samples.columns[name].tolist() for name in names), strict=True)
-    return {key: row.tobytes() for key, row in zip(keys, samples.features, strict=True)}
+    paper = np.ascontiguousarray(samples.features[:, :PAPER_FEATURES])  # older tables have no more
+    return {key: row.tobytes() for key, row in zip(keys, paper, strict=True)}
 
 
 def _same_tracks(

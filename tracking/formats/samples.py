@@ -68,8 +68,13 @@ def _write_csv(path: Path, samples: Samples) -> list[Path]:
             zip(*columns, strict=True), samples.features.tolist(), strict=True
         ):
             known = ("" if value != value else value for value in named)  # NaN is not itself
-            rows.writerow((*map(cell_of, known), *map(repr, features)))
+            rows.writerow((*map(cell_of, known), *map(_digits, features)))
     return [path]
+
+
+def _digits(value: float) -> str:
+    """Every digit of a feature; "" of one that is not known."""
+    return "" if value != value else repr(value)
 
 
 def _write_hdf5(path: Path, samples: Samples) -> list[Path]:
@@ -115,7 +120,9 @@ def _libsvm_file(path: Path, part: str) -> Path:
 def _libsvm_lines(samples: Samples) -> Iterator[str]:
     signs = np.where(samples.columns["label"] == 1, "+1", "-1").tolist()
     for sign, features in zip(signs, samples.features.tolist(), strict=True):
-        numbers = (f"{at}:{value!r}" for at, value in enumerate(features, start=1) if value)
+        numbers = (
+            f"{at}:{value!r}" for at, value in enumerate(features, start=1) if value == value != 0.0
+        )
         yield " ".join((sign, *numbers)) + "\n"
 
 

@@ -27,10 +27,10 @@ from tracking.formats.samples_layout import (
     MOST_BYTES,
     MOST_TEXT,
     NUMBERS,
-    SHAPE,
     SHARED,
     TEXTS,
     VERSION,
+    WIDTHS,
 )
 
 _KIND = Kind("samples export", HDF5_FORMAT, VERSION, MOST_BYTES, dimensions=2)
@@ -48,10 +48,11 @@ def inspect(path: Path) -> tuple[int, int]:
 def _check_columns(datasets: Mapping[str, h5py.Dataset]) -> None:
     """All there, of one length and of the right kind."""
     features = datasets.get("features")
-    if features is None or features.ndim != len(SHAPE) or features.shape[1] != SHAPE[1]:
+    if features is None or features.ndim != 2 or features.shape[1] not in WIDTHS:
         raise Refused(
-            "has no table of {count} features a sample; {choose}",
-            count=SHAPE[1],
+            "has no table of {few} or {count} features a sample; {choose}",
+            few=WIDTHS[0],
+            count=WIDTHS[1],
             choose=_KIND.choose,
         )
     expected = {"features": "f", **dict.fromkeys(NUMBERS, "iu"), **dict.fromkeys(TEXTS, "O")}

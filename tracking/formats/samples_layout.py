@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from tracking.failure.core.features import FEATURES
+from tracking.failure.core.features import FEATURES, PAPER_FEATURES
 from tracking.failure.core.samples import BESIDES, SAMPLE_COLUMNS, TEXT
 
 HDF5_FORMAT = "trackwright-samples"
-VERSION = (1, 1)
+VERSION = (1, 2)
 """Major: older programs cannot read it. Minor: they can, and miss something.
 
-1.1: person and time_s."""
+1.1: person and time_s. 1.2: evidence among the features."""
 
 MOST_BYTES = 512 << 20
 """Of all numbers together: a million samples."""
@@ -22,5 +22,5 @@ SHARED = tuple(name for name in BESIDES if name != "session")
 TEXTS = tuple(name for name, dtype in SAMPLE_COLUMNS.items() if dtype == TEXT)
 NUMBERS = tuple(name for name, dtype in SAMPLE_COLUMNS.items() if dtype != TEXT)
 
-SHAPE = (-1, FEATURES)
-"""Of the features; the first number is how many samples there are."""
+WIDTHS = (PAPER_FEATURES, FEATURES)
+"""How many features a sample may have: before 1.2 the paper's alone."""

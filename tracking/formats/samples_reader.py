@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from array import array
 from collections.abc import Iterator, Mapping
 from pathlib import Path
@@ -13,6 +14,7 @@ from numpy.typing import NDArray
 
 from tracking.errors import FormatError, explain_unreadable
 from tracking.failure import BESIDES, FEATURE_NAMES, SAMPLE_COLUMNS, SAMPLE_SOURCES, Samples
+from tracking.failure.core.features import EVIDENCE_NAMES, PAPER_NAMES
 from tracking.failure.core.samples import NOT_TOLD_APART
 from tracking.formats import samples_inspection
 from tracking.formats.lines import header_of, numbered_rows, place_of
@@ -21,6 +23,7 @@ from tracking.tracks import LARGEST_NUMBER, PART_NAMES
 from tracking.translation import joined, msg
 from tracking.untrusted import SIGNATURE, verdicts_of
 
+_REQUIRED = (*SAMPLE_COLUMNS, *PAPER_NAMES)
 _ENDINGS = (".h5", ".hdf5")
 _LIBSVM = (".libsvm", ".svm", ".txt")
 _LABELS = {"frame", "track", "part", "on"}
@@ -94,7 +97,7 @@ def begins_as_hdf5(path: Path) -> bool:
 
 def _columns_of(file: h5py.File) -> dict[str, NDArray[Any]]:
     names = file["features"].attrs.get("names")
-    if names is not None and tuple(map(str, names)) != FEATURE_NAMES:
+    if names is not None and tuple(map(str, names)) not in (PAPER_NAMES, FEATURE_NAMES):
         raise ValueError("its features are others")
     text = {name: np.array(file[name].asstr()[()], object) for name in TEXTS}
     numbers = {name: file[name][()] for name in (*NUMBERS, *SHARED) if name in file}
@@ -103,13 +106,14 @@ def _columns_of(file: h5py.File) -> dict[str, NDArray[Any]]:
 
 def _read_csv(path: Path) -> Samples:
     _check_is_no_other_table(path)
-    rows = numbered_rows(path, (*SAMPLE_COLUMNS, *FEATURE_NAMES), SHARED, most_bytes=_MOST_BYTES)
+    rows = numbered_rows(path, _REQUIRED, (*SHARED, *EVIDENCE_NAMES), most_bytes=_MOST_BYTES)
     names = [*SAMPLE_COLUMNS, *SHARED]
     columns: dict[str, list[Any]] = {name: [] for name in names}
     lines, features = array("q"), array("d")
     for line, values in rows:
         try:
-            features.extend(_number(name, values[name], float) for name in FEATURE_NAMES)
+            features.extend(_number(name, values[name], float) for name in PAPER_NAMES)
+            features.extend(_evidence(name, values) for name in EVIDENCE_NAMES)
             for name, value in zip(names, _named(values), strict=True):
                 columns[name].append(value)
         except ValueError as error:
@@ -132,6 +136,12 @@ def _named(values: Mapping[str, str]) -> Iterator[Any]:
         text, besides = values.get(name, ""), BESIDES[name]
         number = float if besides.dtype.kind == "f" else int
         yield _number(name, text, number) if text else besides.unknown
+
+
+def _evidence(name: str, values: Mapping[str, str]) -> float:
+    """A cell's number, NaN where it is empty. Raises ValueError."""
+    text = values.get(name, "")
+    return float(_number(name, text, float)) if text else math.nan
 
 
 def _number(column: str, text: str, kind: type[int] | type[float]) -> int | float:
@@ -203,5 +213,6 @@ def _broken_rules(
         msg("the person is not a number from 1 on, 0 (not known) or -1 (not told apart)"),
     )
     yield np.isinf(time_s), msg("the time is not a number of seconds")
-    endless = np.asarray(~np.isfinite(features).all(axis=1))
+    paper, evidence = np.split(features, [len(PAPER_NAMES)], axis=1)
+    endless = np.asarray(~np.isfinite(paper).all(axis=1) | np.isinf(evidence).any(axis=1))
     yield endless, msg("a feature is not a finite number")

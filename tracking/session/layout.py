@@ -13,13 +13,14 @@ from types import MappingProxyType
 import numpy as np
 
 from tracking.editing.log.touch_index import TOUCHED_COLUMNS
-from tracking.failure.core.features import FEATURE_NAMES
+from tracking.failure.core.features import EVIDENCE_NAMES, FEATURE_NAMES
 from tracking.failure.core.samples import SAMPLE_COLUMNS
 from tracking.tracks import (
     ASSOCIATION_COLUMNS,
     CORRECTED_COLUMNS,
     DETECTION_COLUMNS,
     PART_COLUMNS,
+    PART_EVIDENCE,
     PART_PARTICLE_COLUMNS,
     PARTICLE_COLUMNS,
     SIGNAL_COLUMNS,
@@ -30,7 +31,7 @@ from tracking.tracks import (
 )
 
 FORMAT = "trackwright-session"
-VERSION = (1, 6)
+VERSION = (1, 7)
 """Major: older programs cannot read it. Minor: they can, and miss something."""
 
 CHUNK_ROWS = 65_536
@@ -74,7 +75,10 @@ TRAJECTORY_TYPE = np.dtype(
     [("id", np.int32), ("frame", np.int32), ("x", np.float64), ("y", np.float64), ("z", np.float64)]
 )
 
-SAMPLES = Table(column_types(**SAMPLE_COLUMNS, **dict.fromkeys(FEATURE_NAMES, np.float64)))
+SAMPLES = Table(
+    column_types(**SAMPLE_COLUMNS, **dict.fromkeys(FEATURE_NAMES, np.float64)),
+    (_later(*EVIDENCE_NAMES),),
+)
 """What the part labels teach the failure detector, made anew at every save. Without samples the
 group is empty; files before format 1.2 never have any."""
 
@@ -168,7 +172,9 @@ RUN_TABLES: Mapping[str, Table] = MappingProxyType(
         "tracks": Table(TRACK_COLUMNS),
         "detections": Table(DETECTION_COLUMNS),
         "associations": Table(ASSOCIATION_COLUMNS),
-        "parts": Table(PART_COLUMNS, (_later("entropy", "particles", "occluded"),)),  # 1.2
+        "parts": Table(  # the first ones came with 1.2, the evidence with 1.7
+            PART_COLUMNS, (_later("entropy", "particles", "occluded"), _later(*PART_EVIDENCE))
+        ),
         "signals": Table(SIGNAL_COLUMNS, is_later=True),
         "particles": Table(PARTICLE_COLUMNS, by_frame=True),
         "part_particles": Table(PART_PARTICLE_COLUMNS, is_later=True, by_frame=True),  # 1.2

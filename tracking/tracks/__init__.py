@@ -7,6 +7,7 @@ from tracking.tracks.columns import (
     CORRECTED_COLUMNS,
     DETECTION_COLUMNS,
     PART_COLUMNS,
+    PART_EVIDENCE,
     PART_PARTICLE_COLUMNS,
     PARTICLE_COLUMNS,
     SIGNAL_COLUMNS,

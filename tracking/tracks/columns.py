@@ -73,7 +73,19 @@ PART_COLUMNS = column_types(
     entropy=np.float32,  # of the weights, 1: all alike; NaN: not filtered
     particles=np.int32,  # how many this frame; 0: not filtered
     occluded=np.bool_,  # motion only, the colours learnt are frozen
+    # What speaks for the part being there; NaN: not measured. Lengths in heights of the person.
+    support=np.float32,  # share of the rectangle on foreground that may be the person's
+    above=np.float32,  # the same of a strip above the rectangle
+    below=np.float32,
+    beside=np.float32,  # the mean of two strips to either side
+    likeness=np.float32,  # to the part's colours as learnt over its life, 0 to 1
+    change=np.float32,  # of the likeness to its colours of late, against the usual one
+    offset=np.float32,  # from where the person's other parts take it
+    spread=np.float32,  # standard deviation of the particles' middles
 )
+
+PART_EVIDENCE = ("support", "above", "below", "beside", "likeness", "change", "offset", "spread")
+"""The columns of evidence in `PART_COLUMNS`."""
 
 PART_PARTICLE_COLUMNS = column_types(
     track=np.int32,

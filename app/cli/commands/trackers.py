@@ -95,6 +95,17 @@ def train(
             help="Use the ground truth beside rendered recordings as labels instead.",
         ),
     ] = False,
+    from_scratch: Annotated[
+        bool,
+        typer.Option(
+            "--from-scratch",
+            help="Keep nothing of the built-in detector; for labels of a hundred people or more.",
+        ),
+    ] = False,
+    paper: Annotated[
+        bool,
+        typer.Option("--paper", help="Use the features of Zhao and Lee 2009 alone."),
+    ] = False,
     allow_outside: options.Outside = False,
     seed: options.Seed = 0,
     json: options.Json = False,
@@ -103,6 +114,7 @@ def train(
     from app.cli.train import TrainRequest, run_train
 
     request = TrainRequest(
-        tuple(sources), out, report, false_alarms, seed, from_truth, allow_outside
+        *(tuple(sources), out, report, false_alarms, seed),
+        *(from_truth, allow_outside, from_scratch, paper),
     )
     run_train(request, as_json=json)

@@ -227,7 +227,7 @@ class TrainDialog(QDialog):
         for cells, count in zip(self._cells, counts, strict=True):
             self._show_count(cells, count)
         self._off_list.setEnabled(self._list.currentRow() >= 0)
-        enough = not any(count.missing for count in counts)
+        enough = any(not count.missing for count in counts)
         self._train.setEnabled(enough and self._job is None)
 
     def _show_count(self, cells: tuple[QLabel, ...], count: PartCount) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -244,9 +245,35 @@ class TrainingResult:
                 recordings=joined(", ", origin.recordings),
             ),
             tr("Each figure is of people who were not in the training ({n} folds)", n=report.folds),
+            *self._against_before(),
             several,
             measured,
         )
+
+    def _against_before(self) -> tuple[str, ...]:
+        """How the built-in detector judges the same people, and what is kept of it."""
+        parts = self.trained.report.questions[: len(PART_NAMES)]
+        told = [
+            tr("{part} {area:.2f}", part=part_name(number), area=one.area_before)
+            for number, one in enumerate(parts)
+            if not math.isnan(one.area_before)
+        ]
+        kept = [
+            part_name(number) for number, one in enumerate(parts) if one in self.trained.report.kept
+        ]
+        lines = []
+        if told:
+            areas = joined(", ", told)
+            lines.append(tr("Area under the curve of the built-in detector: {areas}", areas=areas))
+        if kept:
+            names = joined(", ", kept)
+            lines.append(
+                tr(
+                    "Kept from the built-in detector, as nothing learnt is better: {names}",
+                    names=names,
+                )
+            )
+        return tuple(lines)
 
     def _mistakes(self) -> tuple[MistakeItem, ...]:
         """Those that are still mistakes at the operating point, the parts by turns."""

@@ -53,6 +53,13 @@ class TrainingSettings:
         (100, 50000),
         "Most samples of a part that the detector is trained on; higher: more time",
     )
+    from_scratch: bool = setting(
+        False,
+        "",
+        None,
+        "Keep nothing of the built-in detector. Off: its machines are mixed with what these labels "
+        "teach, as far as people held out are judged better",
+    )
     seed: int = setting(
         0, "", (0, 999_999), "Seed of the random numbers; the same seed gives the same detector"
     )
@@ -65,6 +72,7 @@ class TrainingSettings:
             folds=self.folds,
             searched=self.search_samples,
             learnt=self.training_samples,
+            adapt=not self.from_scratch,
         )
 
 

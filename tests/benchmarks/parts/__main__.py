@@ -9,6 +9,7 @@ import numpy as np
 from tests.benchmarks.pages import Figures, Page
 from tests.benchmarks.parts import clips
 from tests.benchmarks.parts.cases import ADJUSTED, PLAIN, WHOLE
+from tests.benchmarks.parts.loop import loops
 from tests.benchmarks.parts.measures import crouching, detector, rates
 from tracking.pages import Panel, svg
 from tracking.scoring.parts import margin
@@ -65,6 +66,7 @@ PAGE = Page(
             clips.REPORTED_CROUCHING if report else clips.TUNED_CROUCHING
         ),
         "detector": _detector,
+        "taught": loops,
     },
     words={
         "frame": AT_FRAME,

@@ -24,12 +24,23 @@ REPORTED_CROUCHING = _clips("crouching", range(4351, 4357))
 REPORTED_ELSEWHERE = _elsewhere(4391)
 """People as other cameras see them: for the detector alone."""
 
-TRAINED = (
+TRAINED_PAPER = (
     *_clips("walkway", range(4111, 4129)),
     *_clips("crouching", range(4161, 4166)),
     *_elsewhere(4142, 4143),
 )
-"""The built-in detector learns from these."""
+"""The built-in detector that sees the paper's features alone learns from these."""
+
+TRAINED = (
+    *_clips("walkway", range(4111, 4117)),
+    *_clips("hall", (4142, 4143)),
+    *_clips("court", (4142, 4143)),
+    *_clips("car-park", (4142,)),
+    *_clips("street", (4142,)),
+    *_clips("pavement", (4142,)),
+)
+"""The built-in detector with evidence learns from these: it needs fewer, as evidence means the
+same in any camera."""
 
 CHECKED = (
     *_clips("walkway", range(4171, 4175)),

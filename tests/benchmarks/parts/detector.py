@@ -1,4 +1,4 @@
-"""Makes the built-in failure detector: `python -m tests.benchmarks.parts.detector [--out FILE]`.
+"""Makes the built-in failure detectors: `python -m tests.benchmarks.parts.detector [--paper]`.
 
 It learns from a tracker that adjusts nothing, as in [ZhaoLee2009], labelled from the exact truth
 of clips that are used for nothing else, from several cameras. Every person is seen at a size of
@@ -17,7 +17,7 @@ import resources
 from tests.benchmarks.clips import Clip, folder_of
 from tests.benchmarks.command import one_core, parser_of, tell
 from tests.benchmarks.parts.cases import PLAIN
-from tests.benchmarks.parts.clips import TRAINED, title_of
+from tests.benchmarks.parts.clips import TRAINED, TRAINED_PAPER, title_of
 from tests.benchmarks.runner import run_of
 from tracking.failure import (
     Samples,
@@ -27,27 +27,33 @@ from tracking.failure import (
     samples_of,
     save_detector,
 )
-from tracking.failure.detector_file import BUILT_IN
-from tracking.failure.training import TrainingPlan, train
+from tracking.failure.core.features import PAPER_FEATURES
+from tracking.failure.detector_file import BUILT_IN, BUILT_IN_PAPER
+from tracking.failure.training import GRID, TrainingPlan, train
 from tracking.truth import TRUE_PARTS, read_true_parts
 
 SEED = 4100
 _SIZES = float(np.log(2.5))
+SMOOTH = tuple(one for one in GRID if 0.0 < one.gamma <= 1.0 and one.cost <= 10.0)
+"""Parameters to try: it must hold for cameras that no clip shows."""
 
 
 def main() -> None:
     """Render what is missing, track, label, train, save."""
     one_core()
     parser = parser_of("parts.detector", __doc__)
-    shipped = Path(next(iter(resources.__path__))) / BUILT_IN
-    parser.add_argument("--out", type=Path, default=shipped, help="the detector's file")
+    parser.add_argument("--paper", action="store_true", help="the one with the paper's features")
+    parser.add_argument("--out", type=Path, help="the detector's file, if not the program's own")
     asked = parser.parse_args()
+    name = BUILT_IN_PAPER if asked.paper else BUILT_IN
+    out = asked.out or Path(next(iter(resources.__path__))) / name
     random = np.random.default_rng(SEED)
-    samples = resized(samples_of_clips(TRAINED), random)
+    samples = resized(samples_of_clips(TRAINED_PAPER if asked.paper else TRAINED), random)
     tell(f"samples off and on, by part: {samples.counts().tolist()}")
-    detector = train(samples, TrainingPlan(), random=random).detector
-    save_detector(asked.out, detector)
-    print(f"{asked.out}: {detector.fingerprint}")
+    plan = TrainingPlan(paper=True) if asked.paper else TrainingPlan(grid=SMOOTH)
+    detector = train(samples, plan, random=random).detector
+    save_detector(out, detector)
+    print(f"{out}: {detector.fingerprint}")
 
 
 def samples_of_clips(clips: Sequence[Clip]) -> Samples:
@@ -65,11 +71,14 @@ def _samples_of_clip(clip: Clip, folder: Path) -> Samples:
 def resized(samples: Samples, random: np.random.Generator) -> Samples:
     """The samples as if everybody had been filmed from nearer or farther away.
 
-    All features are differences in px or px/s, so a person twice as large has all of them doubled.
+    The paper's features are differences in px or px/s, so a person twice as large has all of them
+    doubled; evidence is in shares and in heights of the person.
     """
     people = samples.people()
     sizes = np.exp(random.uniform(-_SIZES, _SIZES, int(people.max(initial=-1)) + 1))
-    return Samples(samples.columns, samples.features * sizes[people, None])
+    features = samples.features.copy()
+    features[:, :PAPER_FEATURES] *= sizes[people, None]
+    return Samples(samples.columns, features)
 
 
 if __name__ == "__main__":

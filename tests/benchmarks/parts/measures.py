@@ -133,7 +133,7 @@ def detector(clips: Sequence[Clip]) -> Figures:
     """The built-in detector: people held out in training, and scenes never trained on."""
     shipped = built_in_detector()
     new = samples_of_clips(clips)
-    unseen = _machine_curves(shipped, new)
+    unseen = machine_curves(shipped, new)
     thresholds = [*shipped.thresholds.tolist(), shipped.several_threshold]
     machines = {
         name: {**_machine(curve), "new": _unseen(unseen.get(name), threshold)}
@@ -150,7 +150,7 @@ def detector(clips: Sequence[Clip]) -> Figures:
     }
 
 
-def _machine_curves(detector: Detector, samples: Samples) -> dict[str, Curve]:
+def machine_curves(detector: Detector, samples: Samples) -> dict[str, Curve]:
     """What each machine of a detector says of samples it has not seen, by question."""
     curves = {}
     for question in all_questions(samples):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -15,10 +16,12 @@ from tests.benchmarks.parts.clips import (
     REPORTED_CROUCHING,
     REPORTED_ELSEWHERE,
     TRAINED,
+    TRAINED_PAPER,
     TUNED,
     TUNED_CROUCHING,
 )
 from tests.benchmarks.parts.detector import resized
+from tests.benchmarks.parts.loop import parts_of_boxes
 from tests.benchmarks.parts.measures import cast_of, stoops_in
 from tracking.failure import SAMPLE_COLUMNS, Samples
 from tracking.scoring.parts import Judged
@@ -44,11 +47,12 @@ def _judged(parts: np.ndarray, first_frame: int = 0, person: int = 1) -> Judged:
 
 def test_no_clip_is_used_for_two_purposes() -> None:
     reported = (REPORTED, REPORTED_CROUCHING, REPORTED_ELSEWHERE)
-    groups = (*reported, TRAINED, CHECKED, TUNED, TUNED_CROUCHING)
+    assert set(TRAINED) <= set(TRAINED_PAPER)
+    groups = (*reported, TRAINED_PAPER, CHECKED, TUNED, TUNED_CROUCHING)
     clips = [clip for group in groups for clip in group]
     assert len(set(clips)) == len(clips)
     assert all(4300 <= clip.seed < 4400 for group in reported for clip in group)
-    assert all(4100 <= clip.seed < 4200 for clip in (*TRAINED, *CHECKED, *TUNED))
+    assert all(4100 <= clip.seed < 4200 for clip in (*TRAINED_PAPER, *CHECKED, *TUNED))
     assert {clip.fps for clip in clips} == {20.0}
 
 
@@ -88,7 +92,21 @@ def test_a_stoop_counts_for_people_judged_before_and_after_it() -> None:
 def test_one_person_s_samples_are_resized_alike() -> None:
     columns = {name: np.zeros(6, dtype) for name, dtype in SAMPLE_COLUMNS.items()}
     columns["recording"] = np.array(["a"] * 3 + ["b"] * 3, object)
-    sizes = resized(Samples(columns, np.ones((6, 36))), np.random.default_rng(1)).features
+    all_sizes = resized(Samples(columns, np.ones((6, 60))), np.random.default_rng(1)).features
+    sizes = all_sizes[:, :36]
+    assert (all_sizes[:, 36:] == 1.0).all()  # evidence is no length in pixels
     assert len(np.unique(sizes[:3])) == len(np.unique(sizes[3:])) == 1
     assert sizes[0, 0] != sizes[3, 0]
     assert 0.4 <= sizes.min() <= sizes.max() <= 2.5
+
+
+def test_parts_of_boxes_are_shares_of_them(tmp_path: Path) -> None:
+    truth = tmp_path / "truth.txt"
+    truth.write_text("1,4,11,21,40,200,1,1,1\n2,4,11,21,40,200,0,1,1\n", encoding="utf-8")
+    parts = parts_of_boxes(truth)
+    assert parts.frame.tolist() == [0, 0, 0, 1, 1, 1]
+    assert parts.part.tolist() == [0, 1, 2, 0, 1, 2]
+    head, torso, legs = parts.box[:3]
+    assert head == pytest.approx((21.8, 20.0, 16.4, 34.0))
+    assert torso[1] < head[1] + head[3] < legs[1] + legs[3] == 220.0
+    assert (parts.seen > 0).tolist() == [True] * 3 + [False] * 3

@@ -78,7 +78,7 @@ class Detector:
     origin: Origin = field(default_factory=Origin)
 
     def judge(self, features: Floats) -> Judgement:
-        """Judge people by their features (n, 36); where one is NaN no part has failed.
+        """Judge people by their features (n, 60); where one it sees is NaN no part has failed.
 
         Without a machine for it, several parts are lost where two or three are judged so.
         """

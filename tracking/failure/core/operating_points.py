@@ -47,6 +47,8 @@ class Curve:
     def points(self) -> Floats:
         """(p, 3) threshold, false alarms and found at every step of the curve, from few to many."""
         thresholds = np.unique(np.concatenate((self.on, self.off)))[::-1]
+        if not len(thresholds):
+            return np.zeros((1, 3))
         lowest = np.nextafter(thresholds[-1:], -math.inf)
         thresholds = np.concatenate((thresholds, lowest))
         rates = [
@@ -56,7 +58,9 @@ class Curve:
         return np.column_stack((thresholds, *rates))
 
     def area(self, most_false_alarms: float = 1.0) -> float:
-        """The mean share found over the false alarms from 0 to a share."""
+        """The mean share found over the false alarms from 0 to a share; NaN without both sides."""
+        if not len(self.on) or not len(self.off):
+            return math.nan
         points = self.points()
         grid = np.linspace(0.0, most_false_alarms, 201)
         at = np.searchsorted(points[:, 1], grid + 1e-12, "right") - 1

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from tracking.arrays import Floats
-from tracking.failure.core.features import FEATURES
+from tracking.failure.core.features import FEATURES, PAPER_FEATURES
 
 _CENTRES = [0, 1, 6, 7, 12, 13]
 """Columns of the parts' relative centres."""
@@ -27,36 +27,42 @@ class Preparation:
     Attributes:
         by_size: whether features are divided by how far the parts lie apart, with the logarithm
             of that as one number more. In pixels, near and far people differ.
-        centre, scale: (36 or 37,) of the usual values; scale > 0.
+        centre, scale: (d,) of the usual values; scale > 0. d is 36 where the machines see the
+            paper's features alone, 60 where evidence, too; one more by size.
     """
 
     by_size: bool
     centre: Floats
     scale: Floats
 
+    @property
+    def paper(self) -> bool:
+        """Whether the machines see the features of [ZhaoLee2009] alone."""
+        return len(self.centre) == numbers_seen(by_size=self.by_size, paper=True)
+
     def of(self, features: Floats) -> Floats:
-        """(n, 36 or 37) what the machines see of features (n, 36)."""
-        prepared = _sized(features) if self.by_size else features - self.centre
-        if self.by_size:
-            prepared -= self.centre
+        """(n, d) what the machines see of features (n, 60); of the paper's alone (n, 36) do."""
+        prepared = _numbers(features, self.by_size, self.paper) - self.centre
         prepared /= self.scale
         return np.arcsinh(prepared, out=prepared)
 
 
-def fitted_preparation(features: Floats, *, by_size: bool) -> Preparation:
-    """The preparation that makes the usual of these features (n, 36) zero and one.
+def fitted_preparation(features: Floats, *, by_size: bool, paper: bool) -> Preparation:
+    """The preparation that makes the usual of these features (n, 60) zero and one.
 
-    Median and half the range of the middle two thirds, since parts that failed may be anywhere.
+    Median and half the range of the middle two thirds, since parts that failed may be anywhere;
+    of what is nearly always the same, as nothing above a head, the standard deviation.
     """
-    values = _sized(features) if by_size else features
+    values = _numbers(features, by_size, paper)
     low, centre, high = np.quantile(values, (1 / 6, 1 / 2, 5 / 6), axis=0)
     spread = (high - low) / 2
+    spread = np.where(spread > 0, spread, values.std(axis=0))
     return Preparation(by_size, centre, np.where(spread > 0, spread, 1.0))
 
 
-def numbers_seen(*, by_size: bool) -> int:
+def numbers_seen(*, by_size: bool, paper: bool) -> int:
     """How many numbers the machines see."""
-    return FEATURES + by_size
+    return (PAPER_FEATURES if paper else FEATURES) + by_size
 
 
 def body_sizes(features: Floats) -> Floats:
@@ -66,7 +72,14 @@ def body_sizes(features: Floats) -> Floats:
     return size
 
 
-def _sized(features: Floats) -> Floats:
-    """(n, 37) features in sizes of the person, and the logarithm of the size in px."""
+def _numbers(features: Floats, by_size: bool, paper: bool) -> Floats:
+    """(n, d) features, the paper's in sizes of the person with the logarithm of the size in px.
+
+    Evidence is in shares and in heights of the person already.
+    """
+    own = features[:, :PAPER_FEATURES]
+    ours = features[:, PAPER_FEATURES : PAPER_FEATURES if paper else FEATURES]
+    if not by_size:
+        return np.concatenate((own, ours), axis=1)
     size = body_sizes(features)[:, None]
-    return np.concatenate((features / size, np.log(size)), axis=1)
+    return np.concatenate((own / size, np.log(size), ours), axis=1)

@@ -64,7 +64,8 @@ class Samples:
 
     Attributes:
         columns: `SAMPLE_COLUMNS` and `BESIDES`, (n,) each; of the latter those given.
-        features: (n, 36), see `FEATURE_NAMES`; all finite.
+        features: (n, 60), see `FEATURE_NAMES`; those of the paper finite, evidence NaN where it
+            is not known. Given as (n, 36) where no evidence is.
     """
 
     columns: Mapping[str, NDArray[Any]]
@@ -73,6 +74,10 @@ class Samples:
     def __post_init__(self) -> None:
         """Fill in what the source does not say."""
         rows = len(self.features)
+        lacking = FEATURES - self.features.shape[-1] if rows else 0
+        if lacking:
+            evidence = np.full((rows, lacking), np.nan)
+            object.__setattr__(self, "features", np.concatenate((self.features, evidence), axis=1))
         unknown = {name: np.full(rows, one.unknown, one.dtype) for name, one in BESIDES.items()}
         object.__setattr__(self, "columns", {**unknown, **self.columns})
 
@@ -84,6 +89,11 @@ class Samples:
         """Some of them, by mask, index or slice."""
         columns = {name: column[rows] for name, column in self.columns.items()}
         return Samples(columns, self.features[rows])
+
+    @property
+    def has_evidence(self) -> NDArray[np.bool_]:
+        """(n,) of which all of the evidence is known."""
+        return np.asarray(np.isfinite(self.features).all(axis=1))
 
     def counts(self) -> NDArray[np.int64]:
         """(3, 2) how many samples of each part are off it and on it."""

@@ -26,15 +26,7 @@ def folds_of(
 
     Raises TrainingError where no such folds are found.
     """
-    people = 1 + max(int(question.people.max(initial=-1)) for question in questions)
-    answers = np.stack(
-        [
-            np.bincount(question.people[question.yes == yes], minlength=people)
-            for question in questions
-            for yes in (False, True)
-        ],
-        axis=1,
-    )
+    answers = _answers(questions)
     count = max(2, min(most, int((answers > 0).sum(axis=0).min())))
     for _ in range(_TRIES):
         folds = _spread(answers, count, random)
@@ -42,6 +34,28 @@ def folds_of(
         if bool((answers.sum(axis=0) > held).all()):
             return folds
     raise TrainingError("the samples of one answer are nearly all of one person; label more people")
+
+
+def folds_of_few(
+    questions: Sequence[Question], most: int, random: np.random.Generator
+) -> NDArray[np.int64]:
+    """The same where what is left need not answer everything: a fold a person, at most so many."""
+    answers = _answers(questions)
+    count = max(2, min(most, int((answers > 0).any(axis=1).sum())))
+    return _spread(answers, count, random)
+
+
+def _answers(questions: Sequence[Question]) -> NDArray[np.int64]:
+    """(people, answers) how often each person gives each answer to each question."""
+    people = 1 + max(int(question.people.max(initial=-1)) for question in questions)
+    return np.stack(
+        [
+            np.bincount(question.people[question.yes == yes], minlength=people)
+            for question in questions
+            for yes in (False, True)
+        ],
+        axis=1,
+    )
 
 
 def _spread(

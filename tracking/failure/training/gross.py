@@ -12,14 +12,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.arrays import Floats
-from tracking.failure.core.features import FEATURES, NUMBERS
+from tracking.failure.core.features import NUMBERS, PAPER_FEATURES
 from tracking.failure.core.preparation import body_sizes
 from tracking.failure.core.samples import Samples
 from tracking.failure.training.questions import SEVERAL, Question
-from tracking.tracks import PARTS
+from tracking.tracks import PART_EVIDENCE, PARTS
 
 _NEAREST, _FARTHEST = 0.5, 8.0
 """How far a part is carried, in sizes of the person."""
+_SIZES_A_HEIGHT = 0.5
+"""The size of a person, see `body_sizes`, in heights."""
+_LEAST_ALIKE = 0.4
+"""How alike colours of something else are at least, as a share of one's own."""
 _LEAST, _MOST = 40, 400
 """Failures made of each kind; else as many as were labelled."""
 
@@ -77,7 +81,7 @@ def _made(
 
 
 def carried_away(features: Floats, part: NDArray[np.int64], random: np.random.Generator) -> Floats:
-    """Features (n, 36) with one part (n,) of each elsewhere: just now, or for a while already."""
+    """Features (n, 60) with one part (n,) of each elsewhere: just now, or for a while already."""
     count = len(features)
     size = body_sizes(features)
     far = size * np.exp(random.uniform(np.log(_NEAREST), np.log(_FARTHEST), count))
@@ -85,11 +89,36 @@ def carried_away(features: Floats, part: NDArray[np.int64], random: np.random.Ge
     shift = far[:, None] * np.column_stack((np.cos(way), np.sin(way)))
     # The mean of the three goes along by a third.
     share = np.eye(PARTS)[part] - 1 / PARTS
-    moved = features.reshape(count, FEATURES // NUMBERS // PARTS, PARTS, NUMBERS).copy()
+    paper, evidence = np.split(features, [PAPER_FEATURES], axis=1)
+    moved = paper.reshape(count, PAPER_FEATURES // NUMBERS // PARTS, PARTS, NUMBERS).copy()
     moved[:, 0, :, :2] += share[..., None] * shift[:, None]
     just_now = random.random(count) < 0.5
     moved[just_now, 1, :, :2] += (share[..., None] * shift[:, None])[just_now]
-    return moved.reshape(count, FEATURES)
+    evidence = _nowhere(evidence, part, far * _SIZES_A_HEIGHT / size, random)
+    return np.concatenate((moved.reshape(count, PAPER_FEATURES), evidence), axis=1)
+
+
+def _nowhere(
+    evidence: Floats, part: NDArray[np.int64], far: Floats, random: np.random.Generator
+) -> Floats:
+    """Evidence (n, 24) with one part (n,) of each carried so far (n,), in heights: off everything.
+
+    Nothing of the person is where it went, its colours are some others, and the other two parts
+    are off by half as much, since it takes part in saying where they should be.
+    """
+    count = len(evidence)
+    changed = evidence.reshape(count, PARTS, len(PART_EVIDENCE)).copy()
+    rows = np.arange(count)
+    for name in ("support", "above", "below", "beside"):
+        changed[rows, part, PART_EVIDENCE.index(name)] = 0.0
+    other = random.uniform(_LEAST_ALIKE, 1.0, count)
+    likeness, change = (PART_EVIDENCE.index(name) for name in ("likeness", "change"))
+    changed[rows, part, change] -= changed[rows, part, likeness] * (1.0 - other)
+    changed[rows, part, likeness] *= other
+    share = np.where(np.arange(PARTS) == part[:, None], 1.0, 0.5)
+    offset = PART_EVIDENCE.index("offset")
+    changed[..., offset] = np.maximum(changed[..., offset], share * far[:, None])
+    return np.where(np.isnan(evidence), np.nan, changed.reshape(evidence.shape))
 
 
 def _joined(each: list[Question]) -> Question:

@@ -57,7 +57,7 @@ def page_of(report: TrainingReport, pictures: Mapping[int, bytes]) -> str:
 
 def _rates(question: QuestionReport) -> tuple[str | int, ...]:
     off, on = int(question.confusion[1].sum()), int(question.confusion[0].sum())
-    shares = (question.found, question.false_alarms, question.curve.area())
+    shares = (question.found, question.false_alarms, question.curve.area(), question.area_before)
     return (msg(question.name), off, on, *map(_share, shares))
 
 

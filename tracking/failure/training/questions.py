@@ -29,7 +29,7 @@ class Question:
     Attributes:
         number: place in `NAMES`.
         rows: (n,) of the samples.
-        features: (n, 36). yes: (n,) part lost, or several lost. people: (n,) who, by number.
+        features: (n, 60). yes: (n,) part lost, or several lost. people: (n,) who, by number.
         made: (n,) learnt from and not measured on, see `gross`.
     """
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from tracking.failure.core.detector import Detector
 from tracking.failure.core.operating_points import Curve
 from tracking.failure.core.samples import Samples
+from tracking.failure.training.adaptation import KEPT
 from tracking.failure.training.questions import NAMES, Question
 from tracking.failure.training.search import Choice, Tried
 
@@ -52,6 +53,8 @@ class QuestionReport:
         confusion: (2, 2) rows: on its part, off it (one part, several); columns: found so, failed.
         tried: the grid's results, with the preparation that was chosen. candidate: chosen.
         mistakes: most informative first; none for one-or-several.
+        area_before: under the curve of the machine that was adapted, on the same samples; NaN
+            where none was.
     """
 
     name: str
@@ -61,6 +64,7 @@ class QuestionReport:
     tried: tuple[Tried, ...]
     candidate: str
     mistakes: tuple[Mistake, ...]
+    area_before: float = math.nan
 
     @property
     def false_alarms(self) -> float:
@@ -80,12 +84,30 @@ class TrainingReport:
     Attributes:
         by_size: whether features are measured in bodies. folds: how many.
         detector: in short what was trained; its origin says from what.
+        adapted: whether a detector that there was has been adapted.
     """
 
     questions: tuple[QuestionReport, ...]
     by_size: bool
     folds: int
     detector: Detector
+    adapted: bool = False
+
+    @property
+    def kept(self) -> tuple[QuestionReport, ...]:
+        """Those whose machine is the one there was: people held out find no mixture better."""
+        return tuple(one for one in self.questions if self.adapted and one.candidate == KEPT)
+
+    def of_rows(self, rows: NDArray[np.int64]) -> TrainingReport:
+        """The same where the samples were these rows of others: mistakes name rows of those."""
+        questions = tuple(
+            replace(
+                one,
+                mistakes=tuple(replace(its, sample=int(rows[its.sample])) for its in one.mistakes),
+            )
+            for one in self.questions
+        )
+        return replace(self, questions=questions)
 
     @property
     def by_chance(self) -> tuple[QuestionReport, ...]:
@@ -106,6 +128,9 @@ class TrainingReport:
             "folds": self.folds,
             "no_better_than_chance": [question.name for question in self.by_chance],
             "measured_in": "bodies" if self.by_size else "pixels",
+            "features": "paper" if self.detector.preparation.paper else "all",
+            "adapted": self.adapted,
+            "kept": [question.name for question in self.kept],
             "questions": {question.name: _as_json(question) for question in self.questions},
         }
 
@@ -117,8 +142,9 @@ def question_report(
     samples: Samples,
     choice: Choice,
     tried: Sequence[Tried],
+    before: NDArray[np.float64] | None = None,
 ) -> QuestionReport:
-    """The report on a question by held-out scores (n,)."""
+    """The report on a question by held-out scores (n,), `before` those before adaptation."""
     failed = scores > threshold
     confusion = np.array(
         [
@@ -132,8 +158,11 @@ def question_report(
     )
     candidate = str(choice.candidates[question.number])
     mistakes = _mistakes(question, scores - threshold, samples) if question.number < 3 else ()
+    area = math.nan
+    if before is not None:
+        area = Curve(np.sort(before[~question.yes]), np.sort(before[question.yes])).area()
     return QuestionReport(
-        question.name, Curve(on, off), threshold, confusion, of_it, candidate, mistakes
+        question.name, Curve(on, off), threshold, confusion, of_it, candidate, mistakes, area
     )
 
 
@@ -172,6 +201,7 @@ def _as_json(question: QuestionReport) -> dict[str, Any]:
         "false_alarms": _known(question.false_alarms),
         "found": _known(question.found),
         "area_under_curve": _known(question.curve.area()),
+        "area_before": _known(question.area_before),
         "confusion": question.confusion.tolist(),
         "curve": [{"false_alarms": fa, "found": found} for _, fa, found in points.tolist()],
         "tried": [{"what": str(one.candidate), "worth": one.worth} for one in question.tried],

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,7 +24,7 @@ class Tried:
     """How well some parameters did.
 
     Attributes:
-        question: number of it. by_size: of the preparation.
+        question: number of it. by_size: of the preparation. candidate: its text names it.
         worth: mean share of failures found while false alarms are few; of one-or-several, where
             both mistakes cost alike, at any number of them.
         unsure: the standard error of a share found, of as many failures as there were.
@@ -31,7 +32,7 @@ class Tried:
 
     question: int
     by_size: bool
-    candidate: Candidate
+    candidate: object
     worth: float
     unsure: float = 0.0
 
@@ -41,7 +42,7 @@ class Choice:
     """What the search chose: one preparation for all, parameters for each question."""
 
     by_size: bool
-    candidates: tuple[Candidate, ...]
+    candidates: tuple[Any, ...]
 
 
 def search(

@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 
 from tracking.people import Detections
 from tracking.people.parts import inner_rectangle, part_regions
-from tracking.trackers.three_part.claims import Claims, seen_whole
+from tracking.trackers.three_part.claims import Claims, may_be_theirs, seen_whole
+from tracking.trackers.three_part.evidence import offsets
 from tracking.trackers.three_part.part_filter import carry_along
 from tracking.trackers.three_part.people import Flags, Floats, PartPeople
 from tracking.trackers.three_part.poses import pose_faults
@@ -105,22 +106,14 @@ def _inside(rectangles: Floats, shape: tuple[int, ...]) -> Flags:
 
 def _out_of_place(people: PartPeople) -> Flags:
     """(people, 3) the part farthest from where the other two take it, where that is far."""
-    away = np.zeros(people.failed.shape)
-    for part in range(people.failed.shape[1]):
-        which = np.zeros(people.failed.shape, bool)
-        which[:, part] = True
-        there = carry_along(people.state, people.pose, which)[:, part, :2]
-        away[:, part] = np.linalg.norm(there - people.state[:, part, :2], axis=1)
+    away = offsets(people)
     farthest = away >= away.max(axis=1, keepdims=True)
     return np.asarray(farthest & (away > _OUT_OF_PLACE * people.height[:, None]))
 
 
 def _own_foreground(row: int, scene: AdjustmentInput) -> Flags:
     """(height, width) foreground that is not somebody else's alone."""
-    share = scene.claims.share
-    others = np.delete(share, row, axis=0).max(axis=0, initial=0.0)
-    theirs = (others > 0.3) & (share[row] < 0.1)
-    return np.concatenate(([False], ~theirs))[scene.seen.regions]
+    return np.concatenate(([False], may_be_theirs(scene.claims)[row]))[scene.seen.regions]
 
 
 def _place_part(part: int, rectangles: Floats, mask: Flags) -> Floats:

@@ -148,6 +148,22 @@ def shares_on(mask: NDArray[np.integer], rectangles: Floats) -> Floats:
     return np.asarray((_probe(rectangles, mask) > 0).mean(axis=2))
 
 
+def may_be_theirs(claims: Claims) -> Flags:
+    """(people, regions) which regions are not somebody else's alone."""
+    share = claims.share
+    others = np.array(
+        [np.delete(share, row, axis=0).max(axis=0, initial=0.0) for row in range(len(share))]
+    )
+    return ~((others.reshape(share.shape) > _OWN) & (share < _TAKEN))
+
+
+def shares_of(theirs: Flags, rectangles: Floats, seen: Detections) -> Floats:
+    """(people, parts) the share of rectangles on each one's regions (people, regions)."""
+    label = _probe(rectangles, seen.regions)
+    own = np.concatenate((np.zeros((len(theirs), 1), bool), theirs), axis=1)
+    return np.asarray(own[np.arange(len(own))[:, None, None], label].mean(axis=2))
+
+
 def _probe(rectangles: Floats, regions: NDArray[np.integer]) -> NDArray[np.int64]:
     """(people, parts, points) the regions' labels on a grid in each rectangle; 0 outside."""
     u = rectangles[..., 0, None] + rectangles[..., 2, None] * np.tile(_GRID, len(_GRID))

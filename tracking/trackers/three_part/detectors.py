@@ -10,21 +10,26 @@ from tracking.errors import FormatError
 from tracking.failure import Detector, built_in_detector, load_detector
 from tracking.translation import msg
 
+PAPER_DETECTOR = "paper"
+"""Names the built-in detector that sees the features of [ZhaoLee2009] alone."""
 NO_DETECTOR = msg(
     "no part-failure detector: lost parts are neither found nor put back; "
     "name one with --detector or the setting detector"
 )
 
 
-def chosen_detector(path: str) -> Detector | None:
-    """The detector of a file, or the built-in one where none is named; None: there is none.
+def chosen_detector(name: str) -> Detector | None:
+    """The detector of a file, or a built-in one; None: there is none.
+
+    Args:
+        name: the file; "": the built-in one; `PAPER_DETECTOR`: the one with the paper's features.
 
     Raises `FormatError` for a file that is named and cannot be read.
     """
-    if path:
-        return load_detector(Path(path))
+    if name and name != PAPER_DETECTOR:
+        return load_detector(Path(name))
     try:
-        return built_in_detector()
+        return built_in_detector(paper=name == PAPER_DETECTOR)
     except FormatError:
         return None
 

@@ -9,7 +9,7 @@ from tracking.trackers.three_part.people import Flags, PartPeople
 
 
 class Watch:
-    """Judges which parts were lost, by where they stand and stood half a second ago."""
+    """Judges which parts were lost, by where they stand and stood, and by what speaks for it."""
 
     def __init__(self, detector: Detector | None) -> None:
         """Without a detector nothing is ever judged."""
@@ -30,7 +30,7 @@ class Watch:
         if self.detector is not None and len(rows):
             now = people.state[rows]
             before = self._past.before(time_s, people.track[rows], now)
-            said = self.detector.judge(part_features(now, before))
+            said = self.detector.judge(part_features(now, before, people.evidence[rows]))
             failed[rows], score[rows], several[rows] = said.failed, said.score, said.several
         return Judgement(failed, score, several)
 

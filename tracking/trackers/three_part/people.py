@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.filtering import Clouds, joined_clouds, no_clouds
+from tracking.tracks import PART_EVIDENCE
 
 Floats = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -53,6 +54,7 @@ class PartPeople:
         touching: (people,) whose parts touched somebody else's in the last frame.
         failed: (people, parts) the detector's verdict in the last frame.
         score: (people, parts) of it; NaN where nothing was judged.
+        evidence: (people, parts, 8) `PART_EVIDENCE` in the last frame; NaN where not measured.
         outline: (people, 4) by how much left, top, right and bottom of the person's box differ
             from what the parts alone say, in heights of that box.
         pose: (people, parts, 4) px, where the parts' middles are from the mean of them all, and
@@ -78,6 +80,7 @@ class PartPeople:
     touching: Flags
     failed: Flags
     score: Floats
+    evidence: Floats
     outline: Floats
     pose: Floats
     height: Floats
@@ -146,6 +149,7 @@ def unknown_people(track: NDArray[np.int32], parts: int, clouds: Clouds) -> Part
         touching=np.zeros(people, bool),
         failed=np.zeros(each, bool),
         score=np.full(each, np.nan),
+        evidence=np.full((*each, len(PART_EVIDENCE)), np.nan),
         outline=np.zeros((people, 4)),
         pose=np.zeros((*each, 4)),
         height=np.zeros(people),

@@ -16,6 +16,7 @@ from tracking.trackers.shared.result_columns import (
     track_columns,
 )
 from tracking.trackers.three_part.people import Flags, Floats, Indices, Layout, PartPeople
+from tracking.tracks import PART_EVIDENCE
 from tracking.tracks.columns import (
     PART_COLUMNS,
     PART_PARTICLE_COLUMNS,
@@ -115,6 +116,9 @@ def _parts(frame: int, people: PartPeople, layout: Layout, fps: float) -> Column
         "entropy": people.entropy.ravel(),
         "particles": np.where(filtered, count, 0),
         "occluded": people.occluded.ravel(),
+        **dict(
+            zip(PART_EVIDENCE, people.evidence.reshape(rows, len(PART_EVIDENCE)).T, strict=True)
+        ),
     }
     return typed(values, PART_COLUMNS)
 

@@ -238,7 +238,11 @@ class ThreePartSettings(WholeBodySettings):
         "live",
     )
     detector: str = setting(
-        "", "", None, "File of the part-failure detector; empty: the built-in one"
+        "",
+        "",
+        None,
+        "File of the part-failure detector; empty: the built-in one; paper: the built-in one with "
+        "the paper's features alone",
     )
 
     @property

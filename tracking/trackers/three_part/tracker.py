@@ -38,6 +38,7 @@ from tracking.trackers.three_part.claims import (
     shares_on,
 )
 from tracking.trackers.three_part.detectors import NO_DETECTOR
+from tracking.trackers.three_part.evidence import measure_evidence
 from tracking.trackers.three_part.failure_watch import Watch
 from tracking.trackers.three_part.frame import Frame
 from tracking.trackers.three_part.initiation import (
@@ -213,6 +214,8 @@ class PartTracker(TrackerBase[WholeBodySettings]):
         if aids.fit_silhouettes:
             claims = frame.claims(people)
             people = drawn_home(people, seen, claims, picture, frame.elapsed_s, self._layout)
+        evidence = measure_evidence(people, seen, frame.claims(people), picture)
+        people = people.replace(evidence=evidence)
         said = self._watch.judge(frame.time_s, people, ~people.hidden)
         people = people.replace(failed=said.failed, score=said.score)
         if not aids.adjust:
@@ -232,7 +235,9 @@ class PartTracker(TrackerBase[WholeBodySettings]):
         if aids.fit_silhouettes:
             places[off, HIP_LEG] = legs[off]
         people = people.replace(failed=failed)
-        return begin_anew(people, places, picture, self._layout, self._random)
+        people = begin_anew(people, places, picture, self._layout, self._random)
+        evidence = measure_evidence(people, seen, frame.claims(people), picture)
+        return people.replace(evidence=evidence)
 
     def _restart(self, people: PartPeople) -> Flags:
         """(people, parts) that failed; none where nothing acts on it, as in the paper without."""

@@ -44,7 +44,7 @@ def samples(recording="lobby", people=4, each=24, seed=4105, wrong=0.1) -> Sampl
 
 @pytest.fixture(scope="module")
 def trained():
-    settings = TrainingSettings(folds=2, search_samples=100)
+    settings = TrainingSettings(folds=2, search_samples=100, from_scratch=True)
     return train_on(samples(), settings, lambda *_: None)
 
 
@@ -161,11 +161,11 @@ def test_training_stops_where_the_user_cancels():
         raise CancelledError("stopped by the user")
 
     with pytest.raises(CancelledError):
-        train_on(samples(), TrainingSettings(folds=2, search_samples=100), report)
+        train_on(samples(), TrainingSettings(folds=2, search_samples=100, from_scratch=True), report)
 
 
 def test_the_same_seed_trains_the_same_detector(trained):
-    again = train_on(samples(), TrainingSettings(folds=2, search_samples=100), lambda *_: None)
+    again = train_on(samples(), TrainingSettings(folds=2, search_samples=100, from_scratch=True), lambda *_: None)
     assert again.detector.fingerprint == trained.detector.fingerprint
 
 
@@ -228,7 +228,7 @@ def test_the_area_under_each_curve_is_told(result, trained):
 
 
 def test_parts_judged_no_better_than_by_chance_are_warned_of(result):
-    settings = TrainingSettings(folds=2, search_samples=100)
+    settings = TrainingSettings(folds=2, search_samples=100, from_scratch=True)
     guessed = samples(wrong=0.5)
     lots = TrainingResult(train_on(guessed, settings, lambda *_: None), training_set(guessed))
     assert "No better than chance: head" in lots.scene().warning
