@@ -17,13 +17,12 @@ Flags = NDArray[np.bool_]
 _LED_S = 0.3
 _FAIR = 3.0
 """Misfit up to which a tracklet counts in full."""
-_HEIGHTS_M, _HALF_WIDTHS_M = (0.0, 0.8, 1.5, 1.6, 1.75), (0.12, 0.2, 0.22, 0.12, 0.08)
-_HEAD_M = 1.6
-_TOP_SHARE, _LEAST_TOP_M, _TOP_ERROR = 95, 1.5, 0.02
+_HEIGHTS_M, _HALF_WIDTHS_M = (0.0, 0.8, 1.5, 1.6, 1.75), (0.17, 0.28, 0.31, 0.17, 0.11)
+_OVER_HEAD_M = 1.9
+_TOP_SHARE, _LEAST_TOP_M, _PLACE_M = 95, 1.5, 0.3
 """Of a body whose head is in the picture, so many per cent of the points lie lower than its head.
-The highest are on it, at least so high, less what that errs by where the place is that far off, as
-a share of the distance: legs, and the arm of somebody nearer, which looks like a smaller body
-farther away, are no person."""
+The highest are on it, at least so high, as exactly as places so far off along the sight tell: legs,
+and the arm of somebody nearer, which looks like a smaller body farther away, are no person."""
 _LEAST_STEEP = 0.5
 """Slope of rays that tell how high a point is: straight below the camera none does."""
 _BEHIND_M = 0.3
@@ -38,9 +37,9 @@ class ExplainedRows:
     Attributes:
         chain: (m,) the tracklets.
         row: (k,) their rows. of: (k,) the tracklet of each. well: (k,) 0 to 1, less where it suits
-            the trajectory badly. away_m: (k,) how far away the walker is there. z_m: (k,) how high the
-            point is. tells: (k,) whether head and point are where heights can be told.
-        least_top_m: how high the highest points of a person are at least.
+            the trajectory badly. away_m: (k,) how far away the walker is there. top_m: (k,) how
+            high the point is at most. tells: (k,) whether the head is in the picture, and seen
+            from where heights can be told.
     """
 
     chain: Rows
@@ -48,9 +47,8 @@ class ExplainedRows:
     of: Rows
     well: Floats
     away_m: Floats
-    z_m: Floats
+    top_m: Floats
     tells: Flags
-    least_top_m: float
 
     def count(self, left: Flags, front_m: Floats) -> float:
         """How many rows of tracklets that nobody explains yet are seen, and how well.
@@ -63,13 +61,16 @@ class ExplainedRows:
         return float(self.well[self._are_seen(left, front_m)].sum())
 
     def has_head(self, left: Flags, front_m: Floats) -> bool:
-        """Whether the highest of these rows may be somebody's head, where heads are in the picture.
+        """Whether the highest of these rows may be somebody's head, if most heads are in the picture.
 
         Args:
             left, front_m: of `count`.
         """
-        z_m = self.z_m[self._are_seen(left, front_m) & self.tells]
-        return not len(z_m) or bool(np.percentile(z_m, _TOP_SHARE) >= self.least_top_m)
+        seen = self._are_seen(left, front_m)
+        if 2 * self.tells[seen].sum() <= seen.sum():
+            return True
+        top_m = self.top_m[seen & self.tells]
+        return bool(np.percentile(top_m, _TOP_SHARE) >= _LEAST_TOP_M)
 
     def _are_seen(self, left: Flags, front_m: Floats) -> Flags:
         return left[self.of] & (self.away_m < front_m[self.row] + _BEHIND_M)
@@ -83,16 +84,16 @@ def explained_rows(
     used = near.alike[near.number]
     well = np.clip(1.0 + _FAIR - near.misfit, 0.0, 1.0)
     place, slope = near.place[used], chains.slope[near.rows[used]]
-    tells = (np.hypot(*slope.T) > _LEAST_STEEP) & in_picture(place, _HEAD_M, floor)
+    steep = np.hypot(*slope.T)
+    tells = (steep > _LEAST_STEEP) & in_picture(place, _OVER_HEAD_M, floor)
     return ExplainedRows(
         near.chain[near.alike],
         near.rows[used],
         near.chain[near.number[used]],
         well[near.number[used]],
         np.hypot(*place.T),
-        floor.heights(slope, place),
+        floor.heights(slope, place) + _PLACE_M / np.maximum(steep, _LEAST_STEEP),
         tells,
-        _LEAST_TOP_M - _TOP_ERROR * (floor.camera_m - _LEAST_TOP_M),
     )
 
 
