@@ -61,7 +61,7 @@ class ExplainedRows:
         return float(self.well[self._are_seen(left, front_m)].sum())
 
     def has_head(self, left: Flags, front_m: Floats) -> bool:
-        """Whether the highest of these rows may be somebody's head, if most heads are in the picture.
+        """Whether the highest of these rows may be a head, if most heads are in the picture.
 
         Args:
             left, front_m: of `count`.

@@ -181,8 +181,7 @@ def _find_pieces_off_trajectories(
     fps: float,
     selector: TrajectorySelector,
 ) -> list[tuple[int, Rows]]:
-    """The pieces of people's tracks that lie off all trajectories, each with its track from now on.
-    """
+    """The pieces of people's tracks off all trajectories, each with its track from now on."""
     highest = int(max(relabelled["track"].max(), tracks["track"].max(initial=0)))
     taken, found = set(relabelled["track"].tolist()), list[tuple[int, Rows]]()
     off = [np.zeros(0, np.intp), *(piece[_is_off(tracks, piece, relabelled)] for piece in pieces)]

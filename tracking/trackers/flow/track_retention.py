@@ -15,8 +15,9 @@ _CHEST_M = 1.2
 def should_keep(walkers: Walkers, settings: FlowSettings, floor: Floor) -> NDArray[np.bool_]:
     """(m,) who was seen lately enough, and has gone on from where they began, or is new."""
     limit_s = np.where(
-        in_picture(walkers.place, _CHEST_M, floor), settings.delete_after_s, settings.delete_at_edge_s
+        in_picture(walkers.place, _CHEST_M, floor),
+        settings.delete_after_s,
+        settings.delete_at_edge_s,
     )
     proven = walkers.walked | (walkers.age_s < settings.confirm_timeout_s)
     return np.asarray((walkers.missed_s <= limit_s) & proven)
-
