@@ -77,14 +77,12 @@ def test_a_point_is_thought_as_high_as_its_feet_say() -> None:
     assert away[cost.argmin()] == 7.0
 
 
-@pytest.mark.parametrize(("feet", "nearest", "farthest"), [(True, 0.0, 0.06), (False, 0.08, 1.0)])
-def test_a_slow_walker_nobody_held_is_where_the_feet_are(
-    feet: bool, nearest: float, farthest: float
-) -> None:
+@pytest.mark.parametrize("feet", [True, False])
+def test_a_slow_walker_nobody_held_is_where_the_feet_are_and_else_not_there(feet: bool) -> None:
     slow, held = Walker((-0.7, 9.0), (0.0, -0.75)), Walker((0.9, 3.5), (0.0, 1.2))
     run = run_with((slow, held), ((1, 1, range(5, 75)),), feet=feet)
     found = relabel_run(run, VIEW, FPS).tracks
     own = found["x"] < 0
     true = np.hypot(*slow.at(found["frame"][own]).T)
     off = np.abs(np.log(np.hypot(found["x"][own], found["y"][own]) / true))
-    assert nearest <= np.median(off) < farthest
+    assert (off < 0.06).mean() > 0.5 if feet else not (off < 0.06).any()

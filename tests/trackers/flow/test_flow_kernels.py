@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import tracemalloc
+
 import numpy as np
 import pytest
 from flow_scenes import view_of
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from tracking.geometry import Camera, Ground, View
 from tracking.trackers.flow import kernel_sizes, kernel_table
 
 
@@ -55,3 +58,15 @@ def test_people_low_in_the_picture_are_larger(row: float, further: float) -> Non
 def test_a_point_outside_the_picture_has_no_kernel() -> None:
     table = kernel_table(view_of())
     assert np.isnan(table.at(np.array([[-3.0, 300.0], [700.0, 300.0], [np.nan, 1.0]]))).all()
+
+
+def test_the_table_of_a_large_picture_takes_little_more_memory_than_it_holds() -> None:
+    matrix = np.array([[1700.0, 0.0, 959.5], [0.0, 1700.0, 539.5], [0.0, 0.0, 1.0]])
+    view = View(Camera(matrix, np.zeros(4), 1920, 1080), Ground(7.8, 20.0))
+    tracemalloc.start()
+    try:
+        table = kernel_table(view)
+        peak = tracemalloc.get_traced_memory()[1]
+    finally:
+        tracemalloc.stop()
+    assert peak < 8 * (table.hx.nbytes + table.hy.nbytes)

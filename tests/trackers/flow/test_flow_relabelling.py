@@ -172,3 +172,38 @@ def test_pieces_end_where_nobody_is_seen_for_a_while() -> None:
     run = run_with((COMING,), ((1, 0, range(5, 30)), (1, 0, range(40, 60)), (2, 0, range(60, 70))))
     pieces = find_pieces(run.tracks, FPS)
     assert [len(rows) for rows in pieces] == [25, 20, 10]
+
+
+def body(*heights: float, aside_m: float = 0.1) -> np.ndarray:
+    """(n, 2) points of a body at these heights to either side of its middle."""
+    return np.array([(side * aside_m, height) for height in heights for side in (-1.0, 1.0)])
+
+
+def test_points_as_far_aside_as_shoulders_and_elbows_are_their_bodys() -> None:
+    broad = Walker((-0.7, 12.0), (0.0, -1.1), points=body(0.8, 1.0, 1.2, 1.4, aside_m=0.22))
+    run = run_with((COMING, broad), ((1, 0, range(10, 70)),))
+    chains = link_chains(run, FLOOR, FPS)
+    way = Trajectory(10, COMING.at(np.arange(10, 70)))
+    bundle = gather_bundle(way, chains, FLOOR, FPS, 0.3)
+    assert bundle.alike.sum() == len(COMING.points) + len(broad.points)
+
+
+@pytest.mark.parametrize(("highest_m", "people"), [(1.6, 2), (1.1, 1)])
+def test_what_has_no_head_in_the_picture_is_nobody(highest_m: float, people: int) -> None:
+    heights = np.linspace(0.2, highest_m, 6)
+    other = Walker((0.7, 12.0), (0.0, -1.1), points=body(*heights))
+    followed = ((1, 0, range(5, 75)), (2, 1, range(5, 75)))
+    found = relabel_run(run_with((COMING, other), followed), VIEW, FPS).tracks
+    assert len(np.unique(found["track"])) == people
+
+
+@pytest.mark.parametrize("stride_m", [0.1, 0.5])
+def test_how_far_before_people_their_feet_are_seen_is_learnt_of_the_run(stride_m: float) -> None:
+    walkers = [
+        Walker((-0.7, 12.0), (0.0, -1.1), stride_m=stride_m),
+        Walker((0.7, 3.5), (0.0, 1.2), stride_m=stride_m),
+    ]
+    run = run_with(walkers, ((1, 0, range(5, 75)), (2, 1, range(5, 75))), feet=True)
+    chains = link_chains(run, FLOOR, FPS)
+    away = np.hypot(*chains.held_at.T) - chains.feet_m
+    assert abs(np.nanmedian(away)) < 0.02

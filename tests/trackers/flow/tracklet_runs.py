@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,17 +32,21 @@ _STRIDE_M = 0.35
 Pair = tuple[float, float]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Walker:
     """Somebody who walks straight.
 
     Attributes:
         start: m in frame 0. pace: m/s. frames: in which their points are followed.
+        points: (n, 2) of the body, m beside its middle, m over the floor.
+        stride_m: how much nearer than the body the foot in front is.
     """
 
     start: Pair
     pace: Pair
     frames: range = range(FRAMES)
+    points: NDArray[np.float64] = field(default_factory=_POINTS.copy)
+    stride_m: float = _STRIDE_M
 
     def at(self, frame: NDArray[np.int64] | int) -> NDArray[np.float64]:
         """(..., 2) m."""
@@ -108,9 +112,10 @@ def _tracklets(
                 continue
             holder = [name for name, held, frames in tracks if held == who and frame in frames]
             seen = [_pixels(walker, frame - back) for back in range(3)]
-            foot_v = np.full(len(_POINTS), _foot_line(walker, frame) if feet else np.nan)
-            rows.append(np.column_stack((np.full(len(_POINTS), sum(holder[:1])), *seen, foot_v)))
-            count[frame + 1] += len(_POINTS)
+            points = len(walker.points)
+            foot_v = np.full(points, _foot_line(walker, frame) if feet else np.nan)
+            rows.append(np.column_stack((np.full(points, sum(holder[:1])), *seen, foot_v)))
+            count[frame + 1] += points
     table = np.concatenate(rows) if rows else np.zeros((0, 8))
     names = ("track", "u0", "v0", "u1", "v1", "u2", "v2", "foot_v")
     return np.cumsum(count), typed(dict(zip(names, table.T, strict=True)), TRACKLET_COLUMNS)
@@ -118,11 +123,12 @@ def _tracklets(
 
 def _pixels(walker: Walker, frame: int) -> NDArray[np.float64]:
     x, y = walker.at(frame)
-    points = np.column_stack((x + _POINTS[:, 0], np.full(len(_POINTS), y), _POINTS[:, 1]))
+    aside, height = walker.points.T
+    points = np.column_stack((x + aside, np.full(len(aside), y), height))
     return VIEW.pixel_from_world(points)
 
 
 def _foot_line(walker: Walker, frame: int) -> float:
     x, y = walker.at(frame)
-    nearer = 1.0 - _STRIDE_M / np.hypot(x, y)
+    nearer = 1.0 - walker.stride_m / np.hypot(x, y)
     return float(VIEW.pixel_from_world(np.array([[x * nearer, y * nearer, 0.0]]))[0, 1])

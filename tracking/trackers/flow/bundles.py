@@ -21,7 +21,7 @@ _HEIGHT_M, _ASIDE_M = 0.045, 0.07
 _WAY_M, _UNSEEN_WAY_M_S = 0.06, 0.15
 """How far the trajectory itself may be off along the sight, and the more the longer it is only
 led."""
-_OFF_AXIS_M = 0.1
+_OFF_AXIS_M = 0.14
 """How far from the middle points of bodies are found."""
 _HIGHEST_M, _HEADROOM_M, _FLOOR_M = 1.72, 0.06, 0.05
 _TREND_M, _SHORT_TREND_MS = 0.03, 0.03

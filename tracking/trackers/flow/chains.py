@@ -17,8 +17,11 @@ Rows = NDArray[np.intp]
 
 _SHORTEST_S = 0.4
 """What was followed for less says little of who it belongs to."""
-_STRIDE_M = 0.35
-"""The foreground ends on the foot in front, so much nearer than the body's middle."""
+_USUAL_STRIDE_M, _LONGEST_STRIDE_M, _STRIDE_ROWS = 0.35, 0.6, 200
+"""The foreground ends on the foot in front, so much nearer than the body's middle, where too few
+rows tell; and at most."""
+_OWN_FEET_M = 1.0
+"""Feet that are farther from who holds the tracklet are somebody else's."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -72,13 +75,15 @@ def link_chains(run: Run, floor: Floor, fps: float) -> TrackletChains:
     first, last = np.full(count, len(frame)), np.full(count, -1)
     np.minimum.at(first, number, frame[row])
     np.maximum.at(last, number, frame[row])
+    held_at = _held_at(run.tracks, frame[row], columns["track"][row])
+    feet_m = _feet_m(columns, row, floor)
     return TrackletChains(
         row=row,
         frame=frame[row],
         chain=number,
         slope=slope[row],
-        held_at=_held_at(run.tracks, frame[row], columns["track"][row]),
-        feet_m=_feet_m(columns, row, floor),
+        held_at=held_at,
+        feet_m=feet_m + _stride_m(held_at, feet_m),
         start=np.searchsorted(frame[row], np.arange(len(run.tracklets.start))),
         length=np.bincount(number, minlength=count),
         first=first,
@@ -90,9 +95,22 @@ _COLUMNS = ("track", "u0", "v0", "u1", "v1", "foot_v")
 
 
 def _feet_m(columns: Columns, row: Rows, floor: Floor) -> Floats:
-    """(n,) m along the floor to whoever's feet are seen below tracklets."""
+    """(n,) m along the floor to where the foreground below tracklets ends."""
     foot = np.stack((columns["u0"][row], columns["foot_v"][row]), axis=1).astype(np.float64)
-    return np.asarray(np.hypot(*floor.slopes(foot).T) * floor.camera_m + _STRIDE_M)
+    return np.asarray(np.hypot(*floor.slopes(foot).T) * floor.camera_m)
+
+
+def _stride_m(held_at: Floats, feet_m: Floats) -> float:
+    """How much nearer than people the foreground below them ends, over all the run.
+
+    How people step and how much of their feet the foreground has differs from footage to footage;
+    where their heads and sides are in it says where they stand all the same.
+    """
+    farther = np.hypot(*held_at.T) - feet_m
+    farther = farther[np.abs(farther) < _OWN_FEET_M]  # NaN: not
+    if len(farther) < _STRIDE_ROWS:
+        return _USUAL_STRIDE_M
+    return float(np.clip(np.median(farther), 0.0, _LONGEST_STRIDE_M))
 
 
 def _link(tracklets: Particles, columns: Columns) -> Integers:

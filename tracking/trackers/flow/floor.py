@@ -76,6 +76,12 @@ class Floor:
         return shown
 
 
+def in_picture(place: Floats, z_m: float, floor: Floor) -> NDArray[np.bool_]:
+    """(m,) whether what is so high over places (m, 2) lies in the picture."""
+    pixel = floor.pixels(place, np.array(z_m))
+    return np.asarray(((pixel > 0) & (pixel < np.array(floor.view.camera.size))).all(axis=-1))
+
+
 def sight_axes(place: Floats) -> Floats:
     """(..., 2, 2) unit vectors on the floor: along the line of sight and across it."""
     x, y = place[..., 0], place[..., 1]

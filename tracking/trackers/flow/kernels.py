@@ -70,12 +70,14 @@ def kernel_table(
     width, height = view.camera.size
     u = np.arange(0, width - 1 + _STEP_PX, _STEP_PX, dtype=np.float64)
     v = np.arange(0, height - 1 + _STEP_PX, _STEP_PX, dtype=np.float64)
-    pixels = np.stack(np.meshgrid(u, v), axis=-1)
-    size = kernel_sizes(
-        view, pixels.reshape(-1, 2), width_m=width_m, height_m=height_m, centre_m=centre_m
+    lines = np.stack(np.meshgrid(u, v), axis=-1)
+    size = np.stack(  # line by line: the corners of all bodies at once are 1.5 GB at 1920 x 1080
+        [
+            kernel_sizes(view, line, width_m=width_m, height_m=height_m, centre_m=centre_m)
+            for line in lines
+        ]
     )
-    shape = len(v), len(u)
-    hx, hy = (_every_pixel(side.reshape(shape), (width, height)) for side in size.T)
+    hx, hy = (_every_pixel(size[..., side], (width, height)) for side in (0, 1))
     return KernelTable(hx, hy)
 
 

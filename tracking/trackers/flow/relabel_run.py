@@ -67,21 +67,22 @@ def relabel_run(run: Run, view: View, fps: float) -> Run:
     Whoever is followed frame by frame is taken for somebody else now and then, who comes by; the
     tracklets, looked at over all their time, tell them apart (see `TrajectorySelector`). A
     trajectory has the track of whom most of its tracklets belonged to, or a new one. Pieces of
-    tracks that lie off all trajectories stay as they were.
+    tracks that lie off all trajectories stay as they were, unless what shows them shows others.
     """
     floor = Floor(view)
     chains = link_chains(run, floor, fps)
     if not len(chains):
         return run
     pieces = find_pieces(run.tracks, fps)
-    trajectories = TrajectorySelector(chains, floor, fps).select(
+    selector = TrajectorySelector(chains, floor, fps)
+    trajectories = selector.select(
         [_interpolate(run.tracks, rows) for rows in pieces if len(rows) > _LEAST_S * fps]
     )
     if not trajectories:
         return run
     names = _names(run, chains, trajectories)
     relabelled = _rows_of_trajectories(trajectories, names, chains, view, fps)
-    off = _find_pieces_off_trajectories(relabelled, run.tracks, pieces, fps)
+    off = _find_pieces_off_trajectories(relabelled, run.tracks, pieces, fps, selector)
     tracks = _concatenate(relabelled, run.tracks, off)
     return replace(
         run,
@@ -174,14 +175,18 @@ def _rows_of_trajectories(
 
 
 def _find_pieces_off_trajectories(
-    relabelled: Columns, tracks: Columns, pieces: Sequence[Rows], fps: float
+    relabelled: Columns,
+    tracks: Columns,
+    pieces: Sequence[Rows],
+    fps: float,
+    selector: TrajectorySelector,
 ) -> list[tuple[int, Rows]]:
-    """The pieces of tracks that lie off all trajectories, each with its track from now on."""
+    """The pieces of people's tracks off all trajectories, each with its track from now on."""
     highest = int(max(relabelled["track"].max(), tracks["track"].max(initial=0)))
     taken, found = set(relabelled["track"].tolist()), list[tuple[int, Rows]]()
     off = [np.zeros(0, np.intp), *(piece[_is_off(tracks, piece, relabelled)] for piece in pieces)]
     for rows in _split_at_gaps(tracks, np.concatenate(off), fps):
-        if len(rows) < _LEAST_S * fps:
+        if len(rows) < _LEAST_S * fps or not selector.is_person(_interpolate(tracks, rows)):
             continue
         name = int(tracks["track"][rows[0]])
         if name in taken:  # whether it is the same person is settled later

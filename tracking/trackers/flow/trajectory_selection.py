@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from tracking.trackers.flow.bundles import Bundle, Trajectory, gather_bundle
 from tracking.trackers.flow.chains import Rows, TrackletChains
-from tracking.trackers.flow.explained_rows import cover_rows, explained_rows
+from tracking.trackers.flow.explained_rows import ExplainedRows, cover_rows, explained_rows
 from tracking.trackers.flow.floor import Floor, sight_axes
 from tracking.trackers.flow.foot_fit import feet_cost, ratios
 from tracking.trackers.flow.trajectory_fit import is_supported, refit
@@ -67,6 +67,8 @@ class TrajectorySelector:
         self._fps = fps
         order = np.argsort(chains.chain, kind="stable")
         self._rows = np.split(order, np.cumsum(chains.length)[:-1])
+        self._left = np.ones(len(chains), bool)
+        self._front_m = np.full(len(chains.row), np.inf)
 
     def select(self, found: Sequence[Trajectory]) -> list[WalkerTrajectory]:
         """The trajectories walked.
@@ -83,6 +85,19 @@ class TrajectorySelector:
             if trajectory is not None and self._is_plausible(trajectory)
         ]
         return remove_twins(self._choose([*trajectories, *likely]))
+
+    def is_person(self, trajectory: Trajectory) -> bool:
+        """Whether a trajectory has enough, and a head, that those selected do not explain.
+
+        One near which nothing was followed may be that of somebody who stands still.
+        """
+        own = self._explained(trajectory)
+        every = own.count(np.ones_like(self._left), np.full_like(self._front_m, np.inf))
+        new = own.count(self._left, self._front_m)
+        return new >= _LEAST_SHARE * every and own.has_head(self._left, self._front_m)
+
+    def _explained(self, trajectory: Trajectory) -> ExplainedRows:
+        return explained_rows(trajectory, self._chains, self._floor, self._fps)
 
     def _grow_all(self) -> list[Trajectory]:
         """Trajectories grown from the longest tracklets, each of what those before have left."""
@@ -176,12 +191,8 @@ class TrajectorySelector:
 
     def _choose(self, trajectories: Sequence[Trajectory]) -> list[WalkerTrajectory]:
         """The trajectories that explain most, one after the other, each of what is left."""
-        explained = [
-            explained_rows(trajectory, self._chains, self._floor, self._fps)
-            for trajectory in trajectories
-        ]
-        left = np.ones(len(self._chains), bool)
-        front_m = np.full(len(self._chains.row), np.inf)
+        explained = [self._explained(trajectory) for trajectory in trajectories]
+        left, front_m = self._left, self._front_m
         total = [one.count(left, front_m) for one in explained]
         waiting = [(-rows, number) for number, rows in enumerate(total)]
         heapq.heapify(waiting)
@@ -194,6 +205,8 @@ class TrajectorySelector:
                 continue  # it only becomes less
             if new < -hoped - 1e-9:
                 heapq.heappush(waiting, (-new, number))
+                continue
+            if not explained[number].has_head(left, front_m):
                 continue
             walks.append(WalkerTrajectory(trajectories[number], chain[left[chain]]))
             left[chain] = False
