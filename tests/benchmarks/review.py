@@ -6,19 +6,32 @@ stands what a queue would find that knows the errors and shows each for half a s
 what shows most: about the best there is, not a bound. `--fresh` reports on scenes that nothing was
 chosen by, `--fit` fits hazards and likelihoods anew on other scenes. What is rendered and tracked
 is kept; the first time takes an hour.
+
+`--crowds` tells it of each labelled recording of the footage that trackers are judged by, with each
+tracker that suits it and no swaps; `--fit-corrections` fits on these what corrects the hazards, and
+tells it of each recording with corrections fitted on the others (five parts).
 """
 
 from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
+from pathlib import Path
 
 import cv2
 import numpy as np
 
-from tests.benchmarks.command import parser_of
-from tests.benchmarks.review_cases import FRESH, REPORTED, TUNING, Case, cases, is_calm
-from tests.benchmarks.review_fit import fit
+from tests.benchmarks.command import parser_of, real_data
+from tests.benchmarks.review_cases import (
+    CROWD_TRACKERS,
+    FRESH,
+    REPORTED,
+    TUNING,
+    Case,
+    cases,
+    crowded_cases,
+)
+from tests.benchmarks.review_fit import fit, fit_corrections, held_out_measures
 from tracking.review import ReviewMeasures, find_review_items, rank, review_measures
 from tracking.scoring import FloorMatch
 
@@ -34,8 +47,20 @@ def main() -> None:
     parser = parser_of("review", __doc__)
     parser.add_argument("--fit", action="store_true", help="fit the likelihoods anew")
     parser.add_argument("--fresh", action="store_true", help="scenes nothing was chosen by")
+    parser.add_argument("--crowds", action="store_true", help="by recording and tracker")
+    parser.add_argument("--fit-corrections", action="store_true", help="fit them on the crowds")
+    parser.add_argument("--only", nargs="+", metavar="NAME", help="crowds of these recordings")
+    parser.add_argument("--data", type=Path, default=real_data(), help="folder of recordings")
     asked = parser.parse_args()
     cv2.setNumThreads(1)
+    if asked.crowds or asked.fit_corrections:
+        crowds = list(crowded_cases(asked.data, asked.only, swapped=asked.fit_corrections))
+        if asked.fit_corrections:
+            _print_crowds(held_out_measures(crowds, _measured))
+            fit_corrections(crowds)
+        else:
+            _print_crowds([(case, _measured(case)) for case in crowds])
+        return
     scenes = TUNING if asked.fit else FRESH if asked.fresh else REPORTED
     found = list(cases(scenes, FloorMatch(0.5)))
     if asked.fit:
@@ -47,6 +72,29 @@ def main() -> None:
         print(_row(name, group), flush=True)
 
 
+def _print_crowds(measured: Sequence[tuple[Case, ReviewMeasures]]) -> None:
+    """A line a recording and tracker, one a tracker, and one of all; the trackers' own errors."""
+    own = [(case, found) for case, found in measured if case.errors and not case.swaps]
+    print("| recording | tracker | errors | found in 5 % of the footage | at best | flagged |")
+    print("| --- | --- | --- | --- | --- | --- |")
+    for case, found in own:
+        print(_crowd_row(case.recording, case.tracker, [(case, found)]))
+    for tracker in CROWD_TRACKERS:
+        print(_crowd_row("all", tracker, [each for each in own if each[0].tracker == tracker]))
+    print(_crowd_row("all", "all", own))
+
+
+def _crowd_row(recording: str, tracker: str, group: Sequence[tuple[Case, ReviewMeasures]]) -> str:
+    errors = sum(found.errors for _, found in group)
+    counts = (
+        sum(found.found_within(FOOTAGE) for _, found in group),
+        sum(_found_at_best(case) for case, _ in group),
+        sum(found.found_within(1.0) for _, found in group),
+    )
+    shares = " | ".join(f"{count / max(1, errors):.0%}" for count in counts)
+    return f"| {recording} | {tracker} | {errors} | {shares} |"
+
+
 def _groups(found: Sequence[Case]) -> Iterator[tuple[str, Sequence[Case]]]:
     """Results with errors that are told in a line, with its name."""
     for calm in (True, False):
@@ -54,7 +102,7 @@ def _groups(found: Sequence[Case]) -> Iterator[tuple[str, Sequence[Case]]]:
             group = [
                 case
                 for case in found
-                if case.errors and is_calm(case.clip) == calm and bool(case.swaps) == swapped
+                if case.errors and case.calm == calm and bool(case.swaps) == swapped
             ]
             if group:
                 yield (
@@ -74,7 +122,7 @@ def _row(name: str, group: Sequence[Case]) -> str:
 
 
 def _measured(case: Case) -> ReviewMeasures:
-    found = find_review_items(case.table, case.run, case.fps, view=case.view)
+    found = find_review_items(case.table, case.run, case.fps, view=case.view, size=case.size)
     review_items = rank(found, "yield")
     return review_measures(review_items, case.errors, case.frames, case.fps)
 

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
+from itertools import islice
+from pathlib import Path
 
 import numpy as np
 
 from tests.benchmarks.clips import Clip, folder_of, truth_table
+from tests.benchmarks.footage.recordings import all_footage
 from tests.benchmarks.runner import Case as Tracker
 from tests.benchmarks.runner import run_of
 from tracking.editing import apply_change, plan_swap
@@ -16,11 +19,20 @@ from tracking.geometry import View
 from tracking.recording import open_recording
 from tracking.review.core.evidence import gather_evidence
 from tracking.review.core.material import neighbours
-from tracking.scoring import IdentityError, Match, ScoringTable, identity_errors
+from tracking.scoring import (
+    BoxMatch,
+    FloorMatch,
+    IdentityError,
+    Match,
+    ScoringTable,
+    identity_errors,
+)
 from tracking.synthesis import SCENES
 from tracking.tracks import Labels, Run, TrackTable
 
 TRACKERS = ("stereo-colour", "stereo-direction")
+CROWD_TRACKERS = ("stereo-joint", "stereo-direction", "spheroid", "three-part", "flow")
+_SEED = 60010
 _PLACES = ("lobby", "square", "pillars", "plaza", "uniforms", "corridor")
 _PASS_M = 1.0
 _AWAY = 3
@@ -79,17 +91,26 @@ class Case:
     """A result and what is wrong with it.
 
     Attributes:
+        clip: that was rendered for it; None for a recording of the footage trackers are judged by.
+        recording: its name.
         swaps: how many tracks were swapped on purpose; 0: the tracker's own errors only.
     """
 
-    clip: Clip
+    clip: Clip | None
+    recording: str
     tracker: str
     swaps: int
     table: TrackTable
     run: Run
-    view: View
+    view: View | None
+    size: tuple[int, int]
     fps: float
     errors: tuple[IdentityError, ...]
+
+    @property
+    def calm(self) -> bool:
+        """Whether few people come by."""
+        return self.clip is not None and is_calm(self.clip)
 
     @property
     def frames(self) -> int:
@@ -100,19 +121,48 @@ def cases(wanted: tuple[Clip, ...], match: Match) -> Iterator[Case]:
     """Each scene with each tracker, as it is and with swaps."""
     for clip in wanted:
         folder = folder_of(clip)
-        rows = truth_table(folder)
-        with open_recording(folder) as recording:
-            view, fps = recording.view, recording.fps
-        assert view is not None
         for tracker in TRACKERS:
-            run = run_of(folder, Tracker(tracker)).run
-            for variant in range(_MOST_VARIANTS + 1):
-                table = TrackTable(run.tracks)
-                swaps = _swap(table, run, fps, clip.seed * 10 + variant) if variant else 0
-                if swaps or not variant:
-                    result = ScoringTable.from_columns(table.columns())
-                    errors = identity_errors(rows, result, match)
-                    yield Case(clip, tracker, swaps, table, run, view, fps, errors)
+            yield from _variants(clip, clip.name, folder, tracker, match, clip.seed * 10)
+
+
+def crowded_cases(data: Path, only: Collection[str] | None, *, swapped: bool) -> Iterator[Case]:
+    """Labelled recordings of the footage that trackers are judged by, with each that suits.
+
+    Args:
+        data: where those are that are not ours. only: names; None: all.
+        swapped: whether with tracks swapped on purpose, too.
+    """
+    for footage in all_footage(data, only):
+        if not footage.labelled:
+            continue
+        for tracker in filter(footage.suits, CROWD_TRACKERS):
+            match = _match(footage.folder, tracker)
+            found = _variants(None, footage.name, footage.folder, tracker, match, _SEED)
+            yield from found if swapped else islice(found, 1)
+
+
+def _match(folder: Path, tracker: str) -> Match:
+    """Places on the floor where truth and tracks have them, boxes elsewhere."""
+    tracks = run_of(folder, Tracker(tracker)).run.tracks
+    placed = truth_table(folder).placed and ScoringTable.from_columns(tracks).placed
+    return FloorMatch(0.5) if placed else BoxMatch()
+
+
+def _variants(
+    clip: Clip | None, name: str, folder: Path, tracker: str, match: Match, seed: int
+) -> Iterator[Case]:
+    """A tracker's result as it is, and with swaps."""
+    rows = truth_table(folder)
+    with open_recording(folder) as recording:
+        view, fps, size = recording.view, recording.fps, recording.size
+    run = run_of(folder, Tracker(tracker)).run
+    for variant in range(_MOST_VARIANTS + 1):
+        table = TrackTable(run.tracks)
+        swaps = _swap(table, run, fps, seed + variant) if variant else 0
+        if swaps or not variant:
+            result = ScoringTable.from_columns(table.columns())
+            errors = identity_errors(rows, result, match)
+            yield Case(clip, name, tracker, swaps, table, run, view, size, fps, errors)
 
 
 def _swap(table: TrackTable, run: Run, fps: float, seed: int) -> int:

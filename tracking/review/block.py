@@ -111,7 +111,10 @@ def _told(material: Material, meeting: Rows, start: int, end: int) -> Block:
     told = np.flatnonzero((likely >= _LEAST) & (frame >= start) & (frame < end))
     leader = places.leader[told]
     tracks = np.stack((reasons.first[leader], reasons.second[leader]), axis=1)
-    columns = (leader, frame[told], watched.start[told], watched.end[told], likely[told])
+    columns = (
+        *(leader, frame[told], watched.start[told], watched.end[told]),
+        *(likely[told], watched.in_sight[told]),
+    )
     figures = (column.tolist() for column in columns)
     speaker = Speaker.of(reasons, places, evidence.fps, on_floor=evidence.on_floor)
     items = [
@@ -122,7 +125,14 @@ def _told(material: Material, meeting: Rows, start: int, end: int) -> Block:
 
 
 def _review_item(
-    speaker: Speaker, place: int, leader: int, frame: int, start: int, end: int, likelihood: float
+    speaker: Speaker,
+    place: int,
+    leader: int,
+    frame: int,
+    start: int,
+    end: int,
+    likelihood: float,
+    in_sight: float,
 ) -> ReviewItem:
     kind, (first, second) = speaker.kind(leader), speaker.tracks(leader)
     text, *others = speaker.describe(place, leader, frame)
@@ -137,4 +147,5 @@ def _review_item(
         text=text,
         fix=fix(kind, second),
         others=tuple(others),
+        in_sight=in_sight,
     )
