@@ -24,8 +24,8 @@ class Overexposure:
 
     def __init__(self, learnt: Picture) -> None:
         """`learnt`: (height, width, 3) the background, in the light it was learnt in."""
-        there = (learnt.max(axis=2) >= _OVEREXPOSED).view(np.uint8)
-        self._where: Mask | None = there if cv2.hasNonZero(there) else None
+        self._where: Mask = (learnt.max(axis=2) >= _OVEREXPOSED).view(np.uint8)
+        self._any = bool(cv2.hasNonZero(self._where))
         self._light = np.ones(3, np.float32)
 
     def follow(self, ratio: NDArray[np.float32]) -> None:
@@ -35,7 +35,7 @@ class Overexposure:
     @property
     def is_uncovered(self) -> bool:
         """Whether there is so much less light that the background there is but a bound."""
-        return self._where is not None and bool(self._light.min() < _DIMMED)
+        return self._any and bool(self._light.min() < _DIMMED)
 
     def seen_through(self, picture: Picture, background: Picture) -> Picture:
         """(height, width, 3) the background, with the picture where that keeps to the bound.
@@ -43,6 +43,6 @@ class Overexposure:
         Args:
             picture: (height, width, 3). background: the same, in the light of the picture.
         """
-        bound = cv2.subtract(background, (_SLACK, _SLACK, _SLACK, 0))
+        bound = np.asarray(cv2.subtract(background, np.full(4, _SLACK, np.float64)), np.uint8)
         keeps = (picture >= bound).all(axis=2).view(np.uint8) & self._where
         return np.asarray(cv2.copyTo(picture, keeps, background.copy()), np.uint8)
