@@ -176,7 +176,7 @@ def test_samples_are_exported_by_the_ending(
     for _ in range(2):  # what it wrote it may replace
         assert trackwright(*words, tmp_path / "s.h5")[0] == 0
     with h5py.File(tmp_path / "s.h5") as file:
-        assert file["features"].shape == (made["rows"], 36)
+        assert file["features"].shape == (made["rows"], 60)
     status, _, err = trackwright(*words, tmp_path / "s.xlsx")
     assert status == 2
     assert ".libsvm" in err

@@ -82,13 +82,31 @@ def adapted(question: Question, folds: NDArray[np.int64], base: Detector, steps:
         Tried(question.number, base.preparation.by_size, blend, curve_of(question, one).area())
         for blend, one in scores.items()
     )
-    best = BLENDS[int(np.argmax([one.worth for one in tried]))]
+    best = _chosen([one.worth for one in tried], int(question.asked().yes.sum()))
     own = machine
     if best.share:
         new = fitted(values, question.yes, _candidate(machine, best.cost))
         own = mixture(machine, new, best.share)
     steps.take()
     return Adapted(own, best, scores[best], before, tried)
+
+
+def _chosen(worth: Sequence[float], failures: int) -> Blend:
+    """The mixture with least of what is new among those that are as good as the best.
+
+    None of it where nothing is better than the machine there was. As good: no more than one
+    standard error worse, of as many failures as there were. With ten of them the best is so by
+    chance, and whoever learns much from ten fares worse with everybody else.
+    """
+    best = max(worth)
+    if best <= worth[0]:
+        return BLENDS[0]
+    enough = best - float(np.sqrt(best * (1.0 - best) / max(failures, 1)))
+    return next(
+        blend
+        for blend, own in zip(BLENDS[1:], worth[1:], strict=True)
+        if own >= enough and own > worth[0]
+    )
 
 
 def unchanged(question: Question, base: Detector) -> Adapted:

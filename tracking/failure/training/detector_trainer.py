@@ -22,6 +22,8 @@ from tracking.failure.training.adaptation import Adapted, adapted, steps_of, unc
 from tracking.failure.training.folds import folds_of, folds_of_few, thinned
 from tracking.failure.training.gross import with_gross_failures
 from tracking.failure.training.questions import (
+    LEAST_SAMPLES,
+    LEAST_TO_ADAPT,
     NAMES,
     SEVERAL,
     Question,
@@ -88,7 +90,8 @@ def train(
         CancelledError: by `progress`.
     """
     plan = plan or TrainingPlan()
-    paper = plan.paper or not _keeps_enough(samples, samples.has_evidence)
+    least = LEAST_TO_ADAPT if plan.adapt else LEAST_SAMPLES
+    paper = plan.paper or not _keeps_enough(samples, samples.has_evidence, least)
     rows = np.flatnonzero(samples.has_evidence | paper)
     made = (
         _adapt(samples[rows], plan, built_in_detector(paper=paper), random, progress)
@@ -98,12 +101,12 @@ def train(
     return replace(made, report=made.report.of_rows(rows))
 
 
-def _keeps_enough(samples: Samples, known: NDArray[np.bool_]) -> bool:
+def _keeps_enough(samples: Samples, known: NDArray[np.bool_], least: int) -> bool:
     """Whether no part that can be learnt from all samples lacks those that are not known."""
     every, some = all_questions(samples)[:PARTS], all_questions(samples[known])[:PARTS]
-    able = [not shortage(question) for question in every]
-    return any(able) and not any(
-        may and shortage(question) for may, question in zip(able, some, strict=True)
+    able = [not shortage(question, least) for question in every]
+    return bool(known.any()) and not any(
+        may and shortage(question, least) for may, question in zip(able, some, strict=True)
     )
 
 
@@ -116,9 +119,9 @@ def _adapt(
 ) -> Trained:
     """The base adapted, part by part; see `adaptation`."""
     asked = all_questions(samples)[: len(base.machines.each)]
-    able = [question for question in asked if not shortage(question)]
+    able = [question for question in asked if not shortage(question, LEAST_TO_ADAPT)]
     if not any(question.number < PARTS for question in able):
-        questions_of(samples)  # says what is missing
+        questions_of(samples, LEAST_TO_ADAPT)  # says what is missing
     folds = folds_of_few(able, plan.folds, random)
     count = int(folds.max()) + 1
     steps = Steps(steps_of(able, count), progress)

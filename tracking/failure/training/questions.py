@@ -18,6 +18,8 @@ NAMES = (*PART_NAMES, N_("several"))
 SEVERAL = PARTS
 LEAST_SAMPLES = 10
 """Of each answer to a question; fewer say nothing of people who were held out."""
+LEAST_TO_ADAPT = 5
+"""The same where a detector that there is can be kept."""
 LEAST_PEOPLE = 2
 """For each answer: one is learnt from, the other one held out."""
 
@@ -59,28 +61,28 @@ class Question:
         return self.of(np.flatnonzero(~self.made))
 
 
-def questions_of(samples: Samples) -> list[Question]:
+def questions_of(samples: Samples, least: int = LEAST_SAMPLES) -> list[Question]:
     """The questions that samples can answer: the three parts, then one-or-several if possible.
 
     Raises TrainingError where parts have too few samples, of too few people; names them all.
     """
     *asked, several = all_questions(samples)
-    short = [why for question in asked if (why := shortage(question))]
+    short = [why for question in asked if (why := shortage(question, least))]
     if short:
         raise TrainingError(
             "{short}: add labels or sessions until each has at least {least} of {people} "
             "people or more{where_losses_are}",
             short=joined("; ", short),
-            least=LEAST_SAMPLES,
+            least=least,
             people=LEAST_PEOPLE,
-            where_losses_are=_where_losses_are(asked),
+            where_losses_are=_where_losses_are(asked, least),
         )
-    return asked if shortage(several) else [*asked, several]
+    return asked if shortage(several, least) else [*asked, several]
 
 
-def _where_losses_are(asked: Sequence[Question]) -> str:
+def _where_losses_are(asked: Sequence[Question], least: int) -> str:
     """How to come by parts that are lost, where there are too few; "" where there are enough."""
-    if not any(int(question.yes.sum()) < LEAST_SAMPLES for question in asked):
+    if not any(int(question.yes.sum()) < least for question in asked):
         return ""
     return msg(
         "; a tracker that adjusts its parts seldom loses one: track several minutes of crowded "
@@ -132,13 +134,13 @@ def _question(
     return Question(number, rows, samples.features[rows], yes[rows], people[rows], made)
 
 
-def shortage(question: Question) -> Message:
+def shortage(question: Question, least: int = LEAST_SAMPLES) -> Message:
     """Of which answers there are too few samples to learn it; "" where there are enough."""
     short = []
     for yes, side in ((True, msg("off the part")), (False, msg("on the part"))):
         chosen = question.yes == yes
         samples, people = int(chosen.sum()), len(np.unique(question.people[chosen]))
-        if samples < LEAST_SAMPLES or people < LEAST_PEOPLE:
+        if samples < least or people < LEAST_PEOPLE:
             few = count_msg(samples, "{n} sample {side}", "{n} samples {side}", side=side)
             who = count_msg(people, "{n} person", "{n} people")
             short.append(msg("{samples}, of {people}", samples=few, people=who))

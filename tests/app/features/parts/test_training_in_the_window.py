@@ -161,11 +161,15 @@ def test_training_stops_where_the_user_cancels():
         raise CancelledError("stopped by the user")
 
     with pytest.raises(CancelledError):
-        train_on(samples(), TrainingSettings(folds=2, search_samples=100, from_scratch=True), report)
+        train_on(
+            samples(), TrainingSettings(folds=2, search_samples=100, from_scratch=True), report
+        )
 
 
 def test_the_same_seed_trains_the_same_detector(trained):
-    again = train_on(samples(), TrainingSettings(folds=2, search_samples=100, from_scratch=True), lambda *_: None)
+    again = train_on(
+        samples(), TrainingSettings(folds=2, search_samples=100, from_scratch=True), lambda *_: None
+    )
     assert again.detector.fingerprint == trained.detector.fingerprint
 
 
