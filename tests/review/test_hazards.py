@@ -99,7 +99,7 @@ def test_every_row_counts_for_the_first_stretch_that_holds_it(
 CROSSING = Hazards.of(material(made_run(crossing())))
 
 
-def test_of_a_hidden_meeting_where_most_goes_wrong_is_watched() -> None:
+def test_a_hidden_meeting_is_watched_from_where_they_met_to_where_they_are_seen_again() -> None:
     """Who is taken for whom is decided anywhere while one of them is out of sight."""
     hidden = range(MEETING - 8, MEETING + 6)
     one, other = crossing()
@@ -107,12 +107,7 @@ def test_of_a_hidden_meeting_where_most_goes_wrong_is_watched() -> None:
     vague = ("margin", "shared", "crossing")
     told = find_review_items(TrackTable(run.tracks), run, FPS, size=SIZE)
     watched = [each for each in told if each.kind in vague and len(each.tracks) == 2]
-    hazards = Hazards.of(material(run))
-    rows = np.isin(hazards.evidence.track, (1, 2))
-    total = np.bincount(hazards.evidence.frame[rows], hazards.hazard[rows])
-    shown = [total[each.start : each.end].sum() for each in watched]
-    assert max(shown) > 0.7 * max(np.convolve(total, np.ones(round(0.3 * FPS)), "valid"))
-    assert all(hidden[0] - FPS < each.frame < hidden[-1] + FPS for each in watched)
+    assert any(each.start <= MEETING and each.end > hidden[-1] for each in watched)
 
 
 def test_people_dressed_alike_who_walk_on_straight_are_hardly_flagged() -> None:

@@ -118,8 +118,9 @@ def test_each_next_one_yields_as_much_as_any_that_is_left(spans: list) -> None:
 
     def gain(one: ReviewItem) -> float:
         frames = set(range(one.start, one.end))
-        free = 1e9 if frames <= watched else 0.0
-        return free + one.in_sight * one.likelihood**0.5 / len(frames)
+        if frames <= watched:
+            return 1e9 + one.likelihood
+        return one.in_sight * one.likelihood**0.5 / len(frames)
 
     for number, one in enumerate(order):
         assert gain(one) >= max(map(gain, order[number:])) - 1e-12

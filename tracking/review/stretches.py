@@ -15,10 +15,16 @@ _VAGUE = frozenset({"margin", "shared", "crossing", "spread", "split", "colour",
 """Kinds of reasons that tell about when, not the very frame."""
 _SEARCHED_S = 1.2
 """How far from a vague reason's moment the stretch may reach."""
-_WATCHED_S = 0.3
-"""In a crowd longer stretches show few mistakes more for the time they take."""
+_CALM_S, _CROWDED_S = 0.6, 0.3
+"""How long stretches are: in a crowd there are too many for the time to watch longer ones."""
+_TIME_TO_WATCH = 0.05
+"""Of the footage. It is crowded where one long stretch for each mistake would take more."""
+_LOCAL_S = 4.0
+"""How far around a moment mistakes are counted."""
 _LEAD_S, _TAIL_S = 0.1, 0.1
 """The moment of a reason that knows it is so far within the stretch."""
+_AS_LIKELY, _GROWN_S = 0.4, 0.6
+"""Where it goes on being about as likely as that share of the mean, long vague stretches grow."""
 _CHANGED_OVER = frozenset({"turn", "exchange"})
 _TOGETHER_M, _TOGETHER_S, _PARTED_S = 0.5, 0.8, 0.15
 """Who is who after two changed over shows only once they part: waited for that long at most."""
@@ -35,7 +41,7 @@ class Stretches:
     Attributes:
         start, end: (k,) half-open. frame: (k,) where it happened.
         expected: (k,) how much goes wrong there: hazards of the place's tracks, summed.
-        in_sight: (k,) hazards of everybody there, summed.
+        in_sight: (k,) mistakes of everybody expected there.
     """
 
     start: Rows
@@ -52,21 +58,31 @@ def stretches(reasons: Reasons, places: Places, hazards: Hazards) -> Stretches:
     told = reasons.frame[leader]
     tracks = np.stack((reasons.first[leader], reasons.second[leader]), axis=1)
     vague = np.isin(reasons.kind[leader], _numbers(reasons, _VAGUE))
-    start = told + _offsets(hazards, tracks, told, vague)
-    end = start + evidence.frames_of(_WATCHED_S)
+    long = told + _offsets(hazards, tracks, told, vague, evidence.frames_of(_CALM_S))
+    long, grown = _grown(hazards, tracks, long, vague)
+    length = evidence.frames_of(_CROWDED_S)
+    short = told + _offsets(hazards, tracks, told, vague, length)
+    crowded = _mistakes_a_second(hazards, told) * _CALM_S > _TIME_TO_WATCH
+    start, end = np.where(crowded, short, long), np.where(crowded, short + length, grown)
     end = np.minimum(np.maximum(end, _parted(reasons, places, evidence)), evidence.stop)
     start = np.maximum(start, 0)
     frame = np.where(vague, _worst(hazards, tracks, start, end, told), told)
     shown = _both(hazards, tracks, start, end) * np.where(vague, 1.0, _EXACT)
     order = np.argsort(-shown, kind="stable")
     expected = hazards.once(tracks, start, end, order)
-    return Stretches(start, end, frame, expected, hazards.in_sight(start, end))
+    return Stretches(start, end, frame, expected, hazards.mistakes(start, end))
 
 
-def _offsets(hazards: Hazards, tracks: Rows, told: Rows, vague: Flags) -> Rows:
+def _mistakes_a_second(hazards: Hazards, told: Rows) -> Floats:
+    """(k,) how many are expected around each moment."""
+    reach = hazards.evidence.frames_of(_LOCAL_S)
+    return hazards.mistakes(told - reach, told + reach) / (2 * _LOCAL_S)
+
+
+def _offsets(hazards: Hazards, tracks: Rows, told: Rows, vague: Flags, length: int) -> Rows:
     """(k,) where stretches begin, told from the moments of their reasons."""
     evidence = hazards.evidence
-    length, searched = evidence.frames_of(_WATCHED_S), evidence.frames_of(_SEARCHED_S)
+    searched = evidence.frames_of(_SEARCHED_S)
     lead, tail = evidence.frames_of(_LEAD_S), evidence.frames_of(_TAIL_S)
     usual = -evidence.frames_of(0.15)
     best = np.full(len(told), usual)
@@ -80,12 +96,26 @@ def _offsets(hazards: Hazards, tracks: Rows, told: Rows, vague: Flags) -> Rows:
     return best
 
 
+def _grown(hazards: Hazards, tracks: Rows, start: Rows, vague: Flags) -> tuple[Rows, Rows]:
+    """(k,), (k,) start and end of stretches; vague ones hold all that is about as likely."""
+    evidence = hazards.evidence
+    length, lead = evidence.frames_of(_CALM_S), evidence.frames_of(_LEAD_S)
+    first, end = start + lead, start + length
+    least = _AS_LIKELY * _both(hazards, tracks, start, end) / length
+    back, ahead = vague.copy(), vague.copy()
+    for _ in range(evidence.frames_of(_GROWN_S)):
+        back &= _both(hazards, tracks, first - 1, first) >= least
+        ahead &= _both(hazards, tracks, end, end + 1) >= least
+        first, end = first - back, end + ahead
+    return first - lead, end
+
+
 def _worst(hazards: Hazards, tracks: Rows, start: Rows, end: Rows, told: Rows) -> Rows:
     """(k,) the frames of greatest hazard in stretches."""
     evidence = hazards.evidence
     best = np.clip(told, start, end - 1)
     most = _both(hazards, tracks, best, best + 1)
-    for step in range(evidence.frames_of(_WATCHED_S)):
+    for step in range(evidence.frames_of(_CALM_S + 2 * _GROWN_S)):
         frame = np.minimum(start + step, end - 1)
         there = _both(hazards, tracks, frame, frame + 1)
         better = there > most * (1.0 + 1e-6)

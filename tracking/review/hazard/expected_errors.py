@@ -14,6 +14,9 @@ from tracking.review.hazard.features import features
 from tracking.review.hazard.picture import picture_features
 from tracking.review.hazard.trees import Trees, built_in_corrections, built_in_trees
 
+_AROUND_S, _TRACKS = 0.1, 1.5
+"""So far from a mistake rows count as going wrong, and of so many tracks on average."""
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Hazards:
@@ -42,8 +45,8 @@ class Hazards:
         low, high = self._rows(track, start, end)
         return np.where(track > 0, self.total[high] - self.total[low], 0.0)
 
-    def in_sight(self, start: Rows, end: Rows) -> Floats:
-        """(k,) sums over everybody in half-open ranges of frames.
+    def mistakes(self, start: Rows, end: Rows) -> Floats:
+        """(k,) how many of everybody's are expected in half-open ranges of frames.
 
         Rounded, as sums up to a frame are not the same to the last digit wherever they begin.
         """
@@ -51,7 +54,8 @@ class Hazards:
         of_frame = np.bincount(frames, self.hazard, self.evidence.stop + 1)
         total = np.concatenate(([0.0], np.cumsum(of_frame)))
         low, high = (np.clip(at, 0, self.evidence.stop) for at in (start, end))
-        return np.asarray(np.round(total[high] - total[low], 6))
+        rows = _TRACKS * (2 * self.evidence.frames_of(_AROUND_S) + 1)
+        return np.asarray(np.round((total[high] - total[low]) / rows, 6))
 
     def once(self, tracks: Rows, start: Rows, end: Rows, first: Rows) -> Floats:
         """(k,) sums over stretches of two tracks each, every row counted for one of them only.
