@@ -11,16 +11,7 @@ from walks_on_a_floor import BLUE, FPS, RED, SIZE, Walk, crossing, made_run, str
 from tracking.review import find_review_items
 from tracking.review.core.evidence import gather_evidence
 from tracking.review.core.material import Material
-from tracking.review.hazard import (
-    FEATURES,
-    NOTICED,
-    Hazards,
-    Trees,
-    built_in_trees,
-    features,
-    picture_features,
-)
-from tracking.review.hazard.picture import FEATURES as PICTURE
+from tracking.review.hazard import FEATURES, NOTICED, Hazards, Trees, built_in_trees, features
 from tracking.tracks import Run, TrackTable
 
 MEETING = 80
@@ -118,22 +109,3 @@ def test_people_dressed_alike_who_walk_on_straight_are_hardly_flagged() -> None:
         each.likelihood for each in find_review_items(TrackTable(run.tracks), run, FPS, size=SIZE)
     )
     assert right < 0.3 < wrong
-
-
-def test_the_picture_tells_who_overlaps_and_whose_track_begins_beside() -> None:
-    path = straight((-3, 5), (0, 0), 60)
-    late = Walk(path[20:], start=20, box=(310, 200))
-    of = material(made_run([Walk(path, box=(300, 200)), Walk(path, box=(50, 200)), late]))
-    columns = dict(zip(PICTURE, picture_features(of).T, strict=True))
-    evidence = of.evidence
-    beside, alone = evidence.track == 1, evidence.track == 2
-    before, after = evidence.frame < 20, evidence.frame >= 20
-    past = evidence.frame >= 20 + round(0.5 * FPS)
-    assert (columns["overlap_-0.5s"][beside & past] > 0.3).all()
-    assert not columns["overlap_-0.5s"][beside & before & (evidence.frame >= 12)].any()
-    assert not np.nan_to_num(columns["overlap_-0.2s"][alone]).any()
-    since_s = columns["begun_beside_s"]
-    assert np.isnan(since_s[alone]).all()
-    near = beside & (np.abs(evidence.frame - 20) <= FPS)
-    np.testing.assert_allclose(since_s[near], (evidence.frame[near] - 20) / FPS, atol=1e-6)
-    assert after[beside].any()
