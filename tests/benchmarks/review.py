@@ -8,8 +8,7 @@ chosen by, `--fit` fits hazards and likelihoods anew on other scenes. What is re
 is kept; the first time takes an hour.
 
 `--crowds` tells it of each labelled recording of the footage that trackers are judged by, with each
-tracker that suits it and no swaps; `--fit-corrections` fits on these what corrects the hazards, and
-tells it of each recording with corrections fitted on the others (five parts).
+tracker that suits it and no swaps; "flagged" is what all of its review items together show.
 """
 
 from __future__ import annotations
@@ -31,7 +30,7 @@ from tests.benchmarks.review_cases import (
     cases,
     crowded_cases,
 )
-from tests.benchmarks.review_fit import fit, fit_corrections, held_out_measures
+from tests.benchmarks.review_fit import fit
 from tracking.review import ReviewMeasures, find_review_items, rank, review_measures
 from tracking.scoring import FloorMatch
 
@@ -48,18 +47,13 @@ def main() -> None:
     parser.add_argument("--fit", action="store_true", help="fit the likelihoods anew")
     parser.add_argument("--fresh", action="store_true", help="scenes nothing was chosen by")
     parser.add_argument("--crowds", action="store_true", help="by recording and tracker")
-    parser.add_argument("--fit-corrections", action="store_true", help="fit them on the crowds")
     parser.add_argument("--only", nargs="+", metavar="NAME", help="crowds of these recordings")
     parser.add_argument("--data", type=Path, default=real_data(), help="folder of recordings")
     asked = parser.parse_args()
     cv2.setNumThreads(1)
-    if asked.crowds or asked.fit_corrections:
-        crowds = list(crowded_cases(asked.data, asked.only, swapped=asked.fit_corrections))
-        if asked.fit_corrections:
-            _print_crowds(held_out_measures(crowds, _measured))
-            fit_corrections(crowds)
-        else:
-            _print_crowds([(case, _measured(case)) for case in crowds])
+    if asked.crowds:
+        crowds = crowded_cases(asked.data, asked.only)
+        _print_crowds([(case, _measured(case)) for case in crowds])
         return
     scenes = TUNING if asked.fit else FRESH if asked.fresh else REPORTED
     found = list(cases(scenes, FloorMatch(0.5)))
@@ -74,7 +68,7 @@ def main() -> None:
 
 def _print_crowds(measured: Sequence[tuple[Case, ReviewMeasures]]) -> None:
     """A line a recording and tracker, one a tracker, and one of all; the trackers' own errors."""
-    own = [(case, found) for case, found in measured if case.errors and not case.swaps]
+    own = [(case, found) for case, found in measured if case.errors]
     print("| recording | tracker | errors | found in 5 % of the footage | at best | flagged |")
     print("| --- | --- | --- | --- | --- | --- |")
     for case, found in own:

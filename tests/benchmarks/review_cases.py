@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
-from itertools import islice
 from pathlib import Path
 
 import numpy as np
@@ -32,7 +31,6 @@ from tracking.tracks import Labels, Run, TrackTable
 
 TRACKERS = ("stereo-colour", "stereo-direction")
 CROWD_TRACKERS = ("stereo-joint", "stereo-direction", "spheroid", "three-part", "flow")
-_SEED = 60010
 _PLACES = ("lobby", "square", "pillars", "plaza", "uniforms", "corridor")
 _PASS_M = 1.0
 _AWAY = 3
@@ -125,20 +123,19 @@ def cases(wanted: tuple[Clip, ...], match: Match) -> Iterator[Case]:
             yield from _variants(clip, clip.name, folder, tracker, match, clip.seed * 10)
 
 
-def crowded_cases(data: Path, only: Collection[str] | None, *, swapped: bool) -> Iterator[Case]:
+def crowded_cases(data: Path, only: Collection[str] | None) -> Iterator[Case]:
     """Labelled recordings of the footage that trackers are judged by, with each that suits.
 
     Args:
         data: where those are that are not ours. only: names; None: all.
-        swapped: whether with tracks swapped on purpose, too.
     """
     for footage in all_footage(data, only):
         if not footage.labelled:
             continue
         for tracker in filter(footage.suits, CROWD_TRACKERS):
             match = _match(footage.folder, tracker)
-            found = _variants(None, footage.name, footage.folder, tracker, match, _SEED)
-            yield from found if swapped else islice(found, 1)
+            found = _variants(None, footage.name, footage.folder, tracker, match, 0)
+            yield next(found)  # as it is
 
 
 def _match(folder: Path, tracker: str) -> Match:

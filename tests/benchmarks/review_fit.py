@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from pathlib import Path
 
@@ -13,21 +13,10 @@ from sklearn.ensemble import HistGradientBoostingClassifier
 
 import resources
 from tests.benchmarks.review_cases import Case
-from tests.benchmarks.runner import replacing
-from tracking.review import ReviewMeasures
 from tracking.review.block import JOINED_S
 from tracking.review.core.evidence import Evidence, gather_evidence
 from tracking.review.core.material import Material
-from tracking.review.hazard import (
-    CORRECTED_BY,
-    FEATURES,
-    NOTICED,
-    Hazards,
-    Trees,
-    built_in_trees,
-    corrected_by,
-    features,
-)
+from tracking.review.hazard import FEATURES, NOTICED, Hazards, Trees, features
 from tracking.review.likelihood import LEAST_WEIGHT, NOTHING, WEIGHTS
 from tracking.review.reason_groups import Places, Reasons, join_places, stack_findings
 from tracking.review.reasons import REASONS
@@ -49,11 +38,6 @@ _SMOOTH = 0.2
 tracker mistakes people, or a person swaps tracks, they do not always jump."""
 _WALK = ("jump", "jump_0.3s", "missed", "missed_0.15s", "turn")
 _TREES, _LEAVES, _RATE, _LEAST_ROWS, _SHRINKAGE = 60, 4, 0.1, 60, 5.0
-_CORRECTIONS, _CORRECTIONS_SHRINKAGE, _CORRECTIONS_KEPT = 40, 20.0, 0.03
-_AROUND_S = 0.1
-"""As `_AROUND`, where frame rates differ."""
-_PARTS = 5
-"""Recordings are left out in so many parts where corrections are judged."""
 _BINS = (0.0, 0.03, 0.1, 0.2, 0.4, 0.7, 0.9, 1.0)
 
 
@@ -62,75 +46,10 @@ def fit(cases: Sequence[Case]) -> None:
     trees = fitted_trees(cases)
     path = Path(next(iter(resources.__path__))) / "review" / "hazard.json"
     path.write_text(trees.as_text(), encoding="utf-8")
-    expected, mistaken = _examples(cases, trees, None)
+    expected, mistaken = _examples(cases, trees)
     theta = _logistic(expected, mistaken)
     print("BASE, EFOLD, ROW =", ", ".join(f"{value:.2f}" for value in theta))
     _print_calibration(1.0 / (1.0 + np.exp(-_odds(theta, expected))), mistaken)
-
-
-def fit_corrections(cases: Sequence[Case]) -> None:
-    """Write what corrects the trees' log odds into the resources; print the likelihoods' figures.
-
-    The trees that it corrects stay as they are: they were fitted to far more swaps and calm scenes.
-    Figures are of each recording's hazards with corrections fitted on the others.
-    """
-    examples = [_corrections_examples(case) for case in cases]
-    path = Path(next(iter(resources.__path__))) / "review" / "hazard_corrections.json"
-    path.write_text(_corrections(examples).as_text(), encoding="utf-8")
-    held_out = _held_out(cases, examples)
-    found = [_examples([case], built_in_trees(), held_out[case.recording]) for case in cases]
-    expected, mistaken = (np.concatenate(part) for part in zip(*found, strict=True))
-    theta = _logistic(expected, mistaken)
-    print("BASE, EFOLD, ROW =", ", ".join(f"{value:.2f}" for value in theta))
-    _print_calibration(1.0 / (1.0 + np.exp(-_odds(theta, expected))), mistaken)
-
-
-def held_out_measures(
-    cases: Sequence[Case], measure: Callable[[Case], ReviewMeasures]
-) -> list[tuple[Case, ReviewMeasures]]:
-    """Each case with its measures, corrections fitted on other recordings."""
-    held_out = _held_out(cases, [_corrections_examples(case) for case in cases])
-    built_in = "tracking.review.hazard.trees.built_in_corrections"
-    found = []
-    for case in cases:
-        trees = held_out[case.recording]
-        with replacing([(built_in, lambda trees=trees: trees)]):
-            found.append((case, measure(case)))
-    return found
-
-
-Examples = tuple[Singles, Flags, Floats]
-"""Features of rows, whether they go wrong, their weights."""
-
-
-def _held_out(cases: Sequence[Case], examples: Sequence[Examples]) -> dict[str, Trees]:
-    """Of each recording the corrections that are fitted without it and others of its part."""
-    names = sorted({case.recording for case in cases})
-    names = [names[row] for row in np.random.default_rng(1).permutation(len(names))]
-    found = {}
-    for part in range(min(_PARTS, len(names))):
-        left_out = set(names[part::_PARTS])
-        kept = [
-            one for case, one in zip(cases, examples, strict=True) if case.recording not in left_out
-        ]
-        found |= dict.fromkeys(left_out, _corrections(kept))
-    return found
-
-
-def _corrections_examples(case: Case) -> Examples:
-    material = _material(case)
-    evidence = material.evidence
-    wrong = _going_wrong(case, evidence, evidence.frames_of(_AROUND_S))
-    random = np.random.default_rng(len(wrong))
-    kept = np.flatnonzero(wrong | (random.random(len(wrong)) < _CORRECTIONS_KEPT))
-    weight = np.where(wrong[kept], 1.0, 1.0 / _CORRECTIONS_KEPT)
-    return corrected_by(material, built_in_trees())[kept], wrong[kept], weight
-
-
-def _corrections(examples: Sequence[Examples]) -> Trees:
-    values, wrong, weight = (np.concatenate(part) for part in zip(*examples, strict=True))
-    chosen = {"max_iter": _CORRECTIONS, "l2_regularization": _CORRECTIONS_SHRINKAGE}
-    return _boosted(CORRECTED_BY, (values, wrong, weight), 0, chosen)
 
 
 def fitted_trees(cases: Sequence[Case], seed: int = 0) -> Trees:
@@ -138,30 +57,23 @@ def fitted_trees(cases: Sequence[Case], seed: int = 0) -> Trees:
     random = np.random.default_rng(seed)
     parts = [_rows(case, random) for case in cases]
     values, wrong, weight = (np.concatenate(each) for each in zip(*parts, strict=True))
-    chosen = {"max_iter": _TREES, "l2_regularization": _SHRINKAGE}
-    return _boosted(FEATURES, (values, wrong, weight), seed, chosen)
-
-
-def _boosted(
-    names: tuple[str, ...], examples: Examples, seed: int, chosen: dict[str, float]
-) -> Trees:
-    values, wrong, weight = examples
     model = HistGradientBoostingClassifier(
+        max_iter=_TREES,
         max_leaf_nodes=_LEAVES,
         learning_rate=_RATE,
         min_samples_leaf=_LEAST_ROWS,
+        l2_regularization=_SHRINKAGE,
         early_stopping=False,
         random_state=seed,
-        **chosen,
     ).fit(values, wrong, sample_weight=weight)
     base = float(model._baseline_prediction.ravel()[0])
-    return Trees(names, base, tuple(map(_nodes, model._predictors)))
+    return Trees(FEATURES, base, tuple(map(_nodes, model._predictors)))
 
 
 def _rows(case: Case, random: np.random.Generator) -> tuple[Singles, Flags, Floats]:
     """Features of a case's rows that are fitted on, whether they go wrong, and their weights."""
     material = _material(case)
-    wrong = _going_wrong(case, material.evidence, _AROUND)
+    wrong = _going_wrong(case, material.evidence)
     kept = np.flatnonzero(wrong | (random.random(len(wrong)) < _KEPT))
     values, wrong = features(material)[kept], wrong[kept]
     unnoticed = np.flatnonzero(random.random(len(kept)) < _UNNOTICED)
@@ -175,10 +87,10 @@ def _rows(case: Case, random: np.random.Generator) -> tuple[Singles, Flags, Floa
     return values, wrong, weight * np.where(wrong, 1.0, 1.0 / _KEPT)
 
 
-def _going_wrong(case: Case, evidence: Evidence, around: int) -> Flags:
+def _going_wrong(case: Case, evidence: Evidence) -> Flags:
     wrong = np.zeros(len(evidence), np.bool_)
     for error in case.errors:
-        near = np.abs(evidence.frame - error.frame) <= around
+        near = np.abs(evidence.frame - error.frame) <= _AROUND
         wrong |= near & np.isin(evidence.track, error.tracks)
     return wrong
 
@@ -201,23 +113,19 @@ def _material(case: Case) -> Material:
     return Material.of(evidence, case.size, ())
 
 
-def _examples(
-    cases: Sequence[Case], trees: Trees, corrections: Trees | None
-) -> tuple[Floats, Flags]:
+def _examples(cases: Sequence[Case], trees: Trees) -> tuple[Floats, Flags]:
     """(k,) hazard expected in each place's stretch; (k,) whether an error lies in it."""
-    expected, mistaken = zip(*_places(cases, trees, corrections), strict=True)
+    expected, mistaken = zip(*_places(cases, trees), strict=True)
     return np.concatenate(expected), np.concatenate(mistaken)
 
 
-def _places(
-    cases: Sequence[Case], trees: Trees, corrections: Trees | None
-) -> Iterator[tuple[Floats, Flags]]:
+def _places(cases: Sequence[Case], trees: Trees) -> Iterator[tuple[Floats, Flags]]:
     weights = [max(WEIGHTS[kind], LEAST_WEIGHT) for kind in REASONS]
     for case in cases:
         material = _material(case)
         reasons = stack_findings([look(material) for look in REASONS.values()], weights)
         places = join_places(reasons, material.evidence.frames_of(JOINED_S))
-        watched = stretches(reasons, places, Hazards.of(material, trees, corrections))
+        watched = stretches(reasons, places, Hazards.of(material, trees))
         kept = watched.expected > NOTHING
         yield watched.expected[kept], _mistaken(case, reasons, places, watched)[kept]
 

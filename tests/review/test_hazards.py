@@ -11,16 +11,7 @@ from walks_on_a_floor import BLUE, FPS, RED, SIZE, Walk, crossing, made_run, str
 from tracking.review import find_review_items
 from tracking.review.core.evidence import gather_evidence
 from tracking.review.core.material import Material
-from tracking.review.hazard import (
-    FEATURES,
-    NOTICED,
-    Hazards,
-    Trees,
-    built_in_trees,
-    features,
-    picture_features,
-)
-from tracking.review.hazard.picture import FEATURES as PICTURE
+from tracking.review.hazard import FEATURES, NOTICED, Hazards, Trees, built_in_trees, features
 from tracking.tracks import Run, TrackTable
 
 MEETING = 80
@@ -99,7 +90,7 @@ def test_every_row_counts_for_the_first_stretch_that_holds_it(
 CROSSING = Hazards.of(material(made_run(crossing())))
 
 
-def test_of_a_hidden_meeting_where_most_goes_wrong_is_watched() -> None:
+def test_a_hidden_meeting_is_watched_from_where_they_met_to_where_they_are_seen_again() -> None:
     """Who is taken for whom is decided anywhere while one of them is out of sight."""
     hidden = range(MEETING - 8, MEETING + 6)
     one, other = crossing()
@@ -107,12 +98,7 @@ def test_of_a_hidden_meeting_where_most_goes_wrong_is_watched() -> None:
     vague = ("margin", "shared", "crossing")
     told = find_review_items(TrackTable(run.tracks), run, FPS, size=SIZE)
     watched = [each for each in told if each.kind in vague and len(each.tracks) == 2]
-    hazards = Hazards.of(material(run))
-    rows = np.isin(hazards.evidence.track, (1, 2))
-    total = np.bincount(hazards.evidence.frame[rows], hazards.hazard[rows])
-    shown = [total[each.start : each.end].sum() for each in watched]
-    assert max(shown) > 0.7 * max(np.convolve(total, np.ones(round(0.3 * FPS)), "valid"))
-    assert all(hidden[0] - FPS < each.frame < hidden[-1] + FPS for each in watched)
+    assert any(each.start <= MEETING and each.end > hidden[-1] for each in watched)
 
 
 def test_people_dressed_alike_who_walk_on_straight_are_hardly_flagged() -> None:
@@ -123,22 +109,3 @@ def test_people_dressed_alike_who_walk_on_straight_are_hardly_flagged() -> None:
         each.likelihood for each in find_review_items(TrackTable(run.tracks), run, FPS, size=SIZE)
     )
     assert right < 0.3 < wrong
-
-
-def test_the_picture_tells_who_overlaps_and_whose_track_begins_beside() -> None:
-    path = straight((-3, 5), (0, 0), 60)
-    late = Walk(path[20:], start=20, box=(310, 200))
-    of = material(made_run([Walk(path, box=(300, 200)), Walk(path, box=(50, 200)), late]))
-    columns = dict(zip(PICTURE, picture_features(of).T, strict=True))
-    evidence = of.evidence
-    beside, alone = evidence.track == 1, evidence.track == 2
-    before, after = evidence.frame < 20, evidence.frame >= 20
-    past = evidence.frame >= 20 + round(0.5 * FPS)
-    assert (columns["overlap_-0.5s"][beside & past] > 0.3).all()
-    assert not columns["overlap_-0.5s"][beside & before & (evidence.frame >= 12)].any()
-    assert not np.nan_to_num(columns["overlap_-0.2s"][alone]).any()
-    since_s = columns["begun_beside_s"]
-    assert np.isnan(since_s[alone]).all()
-    near = beside & (np.abs(evidence.frame - 20) <= FPS)
-    np.testing.assert_allclose(since_s[near], (evidence.frame[near] - 20) / FPS, atol=1e-6)
-    assert after[beside].any()

@@ -27,14 +27,14 @@ def test_two_tracks_that_changed_over_are_looked_at_first() -> None:
     first = found(run, swapped(run, 1, 2, MEETING))[0]
     assert (first.tracks, first.fix) == ((1, 2), "swap")
     assert first.start <= MEETING < first.end
-    assert first.likelihood > 0.75
+    assert first.likelihood > 0.9
 
 
 def test_people_who_only_cross_are_far_less_likely_flagged() -> None:
     run = made_run(crossing())
     right = max(one.likelihood for one in found(run))
     wrong = found(run, swapped(run, 1, 2, MEETING))[0].likelihood
-    assert right < 0.2 < 0.75 < wrong
+    assert right < 0.2 < 0.9 < wrong
 
 
 def test_a_mistake_is_one_review_item_with_all_its_reasons() -> None:
@@ -189,7 +189,7 @@ def test_people_swapped_across_the_floor_are_told_where_they_were() -> None:
     first = found(run, swapped(run, 1, 2, MEETING))[0]
     assert (first.kind, first.tracks, first.frame) == ("turn", (1, 2), MEETING)
     assert first.start <= MEETING < first.end
-    assert first.likelihood > 0.4
+    assert first.likelihood > 0.5
 
 
 def test_where_no_floor_is_known_nothing_is_said_in_metres() -> None:

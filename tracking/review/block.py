@@ -111,10 +111,7 @@ def _told(material: Material, meeting: Rows, start: int, end: int) -> Block:
     told = np.flatnonzero((likely >= _LEAST) & (frame >= start) & (frame < end))
     leader = places.leader[told]
     tracks = np.stack((reasons.first[leader], reasons.second[leader]), axis=1)
-    columns = (
-        *(leader, frame[told], watched.start[told], watched.end[told]),
-        *(likely[told], watched.in_sight[told]),
-    )
+    columns = (leader, frame[told], watched.start[told], watched.end[told], likely[told])
     figures = (column.tolist() for column in columns)
     speaker = Speaker.of(reasons, places, evidence.fps, on_floor=evidence.on_floor)
     items = [
@@ -125,14 +122,7 @@ def _told(material: Material, meeting: Rows, start: int, end: int) -> Block:
 
 
 def _review_item(
-    speaker: Speaker,
-    place: int,
-    leader: int,
-    frame: int,
-    start: int,
-    end: int,
-    likelihood: float,
-    in_sight: float,
+    speaker: Speaker, place: int, leader: int, frame: int, start: int, end: int, likelihood: float
 ) -> ReviewItem:
     kind, (first, second) = speaker.kind(leader), speaker.tracks(leader)
     text, *others = speaker.describe(place, leader, frame)
@@ -147,5 +137,4 @@ def _review_item(
         text=text,
         fix=fix(kind, second),
         others=tuple(others),
-        in_sight=in_sight,
     )

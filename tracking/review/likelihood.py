@@ -15,7 +15,7 @@ import numpy as np
 
 from tracking.arrays import Floats
 
-BASE, EFOLD, ROW = -1.51, 0.66, 0.18
+BASE, EFOLD, ROW = -1.17, 0.48, 0.31
 """Log odds of no hazard at all but for its logarithm, what an e-fold more of it adds, and what
 each row's worth of it adds."""
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from bisect import bisect_left
 from collections import defaultdict
 from collections.abc import Iterable
@@ -17,8 +16,8 @@ SAME_S = 1.0
 """A verdict stays with a review item that is found again so near to where it was."""
 
 
-_FREE = 1e9
-"""Yield a frame of a review item that costs none."""
+_FREE = 1e-3
+"""Frames a review item counts for that costs none."""
 
 
 def rank(items: Iterable[ReviewItem], by: str = "yield") -> tuple[ReviewItem, ...]:
@@ -38,16 +37,17 @@ def rank(items: Iterable[ReviewItem], by: str = "yield") -> tuple[ReviewItem, ..
 
 
 def _by_yield(items: tuple[ReviewItem, ...]) -> tuple[ReviewItem, ...]:
-    """Next always the one that yields most a frame; what has been watched by then comes free.
+    """Next always the one with the most likelihood for each frame not watched yet.
 
-    Mistakes are taken for spread evenly over a stretch, so a part that was watched takes as much
-    of the yield as of the frames.
+    What has been watched by then comes free. What a review item yields only grows as others are
+    watched, by those that overlap it: only their figures are worked out again.
     """
     watched = np.zeros(max((one.end for one in items), default=0), np.bool_)
     order = sorted(range(len(items)), key=lambda row: items[row].start)
     starts = [items[row].start for row in order]
     longest = max((one.end - one.start for one in items), default=0)
-    heap = [(-_yield_a_frame(one), row) for row, one in enumerate(items)]
+    cost = [max(one.end - one.start, _FREE) for one in items]
+    heap = [(-one.likelihood / cost[row], row) for row, one in enumerate(items)]
     heapify(heap)
     taken: dict[int, ReviewItem] = {}
     while heap:
@@ -59,14 +59,13 @@ def _by_yield(items: tuple[ReviewItem, ...]) -> tuple[ReviewItem, ...]:
         low, high = bisect_left(starts, one.start - longest), bisect_left(starts, one.end)
         for near in order[low:high]:
             other = items[near]
-            if near not in taken and watched[other.start : other.end].all():
-                heappush(heap, (-_FREE - other.likelihood, near))
+            if near in taken or other.end <= one.start:
+                continue
+            new = int(np.count_nonzero(~watched[other.start : other.end]))
+            if new < cost[near]:
+                cost[near] = max(new, _FREE)
+                heappush(heap, (-other.likelihood / cost[near], near))
     return tuple(taken.values())
-
-
-def _yield_a_frame(item: ReviewItem) -> float:
-    """Mistakes of everybody in sight, most where its own tracks are likely wrong, a frame."""
-    return item.in_sight * math.sqrt(item.likelihood) / max(item.end - item.start, 1)
 
 
 def filter_undecided(

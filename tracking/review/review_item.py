@@ -24,7 +24,6 @@ class ReviewItem:
         text: why it is there, to be translated where it is shown; the strongest reason.
         fix: what would put it right: "swap", "split", "merge", "delete" or "look".
         others: the further reasons that fell on the same people at the same time.
-        in_sight: mistakes expected in the stretch, of everybody who is in sight there.
     """
 
     kind: str
@@ -37,7 +36,6 @@ class ReviewItem:
     text: Message
     fix: str
     others: tuple[Message, ...] = ()
-    in_sight: float = 1.0
 
     @property
     def key(self) -> ReviewItemKey:

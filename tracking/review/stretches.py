@@ -15,10 +15,11 @@ _VAGUE = frozenset({"margin", "shared", "crossing", "spread", "split", "colour",
 """Kinds of reasons that tell about when, not the very frame."""
 _SEARCHED_S = 1.2
 """How far from a vague reason's moment the stretch may reach."""
-_WATCHED_S = 0.3
-"""In a crowd longer stretches show few mistakes more for the time they take."""
-_LEAD_S, _TAIL_S = 0.1, 0.1
-"""The moment of a reason that knows it is so far within the stretch."""
+_WATCHED_S = 0.6
+_LEAD_S, _TAIL_S = 0.1, 0.2
+"""Within a stretch, what happens so near its start and its end is hardly seen."""
+_AS_LIKELY, _GROWN_S = 0.4, 0.6
+"""Where it goes on being about as likely as that share of the mean, vague stretches grow."""
 _CHANGED_OVER = frozenset({"turn", "exchange"})
 _TOGETHER_M, _TOGETHER_S, _PARTED_S = 0.5, 0.8, 0.15
 """Who is who after two changed over shows only once they part: waited for that long at most."""
@@ -35,14 +36,12 @@ class Stretches:
     Attributes:
         start, end: (k,) half-open. frame: (k,) where it happened.
         expected: (k,) how much goes wrong there: hazards of the place's tracks, summed.
-        in_sight: (k,) hazards of everybody there, summed.
     """
 
     start: Rows
     end: Rows
     frame: Rows
     expected: Floats
-    in_sight: Floats
 
 
 def stretches(reasons: Reasons, places: Places, hazards: Hazards) -> Stretches:
@@ -53,14 +52,13 @@ def stretches(reasons: Reasons, places: Places, hazards: Hazards) -> Stretches:
     tracks = np.stack((reasons.first[leader], reasons.second[leader]), axis=1)
     vague = np.isin(reasons.kind[leader], _numbers(reasons, _VAGUE))
     start = told + _offsets(hazards, tracks, told, vague)
-    end = start + evidence.frames_of(_WATCHED_S)
+    start, end = _grown(hazards, tracks, start, vague)
     end = np.minimum(np.maximum(end, _parted(reasons, places, evidence)), evidence.stop)
     start = np.maximum(start, 0)
     frame = np.where(vague, _worst(hazards, tracks, start, end, told), told)
     shown = _both(hazards, tracks, start, end) * np.where(vague, 1.0, _EXACT)
     order = np.argsort(-shown, kind="stable")
-    expected = hazards.once(tracks, start, end, order)
-    return Stretches(start, end, frame, expected, hazards.in_sight(start, end))
+    return Stretches(start, end, frame, hazards.once(tracks, start, end, order))
 
 
 def _offsets(hazards: Hazards, tracks: Rows, told: Rows, vague: Flags) -> Rows:
@@ -73,11 +71,25 @@ def _offsets(hazards: Hazards, tracks: Rows, told: Rows, vague: Flags) -> Rows:
     most = np.full(len(told), -np.inf)
     for offset in range(-searched, searched - length + 1):
         holds = -length + tail < offset <= -lead
-        shown = _both(hazards, tracks, told + offset, told + offset + length)
+        shown = _both(hazards, tracks, told + offset + lead, told + offset + length - tail)
         shown = shown * (1.0 - _FOR_NEAR * abs(offset - usual))
         better = (shown > most) & (vague | holds)
         most[better], best[better] = shown[better], offset
     return best
+
+
+def _grown(hazards: Hazards, tracks: Rows, start: Rows, vague: Flags) -> tuple[Rows, Rows]:
+    """(k,), (k,) start and end of stretches; vague ones hold all that is about as likely."""
+    evidence = hazards.evidence
+    length, lead = evidence.frames_of(_WATCHED_S), evidence.frames_of(_LEAD_S)
+    first, end = start + lead, start + length
+    least = _AS_LIKELY * _both(hazards, tracks, start, end) / length
+    back, ahead = vague.copy(), vague.copy()
+    for _ in range(evidence.frames_of(_GROWN_S)):
+        back &= _both(hazards, tracks, first - 1, first) >= least
+        ahead &= _both(hazards, tracks, end, end + 1) >= least
+        first, end = first - back, end + ahead
+    return first - lead, end
 
 
 def _worst(hazards: Hazards, tracks: Rows, start: Rows, end: Rows, told: Rows) -> Rows:
@@ -85,7 +97,7 @@ def _worst(hazards: Hazards, tracks: Rows, start: Rows, end: Rows, told: Rows) -
     evidence = hazards.evidence
     best = np.clip(told, start, end - 1)
     most = _both(hazards, tracks, best, best + 1)
-    for step in range(evidence.frames_of(_WATCHED_S)):
+    for step in range(evidence.frames_of(_WATCHED_S + 2 * _GROWN_S)):
         frame = np.minimum(start + step, end - 1)
         there = _both(hazards, tracks, frame, frame + 1)
         better = there > most * (1.0 + 1e-6)

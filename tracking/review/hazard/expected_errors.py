@@ -5,14 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from tracking.arrays import Floats
 from tracking.review.core.evidence import Evidence, Rows
 from tracking.review.core.material import Material
 from tracking.review.hazard.features import features
-from tracking.review.hazard.picture import picture_features
-from tracking.review.hazard.trees import Trees, built_in_corrections, built_in_trees
+from tracking.review.hazard.trees import Trees, built_in_trees
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -28,12 +26,9 @@ class Hazards:
     total: Floats
 
     @classmethod
-    def of(
-        cls, material: Material, trees: Trees | None = None, corrections: Trees | None = None
-    ) -> Hazards:
-        """Of every row; trees and corrections: those built in unless told otherwise."""
-        values = corrected_by(material, trees or built_in_trees())
-        odds = (corrections or built_in_corrections()).log_odds(values)
+    def of(cls, material: Material, trees: Trees | None = None) -> Hazards:
+        """Of every row; trees: those built in unless told otherwise."""
+        odds = (trees or built_in_trees()).log_odds(features(material))
         hazard = 1.0 / (1.0 + np.exp(-odds))
         return cls(material.evidence, hazard, np.concatenate(([0.0], np.cumsum(hazard))))
 
@@ -41,17 +36,6 @@ class Hazards:
         """(k,) sums over stretches of tracks, half-open; 0 for track 0."""
         low, high = self._rows(track, start, end)
         return np.where(track > 0, self.total[high] - self.total[low], 0.0)
-
-    def in_sight(self, start: Rows, end: Rows) -> Floats:
-        """(k,) sums over everybody in half-open ranges of frames.
-
-        Rounded, as sums up to a frame are not the same to the last digit wherever they begin.
-        """
-        frames = self.evidence.frame
-        of_frame = np.bincount(frames, self.hazard, self.evidence.stop + 1)
-        total = np.concatenate(([0.0], np.cumsum(of_frame)))
-        low, high = (np.clip(at, 0, self.evidence.stop) for at in (start, end))
-        return np.asarray(np.round(total[high] - total[low], 6))
 
     def once(self, tracks: Rows, start: Rows, end: Rows, first: Rows) -> Floats:
         """(k,) sums over stretches of two tracks each, every row counted for one of them only.
@@ -70,10 +54,3 @@ class Hazards:
     def _rows(self, track: Rows, start: Rows, end: Rows) -> tuple[Rows, Rows]:
         low = self.evidence.row_from(track, np.maximum(start, 0))
         return low, np.maximum(self.evidence.row_from(track, np.maximum(end, 0)), low)
-
-
-def corrected_by(material: Material, trees: Trees) -> NDArray[np.float32]:
-    """(n, features) of every row: `CORRECTED_BY`; trees: whose log odds are corrected."""
-    values = features(material)
-    odds = trees.log_odds(values)[:, None].astype(np.float32)
-    return np.concatenate((values, picture_features(material), odds), axis=1)

@@ -13,10 +13,6 @@ from numpy.typing import NDArray
 
 from tracking.arrays import Floats
 from tracking.review.hazard.features import FEATURES
-from tracking.review.hazard.picture import FEATURES as PICTURE
-
-CORRECTED_BY = (*FEATURES, *PICTURE, "log_odds")
-"""Features of the trees that correct log odds; the last one is those to be corrected."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,19 +54,9 @@ class Trees:
 
 @cache
 def built_in_trees() -> Trees:
-    """Those fitted to our own rendered scenes: `python -m tests.benchmarks.review --fit`."""
-    return _read("hazard.json", FEATURES)
-
-
-@cache
-def built_in_corrections() -> Trees:
-    """What footage of other kinds and one-camera trackers corrects: `--fit-corrections`."""
-    return _read("hazard_corrections.json", CORRECTED_BY)
-
-
-def _read(name: str, features: tuple[str, ...]) -> Trees:
-    found = Trees.from_text((files("resources") / "review" / name).read_text("utf-8"))
-    assert found.features == features
+    """Those fitted to rendered scenes: `python -m tests.benchmarks.review --fit`."""
+    found = Trees.from_text((files("resources") / "review" / "hazard.json").read_text("utf-8"))
+    assert found.features == FEATURES
     return found
 
 
