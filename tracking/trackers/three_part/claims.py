@@ -107,7 +107,7 @@ def associate_detections(claims: Claims, boxes: Floats, seen: Detections) -> Cla
 def seen_whole(claims: Claims, seen: Detections, height: Floats) -> Flags:
     """(people,) who is seen alone and from head to foot; height (people,) px, upright."""
     tall = np.append(seen.box[:, 3], 0.0)[claims.region]
-    cut = np.append(seen.truncated, True)[claims.region]
+    cut = np.append(seen.truncated & ~seen.from_detector, True)[claims.region]
     ratio = tall / np.maximum(height, 1.0)
     alone = claims.alone & (claims.share.sum(axis=1) - claims.own_share <= _OTHERS)
     return np.asarray(alone & ~cut & (ratio > _WHOLE[0]) & (ratio < _WHOLE[1]))

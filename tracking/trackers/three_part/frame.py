@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from tracking.people import Detections, Observation
 from tracking.people.parts import ycbcr
 from tracking.trackers.three_part.bodies import outlined_boxes
@@ -14,14 +16,24 @@ class Frame:
 
     Attributes:
         seen: the regions. picture: (height, width, 3) of `ycbcr`.
+        bodies: each region is of one body, with the box of all of it.
         time_s: since the recording began. elapsed_s: since the frame before; 0 in the first.
     """
 
-    def __init__(self, observation: Observation, elapsed_s: float) -> None:
-        """Look at an observation, so long after the one before."""
+    def __init__(self, observation: Observation, elapsed_s: float, *, bodies: bool) -> None:
+        """Look at an observation, so long after the one before.
+
+        Args:
+            bodies: regions are of one body each, with the box of all of it, as those of a
+                detector are: so perception has them where the floor tells how large people are.
+        """
         assert observation.picture is not None, "perception of one camera hands the picture on"
         self.seen: Detections = observation.people
+        if bodies:
+            given = self.seen.from_detector | ~self.seen.merged
+            self.seen = replace(self.seen, from_detector=given)
         self.picture = ycbcr(observation.picture)
+        self.bodies = bodies
         self.time_s = observation.time_s
         self.elapsed_s = elapsed_s
         self._claims: tuple[Floats, Claims] | None = None

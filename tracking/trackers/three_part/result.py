@@ -49,6 +49,19 @@ class Shown:
     unseen: Flags
 
 
+def in_sight(
+    people: PartPeople, shown: Shown, which: Flags, layout: Layout
+) -> tuple[PartPeople, Shown]:
+    """Those people (people,) who are in sight, and what is told of them.
+
+    Where a region is of one person, who has none for a while is seldom where they are expected:
+    they are followed on without being told, and gaps are filled when the run is finished.
+    """
+    rows = np.flatnonzero(which)
+    told = (shown.box, shown.inside, shown.region, shown.alone, shown.unseen)
+    return people.select(rows, layout.filters), Shown(*(column[rows] for column in told))
+
+
 def step_result(
     observation: Observation,
     people: PartPeople,
