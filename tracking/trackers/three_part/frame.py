@@ -4,11 +4,18 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import numpy as np
+
 from tracking.people import Detections, Observation
 from tracking.people.parts import ycbcr
+from tracking.trackers.three_part.appearance import Levels, measure_levels
 from tracking.trackers.three_part.bodies import outlined_boxes
 from tracking.trackers.three_part.claims import Claims, associate_detections, claims_of
-from tracking.trackers.three_part.people import Floats, PartPeople
+from tracking.trackers.three_part.initiation import regions_rectangles
+from tracking.trackers.three_part.people import Floats, Layout, PartPeople
+from tracking.trackers.three_part.reidentification import resemblances
+
+_THREE = Layout(parts=3, together=1)
 
 
 class Frame:
@@ -37,6 +44,7 @@ class Frame:
         self.time_s = observation.time_s
         self.elapsed_s = elapsed_s
         self._claims: tuple[Floats, Claims] | None = None
+        self._look: Levels | None = None
 
     def claims(self, people: PartPeople) -> Claims:
         """Which regions are whose; worked out anew only where parts stand elsewhere than before.
@@ -48,6 +56,15 @@ class Frame:
             # One rectangle alone lies too far within its body to be compared with boxes.
             if self.seen.from_detector.any() and people.rectangles.shape[1] > 1:
                 boxes = outlined_boxes(people.rectangles, people.outline)
-                claims = associate_detections(claims, boxes, self.seen)
+                alike = resemblances(self._looks(), people.appearance) if self.bodies else None
+                claims = associate_detections(claims, boxes, self.seen, alike)
             self._claims = people.state, claims
         return self._claims[1]
+
+    def _looks(self) -> Levels:
+        """(regions, 3, 3, 256) the colours of the parts of who is in each region."""
+        if self._look is None:
+            rows = np.arange(len(self.seen))
+            parts = regions_rectangles(self.seen, rows, self.picture, _THREE)
+            self._look = measure_levels(self.picture, np.nan_to_num(parts))
+        return self._look

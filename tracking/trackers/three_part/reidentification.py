@@ -74,13 +74,20 @@ def _resemblances(
     """
     known = people.appearance[who]
     look = measure_levels(picture, np.nan_to_num(rectangles))
-    each = (len(who), *look.shape)
-    alike = resemblance(np.broadcast_to(look[None], each), np.broadcast_to(known[:, None], each))
     look_here = measure_levels(picture, people.rectangles[who])
     here = resemblance(look_here, known)
-    there = _has_colours(look)[None] & _has_colours(known)[:, None]
     both = _has_colours(look_here) & _has_colours(known)
-    return _mean_of(alike, there), _mean_of(here, both)
+    return resemblances(look, known), _mean_of(here, both)
+
+
+def resemblances(look: Levels, known: Levels) -> Floats:
+    """(people, regions) how alike looks (regions, parts, 3, 256) and people's (people, ...) are.
+
+    It is the mean over the parts of which both are known; 0 where there is none.
+    """
+    each = (len(known), *look.shape)
+    alike = resemblance(np.broadcast_to(look[None], each), np.broadcast_to(known[:, None], each))
+    return _mean_of(alike, _has_colours(look)[None] & _has_colours(known)[:, None])
 
 
 def _has_colours(levels: Levels) -> Flags:

@@ -48,6 +48,16 @@ class Shown:
     alone: Flags
     unseen: Flags
 
+    def select(self, rows: Indices) -> Shown:
+        """Of the people at these rows."""
+        return Shown(
+            self.box[rows],
+            self.inside[rows],
+            self.region[rows],
+            self.alone[rows],
+            self.unseen[rows],
+        )
+
 
 def in_sight(
     people: PartPeople, shown: Shown, which: Flags, layout: Layout
@@ -58,8 +68,7 @@ def in_sight(
     they are followed on without being told, and gaps are filled when the run is finished.
     """
     rows = np.flatnonzero(which)
-    told = (shown.box, shown.inside, shown.region, shown.alone, shown.unseen)
-    return people.select(rows, layout.filters), Shown(*(column[rows] for column in told))
+    return people.select(rows, layout.filters), shown.select(rows)
 
 
 def step_result(

@@ -114,6 +114,10 @@ class PartTracker(TrackerBase[WholeBodySettings]):
         - people are found, and let go, by regions of the foreground, which the paper leaves open;
         - with adjustment, parts of people seen alone and whole are drawn to where the silhouette
           has them, in every frame;
+        - where the floor is known, and of a detector's boxes, each region is one body: it is given
+          to one person at most, by place and colours;
+        - with the constraints of poses, parts out of the picture are where a body has them until
+          they come in;
         - somebody lost behind others is looked for by colours around the place expected;
         - with adjustment, parts that are occluded move with those of the person that are not;
         - the box is the person's, learnt from regions seen alone: inner rectangles are smaller.
@@ -228,7 +232,8 @@ class PartTracker(TrackerBase[WholeBodySettings]):
         if aids.fit_silhouettes:
             claims = frame.claims(people)
             people = drawn_home(people, seen, claims, picture, frame.elapsed_s, self._layout)
-        said = self._watch.judge(frame.time_s, people, ~people.occluded.any(axis=1))
+        clear = np.asarray(~people.occluded.any(axis=1))
+        said = self._watch.judge(frame.time_s, people, clear)
         people = people.replace(failed=said.failed, score=said.score)
         if not aids.adjust:
             return people
