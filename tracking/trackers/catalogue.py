@@ -5,6 +5,7 @@ from __future__ import annotations
 import difflib
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from functools import partial
 from types import MappingProxyType
 from typing import Any, Protocol
 
@@ -103,8 +104,10 @@ _TWO_CAMERAS = TrackerOverlays(subtraction=True)
 _FLOW_PATH_MEMORY_S = 0.25
 """Places seen by one camera err for longer than those of two do: more of them make a path."""
 _LIVE_IF_PAPER = Finisher(published=Published((("paper", True),), smoothed=False))
+_SURE_BY_PARTS_S = 0.4
+"""So long it is known about where somebody walks unseen whose place one camera tells by a box."""
 _THREE_PART = Finisher(
-    relabel=link_tracks,
+    relabel=partial(link_tracks, longest_gap_s=_SURE_BY_PARTS_S),
     extend_in_pixels=extend_ends_in_pixels,
     published=Published((("adjust", False), ("reidentify", False)), smoothed=False),
 )

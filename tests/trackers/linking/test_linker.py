@@ -20,6 +20,7 @@ from linked_runs import (
     straight,
 )
 
+from tracking.trackers.linking import link_tracks
 from tracking.tracks import Run
 
 A, B = straight((-2, 6), (2, 6.5), 120), straight((2, 6), (-2, 6.5), 120)
@@ -100,6 +101,15 @@ def test_in_a_long_gap_nobody_is_said_to_stand_anywhere() -> None:
     run = link_run(run_of(Stretch(1, 0, way[:45]), Stretch(1, 90, way[90:]), frames=140), VIEW, FPS)
     assert run.tracks["frame"].tolist() == [*range(45), *range(90, 140)]
     assert set(run.tracks["track"].tolist()) == {1}
+
+
+def test_gaps_are_filled_no_longer_than_a_tracker_is_sure_about() -> None:
+    way = straight((-1.5, 6), (1.5, 6), 140)
+    run = run_of(Stretch(1, 0, way[:50]), Stretch(1, 70, way[70:]), frames=140)
+    for longest_gap_s, filled in ((1.5, range(140)), (0.5, [*range(50), *range(70, 140)])):
+        linked = link_tracks(run, VIEW, FPS, longest_gap_s=longest_gap_s)
+        assert linked.tracks["frame"].tolist() == list(filled)
+        assert set(linked.tracks["track"].tolist()) == {1}
 
 
 def test_who_looks_quite_different_after_being_hidden_is_somebody_else() -> None:

@@ -18,7 +18,9 @@ _SURE_S = 2.0
 """So long it is known about where somebody walks unseen."""
 
 
-def fill_gaps(tracks: Columns, signals: Columns, view: View, fps: float) -> tuple[Columns, Columns]:
+def fill_gaps(
+    tracks: Columns, signals: Columns, view: View, fps: float, longest_s: float = _SURE_S
+) -> tuple[Columns, Columns]:
     """The rows of people with an id, sorted, without short gaps; and their signals.
 
     In a gap people walk straight and their boxes change evenly, as a beginning for smoothing.
@@ -26,11 +28,12 @@ def fill_gaps(tracks: Columns, signals: Columns, view: View, fps: float) -> tupl
 
     Args:
         tracks: `TRACK_COLUMNS`; rows of track 0 are left out. signals: a row for each, or none.
+        longest_s: how long a gap that is filled may be.
     """
     order = np.lexsort((tracks["frame"], tracks["track"]))
     order = order[tracks["track"][order] > 0]
     old = {name: column[order] for name, column in tracks.items()}
-    added, before = _between(old, round(_SURE_S * fps))
+    added, before = _between(old, round(min(longest_s, _SURE_S) * fps))
     whole, sort = merged_rows(old, added)
     is_new = sort >= len(order)
     expect_visibility(whole, is_new, view)

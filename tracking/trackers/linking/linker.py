@@ -20,7 +20,14 @@ from tracking.tracks.columns import Columns
 from tracking.tracks.run import Run
 
 
-def link_tracks(run: Run, view: View, fps: float, given: Columns | None = None) -> Run:
+def link_tracks(
+    run: Run,
+    view: View,
+    fps: float,
+    given: Columns | None = None,
+    *,
+    longest_gap_s: float = np.inf,
+) -> Run:
     """The run with one id for each person.
 
     Trackers decide frame by frame, and where two people meet or somebody is lost they may go on
@@ -35,12 +42,14 @@ def link_tracks(run: Run, view: View, fps: float, given: Columns | None = None) 
         view: the camera the boxes were seen by. fps: frames a second.
         given: rows of frames before the run's that stand fast, as corrected by people: its people
             go on from there.
+        longest_gap_s: gaps up to this are filled, as far as it is known where people walk unseen.
     """
     row, name = _find_ids(run, view, fps, given)
     if not len(row):
         return run
     free = run.detections["track"] == 0
-    return extend_ends(rename_tracks(run, row, name, view, fps), free, view, fps)
+    renamed = rename_tracks(run, row, name, view, fps, longest_gap_s)
+    return extend_ends(renamed, free, view, fps)
 
 
 def _find_ids(

@@ -18,7 +18,9 @@ Rows = NDArray[np.intp]
 Ids = NDArray[np.int32]
 
 
-def rename_tracks(run: Run, row: Rows, name: Integers, view: View, fps: float) -> Run:
+def rename_tracks(
+    run: Run, row: Rows, name: Integers, view: View, fps: float, longest_gap_s: float
+) -> Run:
     """The run with one id for each person.
 
     Rows without a detection go with those before them until the person is seen again; where the
@@ -28,10 +30,11 @@ def rename_tracks(run: Run, row: Rows, name: Integers, view: View, fps: float) -
     Args:
         row: (k,) of the run's tracks, those that were seen, by track and frame.
         name: (k,) their new ids; 0: nobody's.
+        longest_gap_s: that is filled.
     """
     new = _of_rows(run.tracks, row, name, run.frames[1] - 1)
     names = _Ids.of(run.tracks, new)
-    tracks, signals = fill_gaps(_with_ids(run.tracks, new), run.signals, view, fps)
+    tracks, signals = fill_gaps(_with_ids(run.tracks, new), run.signals, view, fps, longest_gap_s)
     return replace(
         run,
         tracks=tracks,

@@ -97,6 +97,12 @@ def clear_failures(people: PartPeople, scene: AdjustmentInput) -> Flags:
     return np.asarray(fault & ~people.occluded)
 
 
+def is_new_in_picture(people: PartPeople) -> Flags:
+    """(people, parts) in the picture for the first time: nothing is known of their colours."""
+    unknown = people.model.sum(axis=(2, 3)) == 0
+    return np.asarray(unknown & ~people.occluded)
+
+
 def _inside(rectangles: Floats, shape: tuple[int, ...]) -> Flags:
     """(people, parts) whose rectangles lie whole in the picture."""
     reach = rectangles[..., 2:] / 2

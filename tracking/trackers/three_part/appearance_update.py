@@ -63,12 +63,16 @@ def learn_poses(
         taller: (people,) seen alone and taller than they are taken for.
         unsure: (people,) of whom a part is hidden or lost.
     """
-    clear = ~unsure & (~people.touching | whole)
+    clear = ~unsure & (~people.touching | whole) & ~people.is_cut
     clear &= claims.support.min(axis=1) >= _GOOD_VIEW
     share = np.where(clear, 1.0 - np.exp(-elapsed_s / _POSE_MEMORY_S), 0.0)[:, None, None]
+    height = heights_after(people.height, box, whole | taller, elapsed_s)
+    # Of somebody whom the picture cuts off the pose grows with the body.
+    grown = np.where(people.is_cut, height / np.maximum(people.height, 1.0), 1.0)[:, None, None]
+    pose = people.pose * grown
     return people.replace(
-        pose=people.pose + share * (pose_of(people.rectangles) - people.pose),
-        height=heights_after(people.height, box, whole | taller, elapsed_s),
+        pose=pose + share * (pose_of(people.rectangles) - pose),
+        height=height,
     )
 
 

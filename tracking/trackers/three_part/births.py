@@ -131,9 +131,10 @@ def confirm_regions(
     return np.flatnonzero(ready & ~piece)
 
 
-def is_supported(claims: Claims) -> Flags:
-    """(people,) whose parts lie on foreground."""
-    return np.asarray(claims.support.mean(axis=1) >= _SUPPORTED)
+def is_supported(claims: Claims, cut: Flags) -> Flags:
+    """(people,) whose parts lie on foreground; (people, parts) those cut off say nothing."""
+    parts = np.maximum((~cut).sum(axis=1), 1)
+    return np.asarray((claims.support * ~cut).sum(axis=1) / parts >= _SUPPORTED)
 
 
 def should_keep(

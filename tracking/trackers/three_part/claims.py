@@ -80,17 +80,24 @@ def claims_of(rectangles: Floats, seen: Detections) -> Claims:
     return Claims(share, (label > 0).mean(axis=2), region, alone)
 
 
-def associate_detections(claims: Claims, boxes: Floats, seen: Detections) -> Claims:
+def associate_detections(
+    claims: Claims, boxes: Floats, seen: Detections, alike: Floats | None = None
+) -> Claims:
     """The claims with each box of a detector given to one person at most, who has no other.
 
     A box is of one person, whoever else has parts in it; so they are associated one to one.
 
     Args:
         boxes: (people, 4) where people are expected.
+        alike: (people, regions) how much people look like what is seen there; None: boxes alone
+            tell.
     """
     given = np.flatnonzero(seen.from_detector)
     overlap = overlaps(boxes[:, None], seen.box[given])
-    pairs = associate(1.0 - overlap, overlap >= _SAME_BODY, 1.0)
+    cost = 1.0 - overlap
+    if alike is not None:
+        cost += 1.0 - alike[:, given]
+    pairs = associate(cost, overlap >= _SAME_BODY, 2.0)
     row, region = pairs.track, given[pairs.detection]
     share, whose, alone = claims.share.copy(), claims.region.copy(), claims.alone.copy()
     left = np.append(seen.from_detector, False)[whose]
@@ -107,7 +114,7 @@ def associate_detections(claims: Claims, boxes: Floats, seen: Detections) -> Cla
 def seen_whole(claims: Claims, seen: Detections, height: Floats) -> Flags:
     """(people,) who is seen alone and from head to foot; height (people,) px, upright."""
     tall = np.append(seen.box[:, 3], 0.0)[claims.region]
-    cut = np.append(seen.truncated, True)[claims.region]
+    cut = np.append(seen.truncated & ~seen.from_detector, True)[claims.region]
     ratio = tall / np.maximum(height, 1.0)
     alone = claims.alone & (claims.share.sum(axis=1) - claims.own_share <= _OTHERS)
     return np.asarray(alone & ~cut & (ratio > _WHOLE[0]) & (ratio < _WHOLE[1]))

@@ -20,11 +20,17 @@ from tracking.trackers.three_part.people import (
     PartPeople,
     unknown_people,
 )
+from tracking.tracks.boxes import share_inside
 
 _START_PARTICLES = 400
 _START_SPREAD = (0.1, 0.1, 0.08, 0.08, 1.0, 1.0)
 """Of X, Y, W, H in sizes of the part, and of dX, dY in sizes a second."""
 _ALIKE_AT_FIRST = 0.95
+USUAL_PARTS = ((0.5, 0.08, 0.25, 0.09), (0.5, 0.30, 0.45, 0.19), (0.5, 0.62, 0.40, 0.25))
+"""Where head, torso and hip-leg are in a box nothing is known of: cx, cy, width, height as shares
+of it."""
+_INSIDE = 0.5
+"""Share of a rectangle in the picture below which the picture cuts its part off."""
 
 
 def regions_rectangles(
@@ -39,6 +45,36 @@ def regions_rectangles(
     for at, row in enumerate(rows):
         found[at] = rectangles_in(seen.regions, int(row) + 1, seen.box[row], picture, layout)
     return found
+
+
+def complete_bodies(rectangles: Floats, seen: Detections, rows: Indices) -> Floats:
+    """The rectangles (n, parts, 4) of some regions, with parts that the picture cuts off.
+
+    Where the body's box is known whatever the picture shows of it, those parts are where they
+    usually are in such a box. Nothing is added to somebody of whom all that should be in the
+    picture is not seen.
+    """
+    if rectangles.shape[1] == 1:
+        return rectangles
+    usual = parts_in_boxes(np.array(USUAL_PARTS), seen.box[rows])
+    cut = is_cut_off(usual, seen.regions.shape) & seen.from_detector[rows, None]
+    cut &= ~cut.all(axis=1, keepdims=True)
+    return np.where(cut[..., None], usual, rectangles)
+
+
+def is_cut_off(rectangles: Floats, shape: tuple[int, ...]) -> Flags:
+    """(people, parts) whose rectangles lie mostly out of a picture of this shape."""
+    size = (shape[1], shape[0])
+    boxes = rectangles.reshape(-1, 4).copy()
+    boxes[:, :2] -= boxes[:, 2:] / 2
+    return np.asarray((share_inside(boxes, size) < _INSIDE).reshape(rectangles.shape[:-1]))
+
+
+def parts_in_boxes(share: Floats, box: Floats) -> Floats:
+    """(people, parts, 4) rectangles that are shares (parts, 4) of boxes (people, 4)."""
+    rectangles = share * np.tile(box[:, None, 2:], 2)
+    rectangles[..., :2] += box[:, None, :2]
+    return rectangles
 
 
 def rectangles_in(

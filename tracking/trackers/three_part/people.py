@@ -51,6 +51,7 @@ class PartPeople:
         usual: (people, parts) the same, smoothed.
         entropy: (people, parts) of the weights, 0 to 1; NaN where a part was not filtered.
         occluded: (people, parts) motion only in the last frame.
+        cut: (people, parts) of those, the ones that were out of the picture.
         touching: (people,) whose parts touched somebody else's in the last frame.
         failed: (people, parts) the detector's verdict in the last frame.
         score: (people, parts) of it; NaN where nothing was judged.
@@ -77,6 +78,7 @@ class PartPeople:
     usual: Floats
     entropy: Floats
     occluded: Flags
+    cut: Flags
     touching: Flags
     failed: Flags
     score: Floats
@@ -106,8 +108,13 @@ class PartPeople:
 
     @property
     def hidden(self) -> Flags:
-        """(people,) of whom some part is occluded."""
-        return np.asarray(self.occluded.any(axis=1))
+        """(people,) of whom something hides some part."""
+        return np.asarray((self.occluded & ~self.cut).any(axis=1))
+
+    @property
+    def is_cut(self) -> Flags:
+        """(people,) of whom some part is out of the picture."""
+        return np.asarray(self.cut.any(axis=1))
 
     @property
     def rectangles(self) -> Floats:
@@ -146,6 +153,7 @@ def unknown_people(track: NDArray[np.int32], parts: int, clouds: Clouds) -> Part
         usual=np.zeros(each),
         entropy=np.full(each, np.nan),
         occluded=np.zeros(each, bool),
+        cut=np.zeros(each, bool),
         touching=np.zeros(people, bool),
         failed=np.zeros(each, bool),
         score=np.full(each, np.nan),

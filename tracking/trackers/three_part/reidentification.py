@@ -8,8 +8,12 @@ from numpy.typing import NDArray
 from tracking.filtering import associate
 from tracking.people import Detections
 from tracking.trackers.shared.gating import WideningGate
-from tracking.trackers.three_part.appearance import measure_levels, resemblance
-from tracking.trackers.three_part.initiation import is_all_seen, regions_rectangles
+from tracking.trackers.three_part.appearance import Levels, measure_levels, resemblance
+from tracking.trackers.three_part.initiation import (
+    complete_bodies,
+    is_all_seen,
+    regions_rectangles,
+)
 from tracking.trackers.three_part.people import Flags, Floats, Indices, Layout, PartPeople
 
 _GATE = WideningGate(at_once=0.6, a_second=1.2)
@@ -50,6 +54,7 @@ def reidentify(
     if not len(who) or not len(free):
         return parts, free
     rectangles = regions_rectangles(seen, free, picture, layout)
+    rectangles = complete_bodies(rectangles, seen, free)
     alike, here = _resemblances(people, who, rectangles, picture)
     needed = np.where(sharing[who], np.maximum(here + _BETTER, _ALIKE), _ALIKE)[:, None]
     possible = _near(people, boxes, who, seen, free) & (alike >= needed) & is_all_seen(rectangles)
@@ -69,10 +74,30 @@ def _resemblances(
     """
     known = people.appearance[who]
     look = measure_levels(picture, np.nan_to_num(rectangles))
-    each = (len(who), *look.shape)
+    look_here = measure_levels(picture, people.rectangles[who])
+    here = resemblance(look_here, known)
+    both = _has_colours(look_here) & _has_colours(known)
+    return resemblances(look, known), _mean_of(here, both)
+
+
+def resemblances(look: Levels, known: Levels) -> Floats:
+    """(people, regions) how alike looks (regions, parts, 3, 256) and people's (people, ...) are.
+
+    It is the mean over the parts of which both are known; 0 where there is none.
+    """
+    each = (len(known), *look.shape)
     alike = resemblance(np.broadcast_to(look[None], each), np.broadcast_to(known[:, None], each))
-    here = resemblance(measure_levels(picture, people.rectangles[who]), known)
-    return alike.mean(axis=2), here.mean(axis=1)
+    return _mean_of(alike, _has_colours(look)[None] & _has_colours(known)[:, None])
+
+
+def _has_colours(levels: Levels) -> Flags:
+    """(...) which histograms (..., 3, 256) hold anything: parts out of the picture do not."""
+    return np.asarray(levels.sum(axis=(-2, -1)) > 0)
+
+
+def _mean_of(values: Floats, which: Flags) -> Floats:
+    """(...) the mean over the last axis of those meant; 0 of none."""
+    return np.asarray((values * which).sum(axis=-1) / np.maximum(which.sum(axis=-1), 1))
 
 
 def _near(

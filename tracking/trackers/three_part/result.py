@@ -49,6 +49,28 @@ class Shown:
     alone: Flags
     unseen: Flags
 
+    def select(self, rows: Indices) -> Shown:
+        """Of the people at these rows."""
+        return Shown(
+            self.box[rows],
+            self.inside[rows],
+            self.region[rows],
+            self.alone[rows],
+            self.unseen[rows],
+        )
+
+
+def in_sight(
+    people: PartPeople, shown: Shown, which: Flags, layout: Layout
+) -> tuple[PartPeople, Shown]:
+    """Those people (people,) who are in sight, and what is told of them.
+
+    Where a region is of one person, who has none for a while is seldom where they are expected:
+    they are followed on without being told, and gaps are filled when the run is finished.
+    """
+    rows = np.flatnonzero(which)
+    return people.select(rows, layout.filters), shown.select(rows)
+
 
 def step_result(
     observation: Observation,

@@ -13,13 +13,15 @@ from tracking.people.parts import ycbcr
 from tracking.trackers.shared.corrected_rows import LED_ON_S, is_seen, last_rows, only, slopes
 from tracking.trackers.shared.resumption import CLEAR, Resume
 from tracking.trackers.three_part.appearance import measure_levels
-from tracking.trackers.three_part.initiation import begin_people, rectangles_in
+from tracking.trackers.three_part.initiation import (
+    USUAL_PARTS,
+    begin_people,
+    parts_in_boxes,
+    rectangles_in,
+)
 from tracking.trackers.three_part.people import Floats, Layout, PartPeople
 from tracking.tracks.columns import Columns, boxes_of
 
-_USUAL = ((0.5, 0.08, 0.25, 0.09), (0.5, 0.30, 0.45, 0.19), (0.5, 0.62, 0.40, 0.25))
-"""Where head, torso and hip-leg are in a box nothing is known of: cx, cy, width, height as shares
-of it."""
 _USUAL_WHOLE = ((0.5, 0.5, 0.5, 0.55),)
 _FILLED = 0.15
 """Share of a corrected box that one region must fill to be its person."""
@@ -62,12 +64,11 @@ def resume_people(
     people = np.unique(resume.rows["track"])
     observed = _collect(resume.rows, people, observations, layout)
     box, pace, missed_s = _now(resume, people)
-    usual = np.array(_USUAL if layout.parts > 1 else _USUAL_WHOLE)
+    usual = np.array(USUAL_PARTS if layout.parts > 1 else _USUAL_WHOLE)
     share = np.array(
         [np.median(observed.shares.get(k, [usual]), axis=0) for k in range(len(people))]
     )
-    rectangles = share.reshape(-1, layout.parts, 4) * np.tile(box[:, None, 2:], 2)
-    rectangles[..., :2] += box[:, None, :2]
+    rectangles = parts_in_boxes(share.reshape(-1, layout.parts, 4), box)
     new = begin_people(people.astype(np.int32), rectangles, pace, observed.picture, layout, random)
     known = (observed.seen > 0)[:, None, None, None]
     model = np.where(known, observed.model, new.model)

@@ -70,6 +70,7 @@ def drawn_home(
     step = np.zeros(people.rectangles.shape)
     share = 1.0 - np.exp(-elapsed_s / _HOME_S)
     step[rows] = share * np.nan_to_num(home - people.rectangles[rows])
+    step[people.cut] = 0.0
     state, clouds = people.state.copy(), people.clouds
     state[..., :4] += step
     moved = clouds.state.copy()

@@ -6,11 +6,12 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tracking.failure import Detector
 from tracking.foreground import CameraWatch
 from tracking.geometry import View
-from tracking.people import Observation
+from tracking.people import Detections, Observation
 from tracking.trackers.shared.occluders import Polygons, occluder_mask
 from tracking.trackers.shared.protocol import StepResult
 from tracking.trackers.shared.resumption import Resume
@@ -18,7 +19,12 @@ from tracking.trackers.shared.shown_boxes import steady_boxes
 from tracking.trackers.shared.stages import Stages
 from tracking.trackers.shared.tracker_base import TrackerBase
 from tracking.trackers.three_part import births
-from tracking.trackers.three_part.adjustment import AdjustmentInput, adjust, clear_failures
+from tracking.trackers.three_part.adjustment import (
+    AdjustmentInput,
+    adjust,
+    clear_failures,
+    is_new_in_picture,
+)
 from tracking.trackers.three_part.appearance import measure_levels, resemblance
 from tracking.trackers.three_part.appearance_update import (
     learn_colours,
@@ -44,7 +50,9 @@ from tracking.trackers.three_part.frame import Frame
 from tracking.trackers.three_part.initiation import (
     begin_anew,
     begin_people,
+    complete_bodies,
     is_all_seen,
+    is_cut_off,
     regions_rectangles,
     reset_people,
 )
@@ -55,6 +63,7 @@ from tracking.trackers.three_part.occlusion import (
 from tracking.trackers.three_part.part_filter import carry_along, move_parts, weigh_parts
 from tracking.trackers.three_part.people import (
     Flags,
+    Floats,
     Indices,
     Layout,
     PartPeople,
@@ -62,13 +71,15 @@ from tracking.trackers.three_part.people import (
     no_people,
 )
 from tracking.trackers.three_part.reidentification import reidentify
-from tracking.trackers.three_part.result import Shown, step_result
+from tracking.trackers.three_part.result import Shown, in_sight, step_result
 from tracking.trackers.three_part.resumption import resume_people
 from tracking.trackers.three_part.settings import WholeBodySettings
 from tracking.trackers.three_part.silhouettes import drawn_home, legs_elsewhere
 from tracking.tracks import HIP_LEG
 from tracking.tracks.boxes import share_inside
 from tracking.translation import Message
+
+Picture = NDArray[np.uint8]
 
 _STOOPED, _STRETCHED = 0.6, 1.1
 """Lowest and highest somebody's box is, in heights of them upright."""
@@ -104,6 +115,10 @@ class PartTracker(TrackerBase[WholeBodySettings]):
         - people are found, and let go, by regions of the foreground, which the paper leaves open;
         - with adjustment, parts of people seen alone and whole are drawn to where the silhouette
           has them, in every frame;
+        - where the floor is known, and of a detector's boxes, each region is one body: it is given
+          to one person at most, by place and colours;
+        - with the constraints of poses, parts out of the picture are where a body has them until
+          they come in;
         - somebody lost behind others is looked for by colours around the place expected;
         - with adjustment, parts that are occluded move with those of the person that are not;
         - the box is the person's, learnt from regions seen alone: inner rectangles are smaller.
@@ -153,7 +168,8 @@ class PartTracker(TrackerBase[WholeBodySettings]):
         The update goes on with parts that were lost, colours, and at the end boxes. Who was lost is
         re-identified before anybody is deleted or begun.
         """
-        frame = Frame(observation, self._clock.elapsed_s(observation.time_s))
+        bodies = self._aids.reidentify and self._camera.view is not None
+        frame = Frame(observation, self._clock.elapsed_s(observation.time_s), bodies=bodies)
         timed = self._stages.timed
         self._fixed.look(observation.frame, frame.picture[..., 0])
         expected = timed("filters", self._predict, frame)
@@ -168,6 +184,8 @@ class PartTracker(TrackerBase[WholeBodySettings]):
         self._watch.remember(frame.time_s, people)
         self._people = people
         layout, settings = self._layout, self._settings
+        if frame.bodies:
+            people, shown = in_sight(people, shown, people.missed_s <= _MISSED_S, layout)
         return step_result(
             observation, people, shown, layout, self._camera.fps, settings.stored_particles
         )
@@ -194,7 +212,8 @@ class PartTracker(TrackerBase[WholeBodySettings]):
         if self._camera.occluders:
             cover = shares_on(self._cover, people.rectangles)
             hidden |= behind_what_is_drawn(cover, claims.support)
-        return people.replace(occluded=hidden, touching=touching)
+        cut = is_cut_off(people.rectangles, frame.seen.regions.shape) & self._aids.pose_constraints
+        return people.replace(occluded=hidden | cut, cut=cut, touching=touching)
 
     def _update(self, people: PartPeople, frame: Frame) -> PartPeople:
         """The people weighed by their colours where nothing hides them."""
@@ -216,14 +235,15 @@ class PartTracker(TrackerBase[WholeBodySettings]):
             people = drawn_home(people, seen, claims, picture, frame.elapsed_s, self._layout)
         evidence = measure_evidence(people, seen, frame.claims(people), picture)
         people = people.replace(evidence=evidence)
-        said = self._watch.judge(frame.time_s, people, ~people.hidden)
+        clear = np.asarray(~people.occluded.any(axis=1))
+        said = self._watch.judge(frame.time_s, people, clear)
         people = people.replace(failed=said.failed, score=said.score)
         if not aids.adjust:
             return people
         scene = AdjustmentInput(seen, frame.claims(people), picture)
         failed = said.failed.copy()
         if aids.pose_constraints:
-            failed |= clear_failures(people, scene)
+            failed |= clear_failures(people, scene) | is_new_in_picture(people)
         if aids.fit_silhouettes:
             off, legs = legs_elsewhere(people, seen, scene.claims, picture)
             failed[off, HIP_LEG] = True
@@ -248,7 +268,7 @@ class PartTracker(TrackerBase[WholeBodySettings]):
         claims, elapsed_s = frame.claims(people), frame.elapsed_s
         wrong = self._restart(people)
         people = learn_colours(people, frame.picture, claims, wrong, self._settings)
-        there = births.is_supported(claims)
+        there = births.is_supported(claims, people.cut)
         return people.replace(
             missed_s=np.where(there, 0.0, people.missed_s + elapsed_s),
             hidden_s=np.where(people.hidden, people.hidden_s + elapsed_s, 0.0),
@@ -266,7 +286,7 @@ class PartTracker(TrackerBase[WholeBodySettings]):
         seen, picture = frame.seen, frame.picture
         self._tentative = births.update_tentative(self._tentative, seen, free, frame.elapsed_s)
         ready = births.confirm_regions(self._tentative, seen, free, self._settings)
-        rectangles = regions_rectangles(seen, free[ready], picture, self._layout)
+        rectangles = self._rectangles(seen, free[ready], picture)
         ready, rectangles = ready[is_all_seen(rectangles)], rectangles[is_all_seen(rectangles)]
         if not len(ready):
             return people
@@ -274,6 +294,11 @@ class PartTracker(TrackerBase[WholeBodySettings]):
         track, pace = self._ids.take(len(ready)), self._tentative.pace[ready]
         new = begin_people(track, rectangles, pace, picture, self._layout, self._random)
         return concatenate(people, new)
+
+    def _rectangles(self, seen: Detections, rows: Indices, picture: Picture) -> Floats:
+        """(n, parts, 4) where the parts of people in some regions are; NaN where none is seen."""
+        found = regions_rectangles(seen, rows, picture, self._layout)
+        return complete_bodies(found, seen, rows) if self._aids.pose_constraints else found
 
     def _reidentify(self, people: PartPeople, frame: Frame) -> tuple[PartPeople, Indices]:
         """The people, those lost who came up again begun there; the regions still free."""
@@ -307,7 +332,7 @@ class PartTracker(TrackerBase[WholeBodySettings]):
         """The people with outlines and places brought up to date, and what is shown of them."""
         seen, elapsed_s, claims = frame.seen, frame.elapsed_s, frame.claims(people)
         own = np.append(seen.box, np.zeros((1, 4)), axis=0)[claims.region]
-        cut = np.append(seen.truncated, True)[claims.region]
+        cut = np.append(seen.truncated & ~seen.from_detector, True)[claims.region]
         alone = claims.alone & ~people.hidden
         whole = seen_whole(claims, seen, people.height) & ~people.hidden
         taller = seen_taller(claims, seen, people.height) & ~people.hidden
