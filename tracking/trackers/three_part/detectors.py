@@ -11,8 +11,8 @@ from tracking.failure import Detector, built_in_detector, load_detector
 from tracking.translation import msg
 
 BUILT_IN_DETECTORS = ("paper", "evidence")
-"""Names of built-in detectors: by the features of [ZhaoLee2009] alone, and with evidence. Parts that
-evidence finds lost are not put back better yet, so that the paper's is used unless told."""
+"""Names of built-in detectors: by the features of [ZhaoLee2009] alone, and with evidence. Parts
+that evidence finds lost are not put back better yet, so the paper's is used unless told."""
 NO_DETECTOR = msg(
     "no part-failure detector: lost parts are neither found nor put back; "
     "name one with --detector or the setting detector"
