@@ -11,7 +11,7 @@ from app.cli.sessions import open_session
 from tracking.errors import FormatError, SessionError, SettingsError
 from tracking.failure import load_detector
 from tracking.trackers import (
-    PAPER_DETECTOR,
+    BUILT_IN_DETECTORS,
     TrackerSpec,
     body_part_tracker,
     occluders_as_setting,
@@ -56,16 +56,16 @@ def _refuse_unknown(spec: TrackerSpec, order: Order) -> None:
 def refuse_missing_detector(name: str) -> None:
     """Refuse a detector that is named, by an option or a setting, and is not there.
 
-    Raises SettingsError; "" and "paper" name built-in ones.
+    Raises SettingsError; "" and `BUILT_IN_DETECTORS` name built-in ones.
     """
-    if name.strip() not in ("", PAPER_DETECTOR) and not Path(name.strip()).exists():
+    if name.strip() not in ("", *BUILT_IN_DETECTORS) and not Path(name.strip()).exists():
         raise SettingsError("{name}: there is no such detector; check the path", name=name.strip())
 
 
 def _named(order: Order) -> Iterator[tuple[str, str]]:
     if order.detector is not None:
         refuse_missing_detector(str(order.detector))
-        if str(order.detector) != PAPER_DETECTOR:
+        if str(order.detector) not in BUILT_IN_DETECTORS:
             load_detector(order.detector)  # told before any work where it cannot be read
         yield "detector", str(order.detector)
     if order.detections is not None:

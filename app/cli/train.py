@@ -17,6 +17,7 @@ from tracking.errors import OutputError, TrainingError
 from tracking.failure import (
     Trained,
     TrainingPlan,
+    built_in_detector,
     check_training_folder,
     save_detector,
     train,
@@ -72,7 +73,9 @@ def run_train(request: TrainRequest, *, as_json: bool) -> None:
             "{names}: no label of a tracked body part; label some parts first", names=names
         )
     plan = TrainingPlan(
-        false_alarms=request.false_alarms, adapt=not request.from_scratch, paper=request.paper
+        false_alarms=request.false_alarms,
+        adapt=None if request.from_scratch else built_in_detector,
+        paper=request.paper,
     )
     with progress("training") as told:
         made = train(samples, plan, random=np.random.default_rng(request.seed), progress=told)

@@ -22,7 +22,7 @@ from tracking.failure import (
 from tracking.failure.core.features import PAPER_FEATURES
 from tracking.failure.training.adaptation import KEPT, mixture
 
-ADAPT = TrainingPlan(adapt=True, folds=3)
+ADAPT = TrainingPlan(adapt=built_in_detector, folds=3)
 
 
 @pytest.fixture(scope="module")

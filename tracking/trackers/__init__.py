@@ -20,11 +20,11 @@ from tracking.trackers.shared.overlays import Bodies, RampSource, TrackerOverlay
 from tracking.trackers.shared.protocol import ASSOCIATION_COLUMNS, Perception, StepResult, Tracker
 from tracking.trackers.shared.resumption import Resume
 from tracking.trackers.shared.run_smoother import smooth_run
-from tracking.trackers.three_part import PAPER_DETECTOR
+from tracking.trackers.three_part import BUILT_IN_DETECTORS
 
 __all__ = [
     "ASSOCIATION_COLUMNS",
-    "PAPER_DETECTOR",
+    "BUILT_IN_DETECTORS",
     "TRACKERS",
     "Bodies",
     "Observation",

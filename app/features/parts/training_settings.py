@@ -14,6 +14,7 @@ from tracking.failure import (
     Samples,
     Trained,
     TrainingPlan,
+    built_in_detector,
     train,
 )
 from tracking.failure.training.questions import LEAST_PEOPLE, LEAST_SAMPLES
@@ -72,7 +73,7 @@ class TrainingSettings:
             folds=self.folds,
             searched=self.search_samples,
             learnt=self.training_samples,
-            adapt=not self.from_scratch,
+            adapt=None if self.from_scratch else built_in_detector,
         )
 
 

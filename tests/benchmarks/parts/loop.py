@@ -114,7 +114,7 @@ def loop(footage: Footage, people: int = FIVE, seed: int = SEED) -> Figures:
     labelled = asked_first(footage, before, samples, people)
     own = np.isin(samples.columns["person"], labelled)
     random = np.random.default_rng(seed)
-    made = train(samples[own], TrainingPlan(adapt=True), random=random)
+    made = train(samples[own], TrainingPlan(adapt=built_in_detector), random=random)
     taught = made.detector
     path = clips_cache() / "detectors" / f"{taught.fingerprint}.h5"
     path.parent.mkdir(parents=True, exist_ok=True)

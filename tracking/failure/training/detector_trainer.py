@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 
@@ -17,7 +17,6 @@ from tracking.failure.core.machines import Machines
 from tracking.failure.core.operating_points import Curve
 from tracking.failure.core.preparation import Preparation, fitted_preparation
 from tracking.failure.core.samples import SAMPLE_COLUMNS, TEXT, Samples
-from tracking.failure.detector_file import built_in_detector
 from tracking.failure.training.adaptation import Adapted, adapted, steps_of, unchanged
 from tracking.failure.training.folds import folds_of, folds_of_few, thinned
 from tracking.failure.training.gross import with_gross_failures
@@ -48,7 +47,8 @@ class TrainingPlan:
         folds: at most so many; fewer where there are fewer people.
         grid: parameters to try.
         searched, learnt: samples of each question to search with, and to learn from, at most.
-        adapt: whether the built-in detector is adapted; else all is learnt from these samples.
+        adapt: gives the detector to be adapted, asked with `paper`, whether it is to see the
+            paper's features alone; None: all is learnt from these samples.
         paper: whether the detector sees the features of [ZhaoLee2009] alone.
     """
 
@@ -57,7 +57,7 @@ class TrainingPlan:
     grid: tuple[Candidate, ...] = GRID
     searched: int = 1200
     learnt: int = 4000
-    adapt: bool = False
+    adapt: Callable[..., Detector] | None = None
     paper: bool = False
 
 
@@ -94,8 +94,8 @@ def train(
     paper = plan.paper or not _keeps_enough(samples, samples.has_evidence, least)
     rows = np.flatnonzero(samples.has_evidence | paper)
     made = (
-        _adapt(samples[rows], plan, built_in_detector(paper=paper), random, progress)
-        if plan.adapt
+        _adapt(samples[rows], plan, plan.adapt(paper=paper), random, progress)
+        if plan.adapt is not None
         else _train(samples[rows], plan, paper, random, progress)
     )
     return replace(made, report=made.report.of_rows(rows))

@@ -1,6 +1,6 @@
 """People followed by rectangles in the picture: three parts each, or whole [ZhaoLee2009]."""
 
-from tracking.trackers.three_part.detectors import PAPER_DETECTOR, detector_fingerprint
+from tracking.trackers.three_part.detectors import BUILT_IN_DETECTORS, detector_fingerprint
 from tracking.trackers.three_part.settings import ThreePartSettings, WholeBodySettings
 from tracking.trackers.three_part.setup import (
     build_three_part,
@@ -9,7 +9,7 @@ from tracking.trackers.three_part.setup import (
 )
 
 __all__ = [
-    "PAPER_DETECTOR",
+    "BUILT_IN_DETECTORS",
     "ThreePartSettings",
     "WholeBodySettings",
     "build_three_part",

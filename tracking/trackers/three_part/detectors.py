@@ -10,8 +10,9 @@ from tracking.errors import FormatError
 from tracking.failure import Detector, built_in_detector, load_detector
 from tracking.translation import msg
 
-PAPER_DETECTOR = "paper"
-"""Names the built-in detector that sees the features of [ZhaoLee2009] alone."""
+BUILT_IN_DETECTORS = ("paper", "evidence")
+"""Names of built-in detectors: by the features of [ZhaoLee2009] alone, and with evidence. Parts
+that evidence finds lost are not put back better yet, so the paper's is used unless told."""
 NO_DETECTOR = msg(
     "no part-failure detector: lost parts are neither found nor put back; "
     "name one with --detector or the setting detector"
@@ -22,14 +23,14 @@ def chosen_detector(name: str) -> Detector | None:
     """The detector of a file, or a built-in one; None: there is none.
 
     Args:
-        name: the file; "": the built-in one; `PAPER_DETECTOR`: the one with the paper's features.
+        name: the file, or one of `BUILT_IN_DETECTORS`; "": the first of those.
 
     Raises `FormatError` for a file that is named and cannot be read.
     """
-    if name and name != PAPER_DETECTOR:
+    if name and name not in BUILT_IN_DETECTORS:
         return load_detector(Path(name))
     try:
-        return built_in_detector(paper=name == PAPER_DETECTOR)
+        return built_in_detector(paper=name != "evidence")
     except FormatError:
         return None
 

@@ -241,8 +241,8 @@ class ThreePartSettings(WholeBodySettings):
         "",
         "",
         None,
-        "File of the part-failure detector; empty: the built-in one; paper: the built-in one with "
-        "the paper's features alone",
+        "File of the part-failure detector; empty: the built-in one with the paper's features; "
+        "evidence: the built-in one that sees evidence too",
     )
 
     @property
