@@ -94,11 +94,18 @@ class DepthPerception:
             msg("{frames} no depth: people are tracked with the camera alone there", frames=frames),
         )
 
-    def learn(self, frames: Iterable[StereoFrame]) -> None:
-        """Learn background and scene from frames spread over some time, before `observe`."""
+    def learn(self, frames: Iterable[StereoFrame], later: Iterable[StereoFrame] = ()) -> None:
+        """Learn background and scene from frames spread over some time, before `observe`.
+
+        Args:
+            later: of each the frame a moment later, which tells what moves.
+        """
+        frames = list(frames)
         pairs = [self.rectify(frame) for frame in frames]
         images, disparities = [image for image, _ in pairs], [ranged for _, ranged in pairs]
-        other = self._background.learn_both_modes(images)
+        after = [self.rectify(frame)[0] for frame in later]
+        times_s = [frame.time_s for frame in frames]
+        other = self._background.learn_both_modes(images, after, times_s)
         self._depth.learn_scene(disparities)
         if cv2.hasNonZero(other.where):
             people = self._people_learnt(images, disparities, other)
@@ -132,7 +139,7 @@ class DepthPerception:
             RecordingError: the frame has no depth.
         """
         image, ranged = self.rectify(frame)
-        plain = self._background.subtract(image)
+        plain = self._background.subtract(image, frame.time_s)
         left = self._with_bodies(frame, plain)
         shadow = self._shadows.dark(left)
         if np.isfinite(ranged).mean() < _LEAST_KNOWN:
