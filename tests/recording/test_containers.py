@@ -224,7 +224,7 @@ def test_without_the_libraries_the_extra_is_named(
     hidden.mkdir(parents=True)
     (hidden / "__init__.py").write_text("raise ImportError('not installed')\n")
     monkeypatch.setenv("PYTHONPATH", str(hidden.parent))
-    with pytest.raises(RecordingError, match=r"pip install 'trackwright\[bags\]'"):
+    with pytest.raises(RecordingError, match="the extra bags: pip install rosbags mcap"):
         open_recording(path)
 
 
