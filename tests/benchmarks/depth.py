@@ -28,11 +28,12 @@ FOCAL_BASELINE = 55.0
 def main() -> None:
     """Print the table."""
     parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--scenes", nargs="*", default=SCENES)
     parser.add_argument("--seeds", type=int, default=3)
     parser.add_argument("--seconds", type=float, default=20.0)
     given = parser.parse_args()
     print("scene     seed  MOTA: stereo depth noisy   kept: stereo depth noisy")
-    for scene in SCENES:
+    for scene in given.scenes:
         for seed in range(given.seeds):
             with tempfile.TemporaryDirectory() as folder:
                 shares = _compared(Path(folder), scene, seed, given.seconds)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import io
 import json
+import tarfile
+import tempfile
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from datetime import UTC, datetime
@@ -115,6 +117,16 @@ def write_oak(folder: Path, footage: Footage, *, depth: bool = False) -> Path:
     told = {"cameraData": cameras, "stereoConfigData": stereo}
     (folder / "calib.json").write_text(json.dumps(told))
     return folder
+
+
+def write_oak_tar(folder: Path, footage: Footage, *, depth: bool = False) -> Path:
+    path = folder / "run.tar"
+    with tempfile.TemporaryDirectory() as loose:
+        write_oak(Path(loose), footage, depth=depth)
+        folder.mkdir(parents=True, exist_ok=True)
+        with tarfile.open(path, "w") as archive:
+            archive.add(loose, "run")
+    return path
 
 
 def write_zed(folder: Path, footage: Footage) -> Path:
@@ -268,4 +280,5 @@ FOLDERS: dict[str, Callable[..., Path]] = {
     "EuRoC": write_euroc,
     "KITTI": write_kitti,
     "OAK": write_oak,
+    "OAK in a tar": write_oak_tar,
 }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gzip
 from pathlib import Path
 
 import numpy as np
@@ -16,6 +17,7 @@ from containers_of_scene import (
     write_euroc,
     write_mcap,
     write_oak,
+    write_oak_tar,
     write_rosbag1,
     write_zed,
 )
@@ -102,6 +104,24 @@ def test_a_packed_bag_gives_the_cameras_own_times(tmp_path: Path, footage: Foota
     with open_recording(write_rosbag1(tmp_path, footage, packed=True)) as recording:
         assert_frames(recording, footage)
         assert_times(recording, footage)
+
+
+def test_a_tar_with_depth_gives_metres(tmp_path: Path, footage: Footage) -> None:
+    with open_recording(write_oak_tar(tmp_path, footage, depth=True), FLOOR) as recording:
+        assert recording.has_depth
+        assert_frames(recording, footage)
+        assert_times(recording, footage)
+        assert_calibration(recording.calibration, footage)
+        depth = recording.read(2).depth
+        assert depth is not None
+        assert np.allclose(depth, footage.depth[2] * 0.001)
+
+
+def test_a_packed_tar_is_refused_in_a_line(tmp_path: Path, footage: Footage) -> None:
+    path = write_oak_tar(tmp_path, footage)
+    path.write_bytes(gzip.compress(path.read_bytes()))
+    with pytest.raises(RecordingError, match="cannot be read as a tar that is not packed"):
+        open_recording(path)
 
 
 @pytest.mark.parametrize("kind", ["oak", "zed"])
@@ -204,7 +224,7 @@ def test_without_the_libraries_the_extra_is_named(
     hidden.mkdir(parents=True)
     (hidden / "__init__.py").write_text("raise ImportError('not installed')\n")
     monkeypatch.setenv("PYTHONPATH", str(hidden.parent))
-    with pytest.raises(RecordingError, match=r"pip install 'trackwright\[bags\]'"):
+    with pytest.raises(RecordingError, match="the extra bags: pip install rosbags mcap"):
         open_recording(path)
 
 

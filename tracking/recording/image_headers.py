@@ -77,14 +77,19 @@ def size_of(file: Path) -> Size | None:
         OSError: it cannot be read.
     """
     with file.open("rb") as stream:
-        start = stream.read(_START_BYTES)
-        try:
-            for signatures, size_in in _KINDS:
-                if start.startswith(signatures):
-                    width, height = size_in(start, stream) or (0, 0)
-                    return (width, height) if width > 0 and height > 0 else None
-        except (struct.error, IndexError):  # the file ends within its header
-            pass
+        return size_in(stream)
+
+
+def size_in(stream: BinaryIO) -> Size | None:
+    """The same of a stream that stands at an image's beginning."""
+    start = stream.read(_START_BYTES)
+    try:
+        for signatures, size_told in _KINDS:
+            if start.startswith(signatures):
+                width, height = size_told(start, stream) or (0, 0)
+                return (width, height) if width > 0 and height > 0 else None
+    except (struct.error, IndexError):  # the file ends within its header
+        pass
     return None
 
 

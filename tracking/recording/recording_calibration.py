@@ -17,8 +17,11 @@ from tracking.geometry import (
     read_calibration,
 )
 from tracking.geometry.calibration_file_text import parse_yaml
+from tracking.geometry.json_calibration import calibration_of_json, parsed
 from tracking.geometry.ros_calibration import calibration_of_ros
 from tracking.recording.bags.bag_pictures import calibration_texts, is_bag, open_bag
+from tracking.recording.kinds.oak import calibration_in_tar
+from tracking.recording.tar_pictures import is_tar
 from tracking.translation import Message, msg
 
 
@@ -65,7 +68,10 @@ def read_calibrated(
     """
     if not files:
         return Calibrated(None, None, None, "", ())
-    if is_bag(files[0]):
+    if is_tar(files[0]):
+        text = calibration_in_tar(files[0])
+        calibration = calibration_of_json(parsed(text) or {}, files[0], size)
+    elif is_bag(files[0]):
         calibration, text = _of_bag(files[0], topics, size)
     else:
         calibration, text = read_calibration(files, size), calibration_text(files)

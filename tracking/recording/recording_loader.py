@@ -20,6 +20,7 @@ from tracking.recording.places import (
 )
 from tracking.recording.recording import Recording
 from tracking.recording.recording_calibration import read_calibrated
+from tracking.recording.tar_pictures import TarDepth, TarImages, is_tar
 from tracking.translation import msg
 
 
@@ -80,6 +81,9 @@ def _open_depth(located: Located, left: PictureSource, allow_outside: bool) -> D
     if manifest.depth is None:
         return None
     place = place_inside(located.folder, manifest.depth, allow_outside)
+    if is_tar(place):
+        folder = manifest.topics[2] or "depth"
+        return TarDepth(place, folder, manifest.depth, manifest.depth_scale_m)
     if is_bag(place):
         bag = open_bag(place, manifest.topics)
         return BagDepth(bag, manifest.depth, manifest.depth_scale_m, left.stamps_ns)
@@ -110,6 +114,9 @@ def _opened(located: Located, source: str, side: Side, allow_outside: bool) -> P
             place=place,
             instead=instead,
         )
+    if is_tar(place):
+        topic = located.manifest.topics[side == "right"]
+        return TarImages(place, topic or side, source)
     if is_bag(place):
         return BagPictures(open_bag(place, located.manifest.topics), source, right=side == "right")
     return open_pictures(place, source)

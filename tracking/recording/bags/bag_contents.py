@@ -73,7 +73,7 @@ def known_contents(path: Path, topics: Sequence[str]) -> BagContents | None:
         place = _place(path, topics)
         if not place.is_file() or place.stat().st_size > _MOST_BYTES:
             return None
-        with np.load(place, allow_pickle=False) as kept:
+        with place.open("rb") as file, np.load(file, allow_pickle=False) as kept:
             head = json.loads(bytes(kept["head"]).decode())
             tables = [np.asarray(kept[side], np.int64) for side in _SIDES]
         return contents_of(head, tables)

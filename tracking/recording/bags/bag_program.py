@@ -39,7 +39,7 @@ from tracking.translation import msg
 from tracking.untrusted.pipe import receive_bytes, receive_head, send
 
 _MEMORY_BYTES = 4 << 30
-_ASK_S = 1.5
+_ASK_S = 1.2
 """Of processor time that a message may cost; opening costs more with each byte of the file."""
 _BYTES_A_SECOND = 100 << 20
 _LONGEST_S = 120.0

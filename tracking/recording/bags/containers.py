@@ -487,5 +487,5 @@ def why_of(error: Exception) -> str:
 
 
 MISSING: Message = msg(
-    "needs the libraries rosbags and mcap; install the extra: pip install 'trackwright[bags]'"
+    "needs the libraries rosbags and mcap, the extra bags: pip install rosbags mcap"
 )

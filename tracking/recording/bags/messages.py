@@ -8,6 +8,7 @@ from __future__ import annotations
 import re
 import struct
 from collections.abc import Mapping, Sequence
+from functools import cache
 from typing import Any
 
 import cv2
@@ -49,22 +50,24 @@ Picture = NDArray[Any]
 class Messages:
     """Messages of a bag as values."""
 
-    def __init__(self) -> None:
-        from rosbags.typesys import Stores, get_typestore
-
-        self._ros1 = get_typestore(Stores.ROS1_NOETIC)
-        self._ros2 = get_typestore(Stores.ROS2_HUMBLE)
-
     def value(self, topic: Topic, data: bytes) -> Any:
         """The message as the library has it."""
-        if topic.is_ros1:
-            return self._ros1.deserialize_ros1(data, topic.kind)
-        return self._ros2.deserialize_cdr(data, topic.kind)
+        store = _store(topic.is_ros1)
+        read = store.deserialize_ros1 if topic.is_ros1 else store.deserialize_cdr
+        return read(data, topic.kind)
 
     def picture(self, topic: Topic, data: bytes) -> Picture:
         """(height, width, 3) uint8 BGR, or (height, width) uint16 units or float32 m of depth."""
         value = self.value(topic, data)
         return _of_compressed(value) if topic.kind == COMPRESSED else _of_image(value)
+
+
+@cache
+def _store(is_ros1: bool) -> Any:
+    """The library's types of messages, which take a while to make."""
+    from rosbags.typesys import Stores, get_typestore
+
+    return get_typestore(Stores.ROS1_NOETIC if is_ros1 else Stores.ROS2_HUMBLE)
 
 
 def stamp_ns(topic: Topic, head: bytes) -> int:
