@@ -80,13 +80,53 @@ def calibrate_roughly(request: RoughRequest, progress: Progress = no_progress) -
         RecordingError: images cannot be read.
         CalibrationError: the two do not show the same place, or not side by side.
     """
-    _check(request)
+    _check(request.fov_deg, request.baseline_m)
     points, size = _matched(request, progress)
-    focal_px = 0.5 * size[0] / np.tan(np.deg2rad(request.fov_deg) / 2)
+    return _of_points(MatchedViews(points, size), request.fov_deg, request.baseline_m)
+
+
+def calibrate_images_roughly(
+    views: Sequence[tuple[Image, Image]],
+    fov_deg: float,
+    baseline_m: float,
+    progress: Progress = no_progress,
+) -> RoughCalibration:
+    """The same as `calibrate_roughly`, from images (left, right) of several instants.
+
+    Raises:
+        CalibrationError: the two do not show the same place, or not side by side.
+    """
+    _check(fov_deg, baseline_m)
+    found = []
+    for done, view in enumerate(views):
+        found.append(_matches(*view))
+        progress(done + 1, len(views))
+    height, width = views[0][0].shape[:2]
+    points = MatchedViews(np.concatenate(found), (width, height))
+    return _of_points(points, fov_deg, baseline_m)
+
+
+def rough_camera(size: tuple[int, int], fov_deg: float) -> Camera:
+    """A camera of this horizontal field of view, without distortion.
+
+    Args:
+        size: width and height in px.
+
+    Raises:
+        CalibrationError: no camera has such a field of view.
+    """
+    _check(fov_deg, 1.0)
+    focal_px = 0.5 * size[0] / np.tan(np.deg2rad(fov_deg) / 2)
     matrix = np.array(
         [[focal_px, 0, (size[0] - 1) / 2], [0, focal_px, (size[1] - 1) / 2], [0, 0, 1]]
     )
-    rays = (points - matrix[:2, 2]) / focal_px
+    return Camera(matrix, np.zeros(5), *size)
+
+
+def _of_points(views: MatchedViews, fov_deg: float, baseline_m: float) -> RoughCalibration:
+    camera = rough_camera(views.size, fov_deg)
+    focal_px = float(camera.matrix[0, 0])
+    rays = (views.points - camera.matrix[:2, 2]) / focal_px
     rotation, direction, agreeing = _pose(rays, focal_px)
     share = float(agreeing.mean())
     if agreeing.sum() < _FEWEST or share < _LEAST_SHARE:
@@ -99,12 +139,9 @@ def calibrate_roughly(request: RoughRequest, progress: Progress = no_progress) -
     rotation, direction = _refined(rays[agreeing], rotation, direction, focal_px)
     if direction[0] > 0 and abs(direction[0]) > max(abs(direction[1]), abs(direction[2])):
         raise CalibrationError("calibration: the right camera stands left; swap left and right")
-    camera = Camera(matrix, np.zeros(5), *size)
-    calibration = StereoCalibration(
-        camera, camera, rotation, direction * request.baseline_m, rough=True
-    )
+    calibration = StereoCalibration(camera, camera, rotation, direction * baseline_m, rough=True)
     error_px = float(np.abs(_misses(rays[agreeing], rotation, direction) * focal_px).mean())
-    return RoughCalibration(calibration, len(rays), share, error_px, request.fov_deg)
+    return RoughCalibration(calibration, len(rays), share, error_px, fov_deg)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -155,20 +192,20 @@ def pose_of_matches(views: MatchedViews) -> RelativePose | None:
     return RelativePose(direction, int(agreeing.sum()), roll_deg, usual, scatter)
 
 
-def _check(request: RoughRequest) -> None:
-    if not _NARROWEST_DEG <= request.fov_deg <= _WIDEST_DEG:
+def _check(fov_deg: float, baseline_m: float) -> None:
+    if not _NARROWEST_DEG <= fov_deg <= _WIDEST_DEG:
         raise CalibrationError(
             "calibration: a field of view of {fov:g} degrees; give {low:g} to {high:g}",
             option="--fov",
-            fov=request.fov_deg,
+            fov=fov_deg,
             low=_NARROWEST_DEG,
             high=_WIDEST_DEG,
         )
-    if not 1e-3 <= request.baseline_m <= 20.0:
+    if not 1e-3 <= baseline_m <= 20.0:
         raise CalibrationError(
             "calibration: cameras {baseline:g} m apart; give their distance in metres",
             option="--baseline",
-            baseline=request.baseline_m,
+            baseline=baseline_m,
         )
 
 
