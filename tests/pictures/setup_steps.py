@@ -1,6 +1,6 @@
 """Pictures of the set-up's steps, small and large, dark and light, to be looked at.
 
-`xvfb-run -s "-screen 0 1600x1000x24" python -m tests.pictures.setup_steps FOLDER`
+`xvfb-run -s "-screen 0 1600x1000x24" python -m tests.pictures.setup_steps FOLDER [SIZES]`
 """
 
 from __future__ import annotations
@@ -35,12 +35,12 @@ def main() -> int:
     """Make all pictures in a folder."""
     if missing := why_no_window():
         sys.exit(missing)
-    folder = Path(sys.argv[1])
+    folder, sizes = Path(sys.argv[1]), SIZES[: int(sys.argv[2])] if len(sys.argv) > 2 else SIZES
     folder.mkdir(parents=True, exist_ok=True)
     with TemporaryDirectory(prefix="trackwright-") as own:
         os.environ |= {"HOME": own, "XDG_DATA_HOME": own, "XDG_CONFIG_HOME": own}
         videos = camera_card(Path(own) / "card", Path(own) / "made")
-        for size in SIZES:
+        for size in sizes:
             for look in LOOKS:
                 name = f"{size[0]}-{look.value}"
                 with borrowed_window(look.value, size) as window:

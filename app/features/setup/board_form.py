@@ -66,7 +66,7 @@ class BoardPanel(QWidget):
         size.setStretch(2, 4)
         form.addRow(tr("Size"), size)
         self.size_told = plain("", self)
-        form.addRow("", self.size_told)
+        form.addRow(self.size_told)
         self.square = page.number(" mm", 0.0, 5000.0, 2, self._change)
         self.square.setSpecialValueText(tr("not measured"))
         form.addRow(tr("Square"), named(self.square, tr("Side of a square")))

@@ -23,7 +23,7 @@ from app.features.setup.scene import (
     Shown,
     Step,
 )
-from app.features.setup.step_page import StepPage, choose, named, plain
+from app.features.setup.step_page import StepPage, choose, fit_stack, named, plain
 from tracking.calibration.boards import FoundBoards
 from tracking.calibration.rectified_preview import RectifiedPreview
 from tracking.geometry import StereoCalibration
@@ -108,9 +108,6 @@ class CalibrationPage(StepPage):
         state, plan = scene.state, scene.state.plan
         choose(self.way, state.calibration_way)
         self.pages.setCurrentIndex(_WAYS.index(state.calibration_way))
-        page = self.pages.currentWidget()
-        if page is not None:  # the stack is as high as what is shown
-            self.pages.setFixedHeight(page.sizeHint().height())
         files = plan.calibration if plan is not None else ()
         names = ", ".join(path.name for path in files)
         self.file.setText(names or tr("No calibration yet."))
@@ -125,6 +122,7 @@ class CalibrationPage(StepPage):
         self.read_told.setText("\n".join(_bulleted(scene.checked.read)) if current else "")
         self.missing.setText("\n".join(_bulleted(scene.checked.missing)) if current else "")
         self.missing.setVisible(bool(self.missing.text()))
+        fit_stack(self.pages)
         self._ask_preview(scene)
 
     def _ask_preview(self, scene: SetupScene) -> None:

@@ -121,10 +121,10 @@ def board_request(form: BoardForm, stereo: bool) -> BoardRequest:
         CalibrationError: something is not entered, or makes no board.
     """
     if not form.left or (stereo and not form.right):
-        raise CalibrationError("calibration: choose the pictures or the video of the board first")
+        raise CalibrationError("choose the pictures or the video of the board first")
     if stereo and form.square_mm <= 0:
         raise CalibrationError(
-            "calibration: the side of a square is 0 mm; measure it on the print, and enter it"
+            "the side of a square is 0 mm; measure it on the print, and enter it"
         )
     square_m = form.square_mm / _MM if form.square_mm > 0 else None
     board = Board(form.kind, form.columns, form.rows, square_m)
@@ -180,7 +180,7 @@ def calibrate_rough(
     """
     if plan.is_stereo and baseline_mm <= 0:
         raise CalibrationError(
-            "calibration: the cameras are 0 mm apart; measure from lens to lens, and enter it"
+            "the cameras are 0 mm apart; measure from lens to lens, and enter it"
         )
     plan = bare(plan)
     with open_recording(plan.folder, options_of_plan(plan)) as recording:

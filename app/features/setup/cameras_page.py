@@ -42,6 +42,8 @@ class CamerasPage(StepPage):
         form.addRow(tr("Right"), self.right)
         self.arrangement = self.choice((), self._arrange)
         form.addRow(tr("Cameras"), named(self.arrangement, tr("How the cameras lie in the files")))
+        self.arrangement_told = plain("", self)
+        form.addRow(self.arrangement_told)
         self.rows.addLayout(form)
         self._build_left()
         lag_form = self.form()
@@ -50,9 +52,14 @@ class CamerasPage(StepPage):
         self.lag.setToolTip(tr("Frames by which the right camera is late; below 0: the left one."))
         lag_form.addRow(tr("Right late by"), named(self.lag, tr("Lag of the right camera")))
         self.lag_told = plain("", self)
-        lag_form.addRow("", self.lag_told)
+        lag_form.addRow(self.lag_told)
         self.lag_rows = lag_form
         self.rows.addLayout(lag_form)
+        rate = self.form()
+        self.fps = self.number(tr(" frames/s"), 0.0, 1000.0, 3, self._set_fps)
+        self.fps.setSpecialValueText(tr("as the files say"))
+        rate.addRow(tr("Frame rate"), named(self.fps, tr("Frames a second")))
+        self.rows.addLayout(rate)
         self.found = plain("", self)
         self.doubts = plain("", self, "warning")
         for label in (self.problem, self.doubts, self.found):
@@ -103,6 +110,8 @@ class CamerasPage(StepPage):
             self.lag_rows.setRowVisible(row, stereo)
         self.lag.setValue((plan.lag or 0) if plan is not None else 0)
         self.lag_told.setText(lag_told(state))
+        self.fps.setValue((plan.fps or 0.0) if plan is not None else 0.0)
+        self.fps.setEnabled(plan is not None)
         self.found.setText("\n".join(state.found))
         self.doubts.setText("\n".join(state.doubts))
         self.doubts.setVisible(bool(state.doubts))
@@ -132,6 +141,8 @@ class CamerasPage(StepPage):
         if plan is not None:
             choose(self.arrangement, arrangement_of(plan))
         self.arrangement.setEnabled(plan is not None)
+        told = tr("Set by hand.") if "arrangement" in state.by_hand else tr("Found from the files.")
+        self.arrangement_told.setText(told if plan is not None else "")
 
     def picture(self, scene: SetupScene) -> SetupPicture:
         """Both cameras."""
@@ -170,6 +181,10 @@ class CamerasPage(StepPage):
 
     def _arrange(self, value: Arrangement) -> None:
         self.editor.change(cameras_presenter.with_arrangement(self.editor.state, value))
+
+    def _set_fps(self) -> None:
+        state, fps = self.editor.state, self.fps.value() or None
+        self.editor.try_change(self.step, lambda: cameras_presenter.with_fps(state, fps))
 
     def _set_lag(self) -> None:
         self.editor.change(cameras_presenter.with_lag(self.editor.state, self.lag.value()))

@@ -16,6 +16,7 @@ from tracking.people.first_lag import first_lag
 from tracking.progress import Progress
 from tracking.recording import MANIFEST_NAME, open_recording
 from tracking.recording.frame import Image
+from tracking.recording.limits import checked_fps
 from tracking.setup import CameraFindings, SetupPlan, find_cameras, pair_by_name, plan_of
 from tracking.setup.files import sources_in
 from tracking.setup.plan import options_of_plan
@@ -156,6 +157,14 @@ def with_lag(state: SetupState, lag: int) -> SetupState:
         return state
     plan = replace(state.plan, lag=lag or None)
     return replace(state, plan=plan, by_hand=state.by_hand | {"lag"})
+
+
+def with_fps(state: SetupState, fps: float | None) -> SetupState:
+    """The same with another frame rate; None: as the files say. Raises RecordingError."""
+    if state.plan is None or fps == state.plan.fps:
+        return state
+    checked = None if fps is None else checked_fps(fps, tr("frame rate"))
+    return replace(state, plan=replace(state.plan, fps=checked))
 
 
 def lag_told(state: SetupState) -> str:

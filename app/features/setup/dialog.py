@@ -100,7 +100,7 @@ class SetupDialog(QDialog):
             self._stack.addWidget(page)
         form = QWidget(self)
         column = QVBoxLayout(form)
-        column.setContentsMargins(0, 0, 0, 0)
+        column.setContentsMargins(0, 0, 8, 0)
         column.addWidget(self._stack, 1)
         column.addWidget(self.work)
         column.addLayout(self._buttons())
@@ -220,10 +220,8 @@ class SetupDialog(QDialog):
         self.page.show_scene(scene)
         self.undo_button.setEnabled(self.editor.may_undo)
         self.redo_button.setEnabled(self.editor.may_redo)
-        last = self.page is self.write
-        self.next.setText(tr("Write and open") if last else tr("Next"))
-        self.next.setAccessibleName(tr("Write and open") if last else tr("Next step"))
-        self.next.setEnabled(may_write(scene) if last else scene.state.plan is not None)
+        self.next.setVisible(self.page is not self.write)
+        self.next.setEnabled(scene.state.plan is not None)
         self.instant.setEnabled(scene.images is not None)
         self._draw_picture()
 

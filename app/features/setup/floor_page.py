@@ -14,7 +14,7 @@ from app.features.setup import floor_presenter
 from app.features.setup.controller import SetupEditor
 from app.features.setup.points_table import PointsTable
 from app.features.setup.scene import FloorWay, SetupPicture, SetupScene, Step
-from app.features.setup.step_page import StepPage, choose, named, plain
+from app.features.setup.step_page import StepPage, choose, fit_stack, named, plain
 from tracking.calibration.floor import FloorEstimate
 
 _PAGES: dict[FloorWay, int] = {"measured": 0, "typed": 1, "points": 2, "distances": 2, "pose": 3}
@@ -107,9 +107,6 @@ class FloorPage(StepPage):
         choose(self.way, state.floor_way)
         self.pages.setCurrentIndex(_PAGES[state.floor_way])
         self.points.fill(scene)
-        page = self.pages.currentWidget()
-        height = page.sizeHint().height() if state.floor_way != "typed" and page is not None else 0
-        self.pages.setFixedHeight(height)
         calibrated = scene.checked.calibration is not None
         stereo = calibrated and getattr(scene.checked.calibration, "right", None) is not None
         self.measure_told.setText(_measure_told(calibrated, stereo))
@@ -125,6 +122,7 @@ class FloorPage(StepPage):
         self.told.setText(state.floor_told)
         self.doubt.setText(state.floor_doubt)
         self.doubt.setVisible(bool(state.floor_doubt))
+        fit_stack(self.pages, seen=state.floor_way != "typed")
 
     def picture(self, scene: SetupScene) -> SetupPicture:
         """The grid, the horizon and the figure."""

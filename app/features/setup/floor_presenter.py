@@ -178,14 +178,18 @@ def pairs_of_points(state: SetupState) -> tuple[tuple[int, int], ...]:
 
 
 def floor_picture(
-    scene: SetupScene, pointer: tuple[float, float] | None, chosen: int = -1
+    scene: SetupScene,
+    pointer: tuple[float, float] | None,
+    chosen: int = -1,
+    *,
+    with_points: bool = True,
 ) -> SetupPicture:
     """The left image with grid, horizon, points, and a figure where the pointer is."""
     images = scene.images
     if images is None:
         return cameras_picture(scene)
     points = np.array([(point.u, point.v) for point in scene.state.points], float).reshape(-1, 2)
-    if scene.state.floor_way not in ("points", "distances"):
+    if not with_points or scene.state.floor_way not in ("points", "distances"):
         points = points[:0]
     picture = SetupPicture(
         images.left,

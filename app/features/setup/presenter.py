@@ -132,19 +132,19 @@ def mark_of(step: Step, scene: SetupScene) -> tuple[Mark, str]:
     if plan is None:
         return Mark.OPEN, tr("not begun")
     if problem:
-        return Mark.WARNING, tr("see the warning")
+        return Mark.WARNING, tr("warning")
     if step is Step.CAMERAS:
         return _mark_of_cameras(state)
     if step is Step.CALIBRATION:
         if not plan.calibration:
-            return Mark.OPEN, tr("none: no metres")
+            return Mark.OPEN, tr("no metres yet")
         rough = scene.checked.calibration is not None and scene.checked.calibration.rough
         if rough or (plan.is_stereo and scene.checked.missing):
             return Mark.WARNING, tr("rough") if rough else tr("one camera")
         return Mark.DONE, tr("done")
     if step is Step.FLOOR:
         if plan.ground is None:
-            return Mark.OPEN, tr("none: no metres")
+            return Mark.OPEN, tr("no metres yet")
         return (Mark.WARNING, tr("unsure")) if state.floor_doubt else (Mark.DONE, tr("done"))
     if step is Step.REGION:
         return (Mark.DONE, tr("done")) if plan.region else (Mark.OPEN, tr("whole image"))
@@ -153,7 +153,7 @@ def mark_of(step: Step, scene: SetupScene) -> tuple[Mark, str]:
 
 def _mark_of_cameras(state: SetupState) -> tuple[Mark, str]:
     if state.doubts:
-        return Mark.WARNING, tr("see the warning")
+        return Mark.WARNING, tr("warning")
     return Mark.DONE, tr("done")
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtGui import QIcon
+from PySide6.QtGui import QIcon, QPainter, QPen, QPixmap
 from PySide6.QtWidgets import QListWidget, QListWidgetItem, QWidget
 
 from app.core.i18n import tr
@@ -14,8 +14,8 @@ from app.core.look.theme import Theme, current_theme
 from app.features.setup.presenter import STEPS, step_title
 from app.features.setup.scene import Mark
 
-_LETTERS = 22
-_SIDE_PX = 18
+_LETTERS = 23
+_SIDE_PX, _RING_PX = 18, 48
 
 
 class StepList(QListWidget):
@@ -56,9 +56,17 @@ class StepList(QListWidget):
 
 
 def _icon(mark: Mark, theme: Theme) -> QIcon:
-    """A tick where a step is done, a warning, and a grey dot where it is open."""
+    """A tick where a step is done, a warning, and a ring where it is open."""
     if mark is Mark.DONE:
         return icon("check", theme.good)
     if mark is Mark.WARNING:
         return icon("warning", theme.warning)
-    return icon("live", theme.text_faint)
+    drawn = QPixmap(_RING_PX, _RING_PX)
+    drawn.fill(Qt.GlobalColor.transparent)
+    painter = QPainter(drawn)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    painter.setPen(QPen(theme.text_faint, _RING_PX / 12))
+    edge = _RING_PX // 5
+    painter.drawEllipse(drawn.rect().adjusted(edge, edge, -edge, -edge))
+    painter.end()
+    return QIcon(drawn)

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any, TypeVar
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QEvent, QObject, Qt, Signal
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QComboBox,
     QFormLayout,
@@ -14,6 +15,7 @@ from PySide6.QtWidgets import (
     QPushButton,
     QScrollArea,
     QSizePolicy,
+    QStackedWidget,
     QVBoxLayout,
     QWidget,
 )
@@ -24,6 +26,7 @@ from app.features.setup.controller import SetupEditor
 from app.features.setup.presenter import problem_of
 from app.features.setup.scene import SetupPicture, SetupScene, Step
 
+_LEAST_LABEL_PX = 20
 _Box = TypeVar("_Box", NumberBox, WholeBox)
 
 
@@ -49,11 +52,29 @@ class StepPage(QScrollArea):
         inside.setAutoFillBackground(False)
         self.viewport().setAutoFillBackground(False)
         self.rows = QVBoxLayout(inside)
-        self.rows.setContentsMargins(0, 0, 10, 0)
+        self.rows.setContentsMargins(0, 0, 4, 0)
         self.rows.setSpacing(8)
         self.rows.addWidget(plain(said, inside))
         self.problem = plain("", inside, "warning")
+        self._inside = inside
         self.setWidget(inside)
+        inside.installEventFilter(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:  # noqa: N802
+        """The form's content has another height by now."""
+        if watched is self._inside and event.type() == QEvent.Type.LayoutRequest:
+            self._fit_height()
+        return super().eventFilter(watched, event)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802
+        """Words wrap at other places."""
+        super().resizeEvent(event)
+        self._fit_height()
+
+    def _fit_height(self) -> None:
+        """As high as the words are at this width; Qt would take their height at the least one."""
+        width = self.viewport().width()
+        self._inside.setMinimumHeight(self.rows.totalHeightForWidth(width))
 
     def show_scene(self, scene: SetupScene) -> None:
         """Show what is known now."""
@@ -98,7 +119,6 @@ class StepPage(QScrollArea):
         """Rows of names and fields."""
         form = QFormLayout()
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
-        form.setRowWrapPolicy(QFormLayout.RowWrapPolicy.WrapLongRows)
         return form
 
     def button(self, text: str, pressed: Callable[[], object], name: str = "") -> QPushButton:
@@ -150,8 +170,20 @@ def plain(text: str, parent: QWidget, role: str = "muted") -> QLabel:
     label.setTextFormat(Qt.TextFormat.PlainText)
     label.setWordWrap(True)
     label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.MinimumExpanding)
-    label.setMinimumWidth(40)
+    label.setMinimumWidth(_LEAST_LABEL_PX)
     return label
+
+
+def fit_stack(stack: QStackedWidget, *, seen: bool = True) -> None:
+    """Make a stack as high as the page of it that is shown; nothing where that is not `seen`."""
+    page = stack.currentWidget()
+    layout = page.layout() if page is not None else None
+    width = max(stack.width(), 1)
+    height = 0
+    if seen and layout is not None:
+        height = layout.totalHeightForWidth(width) if layout.hasHeightForWidth() else -1
+        height = height if height >= 0 else layout.totalSizeHint().height()
+    stack.setFixedHeight(height)
 
 
 def choose(box: QComboBox, value: str) -> None:

@@ -17,7 +17,7 @@ from app.features.setup.presenter import may_write
 from app.features.setup.scene import SetupPicture, SetupScene, Step
 from app.features.setup.step_page import StepPage, plain
 
-_LINES = 14
+_LINES = 12
 
 
 class WritePage(StepPage):
@@ -46,7 +46,7 @@ class WritePage(StepPage):
         self.text.setTabChangesFocus(True)
         self.text.setAccessibleName(tr("recording.toml that will be written"))
         self.text.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
-        self.text.setLineWrapMode(QPlainTextEdit.LineWrapMode.NoWrap)
+        self.text.setLineWrapMode(QPlainTextEdit.LineWrapMode.WidgetWidth)
         self.text.setMinimumHeight(_LINES * self.text.fontMetrics().lineSpacing())
         self.rows.addWidget(self.text, 1)
         self.places = plain("", self)
@@ -74,7 +74,9 @@ class WritePage(StepPage):
     def picture(self, scene: SetupScene) -> SetupPicture:
         """The left image with the floor, the whole of what was found."""
         plan = scene.state.plan
-        return floor_picture(scene, None) if plan and plan.ground else cameras_picture(scene)
+        if plan is None or plan.ground is None:
+            return cameras_picture(scene)
+        return floor_picture(scene, None, with_points=False)
 
     def _type(self) -> None:
         state, name = self.editor.state, self.name.text().strip()
