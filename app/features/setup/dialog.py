@@ -173,8 +173,9 @@ class SetupDialog(QDialog):
             (QKeySequence("Ctrl+PgUp"), self.go_back),
         ):
             QShortcut(keys, self).activated.connect(run)
-        for field in self.findChildren(QLineEdit):
-            field.installEventFilter(self)
+        for kind in (QLineEdit, QAbstractSpinBox):
+            for field in self.findChildren(kind):
+                field.installEventFilter(self)
 
     # showing
 
@@ -235,7 +236,7 @@ class SetupDialog(QDialog):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:  # noqa: N802
         """Undo in a field undoes the last change, not letters of one that was taken already."""
-        if isinstance(event, QKeyEvent) and isinstance(watched, QLineEdit):
+        if isinstance(event, QKeyEvent) and isinstance(watched, QLineEdit | QAbstractSpinBox):
             back, again = event.matches(_UNDO), event.matches(_REDO)
             if (back or again) and event.type() == QEvent.Type.ShortcutOverride:
                 event.accept()
@@ -293,10 +294,12 @@ class SetupDialog(QDialog):
         super().closeEvent(event)
 
 
-def _take_typed(field: QLineEdit) -> None:
+def _take_typed(field: QLineEdit | QAbstractSpinBox) -> None:
     """Take what was typed and not taken yet."""
     around = field.parentWidget()
-    if isinstance(around, QAbstractSpinBox):
+    if isinstance(field, QAbstractSpinBox):
+        field.interpretText()
+    elif isinstance(around, QAbstractSpinBox):
         around.interpretText()
     elif field.isModified():
         field.setModified(False)

@@ -2,8 +2,8 @@
 
 Each recording's videos are copied without recording.toml and set up with mouse and keys in the
 real window (offscreen), until a tracker tracks in metres. Their lenses are kept as a file beside
-them, but for `roughly-rendered-lobby`, where there is none. Said are minutes of the whole way,
-actions, and how far the floor is from the one given.
+them, but for `roughly-rendered-lobby`, where there is none. Said are minutes of the whole way
+(and of the processor), actions, and how far the floor is from the one given.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ from __future__ import annotations
 import os
 import shutil
 import sys
+import time
 from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -87,6 +88,7 @@ def _measured(name: str, case: _Case) -> str:
 
     with borrowed_window("dark", (1400, 900)) as window:
         window.show()
+        began_s = time.process_time()
         user = SetupUser(window, lambda ready: wait_until(ready, _PATIENCE_MS))
         try:
             if case.baseline_mm:
@@ -102,13 +104,17 @@ def _measured(name: str, case: _Case) -> str:
         wait_until(lambda: bool(controller.live.running), 60_000)
         wait_until(lambda: controller.playback.number >= 1, 60_000)
         ground = controller.document.recording.ground
-        line = _line(name, user.seconds, user.actions, ground, case.truth)
+        spent_s = time.process_time() - began_s
+        line = _line(name, (user.seconds, spent_s), user.actions, ground, case.truth)
         controller.tracking.stop()
         return line
 
 
-def _line(name: str, seconds: float, actions: int, ground: Ground | None, truth: Ground) -> str:
-    head = f"{name:22s} {seconds / 60:4.1f} min {actions:3d} actions"
+def _line(
+    name: str, seconds: tuple[float, float], actions: int, ground: Ground | None, truth: Ground
+) -> str:
+    whole, own = seconds[0] / 60, seconds[1] / 60
+    head = f"{name:22s} {whole:4.1f} min ({own:.1f}) {actions:3d} actions"
     if ground is None:
         return f"{head}  no floor"
     height = 100 * (ground.height_m / truth.height_m - 1)
