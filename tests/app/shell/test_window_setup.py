@@ -81,7 +81,7 @@ def test_two_bare_videos_reach_live_tracking_with_metres_in_fifteen_actions(
     set_up_roughly(user, sorted(card.glob("GX*")), fov_deg, 1000 * calibration.baseline_m)
     controller = user.window.controller
     assert controller is not None
-    qtbot.waitUntil(lambda: controller.playback.number >= 1)
+    qtbot.waitUntil(lambda: controller.playback.number >= 1, timeout=30_000)
     assert user.actions <= 15
     recording = controller.document.recording
     assert recording.is_stereo
@@ -113,7 +113,7 @@ def test_a_calibration_beside_the_videos_is_taken_and_the_floor_is_measured(
     ground = controller.document.recording.ground
     assert ground is not None
     assert ground.height_m == pytest.approx(truth.height_m, rel=0.03)
-    qtbot.waitUntil(lambda: controller.playback.number >= 1)
+    qtbot.waitUntil(lambda: controller.playback.number >= 1, timeout=30_000)
     assert controller.live.running or controller.document.session is not None
     window = user.window
     window.run_command("play.toggle")

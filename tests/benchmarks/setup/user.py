@@ -174,4 +174,7 @@ def measure_write_and_track(user: SetupUser) -> None:
     user.wait(
         lambda: window.controller is not None and window.controller.playback.frame is not None
     )
-    user.key(window.workspace.left, Qt.Key.Key_Space)
+    window.activateWindow()
+    user.wait(window.isActiveWindow)
+    user.wait(lambda: not window.work.busy)
+    user.key(window.focusWidget() or window, Qt.Key.Key_Space)
