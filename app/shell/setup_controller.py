@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -93,14 +94,14 @@ class SetupController(Controller):
         box.open()
 
     def _write_and_open(self, plan: SetupPlan) -> None:
-        try:
-            path = write_setup(plan, replace_old=True)
-        except TrackwrightError as error:
-            if self.dialog is not None:
-                self.dialog.editor.tell(Step.WRITE, explain(error))
-            else:
-                self._window.notice.say(explain(error))
+        """Write beside the window's thread; what fails is told at the last step."""
+        dialog = self.dialog
+        if dialog is None:
             return
-        if self.dialog is not None:
-            self.dialog.finish()
-        self._window.files.open_path(path.parent)
+
+        def done(path: Path) -> None:
+            dialog.finish()
+            self._window.files.open_path(path.parent)
+
+        work = partial(write_setup, plan, replace_old=True)
+        dialog.editor.run(Step.WRITE, tr("Writing"), lambda _: work(), done)

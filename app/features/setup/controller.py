@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
@@ -18,6 +19,7 @@ from app.features.setup import cameras_presenter, presenter
 from app.features.setup.drafts import Drafts
 from app.features.setup.presenter import SetupHistory
 from app.features.setup.scene import CameraImages, Checked, SetupScene, SetupState, Step
+from tracking.errors import TrackwrightError
 from tracking.progress import Progress
 from tracking.setup import SetupPlan
 
@@ -195,6 +197,9 @@ class SetupEditor(QObject):
         """End everything, as the window closes; what was entered is on disk but for a moment's."""
         for job in (self._checks, self._reads):
             job.stop()
+        if self._saves.busy:
+            with contextlib.suppress(TrackwrightError, OSError):  # as full a disk as before
+                self._drafts.save(self.state)
         if self._job is not None:
             work, self._job = self._job, None
             work.blockSignals(True)
@@ -205,7 +210,7 @@ class SetupEditor(QObject):
         """It was written."""
         self._saves.stop()
         if self.state.plan is not None:
-            self._drafts.forget(self.state.plan)
+            self._drafts.forget(self.state.plan, for_good=True)
 
     def _end(self, then: Callable[[], None]) -> None:
         if self._job is not None:

@@ -270,7 +270,8 @@ class SetupDialog(QDialog):
             self.calibration.take_files(tuple(sorted(paths)[:2]))
         elif paths:
             self.go_to(Step.CAMERAS)
-            self.editor.take_paths(paths)
+            cameras = [path for path in paths if may_be_camera(path)]
+            self.editor.take_paths(cameras or paths)
 
     def _write(self) -> None:
         if may_write(self.editor.scene):

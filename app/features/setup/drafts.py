@@ -7,6 +7,7 @@ import json
 from collections.abc import Mapping
 from dataclasses import asdict
 from pathlib import Path
+from threading import Lock
 from typing import Any, get_args
 
 from app.core.document.document_loader import own_folder
@@ -38,6 +39,8 @@ class Drafts:
 
     def __init__(self, folder: Path | None = None) -> None:
         self._folder = own_folder() / "setups" if folder is None else folder
+        self._written: set[Path] = set()
+        self._lock = Lock()
 
     def save(self, state: SetupState) -> None:
         """Keep what was entered; nothing where there are no cameras yet. Raises OutputError."""
@@ -46,7 +49,10 @@ class Drafts:
         make_folder(self._folder.parent)
         make_folder(self._folder)
         text = json.dumps({"format": _FORMAT, **_plain(asdict(state))}, indent=1)
-        replace_with(self._file(state.plan), text.encode())
+        with self._lock:
+            if self._file(state.plan) in self._written:
+                return
+            replace_with(self._file(state.plan), text.encode())
         for old in self._files()[_KEPT:]:
             self._remove(old)
 
@@ -62,9 +68,12 @@ class Drafts:
                 return state
         return None
 
-    def forget(self, plan: SetupPlan) -> None:
-        """It was written, or is to begin anew."""
-        self._remove(self._file(plan))
+    def forget(self, plan: SetupPlan, *, for_good: bool = False) -> None:
+        """It is to begin anew; `for_good`: it was written, and saving that is late is left out."""
+        with self._lock:
+            if for_good:
+                self._written.add(self._file(plan))
+            self._remove(self._file(plan))
 
     def keep_calibration(self, plan: SetupPlan, calibration: StereoCalibration) -> Path:
         """Put a calibration that was made into a file of its own; its path. Raises OutputError."""

@@ -22,6 +22,7 @@ from tracking.setup.calibration_facts import read_facts
 from tracking.setup.plan import options_of_plan
 
 STEPS = tuple(Step)
+_ANY_FPS = 25.0
 
 
 def step_title(step: Step) -> str:
@@ -80,15 +81,17 @@ def changed_plan(state: SetupState, plan: SetupPlan) -> SetupState:
 
 
 def bare(plan: SetupPlan) -> SetupPlan:
-    """The plan's cameras alone."""
-    return replace(plan, calibration=(), ground=None, region=EVERYWHERE)
+    """The plan's cameras alone, to look at their images: how fast they come does not matter."""
+    fps = plan.fps or _ANY_FPS
+    return replace(plan, calibration=(), ground=None, region=EVERYWHERE, fps=fps)
 
 
 def check(plan: SetupPlan) -> Checked:
     """Open a plan as a trial; slow. Problems are told, not raised."""
     step, checked = Step.CAMERAS, Checked(plan)
     try:
-        with open_recording(plan.folder, options_of_plan(bare(plan))) as recording:
+        alone = replace(plan, calibration=(), ground=None, region=EVERYWHERE)
+        with open_recording(plan.folder, options_of_plan(alone)) as recording:
             size, stereo = recording.size, recording.is_stereo
         if plan.calibration:
             step = Step.CALIBRATION

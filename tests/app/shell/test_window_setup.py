@@ -16,7 +16,9 @@ from pytestqt.qtbot import QtBot
 from app.features.setup.scene import Step
 from app.shell.main_window import MainWindow
 from tests.benchmarks.setup.user import SetupUser, set_up_roughly, set_up_with_file
-from tracking.geometry import read_calibration, write_calibration
+from tests.calibration.rendered_boards import CAMERA, pair_of, write_pairs
+from tracking.calibration.boards import Board
+from tracking.geometry import Camera, read_calibration, write_calibration
 from tracking.recording import open_recording, read_manifest
 from tracking.setup.calibration_facts import field_of_view_deg
 
@@ -273,6 +275,11 @@ def test_a_mirrored_or_turned_camera_is_told_beside_the_files(
     user.wait(lambda: user.window.files.setup.dialog is not None)
     user.wait_for_rest()
     assert words in user.dialog.cameras.doubts.text()
+    assert user.dialog.picture.picture.image is not None
+    assert "fps" in user.dialog.cameras.problem.text()  # images do not say how fast they come
+    user.type(user.dialog.cameras.fps, "8")
+    user.wait_for_rest()
+    assert user.dialog.cameras.problem.text() == ""
     assert user.dialog.steps.item(0).text().endswith("warning")
 
 
@@ -340,6 +347,47 @@ def test_a_square_of_no_size_and_boards_never_found_are_told(begin: Begin, card:
     assert dialog.editor.state.board.square_mm == 25.0
 
 
+def test_pictures_of_a_board_are_left_out_and_taken_in_again(
+    begin: Begin, card: Path, tmp_path: Path
+) -> None:
+    pictures = tmp_path / "board"
+    pictures.mkdir()
+    board = Board("chessboard", 7, 5, 0.03)
+    small = Camera(CAMERA.matrix * [[0.5], [0.5], [1.0]], CAMERA.distortion, 320, 240)
+    write_pairs(pictures, board, pair_of(small), count=8)
+    user = begin(card)
+    dialog = user.dialog
+    dialog.go_to(Step.CALIBRATION)
+    user.choose(dialog.calibration.way, "board")
+    form = dialog.calibration.board
+    user.type(form.left, str(pictures / "left*.png"))
+    assert form.right.text() == str(pictures / "right*.png")
+    user.type(form.columns, "7")
+    user.type(form.rows, "5")
+    user.type(form.square, "30")
+    user.press(form.calibrate)
+    user.wait_for_rest()
+    assert "Error 0." in dialog.calibration.told.text()
+    assert form.table.rowCount() >= 7
+    used = dialog.editor.scene.boards
+    assert used is not None
+    item = form.table.item(0, 0)
+    assert item is not None
+    name = item.text()
+    item.setCheckState(Qt.CheckState.Unchecked)
+    user.wait_for_rest()
+    fewer = dialog.editor.scene.boards
+    assert fewer is not None
+    assert name in fewer.rejected
+    assert len(fewer.used) == len(used.used) - 1
+    plan = dialog.plan
+    assert plan is not None
+    assert plan.calibration_file == card / "calibration.yaml"
+    assert not (card / "calibration.yaml").exists()
+    dialog.calibration.shown.setCurrentIndex(2)
+    assert "covered" in dialog.picture.picture.said
+
+
 def test_an_open_recording_is_set_up_again_and_keeps_what_set_up_does_not_know(
     user: SetupUser, window: MainWindow, tiny_recording: Path, tmp_path: Path, qtbot: QtBot
 ) -> None:
@@ -368,11 +416,11 @@ def test_an_open_recording_is_set_up_again_and_keeps_what_set_up_does_not_know(
     qtbot.waitUntil(lambda: bool(window.findChildren(QMessageBox)))
     (box,) = window.findChildren(QMessageBox)
     user.press(next(button for button in box.buttons() if button.text() == "Replace"))
+    qtbot.waitUntil(lambda: window.files.setup.dialog is None and not window.work.busy)
     text = manifest.read_text()
     assert "tilt = 55.5" in text
     assert "# of the north hall" in text
     assert "[mine]\nkey = 1" in text
-    qtbot.waitUntil(lambda: window.files.setup.dialog is None and not window.work.busy)
 
 
 def test_the_empty_overhead_view_leads_to_metres(
