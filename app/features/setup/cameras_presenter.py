@@ -75,7 +75,9 @@ def look(plan: SetupPlan, progress: Progress) -> SetupState:
 
 
 def state_of_plan(plan: SetupPlan) -> SetupState:
-    """What a recording that is there begins with: nothing of it is looked for anew."""
+    """What a recording that is there begins with; of bare videos a calibration beside them too."""
+    if plan.at is None and not plan.calibration:
+        plan = replace(plan, calibration=_calibration_beside(plan.left))
     return SetupState(plan, floor_way="typed" if plan.ground else "measured")
 
 
