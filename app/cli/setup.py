@@ -18,7 +18,7 @@ from tracking.recording import MANIFEST_NAME, OpenOptions, open_recording
 from tracking.recording.image_pairs import Side
 from tracking.setup import CameraFindings, SetupPlan, find_cameras, pair_by_name, write_setup
 from tracking.setup.files import sources_in
-from tracking.setup.plan import plan_of, setup_text, with_lag
+from tracking.setup.plan import options_of_plan, plan_of, setup_text, with_lag
 from tracking.translation import msg, tr
 
 
@@ -59,11 +59,12 @@ def run_setup(request: SetupRequest, bare: Bare, *, as_json: bool) -> None:
             right=found.right,
         )
     plan = _completed(plan, request)
+    text = setup_text(plan)
     path = write_setup(plan, replace_old=request.force)
     if as_json:
         print_json({"recording": str(path.parent), **_document(plan, found)})
         return
-    for line in setup_text(plan).splitlines():
+    for line in text.splitlines():
         print_line(line)
     say(msg("written: {path}", path=path))
 
@@ -125,37 +126,21 @@ def _as_typed(plan: SetupPlan, request: SetupRequest, given: OpenOptions) -> Set
 
 def _completed(plan: SetupPlan, request: SetupRequest) -> SetupPlan:
     """The plan with lag and floor as they are found, checked by opening the recording."""
-    with open_recording(plan.folder, _options(plan)) as recording:
+    with open_recording(plan.folder, options_of_plan(plan)) as recording:
         if recording.is_stereo and request.lag is None and not request.as_given:
             lag = first_lag(recording)
             if lag:
                 say(msg("the right camera is {lag} frames late", lag=lag))
             plan = with_lag(plan, lag)
-        if request.floor is None:
-            return plan
+    if request.floor is None:
+        return plan
+    with open_recording(plan.folder, options_of_plan(plan)) as recording:
         find = floor_by_stereo if request.floor == "stereo" else floor_by_people
         with progress(msg("finding the floor")) as tell:
             estimate: FloorEstimate = find(recording, tell)
     for note in estimate.notes:
         say(note)
     return replace(plan, ground=estimate.ground)
-
-
-def _options(plan: SetupPlan) -> OpenOptions:
-    ground = plan.ground
-    return OpenOptions(
-        left=plan.left,
-        right=plan.right,
-        calibration=plan.calibration,
-        height_m=ground.height_m if ground else None,
-        tilt_deg=ground.tilt_deg if ground else None,
-        roll_deg=ground.roll_deg if ground else None,
-        fps=plan.fps,
-        layout=plan.layout,
-        first=plan.first if plan.layout else None,
-        look=plan.region.look,
-        mask=plan.region.mask,
-    )
 
 
 def _document(plan: SetupPlan, found: CameraFindings) -> dict[str, Any]:

@@ -42,7 +42,7 @@ from app.shell.setup_controller import SetupController
 from app.shell.whereabouts import Whereabouts
 from tracking.recording import OpenOptions
 from tracking.session import Session
-from tracking.setup.files import may_be_camera
+from tracking.setup.files import may_be_camera, needs_setup
 
 if TYPE_CHECKING:
     from app.shell.main_window import MainWindow
@@ -105,6 +105,8 @@ class Files(Controller):
         cameras = [path for path in paths if may_be_camera(path)]
         if len(cameras) > 1:
             self.setup.begin(cameras)
+        elif len(paths) == 1 and needs_setup(paths[0]):
+            self.setup.begin(paths)
         elif paths and self.controller is not None and holds_tracks_alone(paths[0]):
             self.importing.read_dropped(paths[0])
         elif paths:

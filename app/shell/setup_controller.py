@@ -1,22 +1,26 @@
-"""File > Set up a recording: cameras looked at, the form shown, recording.toml written."""
+"""File > Set up a recording: the set-up's window, and recording.toml written."""
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QFileDialog, QMessageBox
+from PySide6.QtWidgets import QMessageBox
 
 from app.core.controller import Controller
 from app.core.error_messages import explain
 from app.core.i18n import tr
 from app.core.widgets.work import Work
+from app.features.setup.cameras_presenter import state_of_plan
 from app.features.setup.dialog import SetupDialog
-from app.features.setup.presenter import SetupScene, scene_of_paths
+from app.features.setup.drafts import Drafts
+from app.features.setup.scene import SetupState, Step
 from tracking.errors import TrackwrightError
 from tracking.recording import MANIFEST_NAME
 from tracking.setup import SetupPlan, write_setup
+from tracking.setup.plan import plan_from_manifest, plan_of
 
 if TYPE_CHECKING:
     from app.shell.main_window import MainWindow
@@ -32,31 +36,45 @@ class SetupController(Controller):
         self.dialog: SetupDialog | None = None
 
     def ask(self) -> None:
-        """Ask for one or two videos."""
-        last = self._window.remembered.last_folder("open")
-        dialog = QFileDialog(self._window, tr("Videos of one camera, or of a pair"))
-        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        dialog.setFileMode(QFileDialog.FileMode.ExistingFiles)
-        dialog.setDirectory(str(last.folder or last.remembered.recent_folder or Path.home()))
-        dialog.filesSelected.connect(lambda names: self.begin([Path(name) for name in names]))
-        dialog.open()
+        """Show the first step, which asks for files, or to go on with what was interrupted."""
+        self._show(None)
 
     def begin(self, paths: list[Path]) -> None:
-        """Look at these files, or at a recording that is to be set up again."""
-        title = tr("Looking at the cameras")
-        self._work.run(title, lambda _: scene_of_paths(paths), self._show)
+        """Set up these files, or a recording again."""
+        self._show(None).editor.take_paths(paths)
 
     def again(self) -> None:
         """Set the open recording up again."""
         controller = self._window.controller
-        if controller is not None:
-            self.begin([controller.document.recording.folder])
+        if controller is None:
+            return
+        recording = controller.document.recording
+        folder, text, own = recording.folder, recording.manifest_text, recording.own_manifest
+        try:
+            plan = plan_of(folder) if own else plan_from_manifest(folder, text, own=False)
+        except TrackwrightError as error:
+            self._window.notice.say(explain(error))
+            return
+        draft = Drafts().find(plan)
+        self._show(draft or state_of_plan(plan)).editor.resumed = draft is not None
 
-    def _show(self, scene: SetupScene) -> None:
-        self.dialog = dialog = SetupDialog(scene, self._window.remembered, self._window)
+    def metres(self) -> None:
+        """The same at the first step that metres need, or for other files where none is open."""
+        if self._window.controller is None:
+            self.ask()
+            return
+        self.again()
+        if self.dialog is not None:
+            self.dialog.go_to_first_open()
+
+    def _show(self, state: SetupState | None) -> SetupDialog:
+        if self.dialog is not None:
+            self.dialog.reject()
+        self.dialog = dialog = SetupDialog(self._window.remembered, self._window, state)
         dialog.planned.connect(self._write)
-        dialog.destroyed.connect(self._forget)
+        dialog.finished.connect(self._forget)
         dialog.open()
+        return dialog
 
     def _forget(self) -> None:
         self.dialog = None
@@ -76,11 +94,14 @@ class SetupController(Controller):
         box.open()
 
     def _write_and_open(self, plan: SetupPlan) -> None:
-        try:
-            path = write_setup(plan, replace_old=True)
-        except TrackwrightError as error:
-            self._window.notice.say(explain(error))
+        """Write beside the window's thread; what fails is told at the last step."""
+        dialog = self.dialog
+        if dialog is None:
             return
-        if self.dialog is not None:
-            self.dialog.accept()
-        self._window.files.open_path(path.parent)
+
+        def done(path: Path) -> None:
+            dialog.finish()
+            self._window.files.open_path(path.parent)
+
+        work = partial(write_setup, plan, replace_old=True)
+        dialog.editor.run(Step.WRITE, tr("Writing"), lambda _: work(), done)

@@ -66,6 +66,15 @@ FILES: Final = (
         also="calibration floor cameras pair",
     ),
     Command[WindowApp](
+        "file.setup_metres",
+        "Set up metres...",
+        "File/Set up",
+        (),
+        _at_any_time,
+        lambda app: app.files.setup.metres(),
+        also="calibration floor height overhead",
+    ),
+    Command[WindowApp](
         "file.setup_again",
         "Set up again...",
         "File/Set up",

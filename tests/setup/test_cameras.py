@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import cv2
@@ -10,9 +11,10 @@ import numpy as np
 import pytest
 
 from tracking.errors import RecordingError
-from tracking.geometry import Ground
-from tracking.recording import open_recording
+from tracking.geometry import Camera, Ground, StereoCalibration, write_calibration
+from tracking.recording import open_recording, read_manifest
 from tracking.setup import SetupPlan, find_cameras, pair_by_name, plan_of, write_setup
+from tracking.setup.plan import options_of_plan
 from tracking.synthesis import render_recording
 
 Images = list[np.ndarray]
@@ -130,7 +132,60 @@ def test_what_is_written_opens_and_is_read_back(
     assert path == tmp_path / "recording.toml"
     with open_recording(tmp_path) as recording:
         assert (recording.name, recording.right_lag) == ("Hall, north", 1)
-    assert plan_of(tmp_path) == plan
+    assert plan_of(tmp_path) == replace(plan, at=tmp_path)
     with pytest.raises(RecordingError, match="--force"):
         write_setup(plan)
     write_setup(plan, replace_old=True)
+
+
+def test_a_camera_that_is_black_at_first_is_told(
+    views: tuple[Images, Images], write: Callable[[str, Images], Path]
+) -> None:
+    black = [np.zeros_like(views[0][0])] * 3
+    found = find_cameras(write("left", black + views[0]), write("right", [*black, *views[1]]))
+    told = [str(note) for note in found.notes]
+    assert sum("is black at first, until frame 5" in note for note in told) == 2
+
+
+def test_a_calibration_from_elsewhere_is_written_beside_and_nothing_there_is_replaced(
+    views: tuple[Images, Images], write: Callable[[str, Images], Path], tmp_path: Path
+) -> None:
+    left = write("left", views[0])
+    elsewhere = tmp_path.parent / f"{tmp_path.name}-elsewhere"
+    elsewhere.mkdir()
+    file = elsewhere / "mine.yaml"
+    matrix = np.array([[500.0, 0, 320], [0, 500, 240], [0, 0, 1]])
+    camera = Camera(matrix, np.zeros(5), views[0][0].shape[1], views[0][0].shape[0])
+    write_calibration(file, StereoCalibration.of_one(camera))
+    (tmp_path / "calibration.yaml").write_text("of somebody else")
+    write_setup(SetupPlan(left, fps=20.0, calibration=(file,)))
+    assert read_manifest(tmp_path).calibration == ("calibration-2.yaml",)
+    assert (tmp_path / "calibration.yaml").read_text() == "of somebody else"
+    with open_recording(tmp_path) as recording:
+        assert recording.calibration is not None
+
+
+def test_a_lag_that_was_found_counts_before_it_is_written(
+    views: tuple[Images, Images], write: Callable[[str, Images], Path]
+) -> None:
+    plan = SetupPlan(write("left", views[0]), write("right", views[1]), lag=2, fps=20.0)
+    with open_recording(plan.folder, options_of_plan(plan)) as recording:
+        assert recording.right_lag == 2
+
+
+def test_somebodys_own_text_is_kept_where_it_is_set_up_again(
+    views: tuple[Images, Images], write: Callable[[str, Images], Path], tmp_path: Path
+) -> None:
+    write_setup(SetupPlan(write("left", views[0]), ground=Ground(2.0, 30.0)))
+    path = tmp_path / "recording.toml"
+    text = path.read_text().replace("tilt = 30.0", 'tilt = 30.0 # by level\npole = "[x]"')
+    path.write_text(text + "\n[extra.table]\nlist = [1,\n  2]\n")
+    plan = plan_of(tmp_path)
+    write_setup(replace(plan, ground=Ground(2.5, 31.0)), replace_old=True)
+    text = path.read_text()
+    assert "tilt = 31.0  # by level" in text
+    assert 'pole = "[x]"' in text
+    assert "[extra.table]\nlist = [1,\n  2]" in text
+    write_setup(replace(plan, ground=None), replace_old=True)
+    assert plan_of(tmp_path).ground is None
+    assert '# [ground] pole = "[x]"' in path.read_text()

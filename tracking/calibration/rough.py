@@ -34,6 +34,10 @@ _FEWEST_TO_LOOK = 16
 """Of matches for a first look at how two cameras stand."""
 _USUAL_FOV_DEG = 65.0
 _NARROWEST_DEG, _WIDEST_DEG = 5.0, 150.0
+_LEVEL_PX, _PARALLEL_ROUNDS = 25.0, 2
+"""Rows of a point in two cameras side by side differ by the same but for so much."""
+_AS_GOOD = 0.98
+"""Of the points that agree on the best pose, those that must on that of cameras side by side."""
 _LOSS_PX = 0.5
 """Errors of matched points beyond which they count less."""
 
@@ -74,19 +78,60 @@ def calibrate_roughly(request: RoughRequest, progress: Progress = no_progress) -
     """The pose of the right camera from points matched in several instants.
 
     Both cameras are taken to be alike and without distortion, the principal point in the middle.
-    Pose by the essential matrix (five points, RANSAC), refined over all agreeing points.
+    Pose by the essential matrix (five points, RANSAC), refined over all agreeing points; or refined
+    from cameras side by side, where as many agree on that: a flat floor alone leaves it open.
 
     Raises:
         RecordingError: images cannot be read.
         CalibrationError: the two do not show the same place, or not side by side.
     """
-    _check(request)
+    _check(request.fov_deg, request.baseline_m)
     points, size = _matched(request, progress)
-    focal_px = 0.5 * size[0] / np.tan(np.deg2rad(request.fov_deg) / 2)
+    return _of_points(MatchedViews(points, size), request.fov_deg, request.baseline_m)
+
+
+def calibrate_images_roughly(
+    views: Sequence[tuple[Image, Image]],
+    fov_deg: float,
+    baseline_m: float,
+    progress: Progress = no_progress,
+) -> RoughCalibration:
+    """The same as `calibrate_roughly`, from images (left, right) of several instants.
+
+    Raises:
+        CalibrationError: the two do not show the same place, or not side by side.
+    """
+    _check(fov_deg, baseline_m)
+    found = []
+    for done, view in enumerate(views):
+        found.append(_matches(*view))
+        progress(done + 1, len(views))
+    height, width = views[0][0].shape[:2]
+    points = MatchedViews(np.concatenate(found), (width, height))
+    return _of_points(points, fov_deg, baseline_m)
+
+
+def rough_camera(size: tuple[int, int], fov_deg: float) -> Camera:
+    """A camera of this horizontal field of view, without distortion.
+
+    Args:
+        size: width and height in px.
+
+    Raises:
+        CalibrationError: no camera has such a field of view.
+    """
+    _check(fov_deg, 1.0)
+    focal_px = 0.5 * size[0] / np.tan(np.deg2rad(fov_deg) / 2)
     matrix = np.array(
         [[focal_px, 0, (size[0] - 1) / 2], [0, focal_px, (size[1] - 1) / 2], [0, 0, 1]]
     )
-    rays = (points - matrix[:2, 2]) / focal_px
+    return Camera(matrix, np.zeros(5), *size)
+
+
+def _of_points(views: MatchedViews, fov_deg: float, baseline_m: float) -> RoughCalibration:
+    camera = rough_camera(views.size, fov_deg)
+    focal_px = float(camera.matrix[0, 0])
+    rays = (views.points - camera.matrix[:2, 2]) / focal_px
     rotation, direction, agreeing = _pose(rays, focal_px)
     share = float(agreeing.mean())
     if agreeing.sum() < _FEWEST or share < _LEAST_SHARE:
@@ -97,14 +142,20 @@ def calibrate_roughly(request: RoughRequest, progress: Progress = no_progress) -
             all=len(rays),
         )
     rotation, direction = _refined(rays[agreeing], rotation, direction, focal_px)
+    parallel = _refined_from_parallel(rays, focal_px)
+    # A flat scene leaves the pose open: of two that explain it, cameras were put up side by side.
+    if parallel is not None:
+        level = _agreeing(rays, *parallel, focal_px)
+        if level.sum() >= _AS_GOOD * _agreeing(rays, rotation, direction, focal_px).sum():
+            (rotation, direction), agreeing = parallel, level
+            share = float(agreeing.mean())
+            if _are_swapped(rays[agreeing], rotation):
+                direction = -direction
     if direction[0] > 0 and abs(direction[0]) > max(abs(direction[1]), abs(direction[2])):
         raise CalibrationError("calibration: the right camera stands left; swap left and right")
-    camera = Camera(matrix, np.zeros(5), *size)
-    calibration = StereoCalibration(
-        camera, camera, rotation, direction * request.baseline_m, rough=True
-    )
+    calibration = StereoCalibration(camera, camera, rotation, direction * baseline_m, rough=True)
     error_px = float(np.abs(_misses(rays[agreeing], rotation, direction) * focal_px).mean())
-    return RoughCalibration(calibration, len(rays), share, error_px, request.fov_deg)
+    return RoughCalibration(calibration, len(rays), share, error_px, fov_deg)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -155,20 +206,20 @@ def pose_of_matches(views: MatchedViews) -> RelativePose | None:
     return RelativePose(direction, int(agreeing.sum()), roll_deg, usual, scatter)
 
 
-def _check(request: RoughRequest) -> None:
-    if not _NARROWEST_DEG <= request.fov_deg <= _WIDEST_DEG:
+def _check(fov_deg: float, baseline_m: float) -> None:
+    if not _NARROWEST_DEG <= fov_deg <= _WIDEST_DEG:
         raise CalibrationError(
             "calibration: a field of view of {fov:g} degrees; give {low:g} to {high:g}",
             option="--fov",
-            fov=request.fov_deg,
+            fov=fov_deg,
             low=_NARROWEST_DEG,
             high=_WIDEST_DEG,
         )
-    if not 1e-3 <= request.baseline_m <= 20.0:
+    if not 1e-3 <= baseline_m <= 20.0:
         raise CalibrationError(
             "calibration: cameras {baseline:g} m apart; give their distance in metres",
             option="--baseline",
-            baseline=request.baseline_m,
+            baseline=baseline_m,
         )
 
 
@@ -250,6 +301,32 @@ def _refined(
 
     found = least_squares(misses, np.zeros(6), loss="soft_l1", f_scale=_LOSS_PX)
     return parts(found.x)
+
+
+def _refined_from_parallel(rays: Floats, focal_px: float) -> tuple[Floats, Floats] | None:
+    """The pose nearest to two cameras side by side that look the same way; None: too few points."""
+    down = rays[:, 0, 1] - rays[:, 1, 1]
+    near = np.abs(down - np.median(down)) * focal_px < _LEVEL_PX
+    pose: tuple[Floats, Floats] = (np.eye(3), np.array([-1.0, 0.0, 0.0]))
+    for _ in range(_PARALLEL_ROUNDS):
+        if near.sum() < _FEWEST:
+            return None
+        pose = _refined(rays[near], *pose, focal_px)
+        near = _agreeing(rays, *pose, focal_px)
+    return pose
+
+
+def _agreeing(
+    rays: Floats, rotation: Floats, direction: Floats, focal_px: float
+) -> NDArray[np.bool_]:
+    """(n,) points near their epipolar lines."""
+    return np.asarray(np.abs(_misses(rays, rotation, direction)) * focal_px < _RANSAC_PX)
+
+
+def _are_swapped(rays: Floats, rotation: Floats) -> bool:
+    """Whether most points lie farther left in the left camera, once both look the same way."""
+    right = np.column_stack((rays[:, 1], np.ones(len(rays)))) @ rotation
+    return bool(np.median(rays[:, 0, 0] - right[:, 0] / right[:, 2]) < 0)
 
 
 def _misses(rays: Floats, rotation: Floats, direction: Floats) -> Floats:

@@ -87,3 +87,23 @@ def _values(path: Path, text: str) -> dict[str, Any]:
 def calibration_text(paths: Sequence[Path]) -> str:
     """The text of calibration files, one after the other, to be kept beside what used them."""
     return "\n".join(read_text(path) for path in paths)
+
+
+def calibration_kind(paths: Sequence[Path]) -> str:
+    """The program or format that a calibration file is of, by its contents; to be shown.
+
+    Raises:
+        CalibrationError: it cannot be read.
+    """
+    text = read_text(paths[0])
+    for kind, is_kind in (("KITTI", is_kitti), ("ZED", is_zed), ("COLMAP", is_colmap)):
+        if is_kind(text):
+            return kind
+    values = parsed(text)
+    if values is not None:
+        return "JSON" if text.lstrip().startswith(("{", "[{")) else "TOML"
+    values = _values(paths[0], text)
+    for kind, has in (("ROS", is_ros), ("EuRoC", is_euroc), ("Kalibr", is_camchain)):
+        if has(values):
+            return kind
+    return "OpenCV"

@@ -180,6 +180,7 @@ def _with_options(found: Located, options: OpenOptions) -> Located:
         fps=options.rate(manifest.fps),
         layout=options.layout or manifest.layout,
         first=options.first or manifest.first,
+        right_lag=manifest.right_lag if options.right_lag is None else options.right_lag,
         ground=options.ground(manifest.ground),
         region=options.region(manifest.region),
     )

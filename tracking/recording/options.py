@@ -23,6 +23,7 @@ class OpenOptions:
         fps: frames a second; it counts, whatever the recording says. See `rate`.
         layout: how both cameras lie in one video.
         first: the camera on the left or at the top of it.
+        right_lag: frames by which the right camera is late; negative: the left one.
         look, mask: see `RegionOfInterest`; they stand in place of what the recording says.
         allow_outside: a manifest may name files outside its folder.
     """
@@ -36,6 +37,7 @@ class OpenOptions:
     fps: float | None = None
     layout: Layout | None = None
     first: Side | None = None
+    right_lag: int | None = None
     look: tuple[Outline, ...] = ()
     mask: tuple[Outline, ...] = ()
     allow_outside: bool = False

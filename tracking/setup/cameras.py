@@ -27,9 +27,11 @@ _LEAST_SHIFT = 3.0
 """Images of cameras that look the same way are shifted so much more along rows than across."""
 _SAME_SIZE = 0.6
 """Of the matches of two whole views, those that the halves of one image have at least."""
-_TURNED_DEG = 45.0
+_TURNED_DEG, _UPSIDE_DOWN_DEG = 45.0, 150.0
 _DARK = 12
 """Mean grey level of a black image."""
+_DARK_LOOKS = (1, 2, 5, 10, 20, 50, 100, 200)
+"""Frames at which it is looked whether the image is still black."""
 _LENGTHS_DIFFER = 0.02
 
 
@@ -85,7 +87,7 @@ def _two_files(
     notes, doubts = _rates_and_lengths(source, other)
     count = min(source.frame_count, other.frame_count)
     views = [(source.read(number), other.read(number)) for number in _numbers(count)]
-    notes += _black(views, source, other)
+    notes += _black(source, other)
     matched = match_images(views)
     found = pose_of_matches(matched)
     if found is None or found.agreeing < _SURELY_SAME:
@@ -94,6 +96,17 @@ def _two_files(
             return unlike
         assert found is not None, "no matches are unlike"
     turn_deg = found.roll_deg
+    if abs(turn_deg) > _UPSIDE_DOWN_DEG:
+        doubts += [
+            msg(
+                "{right} is turned by {turn:.0f} degrees against {left}: one of them is upside "
+                "down; turn its images",
+                right=other.name,
+                left=source.name,
+                turn=abs(turn_deg),
+            )
+        ]
+        return CameraFindings(left, right, same_scene=True, notes=(*notes,), doubts=(*doubts,))
     if abs(turn_deg) > _TURNED_DEG:
         doubts += [
             msg(
@@ -183,12 +196,24 @@ def _numbers(count: int) -> list[int]:
     return [int(number) for number in (looks[1:-1] if len(looks) > 2 else looks)]
 
 
-def _black(
-    views: list[tuple[Image, Image]], source: PictureSource, other: PictureSource
-) -> list[Message]:
-    names = (source.name, other.name)
-    dark = [name for side, name in enumerate(names) if views[0][side].mean() < _DARK]
-    return [msg("{name} is black where it was looked at first", name=name) for name in dark]
+def _black(*sources: PictureSource) -> list[Message]:
+    """Cameras whose first image is black, and where it ends to be."""
+    notes = []
+    for source in sources:
+        if source.read(0).mean() >= _DARK:
+            continue
+        looks = [number for number in _DARK_LOOKS if number < source.frame_count]
+        first = next((at for at in looks if source.read(at).mean() >= _DARK), None)
+        notes.append(
+            msg(
+                "{name} is black at first, until frame {frame} or before",
+                name=source.name,
+                frame=first,
+            )
+            if first is not None
+            else msg("{name} is black at first", name=source.name)
+        )
+    return notes
 
 
 def _unlike(
@@ -225,7 +250,8 @@ def _one_file(path: Path, source: PictureSource) -> CameraFindings:
     layout = max(agreeing, key=lambda one: agreeing[one])
     pose = poses[layout]
     if pose is None or agreeing[layout] < _SAME_SCENE or not _alike(halves[layout]):
-        return CameraFindings(path, notes=(msg("{name} is of one camera", name=source.name),))
+        note = msg("{name} is of one camera", name=source.name)
+        return CameraFindings(path, notes=(note, *_black(source)))
     left_first = bool(pose.direction[0] < 0)
     note = msg(
         "{name} holds both cameras, {layout} ({count} points agree); the left camera is {place}",
@@ -234,7 +260,8 @@ def _one_file(path: Path, source: PictureSource) -> CameraFindings:
         count=pose.agreeing,
         place=msg("first") if left_first else msg("second"),
     )
-    return CameraFindings(path, None, layout, left_first, same_scene=True, notes=(note,))
+    notes = (note, *_black(source))
+    return CameraFindings(path, None, layout, left_first, same_scene=True, notes=notes)
 
 
 def _alike(views: MatchedViews) -> bool:

@@ -6,6 +6,8 @@ from pathlib import Path
 
 from tracking.errors import RecordingError
 from tracking.recording.images import IMAGE_SUFFIXES, VIDEO_SUFFIXES
+from tracking.recording.locate import locate
+from tracking.recording.options import OpenOptions
 
 
 def sources_in(folder: Path) -> tuple[Path, ...]:
@@ -30,6 +32,22 @@ def may_be_camera(path: Path) -> bool:
     """Whether a path is a video, or a folder of images."""
     is_video = path.suffix.lower() in VIDEO_SUFFIXES and path.is_file()
     return is_video or (path.is_dir() and _holds_images(path))
+
+
+def needs_setup(path: Path) -> bool:
+    """Whether a path is a folder with videos or images, which cannot be opened as it is."""
+    if not path.is_dir():
+        return False
+    try:
+        locate(path, OpenOptions())
+    except RecordingError:
+        pass
+    else:
+        return False
+    try:
+        return bool(sources_in(path))
+    except RecordingError:
+        return False
 
 
 def _holds_images(folder: Path) -> bool:

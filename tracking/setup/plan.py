@@ -8,12 +8,24 @@ from pathlib import Path
 
 from tracking.atomic_output import replace_with
 from tracking.errors import OutputError, RecordingError
-from tracking.geometry import Ground
+from tracking.geometry import Ground, read_calibration
+from tracking.geometry.calibration_writer import format_calibration
 from tracking.recording.depth_pictures import USUAL_SCALE_M
 from tracking.recording.image_pairs import Layout, Side
-from tracking.recording.manifest import MANIFEST_NAME, Manifest, format_manifest, read_manifest
+from tracking.recording.manifest import (
+    MANIFEST_NAME,
+    Manifest,
+    format_manifest,
+    manifest_text,
+    parse_manifest,
+)
+from tracking.recording.options import OpenOptions
+from tracking.recording.recording_loader import open_recording
 from tracking.recording.region_of_interest import EVERYWHERE, RegionOfInterest
+from tracking.setup.kept_text import with_old_text
 
+CALIBRATION_NAME = "calibration.yaml"
+_MOST_NAMES = 100
 _HEADINGS = {
     "[left]": "# The left camera, or the only one.",
     "[right]": "# The right camera. lag: frames by which it is late.",
@@ -35,6 +47,7 @@ class SetupPlan:
         fps: None: as the video says. calibration: one file, or a pair. ground: None: unknown.
         region: where people are looked for.
         depth: in place of a right camera, m per unit `depth_scale_m`. topics: of bags.
+        at: folder of the recording that is set up again; None: a new one beside the sources.
     """
 
     left: Path
@@ -50,27 +63,58 @@ class SetupPlan:
     depth: Path | None = None
     depth_scale_m: float = USUAL_SCALE_M
     topics: tuple[str, str, str] = ("", "", "")
+    at: Path | None = None
+
+    @property
+    def is_stereo(self) -> bool:
+        """Whether there are two cameras."""
+        return self.right is not None or self.layout is not None
 
     @property
     def folder(self) -> Path:
-        """Where recording.toml goes: the folder that all files share.
+        """Where recording.toml goes: the folder that the cameras' files share.
 
         Raises:
             RecordingError: they share none, but the root.
         """
-        files = [self.left, *([self.right] if self.right else []), *self.calibration]
-        parents = [file.parent.absolute() for file in files]
-        common = Path(os.path.commonpath(parents))
-        if common == Path(common.anchor) and len(set(parents)) > 1:
+        if self.at is not None:
+            return self.at
+        files = [self.left, *([self.right] if self.right else [])]
+        parents = {_absolute(file).parent for file in files}
+        try:
+            common = Path(os.path.commonpath(parents))
+        except ValueError:  # on two drives
+            common = Path(next(iter(parents)).anchor)
+        if common == Path(common.anchor) and len(parents) > 1:
             raise RecordingError(
                 "{left} and the other files share no folder; put them into one", left=self.left
             )
         return common
 
+    @property
+    def calibration_file(self) -> Path | None:
+        """Where a calibration from elsewhere is to be written; None: it lies in the folder."""
+        folder = self.folder
+        if all(_absolute(file).is_relative_to(_absolute(folder)) for file in self.calibration):
+            return None
+        names = (f"calibration-{number}.yaml" for number in range(2, _MOST_NAMES))
+        places = [folder / CALIBRATION_NAME, *(folder / name for name in names)]
+        return next((place for place in places if not _is_there(place)), places[-1])
+
 
 def plan_of(folder: Path) -> SetupPlan:
     """The plan of a recording that has a recording.toml; RecordingError where it cannot be read."""
-    manifest = read_manifest(folder)
+    return plan_from_manifest(folder, manifest_text(folder), own=True)
+
+
+def plan_from_manifest(folder: Path, text: str, *, own: bool) -> SetupPlan:
+    """The plan of a recording whose manifest has this text.
+
+    Args:
+        folder: what its paths are relative to. own: it is the folder's recording.toml, which is
+            to be replaced; else one is written beside the cameras' files.
+    """
+    manifest = parse_manifest(text, str(folder / MANIFEST_NAME), folder.resolve().name)
     return SetupPlan(
         left=folder / manifest.left,
         right=folder / manifest.right if manifest.right else None,
@@ -85,6 +129,26 @@ def plan_of(folder: Path) -> SetupPlan:
         depth=folder / manifest.depth if manifest.depth else None,
         depth_scale_m=manifest.depth_scale_m,
         topics=manifest.topics,
+        at=folder if own else None,
+    )
+
+
+def options_of_plan(plan: SetupPlan) -> OpenOptions:
+    """The plan as options that open its recording before anything is written."""
+    ground = plan.ground
+    return OpenOptions(
+        left=plan.left,
+        right=plan.right,
+        calibration=plan.calibration,
+        height_m=ground.height_m if ground else None,
+        tilt_deg=ground.tilt_deg if ground else None,
+        roll_deg=ground.roll_deg if ground else None,
+        fps=plan.fps,
+        layout=plan.layout,
+        first=plan.first if plan.layout else None,
+        right_lag=plan.lag if plan.is_stereo else None,
+        look=plan.region.look,
+        mask=plan.region.mask,
     )
 
 
@@ -93,21 +157,22 @@ def manifest_of(plan: SetupPlan) -> Manifest:
     folder = plan.folder
 
     def relative(path: Path) -> str:
-        return Path(os.path.relpath(path.absolute(), folder)).as_posix()
+        return Path(os.path.relpath(_absolute(path), _absolute(folder))).as_posix()
 
     ground = plan.ground
     if ground is not None:
         values = (ground.height_m, ground.tilt_deg, ground.roll_deg)
         ground = Ground(*(round(float(value), 4) for value in values))
+    written = plan.calibration_file
     return Manifest(
-        name=plan.name or folder.name,
+        name=plan.name or folder.absolute().name,
         left=relative(plan.left),
         right=relative(plan.right) if plan.right else None,
         layout=plan.layout,
         first=plan.first,
         right_lag=plan.lag,
         fps=plan.fps,
-        calibration=tuple(relative(file) for file in plan.calibration),
+        calibration=tuple(map(relative, plan.calibration if written is None else (written,))),
         ground=ground,
         region=plan.region,
         depth=relative(plan.depth) if plan.depth else None,
@@ -117,9 +182,19 @@ def manifest_of(plan: SetupPlan) -> Manifest:
 
 
 def setup_text(plan: SetupPlan) -> str:
-    """The text of recording.toml, with a comment over each table."""
+    """The text of recording.toml, with a comment over each table.
+
+    Where the folder has one, its comments and what of it means nothing here are kept.
+
+    Raises:
+        RecordingError: the files share no folder, or the old recording.toml cannot be read.
+    """
+    folder = plan.folder
+    text = format_manifest(manifest_of(plan))
+    if plan.at is not None and (folder / MANIFEST_NAME).is_file():
+        return with_old_text(text, manifest_text(folder), _HEADINGS)
     lines = ["# Made by trackwright setup; change it by hand as you like."]
-    for line in format_manifest(manifest_of(plan)).splitlines():
+    for line in text.splitlines():
         lines += [_HEADINGS[line], line] if line in _HEADINGS else [line]
     return "\n".join(lines) + "\n"
 
@@ -127,8 +202,11 @@ def setup_text(plan: SetupPlan) -> str:
 def write_setup(plan: SetupPlan, *, replace_old: bool = False) -> Path:
     """Write recording.toml beside the sources, whole or not at all; its path.
 
+    A calibration from elsewhere is written beside it as OpenCV's YAML.
+
     Raises:
         RecordingError: there is one already, and it is not to be replaced.
+        CalibrationError: the calibration cannot be read.
         OutputError: it cannot be written.
     """
     path = plan.folder / MANIFEST_NAME
@@ -138,13 +216,34 @@ def write_setup(plan: SetupPlan, *, replace_old: bool = False) -> Path:
         )
     if path.is_symlink() or (path.exists() and not path.is_file()):
         raise RecordingError("{path} is no plain file; move it away", path=path)
+    text = setup_text(plan)
+    copied = plan.calibration_file
     try:
-        replace_with(path, setup_text(plan).encode())
+        if copied is not None:
+            calibration = read_calibration(plan.calibration, image_size(plan))
+            replace_with(copied, format_calibration(calibration).encode())
+        replace_with(path, text.encode())
     except OutputError as error:
         raise error.advising("choose another folder") from error
     return path
 
 
+def image_size(plan: SetupPlan) -> tuple[int, int]:
+    """Width and height in px of one camera's images; RecordingError for unreadable ones."""
+    bare = replace(plan, calibration=(), ground=None, region=EVERYWHERE)
+    with open_recording(plan.folder, options_of_plan(bare)) as recording:
+        return recording.size
+
+
 def with_lag(plan: SetupPlan, lag: int | None) -> SetupPlan:
     """The plan with the lag that was found; none is not worth a line."""
     return replace(plan, lag=lag or None)
+
+
+def _absolute(path: Path) -> Path:
+    """Without steps back, but links as they are: names say where a recording's files belong."""
+    return Path(os.path.abspath(path))  # noqa: PTH100 - links stay
+
+
+def _is_there(path: Path) -> bool:
+    return path.exists() or path.is_symlink()

@@ -30,8 +30,8 @@ class OverheadPresenter:
         self._trail_frames = max(1, round(TRAIL_S * recording.fps))
         self._field_of_view: Floats = np.zeros((0, 2))
         self._message = tr(
-            "The position of the floor is unknown, so people cannot be placed on it. Enter the "
-            "calibration and the camera's height and tilt: File, Set up."
+            "The position of the floor is unknown, so people cannot be placed on it. Set up "
+            "calibration and floor here, or later: File, Set up."
         )
         self._looks_down = False
         calibration = recording.calibration

@@ -1,280 +1,313 @@
-"""The set-up's form: cameras, calibration and floor beside a live picture."""
+"""The set-up's window: the list of steps, a page for each, and the picture beside it."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import replace
+from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import Any
 
-import numpy as np
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QImage, QPixmap, QResizeEvent
+from PySide6.QtCore import QEvent, QObject, QSize, Qt, QUrl, Signal
+from PySide6.QtGui import (
+    QCloseEvent,
+    QDragEnterEvent,
+    QDropEvent,
+    QKeyEvent,
+    QKeySequence,
+    QShortcut,
+)
 from PySide6.QtWidgets import (
+    QAbstractSpinBox,
     QDialog,
-    QDialogButtonBox,
-    QFormLayout,
     QHBoxLayout,
-    QLabel,
     QLineEdit,
     QPushButton,
-    QSizePolicy,
+    QSlider,
+    QSplitter,
+    QStackedWidget,
     QVBoxLayout,
     QWidget,
 )
 
-from app.core.error_messages import explain
 from app.core.i18n import tr
-from app.core.jobs.jobs import Job
-from app.core.widgets.number_boxes import NumberBox, tell_beside
-from app.core.widgets.parts import quiet
-from app.core.widgets.questions import choose_file
 from app.core.widgets.user_settings import UserSettings
-from app.features.setup import presenter
-from app.features.setup.presenter import SetupScene
-from tracking.calibration.floor import FloorEstimate
-from tracking.errors import CalibrationError
-from tracking.geometry import Ground
-from tracking.progress import Progress
-from tracking.recording.frame import Image
+from app.core.widgets.work_line import WorkLine
+from app.features.setup.calibration_page import CalibrationPage
+from app.features.setup.cameras_page import CamerasPage
+from app.features.setup.controller import SetupEditor
+from app.features.setup.drafts import Drafts
+from app.features.setup.floor_page import FloorPage
+from app.features.setup.picture_view import PictureView
+from app.features.setup.presenter import STEPS, mark_of, may_write
+from app.features.setup.region_page import RegionPage
+from app.features.setup.scene import SetupState, Step
+from app.features.setup.step_list import StepList
+from app.features.setup.step_page import StepPage
+from app.features.setup.write_page import WritePage
 from tracking.setup import SetupPlan
+from tracking.setup.files import may_be_camera
 
-_FORM_LETTERS, _PICTURE_PX = 58, (420, 320)
+_FORM_LETTERS = 50
+_SHARES = 1000
+_MARGIN_PX = 40
+_LEAST = QSize(900, 520)
+_UNDO = QKeySequence.StandardKey.Undo
+_REDO = QKeySequence.StandardKey.Redo
 
 
 class SetupDialog(QDialog):
-    """Shows a :class:`SetupScene` and changes it; what it takes long for is done beside.
+    """Five steps, entered and left at will; Ctrl+Page Down and Ctrl+Page Up go on and back.
 
-    Signals: `planned(plan)`, the plan is to be written and opened. Whoever has written it accepts
-    the form; until then nothing that was typed is lost.
+    Signals: `planned(plan)`, the plan is to be written and opened. Whoever has written it calls
+    :meth:`finish`; until then nothing that was entered is lost.
     """
 
     planned = Signal(object)
 
-    def __init__(self, scene: SetupScene, remembered: UserSettings, parent: QWidget) -> None:
+    def __init__(
+        self,
+        remembered: UserSettings,
+        parent: QWidget,
+        state: SetupState | None = None,
+        drafts: Drafts | None = None,
+    ) -> None:
         super().__init__(parent)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setWindowTitle(tr("Set up a recording"))
-        self._remembered = remembered
-        self._job: Job | None = None
-        self._fills = False
-        self.scene = scene
-        self.picture = _Picture(self)
-        across = QHBoxLayout(self)
-        across.addWidget(self._form())
-        across.addWidget(self.picture, 1)
-        self.show_scene(scene)
+        self.setAcceptDrops(True)
+        drafts = drafts or Drafts()
+        self.editor = SetupEditor(state or SetupState(), drafts, self)
+        interrupted = drafts.latest() if state is None else None
+        self.cameras = CamerasPage(self.editor, remembered, interrupted, self)
+        self.calibration = CalibrationPage(self.editor, remembered, self)
+        self.floor = FloorPage(self.editor, remembered, self)
+        self.region = RegionPage(self.editor, self)
+        self.write = WritePage(self.editor, self)
+        self.pages: tuple[StepPage, ...] = (
+            self.cameras, self.calibration, self.floor, self.region, self.write
+        )  # fmt: skip
+        self.steps = StepList(self)
+        self.picture = PictureView(self)
+        self.work = WorkLine(tr("Cancel the running work"), self)
+        self._build()
+        self._connect()
+        self._show()
+        self.resize(_fitting(parent))
 
-    def _form(self) -> QWidget:
-        panel = QWidget(self)
-        panel.setFixedWidth(_FORM_LETTERS * self.fontMetrics().averageCharWidth())
-        rows, form = QVBoxLayout(panel), QFormLayout()
-        form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
-        rows.addLayout(form)
-        self.name = QLineEdit(panel)
-        form.addRow(tr("Name"), self.name)
-        self.left, self.right = (_plain(panel) for _ in range(2))
-        form.addRow(tr("Left camera"), self.left)
-        form.addRow(tr("Right camera"), self.right)
-        self.swap = self._button(tr("Swap left and right"), self._swap)
-        form.addRow("", self.swap)
-        self.cameras = _plain(panel)
-        form.addRow("", self.cameras)
-        self.calibration = _plain(panel)
-        form.addRow(tr("Calibration"), self.calibration)
-        self.read = self._button(tr("Read a file..."), self._choose_calibration)
-        form.addRow("", self.read)
-        self.height_m, self.tilt_deg, self.roll_deg = self._floor_fields(form)
-        self.measure = self._button(tr("Measure the floor"), self._measure)
-        form.addRow("", self.measure)
-        self.floor = _plain(panel)
-        form.addRow("", self.floor)
-        self.problem = _plain(panel)
-        rows.addStretch(1)
-        rows.addWidget(self.problem)
-        kinds = QDialogButtonBox.StandardButton
-        self.buttons = QDialogButtonBox(kinds.Ok | kinds.Cancel, panel)
-        self.buttons.button(kinds.Ok).setText(tr("Write and open"))
-        self.buttons.accepted.connect(self._write)
-        self.buttons.rejected.connect(self.reject)
-        rows.addWidget(self.buttons)
-        return panel
+    # building
 
-    def _floor_fields(self, form: QFormLayout) -> tuple[NumberBox, NumberBox, NumberBox]:
-        made = []
-        for text, low, high, unit in (
-            (tr("Camera height"), 0.0, 60.0, " m"),
-            (tr("Tilt"), -45.0, 90.0, "\N{DEGREE SIGN}"),
-            (tr("Roll"), -90.0, 90.0, "\N{DEGREE SIGN}"),
-        ):
-            box = NumberBox(self)
-            box.setRange(low, high)
-            box.setDecimals(3 if unit == " m" else 2)
-            box.setSingleStep(0.1)
-            box.setSuffix(unit)
-            box.setKeyboardTracking(False)
-            tell_beside(box)
-            box.valueChanged.connect(self._type_floor)
-            form.addRow(text, box)
-            made.append(box)
-        height, tilt, roll = made
-        height.setSpecialValueText(tr("not known"))
-        height.setToolTip(tr("Of the left camera above the floor."))
-        tilt.setToolTip(tr("Of the optical axis below the horizon; 90 looks straight down."))
-        roll.setToolTip(tr("About the optical axis, clockwise as the camera sees the world."))
-        return height, tilt, roll
+    def _build(self) -> None:
+        self._stack = QStackedWidget(self)
+        for page in self.pages:
+            self._stack.addWidget(page)
+        form = QWidget(self)
+        column = QVBoxLayout(form)
+        column.setContentsMargins(0, 0, 8, 0)
+        column.addWidget(self._stack, 1)
+        column.addWidget(self.work)
+        column.addLayout(self._buttons())
+        form.setMinimumWidth(_FORM_LETTERS * self.fontMetrics().averageCharWidth())
+        seen = QWidget(self)
+        right = QVBoxLayout(seen)
+        right.setContentsMargins(0, 0, 0, 0)
+        right.addWidget(self.picture, 1)
+        self.instant = QSlider(Qt.Orientation.Horizontal, seen)
+        self.instant.setRange(0, _SHARES)
+        self.instant.setPageStep(_SHARES // 10)
+        self.instant.setAccessibleName(tr("Instant of the footage"))
+        self.instant.setToolTip(tr("The instant that the picture shows"))
+        self.instant.setValue(round(self.editor.share * _SHARES))
+        right.addWidget(self.instant)
+        across = QSplitter(Qt.Orientation.Horizontal, self)
+        across.setChildrenCollapsible(False)
+        across.addWidget(form)
+        across.addWidget(seen)
+        across.setStretchFactor(0, 0)
+        across.setStretchFactor(1, 1)
+        whole = QHBoxLayout(self)
+        whole.setSpacing(12)
+        whole.addWidget(self.steps)
+        whole.addWidget(across, 1)
 
-    def _button(self, text: str, pressed: Callable[[], None]) -> QPushButton:
+    def _buttons(self) -> QHBoxLayout:
+        row = QHBoxLayout()
+        self.undo_button = self._button(tr("Undo"), self.editor.undo, tr("Undo the last change"))
+        self.redo_button = self._button(tr("Redo"), self.editor.redo, tr("Redo what was undone"))
+        self.close_button = self._button(tr("Close"), self.reject, tr("Close; nothing is lost"))
+        self.close_button.setToolTip(tr("What was entered is kept, and offered again."))
+        self.next = self._button(tr("Next"), self.go_on, tr("Next step"))
+        for button in (self.undo_button, self.redo_button):
+            row.addWidget(button)
+        row.addStretch(1)
+        row.addWidget(self.close_button)
+        row.addWidget(self.next)
+        return row
+
+    def _button(self, text: str, pressed: Callable[[], object], name: str) -> QPushButton:
         button = QPushButton(text, self)
         button.setAutoDefault(False)
-        button.clicked.connect(pressed)
+        button.setAccessibleName(name)
+        button.clicked.connect(lambda: pressed())
         return button
 
-    def show_scene(self, scene: SetupScene) -> None:
-        """Show what is known now."""
-        self.scene, plan = scene, scene.plan
-        self._fills = True
-        if not self.name.isModified():
-            self.name.setText(plan.name or plan.folder.name)
-        self.left.setText(plan.left.name)
-        both = tr("in the same image ({layout})", layout=_layout_text(plan))
-        self.right.setText(
-            plan.right.name if plan.right else both if plan.layout else tr("none: one camera")
-        )
-        self.cameras.setText("\n".join(filter(None, (scene.found, scene.doubts))))
-        names = ", ".join(path.name for path in plan.calibration)
-        self.calibration.setText(names or tr("none: boxes only, no metres"))
-        ground = plan.ground
-        for box, value in zip(
-            (self.height_m, self.tilt_deg, self.roll_deg),
-            (ground.height_m, ground.tilt_deg, ground.roll_deg) if ground else (0.0, 0.0, 0.0),
-            strict=True,
+    def _connect(self) -> None:
+        self.editor.drawn.connect(self._show)
+        self.editor.worked.connect(self._show_work)
+        self.work.cancelled.connect(self.editor.cancel)
+        self.steps.chosen.connect(self._enter)
+        self.instant.valueChanged.connect(lambda value: self.editor.show_at(value / _SHARES))
+        self.write.write_asked.connect(self._write)
+        self.region.picture_wanted.connect(self.picture.setFocus)
+        for page in self.pages:
+            page.redrawn.connect(self._draw_picture)
+        view = self.picture
+        view.clicked.connect(lambda x, y: self.page.click(x, y))
+        view.hovered.connect(lambda x, y: self.page.hover(x, y))
+        view.handle_moved.connect(lambda number, x, y: self.page.move_handle(number, x, y))
+        view.handle_chosen.connect(lambda number: self.page.choose_handle(number))
+        view.ended.connect(lambda: self.page.end())
+        view.given_up.connect(lambda: self.page.give_up())
+        view.deleted.connect(lambda: self.page.delete())
+        for keys, run in (
+            (QKeySequence(_UNDO), self.editor.undo),
+            (QKeySequence(_REDO), self.editor.redo),
+            (QKeySequence("Ctrl+PgDown"), self.go_on),
+            (QKeySequence("Ctrl+PgUp"), self.go_back),
         ):
-            if ground is not None or box is self.height_m:
-                box.setValue(value)
-        self._fills = False
-        self.floor.setText(scene.floor_told)
-        self.problem.setText(scene.problem)
-        self.swap.setEnabled(scene.stereo)
-        self.measure.setEnabled(bool(plan.calibration) and self._job is None)
-        ok = self.buttons.button(QDialogButtonBox.StandardButton.Ok)
-        ok.setEnabled(not scene.problem and self._job is None)
-        self.picture.show_image(presenter.picture_of(scene))
+            QShortcut(keys, self).activated.connect(run)
+        for kind in (QLineEdit, QAbstractSpinBox):
+            for field in self.findChildren(kind):
+                field.installEventFilter(self)
 
-    def _swap(self) -> None:
-        self._beside(lambda _: presenter.swapped(self.scene), self.show_scene)
-
-    def _choose_calibration(self) -> None:
-        last = self._remembered.last_folder("calibration")
-        choose_file(self, tr("The calibration file"), "", self.take_calibration, last)
-
-    def take_calibration(self, path: Path) -> None:
-        """Take a calibration file that was chosen."""
-        self.show_scene(presenter.with_calibration(self.scene, (path,)))
-
-    def _type_floor(self) -> None:
-        if self._fills:
-            return
-        ground = None
-        if self.height_m.value() > 0.0:
-            try:
-                ground = Ground(self.height_m.value(), self.tilt_deg.value(), self.roll_deg.value())
-            except CalibrationError as error:
-                self.problem.setText(tr(error.message))
-                return
-        self.show_scene(presenter.with_ground(self.scene, ground))
-
-    def _measure(self) -> None:
-        self.floor.setText(tr("Measuring the floor..."))
-        scene = self.scene
-
-        def show(found: FloorEstimate) -> None:
-            self.show_scene(presenter.with_estimate(self.scene, found))
-
-        self._beside(lambda progress: presenter.measured(scene, progress), show)
-
-    def _beside(self, work: Callable[[Progress], Any], done: Callable[[Any], None]) -> None:
-        """Do what takes long beside the window; what it ends with is shown."""
-        self._end_job()
-        self._job = job = Job(self.windowTitle(), work, self)
-        job.done.connect(lambda result: self._finish(lambda: done(result)))
-        job.failed.connect(lambda error: self._finish(lambda: self._tell(error)))
-        job.start()
-        for button in (self.measure, self.buttons.button(QDialogButtonBox.StandardButton.Ok)):
-            button.setEnabled(False)
-
-    def _finish(self, then: Callable[[], None]) -> None:
-        if self._job is not None:
-            self._job.deleteLater()
-            self._job = None
-        self.show_scene(self.scene)
-        then()
-
-    def _tell(self, error: Exception) -> None:
-        self.floor.setText(explain(error))
-
-    def _end_job(self) -> None:
-        if self._job is not None:
-            job, self._job = self._job, None
-            job.end_untold()
-
-    def done(self, result: int) -> None:
-        """Close; what still works is ended."""
-        self._end_job()
-        super().done(result)
-
-    def _write(self) -> None:
-        self.planned.emit(self.plan)
+    # showing
 
     @property
-    def plan(self) -> SetupPlan:
-        """What is to be written."""
-        return replace(self.scene.plan, name=self.name.text().strip() or self.scene.plan.name)
+    def page(self) -> StepPage:
+        """The page that is shown."""
+        return self.pages[self._stack.currentIndex()]
+
+    @property
+    def plan(self) -> SetupPlan | None:
+        """What would be written."""
+        return self.editor.state.plan
+
+    def go_to(self, step: Step) -> None:
+        """Show a step."""
+        self.steps.choose(STEPS.index(step))
+
+    def go_to_first_open(self) -> None:
+        """Show the first step that metres still need."""
+        plan = self.plan
+        if plan is not None:
+            self.go_to(Step.FLOOR if plan.calibration else Step.CALIBRATION)
+
+    def go_on(self) -> None:
+        """The next step; at the last one it is written."""
+        if self.page is self.write:
+            self._write()
+        else:
+            self.steps.choose(self._stack.currentIndex() + 1)
+
+    def go_back(self) -> None:
+        """The step before."""
+        self.steps.choose(max(self._stack.currentIndex() - 1, 0))
+
+    def _enter(self, row: int) -> None:
+        self._stack.setCurrentIndex(row)
+        self._show()
+        self.page.ensureVisible(0, 0)
+
+    def _show(self) -> None:
+        scene = self.editor.scene
+        self.steps.show_marks([mark_of(step, scene) for step in STEPS])
+        self.page.show_scene(scene)
+        self.undo_button.setEnabled(self.editor.may_undo)
+        self.redo_button.setEnabled(self.editor.may_redo)
+        self.next.setVisible(self.page is not self.write)
+        self.next.setEnabled(scene.state.plan is not None)
+        self.instant.setEnabled(scene.images is not None)
+        self._draw_picture()
+
+    def _draw_picture(self) -> None:
+        self.picture.show_picture(self.page.picture(self.editor.scene))
+
+    def _show_work(self, text: str, share: float) -> None:
+        self.work.show_work(text, None if share < 0 else share)
+
+    # gestures
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:  # noqa: N802
+        """Undo in a field undoes the last change, not letters of one that was taken already."""
+        if isinstance(event, QKeyEvent) and isinstance(watched, QLineEdit | QAbstractSpinBox):
+            back, again = event.matches(_UNDO), event.matches(_REDO)
+            if (back or again) and event.type() == QEvent.Type.ShortcutOverride:
+                event.accept()
+                return True
+            if (back or again) and event.type() == QEvent.Type.KeyPress:
+                _take_typed(watched)
+                (self.editor.undo if back else self.editor.redo)()
+                return True
+            if event.type() == QEvent.Type.KeyPress and event.key() in (
+                Qt.Key.Key_Return,
+                Qt.Key.Key_Enter,
+            ):
+                _take_typed(watched)
+                return True  # it would press a button of the dialog
+        return super().eventFilter(watched, event)
+
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:  # noqa: N802
+        """Files from this machine."""
+        if any(url.isLocalFile() for url in event.mimeData().urls()):
+            event.acceptProposedAction()
+
+    def dropEvent(self, event: QDropEvent) -> None:  # noqa: N802
+        """Videos or a folder are the cameras; at the step of the calibration other files it."""
+        event.acceptProposedAction()
+        self.take_dropped([url for url in event.mimeData().urls() if url.isLocalFile()])
+
+    def take_dropped(self, urls: Sequence[QUrl]) -> None:
+        """Take what was dropped."""
+        paths = [Path(url.toLocalFile()) for url in urls]
+        if self.page is self.calibration and not any(map(may_be_camera, paths)):
+            self.calibration.take_files(tuple(sorted(paths)[:2]))
+        elif paths:
+            self.go_to(Step.CAMERAS)
+            cameras = [path for path in paths if may_be_camera(path)]
+            self.editor.take_paths(cameras or paths)
+
+    def _write(self) -> None:
+        if may_write(self.editor.scene):
+            self.planned.emit(self.editor.state.plan)
+
+    def finish(self) -> None:
+        """It was written: nothing is to be kept for another time."""
+        self.editor.forget_draft()
+        self.accept()
+
+    def done(self, result: int) -> None:
+        """Close; what still works is asked to end."""
+        self.calibration.stop()
+        self.editor.stop()
+        super().done(result)
+
+    def closeEvent(self, event: QCloseEvent) -> None:  # noqa: N802
+        """The same by the window's own button."""
+        self.calibration.stop()
+        self.editor.stop()
+        super().closeEvent(event)
 
 
-def _layout_text(plan: SetupPlan) -> str:
-    return tr("side by side") if plan.layout == "side-by-side" else tr("one above the other")
+def _take_typed(field: QLineEdit | QAbstractSpinBox) -> None:
+    """Take what was typed and not taken yet."""
+    around = field.parentWidget()
+    if isinstance(field, QAbstractSpinBox):
+        field.interpretText()
+    elif isinstance(around, QAbstractSpinBox):
+        around.interpretText()
+    elif field.isModified():
+        field.setModified(False)
+        field.editingFinished.emit()
 
 
-def _plain(parent: QWidget) -> QLabel:
-    label = quiet("", parent)
-    label.setTextFormat(Qt.TextFormat.PlainText)
-    label.setWordWrap(True)
-    return label
-
-
-class _Picture(QLabel):
-    """An image as large as there is room."""
-
-    def __init__(self, parent: QWidget) -> None:
-        super().__init__(parent)
-        self.setMinimumSize(*_PICTURE_PX)
-        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Ignored)
-        self.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.setAccessibleName(tr("Left camera with the floor's grid"))
-        self._whole = QPixmap()
-
-    def show_image(self, image: Image | None) -> None:
-        """Show another image, (height, width, 3) BGR; None: nothing."""
-        self._whole = QPixmap()
-        if image is not None:
-            packed = np.ascontiguousarray(image)
-            height, width = packed.shape[:2]
-            kind = QImage.Format.Format_BGR888
-            self._whole = QPixmap.fromImage(
-                QImage(packed.data, width, height, 3 * width, kind).copy()
-            )
-        self._fit()
-
-    def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802
-        """Fit the image anew."""
-        super().resizeEvent(event)
-        self._fit()
-
-    def _fit(self) -> None:
-        if self._whole.isNull():
-            self.clear()
-            return
-        keep = Qt.AspectRatioMode.KeepAspectRatio
-        smooth = Qt.TransformationMode.SmoothTransformation
-        self.setPixmap(self._whole.scaled(self.size(), keep, smooth))
+def _fitting(parent: QWidget) -> QSize:
+    """Nearly as large as the window."""
+    window = parent.window().size()
+    return QSize(window.width() - _MARGIN_PX, window.height() - _MARGIN_PX).expandedTo(_LEAST)

@@ -29,12 +29,13 @@ class WelcomePage(QWidget):
     """Draws a :class:`WelcomeScene`; files may be dropped anywhere on it.
 
     Signals:
-        open_asked(), demo_asked(): the buttons.
+        open_asked(), setup_asked(), demo_asked(): the buttons.
         path_chosen(object): a recent `Path`.
         dropped(object): the list of `QUrl` that were dropped.
     """
 
     open_asked = Signal()
+    setup_asked = Signal()
     demo_asked = Signal()
     path_chosen = Signal(object)
     dropped = Signal(object)
@@ -98,7 +99,11 @@ class WelcomePage(QWidget):
         demo = ChoiceButton("demo", tr("Try the demo"), "", self)
         demo.say(tr("Makes a short stereo recording with people walking, and tracks it."))
         demo.clicked.connect(self.demo_asked)
+        setup = ChoiceButton("settings", tr("Set up metres\u2026"), "", self)
+        setup.say(tr("From the videos of one camera or two to places in metres."))
+        setup.clicked.connect(self.setup_asked)
         row.addWidget(opening, 1)
+        row.addWidget(setup, 1)
         row.addWidget(demo, 1)
         return row
 

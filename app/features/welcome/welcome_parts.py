@@ -57,9 +57,9 @@ class ChoiceButton(QPushButton):
         self.update()
 
     def sizeHint(self) -> QSize:  # noqa: N802 - Qt's name
-        """Title and two lines."""
+        """Title and three lines."""
         title = QFontMetrics(scaled_font(self.font(), 1.2, bold=True))
-        return QSize(260, title.height() + 2 * self.fontMetrics().lineSpacing() + 2 * _PAD + 6)
+        return QSize(260, title.height() + 3 * self.fontMetrics().lineSpacing() + 2 * _PAD + 6)
 
     def paintEvent(self, event: QPaintEvent) -> None:  # noqa: N802
         """The card from the stylesheet, then its content."""

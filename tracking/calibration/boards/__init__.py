@@ -4,7 +4,10 @@ from tracking.calibration.boards.board import BOARD_KINDS, Board, BoardKind
 from tracking.calibration.boards.calibration import (
     BoardCalibration,
     BoardRequest,
+    FoundBoards,
     calibrate_boards,
+    find_boards,
+    fit_boards,
 )
 from tracking.calibration.boards.lens_fit import LensKind
 
@@ -14,6 +17,9 @@ __all__ = [
     "BoardCalibration",
     "BoardKind",
     "BoardRequest",
+    "FoundBoards",
     "LensKind",
     "calibrate_boards",
+    "find_boards",
+    "fit_boards",
 ]

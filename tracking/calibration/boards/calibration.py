@@ -14,7 +14,13 @@ from tracking.calibration.boards.board import Board
 from tracking.calibration.boards.coverage import coverage_map, covered_share
 from tracking.calibration.boards.detection import find_dictionary
 from tracking.calibration.boards.lens_fit import LensFit, LensKind, PairFit, fit_lens, fit_pair
-from tracking.calibration.boards.views import PairedView, Views, find_views, first_images
+from tracking.calibration.boards.views import (
+    PairedView,
+    Views,
+    blurred_views,
+    find_views,
+    first_images,
+)
 from tracking.errors import CalibrationError
 from tracking.geometry import Camera, StereoCalibration
 from tracking.progress import Progress, no_progress
@@ -84,6 +90,31 @@ def calibrate_boards(request: BoardRequest, progress: Progress = no_progress) ->
         RecordingError: images cannot be read.
         CalibrationError: the board is not found, or the views make no camera.
     """
+    return fit_boards(find_boards(request, progress))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class FoundBoards:
+    """Boards as they were found in all images, to be fitted with some left out or taken in again.
+
+    Attributes:
+        board: as it lies. views: of it. lens: the model that is to be fitted.
+        notes: oddities, in words.
+    """
+
+    board: Board
+    views: Views
+    lens: LensKind
+    notes: tuple[Message, ...]
+
+
+def find_boards(request: BoardRequest, progress: Progress = no_progress) -> FoundBoards:
+    """Look for the board in all images; slow.
+
+    Raises:
+        RecordingError: images cannot be read.
+        CalibrationError: the board is not found, or in too few images.
+    """
     if request.right is not None and request.board.square_m is None:
         raise CalibrationError(
             "calibration: two cameras need the board's square in metres, or their distance is not "
@@ -92,10 +123,37 @@ def calibrate_boards(request: BoardRequest, progress: Progress = no_progress) ->
         )
     request = _with_dictionary(request)
     board, views = _found(request, progress)
-    notes = [*views.notes, *_notes(request, board, views)]
-    fit = _fitted(views.views, board, views.size, request.lens)
+    notes = (*views.notes, *_notes(request, board, views))
+    return FoundBoards(board, views, request.lens, notes)
+
+
+def fit_boards(found: FoundBoards, left_out: frozenset[str] | None = None) -> BoardCalibration:
+    """Fit the cameras to boards that were found.
+
+    Args:
+        left_out: names of views that do not count; None: those whose error is far above the
+            others' are left out.
+
+    Raises:
+        CalibrationError: the views make no camera, or too few are left.
+    """
+    views = found.views
+    if left_out is None:
+        fit = _fitted(views.views, found.board, views.size, found.lens)
+    else:
+        kept = tuple(view for view in views.views if view.name not in left_out)
+        if len(kept) < _FEWEST_VIEWS:
+            raise CalibrationError(
+                "calibration: {count} pictures are left, and {fewest} are needed; take some in "
+                "again",
+                count=len(kept),
+                fewest=_FEWEST_VIEWS,
+            )
+        fit = _fit(kept, found.board, views.size, found.lens)
+        errors = zip(kept, fit.view_rms_px, strict=True)
+        fit = replace(fit, errors={view.name: float(px) for view, px in errors})
     _check_tilts(fit.left.rotations)
-    return _result(fit, views, tuple(notes))
+    return _result(fit, views, found.notes)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -162,6 +220,16 @@ def _notes(request: BoardRequest, board: Board, views: Views) -> list[Message]:
                 names=_some(views.missed),
             )
         )
+    blurred = blurred_views(views.views)
+    if blurred:
+        notes.append(
+            msg(
+                "{count} of {all} pictures of the board are blurred, and cost accuracy: {names}",
+                count=len(blurred),
+                all=len(views.views),
+                names=_some(blurred),
+            )
+        )
     if views.unpaired:
         notes.append(msg("pictures without a partner: {names}", names=_some(views.unpaired)))
     return notes
@@ -221,8 +289,9 @@ def _check_tilts(rotations: Floats) -> None:
 def _result(fit: _Fit, views: Views, notes: tuple[Message, ...]) -> BoardCalibration:
     used = tuple(view.name for view in fit.views)
     rejected = tuple(view.name for view in views.views if view.name not in used)
-    if rejected:
-        told = joined(", ", (f"{name} ({fit.errors[name]:.2f} px)" for name in rejected))
+    known = [name for name in rejected if name in fit.errors]
+    if known:
+        told = joined(", ", (f"{name} ({fit.errors[name]:.2f} px)" for name in known))
         notes += (msg("left out, as their error is far above the others': {names}", names=told),)
     lefts = [view.left for view in fit.views]
     calibration = _calibration(fit, views.size)

@@ -33,6 +33,8 @@ _KEPT = 40
 """Views of a video that are kept: more change nothing but the time it takes."""
 _SHARPNESS_SHARE = 0.5
 """Of the usual sharpness of the views: less of it is motion blur."""
+_BLURRED_SHARE, _SHARP_QUANTILE = 0.4, 0.9
+"""Of the sharpness of the sharpest tenth: views with less are told to be blurred."""
 _DIGITS = re.compile(r"\d+")
 
 
@@ -266,6 +268,14 @@ def _sharpness(image: GrayImage, view: BoardView) -> float:
     if part.size < 2:
         return 0.0
     return float(cv2.Laplacian(part, cv2.CV_32F).std() / max(float(part.std()), 1.0))
+
+
+def blurred_views(views: Sequence[PairedView]) -> tuple[str, ...]:
+    """Names of the views that are much less sharp than the sharpest ones."""
+    if not views:
+        return ()
+    sharp = float(np.quantile([view.sharpness for view in views], _SHARP_QUANTILE))
+    return tuple(view.name for view in views if view.sharpness < _BLURRED_SHARE * sharp)
 
 
 def _chosen(

@@ -14,6 +14,7 @@ from tracking.errors import CalibrationError
 from tracking.geometry import Rectification
 from tracking.progress import Progress, no_progress
 from tracking.recording import Recording
+from tracking.translation import Message, msg
 
 _FRAMES = 15
 """Spread over the recording; their median has nobody in it who keeps moving."""
@@ -44,6 +45,8 @@ _BLOCKS = 16
 """Of the image's width: each says by itself how far it is off the plane."""
 _LEAST_IN_BLOCK, _FEWEST_BLOCKS = 0.3, 8
 """Share of a block that must be floor; blocks that make a plane."""
+_LEAST_SEEN = 0.15
+"""Share of the image's blocks on the floor below which it is told to be doubtful."""
 _TUKEY, _TUKEY_ROUNDS, _LEAST_SCATTER_PX = 4.7, 15, 0.02
 """J. Tukey's bound in deviations; rounds of weighting; a scatter that no footage is below."""
 _CALIBRATION_PX = 0.05
@@ -370,7 +373,20 @@ def _estimate(plane: Floats, blocks: Floats, rectification: Rectification) -> Fl
     share = _CALIBRATION_PX / max(usual_px, 1e-3)
     own_deg = float(np.rad2deg(share * rectification.focal_px / (rectification.size[0] / 4)))
     sigmas = float(np.hypot(off_m, share * height_m)), float(np.hypot(lean_deg, own_deg))
-    return estimate_of(up, height_m, "stereo", *sigmas)
+    return estimate_of(up, height_m, "stereo", *sigmas, _notes(len(blocks), rectification.size))
+
+
+def _notes(count: int, size: tuple[int, int]) -> tuple[Message, ...]:
+    """What is odd about a floor that so many blocks of the image are on."""
+    side = max(size[0] // _BLOCKS, 8)
+    share = count / (-(-size[0] // side) * -(-size[1] // side))
+    if share >= _LEAST_SEEN:
+        return ()
+    note = msg(
+        "only {share:.0%} of the image lies on this floor: look at the grid before you trust it",
+        share=share,
+    )
+    return (note,)
 
 
 def _halves(blocks: Floats) -> list[NDArray[np.bool_]]:

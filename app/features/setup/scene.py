@@ -1,0 +1,183 @@
+"""What the set-up shows: what was entered, what was found of it, and the picture of each step."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from enum import StrEnum
+from pathlib import Path
+from typing import Literal
+
+import numpy as np
+
+from tracking.arrays import Floats
+from tracking.calibration.boards import BoardCalibration, BoardKind, LensKind
+from tracking.calibration.floor import FloorPoint
+from tracking.geometry import StereoCalibration
+from tracking.recording.frame import Image
+from tracking.setup import SetupPlan
+
+Arrangement = Literal["pair", "one", "side-by-side", "top-bottom"]
+CalibrationWay = Literal["file", "board", "rough"]
+FloorWay = Literal["measured", "typed", "points", "distances", "pose"]
+Shown = Literal["cameras", "rectified", "coverage"]
+OutlineKind = Literal["look", "mask"]
+Distance = tuple[int, int, float]
+"""Numbers of two points, from 0, and metres between them."""
+
+
+class Step(StrEnum):
+    """The steps, in their order."""
+
+    CAMERAS = "cameras"
+    CALIBRATION = "calibration"
+    FLOOR = "floor"
+    REGION = "region"
+    WRITE = "write"
+
+
+class Mark(StrEnum):
+    """How a step stands."""
+
+    OPEN = "open"
+    DONE = "done"
+    WARNING = "warning"
+
+
+@dataclass(frozen=True, slots=True)
+class BoardForm:
+    """What was entered of a board. Attributes: square_mm: 0 where it was not given."""
+
+    left: str = ""
+    right: str = ""
+    kind: BoardKind = "chessboard"
+    columns: int = 9
+    rows: int = 6
+    square_mm: float = 0.0
+    lens: LensKind = "standard"
+
+
+@dataclass(frozen=True, slots=True)
+class RoughForm:
+    """What was entered for a rough calibration. Attributes: baseline_mm: 0 where not given."""
+
+    fov_deg: float = 65.0
+    baseline_mm: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class SetupState:
+    """All that was entered or taken; every change of it can be undone, and it is saved as it goes.
+
+    Attributes:
+        plan: what will be written; None: no cameras yet.
+        by_hand: of "files", "left", "arrangement", "lag", those that a person set.
+        found, doubts: what the images tell of the cameras, in words.
+        found_lag: frames by which the right camera is late; None: not told by the images.
+        calibration_way, floor_way: the form that is shown.
+        calibration_told: how the calibration was made, in words; "" for a file.
+        left_out: names of pictures of boards that a person left out; None: the program chose.
+        floor_told: how the floor was found; floor_doubt: what is odd about it.
+        points: clicked on the floor; distances: between them.
+        pose_file, convention: of a pose.
+    """
+
+    plan: SetupPlan | None = None
+    by_hand: frozenset[str] = frozenset()
+    found: tuple[str, ...] = ()
+    doubts: tuple[str, ...] = ()
+    found_lag: int | None = None
+    calibration_way: CalibrationWay = "file"
+    calibration_told: str = ""
+    board: BoardForm = BoardForm()
+    rough: RoughForm = RoughForm()
+    left_out: frozenset[str] | None = None
+    floor_way: FloorWay = "measured"
+    floor_told: str = ""
+    floor_doubt: str = ""
+    points: tuple[FloorPoint, ...] = ()
+    distances: tuple[Distance, ...] = ()
+    pose_file: Path | None = None
+    convention: str = ""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class CameraImages:
+    """Images of one instant. Attributes: right: None for one camera. number: of the left image."""
+
+    left: Image
+    right: Image | None
+    number: int
+    frame_count: int
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Checked:
+    """A plan that was opened as a trial.
+
+    Attributes:
+        plan: the one. problem: why it cannot be used; "" where it can. step: where the problem is.
+        calibration: as read, in the size of the images; None: none, or not readable.
+        read, missing: what the calibration holds and lacks, in words.
+    """
+
+    plan: SetupPlan | None = None
+    problem: str = ""
+    step: Step = Step.CAMERAS
+    calibration: StereoCalibration | None = None
+    read: tuple[str, ...] = ()
+    missing: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class SetupScene:
+    """What is shown now.
+
+    Attributes:
+        boards: the calibration by boards, where one was made. busy: long work runs.
+        problems: what failed, beside the step it is of.
+    """
+
+    state: SetupState = SetupState()
+    checked: Checked = Checked()
+    images: CameraImages | None = None
+    boards: BoardCalibration | None = None
+    busy: bool = False
+    problems: dict[Step, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ShownOutline:
+    """A polygon on the picture, (n, 2) px. Attributes: closed: it is whole, and not being drawn."""
+
+    corners: Floats
+    kind: OutlineKind
+    chosen: bool = False
+    closed: bool = True
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class SetupPicture:
+    """The picture of a step.
+
+    Attributes:
+        image: (height, width, 3) BGR; None: nothing yet. titles: (x, text) along the upper edge.
+        grid, horizon: lines (n, 2) px on it. figure: (left, top, width, height) of somebody.
+        points: (n, 2) px, numbered. outlines: polygons. handle: the chosen one of `handles`.
+        said: for screen readers, and where there is no image.
+    """
+
+    image: Image | None = None
+    titles: tuple[tuple[float, str], ...] = ()
+    grid: tuple[Floats, ...] = ()
+    horizon: Floats | None = None
+    figure: tuple[float, float, float, float] | None = None
+    points: Floats = field(default_factory=lambda: np.zeros((0, 2)))
+    outlines: tuple[ShownOutline, ...] = ()
+    handle: int = -1
+    said: str = ""
+
+    @property
+    def handles(self) -> Floats:
+        """(n, 2) px that can be dragged: points, then corners of the outlines in their order."""
+        corners = [outline.corners.reshape(-1, 2) for outline in self.outlines]
+        return np.concatenate([self.points.reshape(-1, 2), *corners])
