@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from tracking.people import Detections, Observation
+from tracking.people.appearance_source import Embeddings
 from tracking.people.parts import ycbcr
 from tracking.trackers.three_part.bodies import outlined_boxes
 from tracking.trackers.three_part.claims import Claims, associate_detections, claims_of
@@ -14,6 +15,7 @@ class Frame:
 
     Attributes:
         seen: the regions. picture: (height, width, 3) of `ycbcr`.
+        embeddings: (regions, d) of an appearance network; None: there is none.
         time_s: since the recording began. elapsed_s: since the frame before; 0 in the first.
     """
 
@@ -22,6 +24,9 @@ class Frame:
         assert observation.picture is not None, "perception of one camera hands the picture on"
         self.seen: Detections = observation.people
         self.picture = ycbcr(observation.picture)
+        self.embeddings: Embeddings | None = None
+        if observation.embed is not None:
+            self.embeddings = observation.embed(self.seen.box)
         self.time_s = observation.time_s
         self.elapsed_s = elapsed_s
         self._claims: tuple[Floats, Claims] | None = None
