@@ -109,6 +109,13 @@ def _detections_line(given: Mapping[str, Any]) -> str:
         return msg(
             "{count} boxes of {file} ({format}, {fingerprint})", format=given["format"], **told
         )
+    if given["format"] == "appearance":
+        return msg(
+            "{count} crops described by {network} ({file}, {licence}, {fingerprint})",
+            network=_short(given["network"]),
+            licence=_short(given["licence"]),
+            **told,
+        )
     return msg(
         "{count} boxes of {network} ({file}, {licence}, {fingerprint})",
         network=_short(given["network"]),

@@ -40,7 +40,7 @@ def _refuse_unknown(spec: TrackerSpec, order: Order) -> None:
         "occluders": ("occluders", order.occluders),
         "detections": ("detections.file", order.detections),
         "detections-right": ("detections.file_right", order.detections_right),
-        "model": ("detections.model", order.model),
+        "model": ("detections.appearance", order.model),
     }
     known = {field.name for field in settings_fields(spec.settings_type)}
     for name, (setting, value) in given.items():
@@ -74,10 +74,19 @@ def _named(order: Order) -> Iterator[tuple[str, str]]:
         _refuse_right_alone(order)
         yield "detections.file_right", _absolute(order.detections_right)
     if order.model is not None:
-        _refuse_both(order)
-        yield "detections.model", _absolute(order.model)
+        if _is_appearance(order.model):
+            yield "detections.appearance", _absolute(order.model)
+        else:
+            _refuse_both(order)
+            yield "detections.model", _absolute(order.model)
     if order.occluders is not None:
         yield "occluders", _drawn_in(order.occluders)
+
+
+def _is_appearance(model: Path) -> bool:
+    from tracking.networks.model_file import is_appearance  # help needs no networks
+
+    return is_appearance(model)
 
 
 def _refuse_right_alone(order: Order) -> None:

@@ -31,6 +31,7 @@ from app.shell.author import Author
 from app.shell.backup_controller import BackupController
 from app.shell.close_prompts import ClosePrompts, Then
 from app.shell.detectors import Detectors
+from app.shell.doctor_page import DoctorPage
 from app.shell.export_controller import ExportController
 from app.shell.import_controller import ImportController
 from app.shell.open_recovery import OpenRecovery
@@ -81,6 +82,7 @@ class Files(Controller):
         self.backups: BackupController = BackupController(window, work, self)
         self.backups.changed.connect(self.changed)
         self.setup: SetupController = SetupController(window, work, self)
+        self.doctor: DoctorPage = DoctorPage(window, self)
         self.beside: SessionsBeside = SessionsBeside(window, work, self)
         self.keeping: ResultStorage = ResultStorage(window, work, self)
         self.keeping.changed.connect(self.changed)

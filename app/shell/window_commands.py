@@ -235,6 +235,15 @@ LAYOUT: Final = (
 )
 HELP: Final[tuple[Command[WindowApp], ...]] = (
     Command("help.keys", "All shortcuts", "Help", ("F1",), run=_show_keys),
+    Command(
+        "help.doctor",
+        "Check this recording...",
+        "Help",
+        (),
+        recording,
+        lambda app: app.files.doctor.ask(),
+        also="doctor calibration floor lag mend wrong",
+    ),
     Command("help.about", "About trackwright", "Help", run=_tell_about),
 )
 

@@ -10,7 +10,7 @@ import cv2
 import numpy as np
 import pytest
 
-from tracking.doctor import Examination, Finding, examine, mend
+from tracking.doctor import Examination, Finding, examine, mend, mend_undoably, undo_mend
 from tracking.errors import RecordingError
 from tracking.geometry import StereoCalibration, read_calibration, write_calibration
 from tracking.recording import Manifest, open_recording, read_manifest, write_manifest
@@ -183,3 +183,29 @@ def test_one_camera_is_checked_for_having_moved_only(copied: Path) -> None:
     examination = examined(copied)
     assert examination.checked == ("camera-moved",)
     assert "floor" in examination.unchecked
+
+
+def test_a_mend_of_cameras_keeps_the_text_and_is_taken_back(copied: Path) -> None:
+    path = copied / "recording.toml"
+    manifest = read_manifest(copied)
+    rewrite_manifest(copied, left=manifest.right, right=manifest.left)
+    text = "# from the east\n" + path.read_text().replace("[right]", "[right]  # new lens")
+    path.write_text(text)
+    with open_recording(copied) as recording:
+        (finding,) = examine(recording).findings
+        done = mend_undoably(recording, finding)
+    assert read_manifest(copied).left == manifest.left
+    assert "# from the east" in path.read_text()
+    assert "[right]  # new lens" in path.read_text()
+    assert undo_mend(done) == (path,)
+    assert path.read_text() == text
+
+
+def test_a_mend_is_not_taken_back_over_what_was_written_since(copied: Path) -> None:
+    turn_right(copied, 0, 0.5)
+    with open_recording(copied) as recording:
+        done = mend_undoably(recording, examine(recording).findings[0])
+    later = turn_right(copied, 1, 0.1)
+    with pytest.raises(RecordingError, match="has changed since it was mended"):
+        undo_mend(done)
+    assert later is not None

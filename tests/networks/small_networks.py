@@ -85,6 +85,18 @@ def bright_rectangles(width: int, height: int, cell: int = 8) -> bytes:
     return _model(helper.make_graph(nodes, "bright", inputs, told, constants))
 
 
+def mean_colours(bands: int = 2, batch: int | str = "n") -> bytes:
+    """An ONNX of an appearance network: the mean colours of bands of a crop, from top to bottom."""
+    kernel = [SIZE // bands, SIZE]
+    nodes = [
+        helper.make_node("AveragePool", ["crops"], ["bands"], kernel_shape=kernel, strides=kernel),
+        helper.make_node("Flatten", ["bands"], ["embedding"]),
+    ]
+    inputs = [helper.make_tensor_value_info("crops", TensorProto.FLOAT, [batch, 3, SIZE, SIZE])]
+    told = [helper.make_tensor_value_info("embedding", TensorProto.FLOAT, [batch, 3 * bands])]
+    return _model(helper.make_graph(nodes, "colours", inputs, told, []))
+
+
 def _model(graph: Any) -> bytes:
     opset = [helper.make_opsetid("", _OPSET)]
     return bytes(helper.make_model(graph, opset_imports=opset, ir_version=8).SerializeToString())
@@ -102,6 +114,24 @@ def written(folder: Path, onnx: bytes, **keys: object) -> Path:
         **keys,
     }
     path = folder / "people.toml"
+    path.write_text("".join(f"{key} = {_toml(value)}\n" for key, value in usual.items()))
+    return path
+
+
+def written_appearance(folder: Path, onnx: bytes, **keys: object) -> Path:
+    """The TOML of an appearance network in a folder, beside its ONNX."""
+    folder.mkdir(exist_ok=True)
+    (folder / "who.onnx").write_bytes(onnx)
+    usual: dict[str, object] = {
+        "kind": "appearance",
+        "name": "test colours",
+        "licence": "MIT",
+        "size": [SIZE, SIZE],
+        "mean": [0.5, 0.5, 0.5],
+        "std": [1.0, 1.0, 1.0],
+        **keys,
+    }
+    path = folder / "who.toml"
     path.write_text("".join(f"{key} = {_toml(value)}\n" for key, value in usual.items()))
     return path
 
@@ -124,6 +154,10 @@ def _toml(value: object) -> str:
 LIMITS = Limits(memory_bytes=3 << 30, start_s=20.0, frame_s=20.0)
 
 
+_APPEARANCE = 9
+"""Every tenth damaged network, this one first, is an appearance network."""
+
+
 def damaged(folder: Path, number: int) -> str:
     """What becomes of a network with a random damage: "refused" in one line, or "answered".
 
@@ -131,17 +165,24 @@ def damaged(folder: Path, number: int) -> str:
     """
     chance = random.Random(number)
     engine = ("opencv", "onnxruntime")[number % 2]
-    onnx = bytearray(bright_rectangles(10, 20))
+    is_appearance = number % 10 == _APPEARANCE
+    onnx = bytearray(mean_colours(8) if is_appearance else bright_rectangles(10, 20))
     if chance.random() < 0.25:
         del onnx[chance.randrange(len(onnx)) :]
     for _ in range(chance.choice((0, 1, 1, 2, 8))):
         if onnx:
             onnx[chance.randrange(len(onnx))] = chance.randrange(256)
+    whole = np.full((80, 120, 3), 255, np.uint8)
     keys = {"decoder": "yolo", "classes": ["person"], "head": "v8", "engine": engine}
     process = None
     try:
+        if is_appearance:
+            path = written_appearance(folder, bytes(onnx), engine=engine)
+            process = NetworkProcess(read_model(path), limits=LIMITS)
+            found = process.embed([whole, whole[:40], whole[:, :50]])
+            return "answered" if np.isfinite(found).all() else f"no embeddings: {found}"
         process = NetworkProcess(model(folder, bytes(onnx), **keys), limits=LIMITS)
-        (boxes,) = process.find([np.full((80, 120, 3), 255, np.uint8)], 0.3)
+        (boxes,) = process.find([whole], 0.3)
     except FormatError as refused:
         return "refused" if "\n" not in str(refused) else f"several lines: {refused!r}"
     finally:

@@ -1,7 +1,8 @@
 """Damaged networks, as tracking runs them: `networks.py --runs N`.
 
-Each is a small ONNX with bytes changed or its end cut off, read and run by either engine. It is
-refused in one line or gives sound boxes; nothing but its own process ends, and none takes long.
+Each is a small ONNX with bytes changed or its end cut off, read and run by either engine, every
+tenth an appearance network. It is refused in one line or gives sound boxes or embeddings; nothing
+but its own process ends, and none takes long.
 """
 
 from __future__ import annotations

@@ -45,6 +45,16 @@ class DetectionSettings:
         group=_GROUP,
         expert=True,
     )
+    appearance: str = setting(
+        "",
+        "",
+        None,
+        "A network that tells people apart by their appearance, beside colours and body height: its"
+        " TOML or the folder of it, its path from the folder of the recording; empty: the one "
+        "that the TOML of detections.model describes, if it does",
+        group=_GROUP,
+        expert=True,
+    )
     use: str = setting(
         BESIDE,
         "",

@@ -158,8 +158,8 @@ def outside(settings: Mapping[str, Any]) -> str:
     Settings are by their dotted names, the folder is that of the recording; "" where there is none.
     What only a session names out there is not read: it may come from somebody else.
     """
-    keys = ("detections.file", "detections.file_right", "detections.model")
-    named = (str(settings.get(name, "")) for name in keys)
+    keys = ("file", "file_right", "model", "appearance")
+    named = (str(settings.get(f"detections.{name}", "")) for name in keys)
     return next((each for each in named if not _is_inside(each)), "")
 
 
@@ -175,12 +175,16 @@ def with_relative_paths(recording: Recording, settings: Any) -> Any:
     So they hold wherever the folder is put.
     """
     named = detections_stage(settings)
-    if not (named.file or named.model):
+    if not (named.file or named.model or named.appearance):
         return settings
     folder = Path(os.path.realpath(recording.folder))
-    paths = (named.file, named.file_right, named.model)
-    file, right, model = (_relative_to(folder, path) for path in paths)
-    inside = replace(named, file=file, file_right=right, model=model)
+    inside = replace(
+        named,
+        file=_relative_to(folder, named.file),
+        file_right=_relative_to(folder, named.file_right),
+        model=_relative_to(folder, named.model),
+        appearance=_relative_to(folder, named.appearance),
+    )
     return replace(settings, detections=inside)
 
 

@@ -2,6 +2,15 @@
 
 from tracking.doctor.examination import examine
 from tracking.doctor.finding import Examination, Finding, Mend
-from tracking.doctor.mending import mend
+from tracking.doctor.mending import Mended, mend, mend_undoably, undo_mend
 
-__all__ = ["Examination", "Finding", "Mend", "examine", "mend"]
+__all__ = [
+    "Examination",
+    "Finding",
+    "Mend",
+    "Mended",
+    "examine",
+    "mend",
+    "mend_undoably",
+    "undo_mend",
+]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from tracking.doctor import camera_moved, geometry_check, pairing_checks
-from tracking.doctor.evidence import Samples, read_samples, still_pair
+from tracking.doctor.evidence import SAMPLES, Samples, read_samples, still_pair
 from tracking.doctor.finding import Examination, Finding
 from tracking.doctor.residuals import focal_px
 from tracking.geometry import StereoCalibration
@@ -13,6 +13,9 @@ from tracking.progress import Progress, no_progress
 from tracking.recording import Recording
 from tracking.translation import Message, msg
 
+_STEPS = SAMPLES + 5
+"""Of an examination as it is told: the frames that are read, and what each later check takes of
+their time."""
 _LEAST_SAMPLES = 3
 """Images whose median shows no people."""
 
@@ -45,12 +48,13 @@ def examine(recording: Recording, tell: Progress = no_progress) -> Examination:
     calibration = recording.calibration if recording.is_stereo else None
     if calibration is not None and calibration.right is None:
         calibration = None
-    samples = read_samples(recording, tell)
+    samples = read_samples(recording, lambda done, _: tell(done, _STEPS))
     findings = _Findings()
     focal = None if calibration is None else focal_px(calibration)
     baseline = None if calibration is None else calibration.baseline_m
     moved, before = camera_moved.check_moved(samples, focal, baseline)
     findings.add(camera_moved.CODE, moved)
+    tell(_STEPS - 3, _STEPS)
     if calibration is None:
         findings.leave(
             msg("needs two calibrated cameras"),
@@ -58,7 +62,9 @@ def examine(recording: Recording, tell: Progress = no_progress) -> Examination:
         )  # fmt: skip
     else:
         findings.add(pairing_checks.LAG, pairing_checks.check_lag(recording, calibration))
+        tell(_STEPS - 2, _STEPS)
         _check_rig(findings, recording, calibration, _unmoved(samples, before))
+    tell(_STEPS, _STEPS)
     dearest_first = sorted(findings.found, key=lambda one: -one.cost_m)
     return Examination(tuple(dearest_first), tuple(findings.checked), findings.unchecked)
 

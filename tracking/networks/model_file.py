@@ -7,13 +7,12 @@ What is hashed is what is run: both are read once.
 from __future__ import annotations
 
 import hashlib
-import math
 import os
 import re
 import stat
 import tomllib
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -22,20 +21,21 @@ from tracking.errors import FormatError, explain_unreadable
 from tracking.networks.network_spec import (
     CENTRE,
     CORNER,
+    EMBEDDING,
     LETTERBOX,
     ONNXRUNTIME,
     OPENCV,
     STRETCH,
     NetworkSpec,
 )
+from tracking.networks.toml_table import TomlTable
 from tracking.owned_files import SAFE_FLAGS
 
 _MOST_TEXT_BYTES = 64 << 10
 MOST_MODEL_BYTES = 1 << 30
 """The largest public detectors take 400 MB."""
-_LONGEST_NAME = 100
 _MOST_CLASSES = 2000
-_SIDE_PX = (16, 4096)
+_SIDE_PX = (16.0, 4096.0)
 _KNOWN_CLASSES: Mapping[str, tuple[int, tuple[int, ...]]] = {
     "coco": (80, (0,)),
     "coco91": (91, (1,)),
@@ -69,7 +69,12 @@ _OF_DECODER = {"head": "yolo", "decoded": "yolox", "activation": "detr"}
 _OF_DECODER |= {"sides": "boxes", "unit": "boxes"}
 _OUTPUTS = ("boxes", "scores", "labels")
 _TAKEN = frozenset((*_WORDS, *_NUMBERS, "mean", "std", "decoded", "size_input"))
-_OWN = frozenset(("name", "file", "sha256", "licence", "decoder", "classes", "size", "outputs"))
+_APPEARANCE = "appearance"
+"""The kind of a TOML that describes an appearance network, and the table of one beside others."""
+_OWN = frozenset(("decoder", "classes", _APPEARANCE))
+_INPUT = frozenset(("engine", "fit", "align", "channels", "pad", "divide_by", "mean", "std"))
+_FILES = frozenset(("name", "file", "sha256", "licence", "size", "outputs"))
+"""Keys of every network."""
 _SHA256 = re.compile(r"[0-9a-fA-F]{64}")
 
 
@@ -81,6 +86,7 @@ class Model:
         path: of the TOML. name: of the network, for people. licence: as the TOML says.
         spec: how to use it. onnx: all bytes of the ONNX file.
         fingerprint: SHA-256 of the TOML's bytes and then the ONNX's, in hex.
+        appearance: the appearance network that the TOML describes beside it; None: none.
     """
 
     path: Path
@@ -89,6 +95,12 @@ class Model:
     spec: NetworkSpec
     onnx: bytes
     fingerprint: str
+    appearance: Model | None = None
+
+    @property
+    def is_appearance(self) -> bool:
+        """Whether it describes people, and finds none."""
+        return self.spec.decoder == EMBEDDING
 
 
 def read_model(place: Path) -> Model:
@@ -99,13 +111,45 @@ def read_model(place: Path) -> Model:
     """
     path = _toml_in(place)
     text = _bytes_of(path, _MOST_TEXT_BYTES, "the TOML of a network")
-    told = _Told(path, _parsed(path, text))
-    name = told.text("name", path.stem)
-    spec, licence = _spec_of(told), told.text("licence")
-    onnx = _onnx_of(told)
+    told = TomlTable(path, _parsed(path, text))
+    if told.table.get("kind") == _APPEARANCE:
+        return _read_appearance(told, text, f"{path.stem}.onnx")
+    if "kind" in told.table:
+        raise told.wrong("kind", _APPEARANCE + ", or left out")
+    table = told.table.get(_APPEARANCE, {})
+    if not isinstance(table, dict):
+        raise told.wrong(_APPEARANCE, "a table")
+    within = TomlTable(path, table, f"{_APPEARANCE}.")
+    beside = _read_appearance(within, text, None) if table else None
+    found = _read(told, text, _spec_of(told), f"{path.stem}.onnx")
+    return replace(found, appearance=beside)
+
+
+def is_appearance(place: Path) -> bool:
+    """Whether a TOML is of an appearance network; False for what cannot be read."""
+    try:
+        path = _toml_in(place)
+        return _parsed(path, _bytes_of(path, _MOST_TEXT_BYTES, "")).get("kind") == _APPEARANCE
+    except FormatError:
+        return False
+
+
+def _read_appearance(told: TomlTable, text: bytes, file: str | None) -> Model:
+    """An appearance network; `file`: its ONNX where the table names none, None: it has to."""
+    told.refuse_unknown(_INPUT | _FILES | {"kind"})
+    given: dict[str, Any] = {"fit": STRETCH, **_IMAGENET, **_input_of(told)}
+    given |= told.outputs((EMBEDDING,))
+    size = told.size(*_SIDE_PX)
+    spec = NetworkSpec(EMBEDDING, size_px=size, class_count=0, people=(), **given)
+    return _read(told, text, spec, file)
+
+
+def _read(told: TomlTable, text: bytes, spec: NetworkSpec, file: str | None) -> Model:
+    name, licence = told.text("name", told.path.stem), told.text("licence")
+    onnx = _onnx_of(told, file)
     digest = hashlib.sha256(text)
     digest.update(onnx)
-    return Model(path, name, licence, spec, onnx, digest.hexdigest())
+    return Model(told.path, name, licence, spec, onnx, digest.hexdigest())
 
 
 def _toml_in(place: Path) -> Path:
@@ -154,9 +198,9 @@ def _parsed(path: Path, text: bytes) -> dict[str, Any]:
         ) from error
 
 
-def _onnx_of(told: _Told) -> bytes:
+def _onnx_of(told: TomlTable, usual: str | None) -> bytes:
     """The bytes of the ONNX file, which is the one that is meant where the TOML says a SHA-256."""
-    file = told.text("file", f"{told.path.stem}.onnx")
+    file = told.text("file", usual)
     if file in (".", "..") or re.search(r"[/\\:\0]", file):
         raise told.wrong("file", "the name of a file in the same folder")
     path = told.path.parent / file
@@ -173,9 +217,23 @@ def _onnx_of(told: _Told) -> bytes:
     return held
 
 
-def _spec_of(told: _Told) -> NetworkSpec:
+def _input_of(told: TomlTable) -> dict[str, Any]:
+    """What a table says of the engine, the input and the score, as fields of `NetworkSpec`."""
+    table = told.table
+    given: dict[str, Any] = {
+        key: told.word(key, words) for key, words in _WORDS.items() if key in table
+    }
+    given |= {key: told.number(key, *span) for key, span in _NUMBERS.items() if key in table}
+    if "mean" in table:
+        given["mean"] = told.numbers("mean", 3, -1e6, 1e6)
+    if "std" in table:
+        given["std"] = told.numbers("std", 3, 1e-6, 1e6)
+    return given
+
+
+def _spec_of(told: TomlTable) -> NetworkSpec:
     decoder = told.word("decoder", _DECODERS)
-    told.refuse_unknown(_TAKEN | _OWN)
+    told.refuse_unknown(_TAKEN | _OWN | _FILES)
     for key, owner in _OF_DECODER.items():
         if key in told.table and owner != decoder:
             raise FormatError(
@@ -185,13 +243,7 @@ def _spec_of(told: _Told) -> NetworkSpec:
                 owner=owner,
                 decoder=decoder,
             )
-    given: dict[str, Any] = dict(_USUAL[decoder])
-    given |= {key: told.word(key, words) for key, words in _WORDS.items() if key in told.table}
-    given |= {key: told.number(key, *span) for key, span in _NUMBERS.items() if key in told.table}
-    if "mean" in told.table:
-        given["mean"] = told.numbers("mean", 3, -1e6, 1e6)
-    if "std" in told.table:
-        given["std"] = told.numbers("std", 3, 1e-6, 1e6)
+    given: dict[str, Any] = {**_USUAL[decoder], **_input_of(told)}
     if "decoded" in told.table:
         given["decoded"] = told.yes("decoded")
     if "size_input" in told.table:
@@ -201,108 +253,26 @@ def _spec_of(told: _Told) -> NetworkSpec:
             '{path}: OpenCV\'s engine has no size_input; write engine = "onnxruntime"',
             path=told.path,
         )
-    given |= told.outputs()
-    width, height = told.numbers("size", 2, *map(float, _SIDE_PX))
-    if not (width.is_integer() and height.is_integer()):
-        raise told.wrong("size", "[width, height] in whole px")
-    count, people = told.classes()
-    size = int(width), int(height)
+    given |= told.outputs(_OUTPUTS)
+    size = told.size(*_SIDE_PX)
+    count, people = _classes(told)
     return NetworkSpec(decoder=decoder, size_px=size, class_count=count, people=people, **given)  # type: ignore[arg-type]
 
 
-class _Told:
-    """The table of a TOML, read strictly."""
-
-    def __init__(self, path: Path, table: Mapping[str, Any]) -> None:
-        self.path, self.table = path, table
-
-    def wrong(self, key: str, expected: str) -> FormatError:
-        """An error that says what a key must be."""
-        return FormatError(
-            "{path}: {key} must be {expected}", path=self.path, key=key, expected=expected
+def _classes(told: TomlTable) -> tuple[int, tuple[int, ...]]:
+    """How many classes there are, and the numbers of those that are people."""
+    value = told.value("classes")
+    if isinstance(value, str) and value in _KNOWN_CLASSES:
+        return _KNOWN_CLASSES[value]
+    if (
+        not isinstance(value, list)
+        or not 0 < len(value) <= _MOST_CLASSES
+        or not all(isinstance(name, str) for name in value)
+    ):
+        raise told.wrong("classes", "coco, coco91 or a list of names")
+    people = [at for at, name in enumerate(value) if name.strip().lower() in PEOPLE]
+    if not people:
+        raise FormatError(
+            "{path}: none of its classes is person; rename the one of people", path=told.path
         )
-
-    def refuse_unknown(self, known: frozenset[str]) -> None:
-        """Refuse keys that nothing reads: a misspelt one would be ignored."""
-        for key in self.table.keys() - known:
-            raise FormatError(
-                "{path}: {key} is no key of a network; docs/networks.md lists them",
-                path=self.path,
-                key=key[:_LONGEST_NAME],
-            )
-
-    def _value(self, key: str) -> Any:
-        if key not in self.table:
-            raise FormatError(
-                "{path}: {key} is missing; docs/networks.md says what it is",
-                path=self.path,
-                key=key,
-            )
-        return self.table[key]
-
-    def text(self, key: str, otherwise: str | None = None) -> str:
-        """A short text of one line."""
-        value = self._value(key) if otherwise is None else self.table.get(key, otherwise)
-        if not isinstance(value, str) or len(value) > _LONGEST_NAME or not value.isprintable():
-            raise self.wrong(key, f"a text of at most {_LONGEST_NAME} characters")
-        if not value.strip() and otherwise is None:
-            raise self.wrong(key, "a text")
-        return value.strip()
-
-    def word(self, key: str, words: tuple[str, ...]) -> str:
-        """One of some words."""
-        value = self._value(key)
-        if value not in words:
-            raise self.wrong(key, " or ".join(words))
-        return str(value)
-
-    def yes(self, key: str) -> bool:
-        """Whether it is true."""
-        value = self._value(key)
-        if not isinstance(value, bool):
-            raise self.wrong(key, "true or false")
-        return value
-
-    def number(self, key: str, low: float, high: float) -> float:
-        """A number of a range."""
-        return self._number(key, self._value(key), low, high, f"a number from {low:g} to {high:g}")
-
-    def numbers(self, key: str, count: int, low: float, high: float) -> tuple[float, ...]:
-        """So many numbers of a range."""
-        expected = f"{count} numbers from {low:g} to {high:g}"
-        value = self._value(key)
-        if not isinstance(value, list) or len(value) != count:
-            raise self.wrong(key, expected)
-        return tuple(self._number(key, each, low, high, expected) for each in value)
-
-    def _number(self, key: str, value: Any, low: float, high: float, expected: str) -> float:
-        known = isinstance(value, int | float) and not isinstance(value, bool)
-        if not known or not math.isfinite(value) or not low <= value <= high:
-            raise self.wrong(key, expected)
-        return float(value)
-
-    def outputs(self) -> dict[str, str]:
-        """The names of outputs, as fields of `NetworkSpec`."""
-        table = self.table.get("outputs", {})
-        if not isinstance(table, dict) or table.keys() - set(_OUTPUTS):
-            raise self.wrong("outputs", "a table of {}".format(", ".join(_OUTPUTS)))
-        names = _Told(self.path, table)
-        return {f"{key}_output": names.text(key) for key in table}
-
-    def classes(self) -> tuple[int, tuple[int, ...]]:
-        """How many classes there are, and the numbers of those that are people."""
-        value = self._value("classes")
-        if isinstance(value, str) and value in _KNOWN_CLASSES:
-            return _KNOWN_CLASSES[value]
-        if (
-            not isinstance(value, list)
-            or not 0 < len(value) <= _MOST_CLASSES
-            or not all(isinstance(name, str) for name in value)
-        ):
-            raise self.wrong("classes", "coco, coco91 or a list of names")
-        people = [at for at, name in enumerate(value) if name.strip().lower() in PEOPLE]
-        if not people:
-            raise FormatError(
-                "{path}: none of its classes is person; rename the one of people", path=self.path
-            )
-        return len(value), tuple(people)
+    return len(value), tuple(people)

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from tracking.arrays import Mask
 from tracking.detections import DetectionSettings, place_of
 from tracking.detections.settings import ONLY
 from tracking.detections.table import are_in_region, suppress_overlaps
+from tracking.errors import FormatError
 from tracking.networks.model_file import Model, read_model
 from tracking.networks.network_process import NetworkProcess
 from tracking.people.detection_source import FrameDetections
 from tracking.recording import Recording, StereoFrame
-from tracking.tracks import DetectionsInput
+from tracking.tracks import NETWORK_BOX_COLUMNS, Columns, DetectionsInput, empty
+from tracking.tracks.columns import box_columns
 from tracking.translation import Message, count_msg, msg
 
 NETWORK = "network"
@@ -60,6 +64,11 @@ class NetworkDetections:
         self._pictures += len(chosen)
         self._count += sum(map(len, chosen))
 
+    @property
+    def appearance(self) -> Model | None:
+        """The appearance network that its TOML describes beside it."""
+        return self._model.appearance
+
     def close(self) -> None:
         """End the program that runs the network."""
         self._process.close()
@@ -81,6 +90,24 @@ class NetworkDetections:
     def of_right(self, frame: int) -> FrameDetections | None:
         """Those of the right camera; None where it was not looked at."""
         return self._right.get(frame)
+
+    @property
+    def boxes(self) -> Columns:
+        """`NETWORK_BOX_COLUMNS` of the frame that was looked at last, as a run keeps them."""
+        parts = [
+            {
+                **box_columns(found.box),
+                "camera": np.full(len(found), camera, np.uint8),
+                "score": found.score,
+            }
+            for camera, frames in enumerate((self._left, self._right))
+            for found in frames.values()
+        ]
+        none = empty(NETWORK_BOX_COLUMNS)
+        return {
+            name: np.concatenate([column, *(part[name] for part in parts)], dtype=column.dtype)
+            for name, column in none.items()
+        }
 
     @property
     def inputs(self) -> tuple[DetectionsInput, ...]:
@@ -128,6 +155,16 @@ class NetworkDetections:
         )
 
 
+def require_finder(model: Model) -> None:
+    """Refuse, with FormatError, a network that describes people and finds none."""
+    if model.is_appearance:
+        raise FormatError(
+            "{path}: it is an appearance network, which finds nobody; give it in "
+            "detections.appearance",
+            path=model.path,
+        )
+
+
 def network_detections(
     recording: Recording, settings: DetectionSettings, *, stereo: bool
 ) -> NetworkDetections | None:
@@ -141,6 +178,7 @@ def network_detections(
     if not settings.model:
         return None
     model = read_model(place_of(recording, settings.model))
+    require_finder(model)
     return NetworkDetections(
         model, settings, both=stereo and recording.is_stereo, looked_at=recording.looked_at
     )

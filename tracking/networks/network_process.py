@@ -15,10 +15,12 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tracking.errors import FormatError
 from tracking.message_data import message_from
 from tracking.networks.candidates import MOST_CANDIDATES
+from tracking.networks.embedder import LENGTHS
 from tracking.networks.letterbox import Picture
 from tracking.networks.model_file import Model
 from tracking.people.detection_source import FrameDetections
@@ -50,6 +52,8 @@ class Limits:
 
 
 _COPIES = 8
+_LENGTH_ERROR = 1e-3
+"""Of an embedding, which has length 1."""
 
 
 class NetworkProcess:
@@ -105,6 +109,25 @@ class NetworkProcess:
         with self._told(self._limits.frame_s):
             head = self._ask({"sizes": sizes, "least_score": least_score}, *parts)
             return tuple(map(self._boxes, _counts_of(head, len(pictures))))
+
+    def embed(self, crops: Sequence[Picture]) -> NDArray[np.float32]:
+        """(n, d) embeddings of unit length of n crops, at least one, by an appearance network.
+
+        Args:
+            crops: (height, width, 3) uint8 each, in BGR order.
+
+        Raises FormatError where the network says what is no embedding, fails, or takes too long.
+        """
+        sizes = [list(crop.shape[:2]) for crop in crops]
+        parts = [np.ascontiguousarray(crop).data.cast("B") for crop in crops]
+        assert self._child.stdout is not None
+        with self._told(self._limits.frame_s):
+            width = _width_of(self._ask({"sizes": sizes}, *parts), len(crops))
+            held = receive_bytes(self._child.stdout, len(crops) * width * 4)
+            rows = np.frombuffer(held, np.float32).reshape(len(crops), width)
+            if not (np.abs(np.linalg.norm(rows, axis=1) - 1.0) < _LENGTH_ERROR).all():
+                raise ValueError("embeddings that are none")
+            return rows
 
     def close(self) -> None:
         """End the program; it may be at work."""
@@ -171,6 +194,17 @@ def _counts_of(head: dict[str, Any], pictures: int) -> list[int]:
     if not all(isinstance(n, int) and 0 <= n <= MOST_CANDIDATES for n in counts):
         raise ValueError("no count of boxes")
     return counts
+
+
+def _width_of(head: dict[str, Any], crops: int) -> int:
+    """How many numbers an embedding has. Raises ValueError for what is no answer."""
+    shape = head.get("shape")
+    if not isinstance(shape, list) or len(shape) != 2 or shape[0] != crops:
+        raise ValueError("no answer about these crops")
+    width = shape[1]
+    if not isinstance(width, int) or not LENGTHS[0] <= width <= LENGTHS[1]:
+        raise ValueError("no length of an embedding")
+    return width
 
 
 def _ended(child: subprocess.Popen[bytes]) -> None:

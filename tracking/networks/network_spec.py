@@ -13,7 +13,10 @@ STRETCH: Final = "stretch"
 CENTRE: Final = "centre"
 CORNER: Final = "corner"
 
-Decoder = Literal["yolox", "yolo", "detr", "boxes"]
+EMBEDDING: Final = "embedding"
+"""The decoder of appearance networks, which find nobody but describe who is in a crop."""
+
+Decoder = Literal["yolox", "yolo", "detr", "boxes", "embedding"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,6 +38,7 @@ class NetworkSpec:
         activation: of decoder detr: "softmax", "sigmoid" or "none"; "": told by the shape.
         sides, unit: of decoder boxes: "corners", "centre" or "sides", in "pixels" or "shares".
         boxes_output, scores_output, labels_output: names; "": told by their shapes.
+        embedding_output: its name, of an appearance network; "": the only one that fits.
         size_input: an input that is given the size of the picture; "": there is none.
     """
 
@@ -59,6 +63,7 @@ class NetworkSpec:
     boxes_output: str = ""
     scores_output: str = ""
     labels_output: str = ""
+    embedding_output: str = ""
     size_input: str = ""
 
     def as_data(self) -> dict[str, Any]:

@@ -1,4 +1,4 @@
-"""The program that runs a network: pictures through its standard input, boxes back.
+"""The program that runs a network: pictures through its standard input, boxes or embeddings back.
 
 A damaged network can crash the library that reads it, or keep it busy for ever: it ends this
 program only. It may take so much memory and, for each message, so much processor time, and can open
@@ -10,7 +10,7 @@ from __future__ import annotations
 import contextlib
 import os
 import sys
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import IO, Any, Protocol
 
 import cv2
@@ -21,8 +21,9 @@ from tracking.errors import FormatError
 from tracking.message_data import message_data
 from tracking.networks.candidates import chosen_boxes
 from tracking.networks.decoders import Found, decode
+from tracking.networks.embedder import Embedder
 from tracking.networks.letterbox import Picture, Placement, network_input
-from tracking.networks.network_spec import ONNXRUNTIME, OPENCV, NetworkSpec
+from tracking.networks.network_spec import EMBEDDING, ONNXRUNTIME, OPENCV, NetworkSpec
 from tracking.untrusted.pipe import receive_bytes, receive_head, send
 
 _MOST_THREADS = 8
@@ -33,6 +34,7 @@ _DARKER = 0.25
 _LONGEST_REASON = 300
 
 Outputs = Mapping[str, NDArray[Any]]
+Answer = Callable[[list[Picture], dict[str, Any]], tuple[Any, ...]]
 
 
 class Engine(Protocol):
@@ -257,14 +259,34 @@ def main() -> None:
         engine.load()
         noise = np.random.default_rng(0)  # its modules are read from files
         allowance.close_files()
-        finder = Finder(engine(onnx), spec, start["max_overlap"], start["cameras"], noise)
-        send(answers, {"batches": finder.batches})
+        answer, batches = _role(engine(onnx), spec, start, noise)
+        send(answers, {"batches": batches})
         del onnx
         while (head := receive_head(asked)) is not None:
             allowance.renew()
             pictures = [_picture(asked, *size) for size in head["sizes"]]
-            found = finder.find(pictures, head["least_score"])
-            send(answers, {"counts": [len(each) for each in found]}, *map(_bytes_of, found))
+            send(answers, *answer(pictures, head))
+
+
+def _role(
+    engine: Engine, spec: NetworkSpec, start: dict[str, Any], noise: np.random.Generator
+) -> tuple[Answer, bool]:
+    """What answers about pictures, and whether it takes many at once."""
+    if spec.decoder == EMBEDDING:
+        embedder = Embedder(lambda batch: engine.run(batch, spec), spec, noise)
+        return lambda pictures, _: _described(embedder, pictures), embedder.batches
+    finder = Finder(engine, spec, start["max_overlap"], start["cameras"], noise)
+    return lambda pictures, head: _found(finder, pictures, head), finder.batches
+
+
+def _found(finder: Finder, pictures: list[Picture], head: dict[str, Any]) -> tuple[Any, ...]:
+    found = finder.find(pictures, head["least_score"])
+    return {"counts": [len(each) for each in found]}, *map(_bytes_of, found)
+
+
+def _described(embedder: Embedder, crops: list[Picture]) -> tuple[Any, ...]:
+    embedded = embedder.embed(crops)
+    return {"shape": list(embedded.shape)}, _bytes_of(embedded)
 
 
 def _picture(asked: IO[bytes], height: int, width: int) -> Picture:

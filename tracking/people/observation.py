@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from tracking.arrays import Mask
 from tracking.foreground import in_size
+from tracking.people.appearance_source import Embed
 from tracking.people.detections import Detections
 
 T = TypeVar("T", np.uint8, np.float32)
@@ -105,6 +106,7 @@ class Observation:
         picture: (height, width, 3) BGR, what single-camera perception looked at: the left (or only)
             camera as recorded, in whose pixels everything else is; None where perception does not
             hand it on.
+        embed: what describes people by an appearance network; None: there is none.
     """
 
     frame: int
@@ -112,3 +114,4 @@ class Observation:
     people: Detections
     overlays: Overlays
     picture: NDArray[np.uint8] | None = None
+    embed: Embed | None = None

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 import cv2
 import numpy as np
@@ -22,7 +22,9 @@ from tracking.people.body_scale import Standing
 from tracking.people.box_bodies import working_boxes
 from tracking.people.box_regions import join_regions, measure_from_boxes, regions_of_boxes
 from tracking.people.detection_source import DetectionSource
+from tracking.people.detections import Detections
 from tracking.people.ghosts import without_ghosts
+from tracking.people.horizon import Horizon, fit_horizon
 from tracking.people.observation import Observation, Overlays
 from tracking.people.region_features import described, in_full
 from tracking.people.regions_of_people import people_regions
@@ -30,7 +32,7 @@ from tracking.people.settings import PeopleSettings
 from tracking.people.silhouettes import AnyLabels, Labels
 from tracking.people.working_scale import shrink_of, shrunk
 from tracking.recording.frame import Image, StereoFrame
-from tracking.translation import Message
+from tracking.translation import Message, count_msg, msg
 
 _NEAREST = cv2.INTER_NEAREST
 _PROTECTED = np.ones((17, 17), np.uint8)
@@ -70,11 +72,24 @@ class SingleCameraPerception:
         self._settings = people or PeopleSettings()
         self._boxes = boxes
         self._shrink = 1
+        self._horizon: Horizon | None = None
+        self._left_out = 0
 
     @property
     def notes(self) -> tuple[Message, ...]:
-        """Nothing is to be told."""
-        return ()
+        """Where the horizon is, of a camera that is not calibrated, and who was left out by it."""
+        horizon = self._horizon
+        if horizon is None:
+            return ()
+        return (
+            msg(
+                "horizon from people's heights: row {row:.0f} (± {sd:.0f} px) at the left edge; "
+                "{regions} above it or of no person's size left out",
+                row=horizon.row(0.0),
+                sd=horizon.row_sd(0.0),
+                regions=count_msg(self._left_out, "{n} region", "{n} regions"),
+            ),
+        )
 
     def learn(self, frames: Iterable[StereoFrame], later: Iterable[StereoFrame] = ()) -> None:
         """Learn the background from frames spread over some time, before the first `observe`.
@@ -87,6 +102,24 @@ class SingleCameraPerception:
         frames = list(frames)
         pictures, after = ([self._working(each.left) for each in some] for some in (frames, later))
         self._background.learn(pictures, after, [frame.time_s for frame in frames])
+        if self._view is None:
+            self._horizon = fit_horizon(self._bodies(frames))
+
+    def _bodies(self, frames: Sequence[StereoFrame]) -> Floats:
+        """(n, 4) px boxes of whole bodies in the foreground of some frames."""
+        boxes, shade = [np.zeros((0, 4))], self._shade
+        self._shade = ShadeColour()  # frames come in order later
+        for frame in frames:
+            self._shrink = shrink_of(frame.left.shape[1])
+            seen = self._background.subtract(self._working(frame.left))
+            standing = Standing(None, self._shrink, self._settings)
+            kind = self._kinds(seen, self._shadows.shadows(seen))
+            given = np.zeros_like(kind)
+            regions = join_regions(given, self._beside(seen, kind, given, standing))
+            people = described(regions, seen.picture, frame.left.shape, standing, self._settings)
+            boxes.append(people.box[~people.truncated])
+        self._shade = shade
+        return np.concatenate(boxes)
 
     def observe(self, frame: StereoFrame) -> Observation:
         """What is seen in the frame. Frames come in order."""
@@ -100,9 +133,18 @@ class SingleCameraPerception:
         regions = join_regions(given, self._beside(seen, kind, given, standing))
         people = described(regions, seen.picture, image.shape, standing, self._settings)
         people = measure_from_boxes(people, boxes, standing, self._shrink)
+        people = self._of_size(people)
         self._remember(seen, regions)
         overlays = self._overlays(seen.mask, shadow, image)
         return Observation(frame.number, frame.time_s, people, overlays, image)
+
+    def _of_size(self, people: Detections) -> Detections:
+        """The people without regions of the foreground that the horizon does not allow."""
+        if self._horizon is None or not len(people):
+            return people
+        kept = self._horizon.allows(people.box) | people.from_detector | people.truncated
+        self._left_out += int((~kept).sum())
+        return people if kept.all() else people.chosen(kept)
 
     def _given(self, frame: int, kind: Mask) -> tuple[Labels, Floats]:
         """The regions of the boxes given, and these boxes (n, 4) as recorded."""

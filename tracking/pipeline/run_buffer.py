@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import logging
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -23,6 +24,8 @@ from tracking.trackers import (
 )
 from tracking.tracks import (
     DETECTION_COLUMNS,
+    EMBEDDING_COLUMNS,
+    NETWORK_BOX_COLUMNS,
     PART_COLUMNS,
     PART_PARTICLE_COLUMNS,
     PARTICLE_COLUMNS,
@@ -31,6 +34,7 @@ from tracking.tracks import (
     TRACKLET_COLUMNS,
     Columns,
     Run,
+    empty,
 )
 from tracking.tracks.growable_columns import GrowingTable
 
@@ -43,6 +47,8 @@ _SPOOLED = {
     "particles": PARTICLE_COLUMNS,
     "part_particles": PART_PARTICLE_COLUMNS,
     "tracklets": TRACKLET_COLUMNS,
+    "network_boxes": NETWORK_BOX_COLUMNS,
+    "embeddings": EMBEDDING_COLUMNS,
 }
 _WAITING = 32
 """Steps are put into the tables by so many: one by one would take several times as long."""
@@ -142,11 +148,15 @@ class KeptSteps:
             parts=stored["parts"].columns(),
             part_particles=stored["part_particles"].particles(first, count),
             tracklets=stored["tracklets"].particles(first, count),
+            embeddings=stored["embeddings"].columns(),
+            network_boxes=stored["network_boxes"].particles(first, count),
             software=f"trackwright {tracking.__version__}",
             detector=detector_of(tracker, settings),
             known_tracks=resume.highest_track if resume is not None else 0,
         )
-        return _finished(run, recording, resume) if finish else run
+        if finish:
+            return _finished(run, recording, resume)
+        return replace(run, embeddings=empty(EMBEDDING_COLUMNS))
 
     def run_so_far(
         self,
@@ -190,14 +200,16 @@ class KeptSteps:
 
 
 def _finished(run: Run, recording: Recording, resume: Resume | None) -> Run:
-    """The run finished, where its settings want it."""
+    """The run finished, where its settings want it; without embeddings, which are for that."""
+    bare = replace(run, embeddings=empty(EMBEDDING_COLUMNS))
     if not run.settings.get("smooth"):
-        return run
+        return bare
     given = resume.last(_TIED_S) if resume is not None else None
     finisher = tracker_named(run.tracker).finisher.finish
-    return finish_with_ticks(
+    finished = finish_with_ticks(
         finisher, run, recording.view, recording.fps, given, Ticks.of(recording)
     )
+    return replace(finished, embeddings=bare.embeddings)
 
 
 def run_of_steps(

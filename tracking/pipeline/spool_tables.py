@@ -116,7 +116,8 @@ class SpooledTable:
         """Put the rows of further frames aside. Raises OutputError where the disk refuses."""
         for name, column in self._columns.items():
             column.append(np.concatenate([frame[name] for frame in frames], dtype=column.dtype))
-        self._starts.extend([len(frame["track"]) for frame in frames])
+        first = next(iter(self._types))
+        self._starts.extend([len(frame[first]) for frame in frames])
 
     def cut(self, frames: int) -> None:
         """Forget all but the first frames, and what was put aside of others by half."""

@@ -19,7 +19,7 @@ _LONGEST_S = 20.0
 """Between two frames; more is as much: nobody is waited for so long, and times may be nonsense."""
 _MOST = 10_000_000
 """Ticks; more are nonsense, or no time in which to look for anybody."""
-_TABLES = ("tracks", "detections", "associations", "signals", "parts")
+_TABLES = ("tracks", "detections", "associations", "signals", "parts", "embeddings")
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -17,10 +17,12 @@ from tracking.detections import (
     with_relative_paths,
 )
 from tracking.errors import SettingsError
+from tracking.networks.appearance_network import AppearanceNetwork, appearance_network
 from tracking.networks.network_detections import NetworkDetections, network_detections
 from tracking.people import RangedShare, StereoWatch, first_lag
 from tracking.pipeline.run_buffer import KeptSteps
 from tracking.pipeline.set_up import changed_matching, doubt_of, require_sense
+from tracking.pipeline.track_embeddings import TrackEmbeddings
 from tracking.recording import Instants, Recording, StereoFrame
 from tracking.trackers import (
     Observation,
@@ -133,7 +135,9 @@ class Tracking:
         self.frames = frames
         self.done = 0
         self.observation: Observation | None = None
-        self._stages = Stages("learn", "decode", "network", "perception", "tracker", "keep")
+        self._stages = Stages(
+            "learn", "decode", "network", "perception", "tracker", "appearance", "keep"
+        )
         self._recording = recording
         self._spec = spec
         self._settings = settings
@@ -143,6 +147,8 @@ class Tracking:
         self._perception: Perception | None = None
         self._from_file: RecordingDetections | None = None
         self._network: NetworkDetections | None = None
+        self._appearance: AppearanceNetwork | None = None
+        self._embeddings: TrackEmbeddings | None = None
         self._kept = kept
         self._followed = False
         self.doubt = Message()
@@ -184,11 +190,12 @@ class Tracking:
     def detections_input(self) -> tuple[DetectionsInput, ...]:
         """The files of detections that were read, or the network; known from the first step."""
         source = self._source
-        return source.inputs if source is not None else ()
+        given = source.inputs if source is not None else ()
+        return given if self._appearance is None else (*given, *self._appearance.inputs)
 
     @property
     def stage_s(self) -> dict[str, float]:
-        """Seconds spent so far in "learn", "decode", "network", "perception", "tracker" and "keep".
+        """Seconds spent so far in each of the stages, "learn", "decode" and so on.
 
         Of a tracker that tells its own stages those, too: "tracker_filters" and so on.
         """
@@ -201,6 +208,7 @@ class Tracking:
         told = self._tracker.notes if self._tracker is not None else ()
         source = self._source
         told = (*(source.notes if source is not None else ()), *told)
+        told = (*(self._appearance.notes if self._appearance is not None else ()), *told)
         told = (*told, *(self._perception.notes if self._perception is not None else ()))
         doubt = self.doubt or self._without_distances()
         return (*told, doubt) if doubt else told
@@ -233,8 +241,9 @@ class Tracking:
         try:
             yield from self._tracked()
         finally:
-            if self._network is not None:
-                self._network.close()
+            for network in (self._network, self._appearance):
+                if network is not None:
+                    network.close()
 
     def _open_detections(self) -> None:
         """Read the detections, or start the network, that settings name."""
@@ -242,12 +251,20 @@ class Tracking:
         self._from_file = timed("learn", load_detections, self._recording, stage)
         opened = partial(network_detections, stereo=self._spec.needs_stereo)
         self._network = timed("learn", opened, self._recording, stage)
+        beside = None if self._network is None else self._network.appearance
+        self._appearance = timed("learn", appearance_network, self._recording, stage, beside)
+        if self._appearance is not None:
+            self._embeddings = TrackEmbeddings(self._appearance.embed)
 
     def _observed(self, perception: Perception, frame: StereoFrame) -> Observation:
         """What is seen in a frame; a network looks at it first."""
         if self._network is not None:
             self._stages.timed("network", self._network.look, frame)
-        return self._stages.timed("perception", perception.observe, frame)
+        observed = self._stages.timed("perception", perception.observe, frame)
+        if self._appearance is None:
+            return observed
+        self._appearance.look(frame.left)
+        return replace(observed, embed=self._appearance.embed)
 
     def _tracked(self) -> Generator[StepResult]:
         timed = self._stages.timed
@@ -272,11 +289,20 @@ class Tracking:
                 instants.lag = watch.pairing
             self._ranged.add(self.observation.overlays)
             result = timed("tracker", tracker.step, self.observation)
+            result = timed("appearance", self._with_networks, result, frame.time_s)
             self._followed |= bool(len(result.tracks["track"]))
             if self._kept is not None:
                 timed("keep", self._kept.add, (result,))
             self.done += 1
             yield result
+
+    def _with_networks(self, result: StepResult, time_s: float) -> StepResult:
+        """The step with what networks said: boxes, which may not be had again, and embeddings."""
+        if self._network is not None:
+            result = replace(result, network_boxes=self._network.boxes)
+        if self._embeddings is not None:
+            result = replace(result, embeddings=self._embeddings.rows(result, time_s))
+        return result
 
     def _learn(self, perception: Perception) -> None:
         """The background; two cameras are looked at for whether they can be as told."""

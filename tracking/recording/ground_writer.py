@@ -25,8 +25,7 @@ def write_ground(folder: Path, ground: Ground) -> None:
             be replaced line by line.
         OutputError: the file cannot be written; the old one stays.
     """
-    values = (ground.height_m, ground.tilt_deg, ground.roll_deg)
-    ground = Ground(*(round(float(value), _DIGITS) for value in values))
+    ground = rounded_ground(ground)
     text = manifest_text(folder)
     changed = with_ground(text, ground)
     where = str(folder / MANIFEST_NAME)
@@ -40,6 +39,12 @@ def write_ground(folder: Path, ground: Ground) -> None:
         replace_with(folder / MANIFEST_NAME, changed.encode())
     except OutputError as error:
         raise error.advising("choose another folder") from error
+
+
+def rounded_ground(ground: Ground) -> Ground:
+    """The floor as it is written."""
+    values = (ground.height_m, ground.tilt_deg, ground.roll_deg)
+    return Ground(*(round(float(value), _DIGITS) for value in values))
 
 
 def with_ground(text: str, ground: Ground) -> str:

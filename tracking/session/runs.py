@@ -99,7 +99,7 @@ class StoredRun:
             return Particles.none(RUN_TABLES[table].columns)
         group = run[table]
         start = group["start"][()]
-        rows = len(group["track"])
+        rows = len(group[next(iter(RUN_TABLES[table].columns))])
         if not len(start) or start[0] != 0 or start[-1] != rows or bool((np.diff(start) < 0).any()):
             raise SessionError(
                 "{path}: the {table} of run {number} are not one frame's after another's; the "

@@ -107,6 +107,26 @@ TRACKLET_COLUMNS = column_types(
 )
 """Points followed in the picture, with their last positions."""
 
+NETWORK_BOX_COLUMNS = column_types(
+    camera=np.uint8,  # 0 left, 1 right
+    left=np.float32,  # px of that camera's image as recorded, 0-based
+    top=np.float32,
+    width=np.float32,
+    height=np.float32,
+    score=np.float32,  # 0 to 1
+)
+"""People that a network found in the images of one instant."""
+
+EMBEDDING_PART = 16
+"""Numbers of an embedding in a row of its table: columns are of one number each."""
+EMBEDDING_COLUMNS = column_types(
+    frame=np.int32,
+    track=np.int32,
+    part=np.uint16,  # 0: the first `EMBEDDING_PART` numbers, and so on
+    **dict.fromkeys((f"v{n}" for n in range(EMBEDDING_PART)), np.float16),
+)
+"""What an appearance network says of tracks now and then, for linking; no session holds it."""
+
 ASSOCIATION_COLUMNS = column_types(
     frame=np.int32,
     track=np.int32,

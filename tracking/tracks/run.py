@@ -12,6 +12,8 @@ from numpy.typing import NDArray
 
 from tracking.tracks.columns import (
     ASSOCIATION_COLUMNS,
+    EMBEDDING_COLUMNS,
+    NETWORK_BOX_COLUMNS,
     PART_COLUMNS,
     PART_PARTICLE_COLUMNS,
     SIGNAL_COLUMNS,
@@ -40,9 +42,10 @@ class Particles:
     Attributes:
         start: (frames + 1,) int64; the particles of frame i (counted from the recording's first
             frame) are the rows start[i] to start[i + 1].
-        columns: `PARTICLE_COLUMNS`, `PART_PARTICLE_COLUMNS` where they are of parts, or
-            `TRACKLET_COLUMNS`; of a run read from a session they stay in the file and are read as
-            they are asked for, by slices. `numpy.asarray` reads a whole one.
+        columns: `PARTICLE_COLUMNS`, `PART_PARTICLE_COLUMNS` where they are of parts,
+            `TRACKLET_COLUMNS` or `NETWORK_BOX_COLUMNS`; of a run read from a session they stay in
+            the file and are read as they are asked for, by slices. `numpy.asarray` reads a whole
+            one.
     """
 
     start: NDArray[np.int64]
@@ -108,6 +111,9 @@ class Run:
         parts: `PART_COLUMNS` of a tracker that follows parts; empty from others.
         part_particles: in the picture, of such a tracker; see `PART_PARTICLE_COLUMNS`.
         tracklets: `TRACKLET_COLUMNS`, of a tracker that follows points; held as particles are.
+        network_boxes: `NETWORK_BOX_COLUMNS`, of a run that a network found people for; held as
+            particles are.
+        embeddings: `EMBEDDING_COLUMNS`, until the run is finished; no finished run has them.
         signals: `SIGNAL_COLUMNS`, a row for each row of the tracks; empty in runs of programs that
             did not notice them, and in imported ones.
         software: name and version that made it.
@@ -133,6 +139,8 @@ class Run:
         default_factory=partial(Particles.none, PART_PARTICLE_COLUMNS)
     )
     tracklets: Particles = field(default_factory=partial(Particles.none, TRACKLET_COLUMNS))
+    embeddings: Columns = field(default_factory=partial(empty, EMBEDDING_COLUMNS))
+    network_boxes: Particles = field(default_factory=partial(Particles.none, NETWORK_BOX_COLUMNS))
     software: str = ""
     detector: str = ""
     known_tracks: int = 0

@@ -67,6 +67,10 @@ class PreviewedTracks:
         """Likewise the tracklets; those of nobody stay so."""
         return self._handed_over(self._tracks.tracklets(frame), frame)
 
+    def network_boxes(self, frame: int) -> Columns:
+        """As before."""
+        return self._tracks.network_boxes(frame)
+
     def signals(self, frame: int) -> Columns:
         """Likewise what was noticed of people."""
         return self._handed_over(self._tracks.signals(frame), frame)

@@ -17,6 +17,8 @@ from tracking.message_data import message_data, message_from
 from tracking.trackers import ASSOCIATION_COLUMNS, StepResult
 from tracking.tracks import (
     DETECTION_COLUMNS,
+    EMBEDDING_COLUMNS,
+    NETWORK_BOX_COLUMNS,
     PART_COLUMNS,
     PART_PARTICLE_COLUMNS,
     PARTICLE_COLUMNS,
@@ -29,7 +31,7 @@ from tracking.tracks import (
 from tracking.translation import Message
 
 _HEAD = struct.Struct("<BQ")  # kind, bytes that follow
-_STEP = struct.Struct("<9q")  # frame, rows of each table
+_STEP = struct.Struct("<11q")  # frame, rows of each table
 _TABLES: tuple[Mapping[str, np.dtype[Any]], ...] = (
     TRACK_COLUMNS,
     DETECTION_COLUMNS,
@@ -39,6 +41,8 @@ _TABLES: tuple[Mapping[str, np.dtype[Any]], ...] = (
     PART_COLUMNS,
     PART_PARTICLE_COLUMNS,
     TRACKLET_COLUMNS,
+    NETWORK_BOX_COLUMNS,
+    EMBEDDING_COLUMNS,
 )
 
 
@@ -155,6 +159,7 @@ def _packed(step: StepResult) -> Iterator[bytes]:
     tables = (
         *(step.tracks, step.detections, step.particles, step.associations, step.signals),
         *(step.parts, step.part_particles, step.tracklets),
+        *(step.network_boxes, step.embeddings),
     )
     firsts = (next(iter(types)) for types in _TABLES)
     rows = [len(table[first]) for table, first in zip(tables, firsts, strict=True)]

@@ -92,6 +92,10 @@ class LiveTracks:
         """The frame's tracklets."""
         return self._rows("tracklets", frame, frame + 1)
 
+    def network_boxes(self, frame: int) -> Columns:
+        """What a network found in the frame."""
+        return self._rows("network_boxes", frame, frame + 1)
+
     def signals(self, frame: int) -> Columns:
         """What was noticed of the frame's people."""
         return self._rows("signals", frame, frame + 1)
@@ -215,6 +219,10 @@ class ContinuedTracks:
     def tracklets(self, frame: int) -> Columns:
         """The frame's tracklets."""
         return self._part(frame).tracklets(frame)
+
+    def network_boxes(self, frame: int) -> Columns:
+        """What a network found in the frame."""
+        return self._part(frame).network_boxes(frame)
 
     def signals(self, frame: int) -> Columns:
         """What was noticed of the frame's people."""

@@ -14,6 +14,7 @@ from tracking.errors import SessionError
 from tracking.session import ids_by_now, parts_by_now
 from tracking.tracks import (
     DETECTION_COLUMNS,
+    NETWORK_BOX_COLUMNS,
     PART_COLUMNS,
     PART_PARTICLE_COLUMNS,
     PARTICLE_COLUMNS,
@@ -127,6 +128,12 @@ class SessionTracks:
         rows = self._stored(self._run.tracklets, TRACKLET_COLUMNS, frame)
         ids = _renamed(rows["track"], self._after_edits(frame))
         return {**rows, "track": np.maximum(ids, 0)}
+
+    def network_boxes(self, frame: int) -> Columns:
+        """What the network of the run found, as it was, whatever was edited."""
+        if self._run is None:
+            return empty(NETWORK_BOX_COLUMNS)
+        return self._stored(self._run.network_boxes, NETWORK_BOX_COLUMNS, frame)
 
     def signals(self, frame: int) -> Columns:
         """What the run noticed of people who are there, by their ids after the edits."""

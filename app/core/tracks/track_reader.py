@@ -52,6 +52,9 @@ class TrackReader(Protocol):
     def tracklets(self, frame: int) -> Columns:
         """`TRACKLET_COLUMNS` of a frame; none from trackers that follow no points."""
 
+    def network_boxes(self, frame: int) -> Columns:
+        """`NETWORK_BOX_COLUMNS` of a frame; none of runs without a network."""
+
     def signals(self, frame: int) -> Columns:
         """`SIGNAL_COLUMNS` of a frame's people; none from trackers that notice nothing."""
 

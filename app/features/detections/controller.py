@@ -11,7 +11,13 @@ from app.core.jobs.latest_job import LatestJob
 from app.core.scenes import Side
 from app.core.scenes.detections import NO_DETECTIONS
 from app.core.tracks.frame_state import FrameState
-from app.features.detections.presenter import UsedDetections, boxes_of, picture
+from app.features.detections.presenter import (
+    UsedDetections,
+    boxes_of,
+    network_of,
+    network_picture,
+    picture,
+)
 from tracking.detections import RecordingDetections
 from tracking.errors import SettingsError
 from tracking.progress import Progress
@@ -41,12 +47,25 @@ class DetectionsController(FeatureController):
 
     def draw_frame(self, shown: ShownFrame) -> None:
         """Show a frame; what is missing for it is read."""
+        network = network_of(shown.state.run) if shown.view_options.detections else ""
+        if network:
+            self._show_network(shown, network)
+            return
         given = _used_detections(shown.state) if shown.view_options.detections else None
         if given is not None:
             self._search.ask(given)
         known = self._found is not None and self._found[0] == given
         boxes = self._found[1] if self._found is not None and known else None
         self._show(boxes, shown.state.frame, shown.right if shown.cameras == "both" else None)
+
+    def _show_network(self, shown: ShownFrame, network: str) -> None:
+        """The boxes that a network found for what is shown; the right camera where it is seen."""
+        left = network_picture(shown.state, network, Side.LEFT)
+        right = NO_DETECTIONS
+        if shown.cameras == "both" and shown.right is not None:
+            right = network_picture(shown.state, network, Side.RIGHT)
+        self._surfaces.left.show_detections(left)
+        self._surfaces.right.show_detections(right)
 
     def _show(self, boxes: RecordingDetections | None, left: int, right: int | None) -> None:
         """The boxes of these frames of the cameras; None: none."""

@@ -7,14 +7,20 @@ from dataclasses import dataclass
 from app.core.i18n import tr
 from app.core.scenes import LegendEntry, Side
 from app.core.scenes.detections import DETECTION, NO_DETECTIONS, PicturedDetections
+from app.core.tracks.frame_state import FrameState
 from app.core.tracks.made_by import AtWork, MadeBy
+from tracking.arrays import Floats
 from tracking.detections import DetectionSettings, RecordingDetections, load_detections, outside
 from tracking.errors import FormatError
+from tracking.networks.network_detections import NETWORK
 from tracking.recording import Recording
 from tracking.settings import settings_from
 from tracking.tracks import DetectionsInput, Run
+from tracking.tracks.columns import boxes_of as boxes_of_rows
 
 _STAGE = "detections."
+_CAMERAS = (Side.LEFT, Side.RIGHT)
+"""In the order of `NETWORK_BOX_COLUMNS`."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,7 +40,7 @@ class UsedDetections:
 
     @classmethod
     def of(cls, run: MadeBy | None) -> UsedDetections | None:
-        """Those of what made some tracks; None: it was given none.
+        """Those of what made some tracks; None: it was given no file.
 
         Raises SettingsError where settings of another version say what this one does not know.
         """
@@ -77,6 +83,29 @@ def picture(boxes: RecordingDetections, side: Side, frame: int) -> PicturedDetec
     found = boxes.of(frame) if left else boxes.of_right(frame)
     if found is None or not len(found):
         return NO_DETECTIONS
-    entry = LegendEntry(DETECTION, tr("boxes of {file}", file=boxes.inputs[0 if left else 1].file))
-    rows = ((float(x), float(y), float(w), float(h)) for x, y, w, h in found.box.tolist())
+    return _pictured(found.box, boxes.inputs[0 if left else 1].file)
+
+
+def network_of(run: MadeBy | None) -> str:
+    """The name of the network that found people for some tracks; "": none did."""
+    if run is None or not run.settings.get(f"{_STAGE}model"):
+        return ""
+    given = run.detections_input if isinstance(run, Run) else ()
+    named = (one.network for one in given if one.format == NETWORK)
+    return next(named, str(run.settings[f"{_STAGE}model"]))
+
+
+def network_picture(state: FrameState, network: str, side: Side) -> PicturedDetections:
+    """What a network found in the image of a camera that was tracked as this frame.
+
+    The run has its boxes: neither the network nor its file is needed to draw them.
+    """
+    rows = state.tracks.network_boxes(state.frame)
+    mine = rows["camera"] == _CAMERAS.index(side)
+    return _pictured(boxes_of_rows(rows, mine), network) if mine.any() else NO_DETECTIONS
+
+
+def _pictured(boxes: Floats, source: str) -> PicturedDetections:
+    entry = LegendEntry(DETECTION, tr("boxes of {file}", file=source))
+    rows = ((float(x), float(y), float(w), float(h)) for x, y, w, h in boxes.tolist())
     return PicturedDetections(tuple(rows), (entry,))

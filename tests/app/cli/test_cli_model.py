@@ -62,7 +62,12 @@ def test_a_network_finds_who_is_tracked(
         tracks = session.tracks
         assert len(tracks.track_ids) == 1
         rows = session.runs[0].tracks
+        kept = session.runs[0].network_boxes
+        boxes = [kept.of_frame(frame) for frame in range(FRAMES)]
         (used,) = session.runs[0].detections_input
+    assert [len(box["score"]) for box in boxes] == [1] * FRAMES
+    found = np.array([box["left"][0] for box in boxes])
+    assert np.abs(found - [left_of(frame) for frame in range(FRAMES)]).max() < 6
     frames = rows["frame"].astype(int)
     assert set(range(5, FRAMES)) <= set(frames.tolist())
     middle = rows["left"] + rows["width"] / 2

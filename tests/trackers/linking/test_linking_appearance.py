@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from linked_runs import BLUE, FPS, RED, VIEW, Stretch, run_of, straight
 
+from tracking.pipeline.track_embeddings import embedding_columns
 from tracking.trackers.linking.appearance import TrackletAppearance, learn_appearance
 from tracking.trackers.linking.motion import walk_likelihood
 from tracking.trackers.linking.occlusion import hidden_shares
 from tracking.trackers.linking.seen_rows import find_seen_rows, is_track_start
 from tracking.trackers.linking.tracklets import State, Tracklets, cut_tracklets
-from tracking.tracks import Run
+from tracking.tracks import EMBEDDING_COLUMNS, Run
 
 LANES = [straight((-2, 5 + lane), (2, 5 + lane), 100) for lane in range(4)]
 
@@ -129,3 +131,35 @@ def test_who_walks_in_front_hides_and_who_walks_behind_does_not() -> None:
 
 def test_nobody_hides_himself() -> None:
     assert hidden(7.0, track=2) == 0.0
+
+
+def embedded(run: Run, vectors: dict[int, np.ndarray]) -> Run:
+    """The run with what an appearance network said of each track, now and then."""
+    rng = np.random.default_rng(0)
+    parts = []
+    for track, vector in vectors.items():
+        for frame in run.tracks["frame"][run.tracks["track"] == track][::10].tolist():
+            seen = vector + rng.normal(scale=0.05, size=len(vector))
+            seen = (seen / np.linalg.norm(seen)).astype(np.float32)
+            parts.append(embedding_columns(frame, np.array([track]), seen[None]))
+    rows = {name: np.concatenate([part[name] for part in parts]) for name in EMBEDDING_COLUMNS}
+    return replace(run, embeddings=rows)
+
+
+def test_an_appearance_network_tells_people_in_the_same_clothes_apart() -> None:
+    run = run_of(*(Stretch(n + 1, 100 * n, LANES[n], RED) for n in range(4)), frames=400)
+    one, other = np.eye(40)[3], np.eye(40)[20]
+    run = embedded(run, {1: one, 2: other, 3: one, 4: other})
+    seen, _ = find_seen_rows(run, VIEW)
+    pieces = cut_tracklets(seen, is_track_start(seen).astype(np.uint8), FPS)
+    appearance = learn_appearance(seen, pieces, FPS)
+    assert ratio(appearance, 0, 2) > 1.0
+    assert ratio(appearance, 0, 1) < -3.0
+
+
+def test_rows_of_people_in_front_of_others_have_no_embedding_of_theirs() -> None:
+    run = run_of(*(Stretch(n + 1, 0, LANES[n], RED) for n in range(2)), frames=100)
+    run.tracks["visibility"][run.tracks["track"] == 2] = 0.4
+    run = embedded(run, {1: np.eye(20)[0], 2: np.eye(20)[1]})
+    seen, _ = find_seen_rows(run, VIEW)
+    assert not np.isfinite(seen.embedding[seen.track == 2]).any()

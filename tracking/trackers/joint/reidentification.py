@@ -19,12 +19,18 @@ _LEAST_MISSED_S = 0.1
 
 
 def reidentify(
-    people: Population, ready: Rows, new: Floats, model: AppearanceModel, settings: JointSettings
+    people: Population,
+    ready: Rows,
+    new: Floats,
+    model: AppearanceModel,
+    embedded: Floats,
+    settings: JointSettings,
 ) -> Population:
     """The people, with tentative tracks that are somebody missed put in their place.
 
     Args:
         ready: rows of tentative tracks about to get an id; all were seen in this frame.
+        embedded: (people, ready) log-likelihood ratio of an appearance network; 0: unknown.
         new: (ready,) log birth intensity where each is seen now.
     """
     lost = np.flatnonzero(people.confirmed & (people.missed_s >= _LEAST_MISSED_S))
@@ -37,7 +43,7 @@ def reidentify(
     ratio = model.log_likelihood_ratio(
         appearance_differences(missing, fresh.colour, fresh.appearance)
     )
-    cost = new - place - settings.appearance_weight * ratio
+    cost = new - place - settings.appearance_weight * (ratio + embedded[lost])
     pairs = associate(cost, cost < 0.0, 0.0)
     return _replace_lost(people, lost[pairs.track], ready[pairs.detection])
 

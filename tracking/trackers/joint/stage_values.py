@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.people.appearance_source import Embeddings
 from tracking.trackers.stereo.boxes import Bodies
 from tracking.trackers.stereo.stage_values import (
     AssociatedPeople,
@@ -23,12 +24,14 @@ class JointFrame(MeasuredFrame):
 
     Attributes:
         appearance: (detections, k) as `Population.appearance`.
+        embeddings: (detections, d) of an appearance network; None: there is none.
         sigma: (detections,) m, the error of their places.
         births: (detections,) the log of the birth intensity there, see `log_birth_intensity`.
         interval_s: between two frames, as they usually come.
     """
 
     appearance: NDArray[np.float32]
+    embeddings: Embeddings | None
     sigma: Floats
     births: Floats
     interval_s: float

@@ -39,6 +39,7 @@ from tracking.trackers.joint.stage_values import (
 from tracking.trackers.joint.track_management import is_reported, may_be_occluded, should_keep
 from tracking.trackers.joint.track_update import update_matched
 from tracking.trackers.shared.gating import GatedPairs
+from tracking.trackers.shared.known_embeddings import KnownEmbeddings
 from tracking.trackers.shared.protocol import StepResult
 from tracking.trackers.stereo.cues import Costs
 from tracking.trackers.stereo.filter import StereoFilter
@@ -81,6 +82,7 @@ class JointTracker(StereoFilter[JointSettings, JointCues]):
         super().__init__(view, settings, JointCues(settings), seed)
         self._appearance = AppearanceModel.prior()
         self._noise = MeasurementNoise.prior(settings)
+        self._known = KnownEmbeddings()
         self._intervals_s: deque[float] = deque(maxlen=_FRAMES_TIMED)
 
     def _resume_people(self, people: Population) -> Population:
@@ -113,6 +115,7 @@ class JointTracker(StereoFilter[JointSettings, JointCues]):
             frame.colours,
             frame.elapsed_s,
             measure_appearance(frame.seen),
+            None if observation.embed is None else observation.embed(frame.seen.box),
             self._noise.sigma(frame.places, settings),
             log_birth_intensity(frame.seen, settings, frame.elapsed_s, self._view),
             self._usual_interval_s(frame.elapsed_s),
@@ -159,6 +162,9 @@ class JointTracker(StereoFilter[JointSettings, JointCues]):
         people, settings = expected.people, self._settings
         appearance = settings.appearance_weight * self._appearance.log_likelihood_ratio(difference)
         appearance *= appearance_trust(people)[:, None]
+        if frame.embeddings is not None:
+            embedded = self._known.log_likelihood_ratio(people.track, frame.embeddings)
+            appearance += settings.appearance_weight * embedded
         turn = self._cues.direction(people, frame.places)
         detected = detection_probability(people, expected.shown, settings)
         likelihoods = score_pairs(people, gated, frame, appearance, turn, detected)
@@ -192,6 +198,9 @@ class JointTracker(StereoFilter[JointSettings, JointCues]):
         others[:, chosen] = known[:, None]
         others[rows, chosen] = False
         self._appearance = self._appearance.update(difference[rows, chosen], difference[others])
+        if frame.embeddings is not None:
+            seen = np.ones(len(rows), bool)
+            self._known.learn(people.track[rows], frame.embeddings[chosen], seen)
         measured = frame.places[chosen]
         offset, place = measured - people.position[rows], people.motion[rows, 0]
         self._noise = self._noise.update(offset, place, measured, self._settings)
@@ -206,7 +215,11 @@ class JointTracker(StereoFilter[JointSettings, JointCues]):
         fresh = people.track[pairs.track] == 0
         fresh &= people.matches[pairs.track] >= enough
         ready, births = pairs.track[fresh], frame.births[pairs.detection[fresh]]
-        people = reidentify(people, ready, births, self._appearance, settings)
+        embedded = np.zeros((len(people), len(ready)))
+        if frame.embeddings is not None:
+            given = frame.embeddings[pairs.detection[fresh]]
+            embedded = self._known.log_likelihood_ratio(people.track, given)
+        people = reidentify(people, ready, births, self._appearance, embedded, settings)
         return replace(updated, people=confirm_tracks(people, enough, self._ids))
 
     def _report(

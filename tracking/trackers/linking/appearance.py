@@ -21,6 +21,8 @@ _SAME, _DIFFERENT = 3.0, 6.0
 """Expected spread of CIELAB colours of one person's windows, and between people."""
 _SAME_M, _DIFFERENT_M = 0.06, 0.06
 """The same of heights."""
+_SAME_EMBEDDING, _DIFFERENT_EMBEDDING = 0.08, 0.25
+"""The same of embeddings of unit length, along an axis in which tracks differ."""
 _PRIOR_WINDOWS, _PRIOR_PEOPLE = 20.0, 1.0
 """What is expected counts like so many that are measured."""
 _FEW = 3.0
@@ -75,16 +77,20 @@ def learn_appearance(seen: SeenRows, pieces: Tracklets, fps: float) -> TrackletA
     How far one person's appearance spreads is learnt from windows along the same tracks, of which
     few change hands; how far people differ, from whole tracks: where all wear the same, colours
     tell next to nothing. Colours are cues together, as light changes all of them alike; height is
-    one of its own. What shows of the clothes of people half hidden tells less, but in a crowd it
-    may be all there is.
+    one of its own, and so are the embeddings of an appearance network where there is one. What
+    shows of the clothes of people half hidden tells less, but in a crowd it may be all there is.
     """
     window = np.round(seen.frame / fps / _WINDOW_S).astype(np.int64)
     clothes, tall = seen.appearance[:, :6], seen.appearance[:, 6:]
     colours = _cues(seen, pieces, window, (clothes, seen.glimpsed), (_SAME, _DIFFERENT))
     unseen = np.full_like(tall, np.nan)
     height = _cues(seen, pieces, window, (tall, unseen), (_SAME_M, _DIFFERENT_M))
+    cues = [colours, height]
+    if seen.embedding.shape[1]:
+        given = seen.embedding, np.full_like(seen.embedding, np.nan)
+        cues.append(_cues(seen, pieces, window, given, (_SAME_EMBEDDING, _DIFFERENT_EMBEDDING)))
     return TrackletAppearance(
-        *(np.concatenate(both, axis=-1) for both in zip(colours, height, strict=True))
+        *(np.concatenate(parts, axis=-1) for parts in zip(*cues, strict=True))
     )
 
 

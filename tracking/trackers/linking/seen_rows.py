@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.geometry import View
+from tracking.trackers.linking.embeddings import embeddings_of_rows
 from tracking.trackers.linking.encounters import Encounters, find_encounters
 from tracking.tracks.columns import CLOTHES, SIDES, Columns, boxes_of, places_of
 from tracking.tracks.run import Run
@@ -48,6 +49,8 @@ class SeenRows:
         place: (n, 2) m, where the detection stood.
         appearance: (n, 7) `APPEARANCE`, NaN where not known, or not of this person's whole body.
         glimpsed: (n, 6) `CLOTHES` of people half hidden by others, NaN elsewhere.
+        embedding: (n, k) of an appearance network, in the axes of this run; NaN where not known,
+            or not of this person; k = 0 without such a network.
         at_edge: (n,) the box is cut off by the picture's edge.
         alone: (n,) nobody else is near or in front.
     """
@@ -58,6 +61,7 @@ class SeenRows:
     place: Floats
     appearance: Floats
     glimpsed: Floats
+    embedding: Floats
     at_edge: Flags
     alone: Flags
 
@@ -85,7 +89,9 @@ def find_seen_rows(run: Run, view: View) -> tuple[SeenRows, Encounters]:
     appearance = _where(whole & clear, noticed)
     glimpsed = _where(whole & ~clear & (shown >= _GLIMPSED), noticed[:, : len(CLOTHES)])
     frame, track = tracks["frame"][row].astype(np.int64), tracks["track"][row].astype(np.int64)
-    return SeenRows(frame, track, row, place[row], appearance, glimpsed, edge, alone), meetings
+    embedding = embeddings_of_rows(run.embeddings, frame, track, whole & clear)
+    looks = appearance, glimpsed, embedding
+    return SeenRows(frame, track, row, place[row], *looks, edge, alone), meetings
 
 
 def is_track_start(seen: SeenRows) -> Flags:

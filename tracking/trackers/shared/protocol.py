@@ -14,6 +14,8 @@ from tracking.people.stereo_watch import StereoWatch
 from tracking.recording.frame import StereoFrame
 from tracking.trackers.shared.resumption import Resume
 from tracking.tracks.columns import (
+    EMBEDDING_COLUMNS,
+    NETWORK_BOX_COLUMNS,
     PART_COLUMNS,
     PART_PARTICLE_COLUMNS,
     SIGNAL_COLUMNS,
@@ -52,6 +54,8 @@ class StepResult:
             follows people whole.
         part_particles: `PART_PARTICLE_COLUMNS` of this frame, grouped by track then part.
         tracklets: `TRACKLET_COLUMNS` of this frame, grouped by track.
+        network_boxes, embeddings: `NETWORK_BOX_COLUMNS`, `EMBEDDING_COLUMNS` of this frame; the
+            pipeline adds them, no tracker.
     """
 
     frame: int
@@ -63,6 +67,8 @@ class StepResult:
     parts: Columns = field(default_factory=lambda: empty(PART_COLUMNS))
     part_particles: Columns = field(default_factory=lambda: empty(PART_PARTICLE_COLUMNS))
     tracklets: Columns = field(default_factory=lambda: empty(TRACKLET_COLUMNS))
+    network_boxes: Columns = field(default_factory=lambda: empty(NETWORK_BOX_COLUMNS))
+    embeddings: Columns = field(default_factory=lambda: empty(EMBEDDING_COLUMNS))
 
 
 class Perception(Protocol):

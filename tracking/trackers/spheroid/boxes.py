@@ -18,7 +18,7 @@ from tracking.trackers.spheroid.hypothesis_scores import (
 )
 from tracking.tracks.boxes import boxes_of_corners, corners_of_boxes, corners_through
 
-_WIDTH_M = 0.46
+BODY_WIDTH_M = 0.46
 """Of a body as the picture shows it, arms and stride included."""
 _REACH = 1.35
 """Arms and feet reach out of a silhouette, but not beyond one so much larger."""
@@ -61,7 +61,7 @@ def draw_boxes(
     Args:
         outlines: (people) the silhouettes of `judged`'s cover.
     """
-    usual = corners_of_boxes(standing_boxes(flat.view, people.xy, people.height, _WIDTH_M))
+    usual = corners_of_boxes(standing_boxes(flat.view, people.xy, people.height, BODY_WIDTH_M))
     size = np.tile(usual[:, 2:] - usual[:, :2], 2)
     whole = (people.shown > _WHOLE) & (people.inside > _INSIDE) & (people.coverage > _COVERED)
     off = np.full((len(people), 4), np.nan)

@@ -19,6 +19,8 @@ _KEPT = ("track", "height", "height_sd", "outline", "appearance", "counts", "age
 """What is known of somebody whom they keep."""
 _UNLIKE = 0.3
 """Difference of colours from which on somebody is somebody else."""
+_NAT = 0.04
+"""Difference of colours that one nat of an appearance network is worth."""
 _FAR = 0.3
 """What the whole gate counts beside the colours."""
 
@@ -56,22 +58,33 @@ class CoastingPeople:
         return new.with_rows(found, **known), self.select(left)
 
 
-def reidentify(lost: CoastingPeople, tentative: SpheroidPeople, now_s: float) -> NDArray[np.intp]:
+def reidentify(
+    lost: CoastingPeople, tentative: SpheroidPeople, now_s: float, embedded: Floats | None = None
+) -> NDArray[np.intp]:
     """(tentative,) the row of the lost each of them is; -1: somebody new.
 
     The pair that fits best is taken first.
+
+    Args:
+        embedded: (lost, tentative) log-likelihood ratio of an appearance network; None: none.
     """
     found = np.full(len(tentative), -1)
     if len(lost.people) == 0 or len(tentative) == 0:
         return found
-    cost = _costs(lost, tentative, now_s)
+    cost = _costs(lost, tentative, now_s, 0.0 if embedded is None else _NAT * embedded.T)
     pairs = nearest_first(cost, np.isfinite(cost))
     found[pairs.track] = pairs.detection
     return found
 
 
-def _costs(lost: CoastingPeople, tentative: SpheroidPeople, now_s: float) -> Floats:
-    """(tentative, lost) infinite where they cannot be the same."""
+def _costs(
+    lost: CoastingPeople, tentative: SpheroidPeople, now_s: float, alike: Floats | float
+) -> Floats:
+    """(tentative, lost) infinite where they cannot be the same.
+
+    Args:
+        alike: (tentative, lost) what else than colours says so, as a difference of colours.
+    """
     missed_s = now_s - lost.at_s + lost.people.missed_s
     led_on = lost.people.mean[:, 2:] * np.minimum(missed_s, LED_ON_S)[:, None]
     apart = tentative.xy[:, None] - (lost.people.xy + led_on)
@@ -82,4 +95,5 @@ def _costs(lost: CoastingPeople, tentative: SpheroidPeople, now_s: float) -> Flo
         lost.people.appearance,
         lost.people.counts,
     )
+    unlike = unlike - alike
     return np.where((far < 1.0) & (unlike < _UNLIKE), unlike + _FAR * far, np.inf)

@@ -8,14 +8,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.people import Observation
+from tracking.people.appearance_source import Embed
 from tracking.people.box_bodies import in_boxes
+from tracking.people.boxes import standing_boxes
 from tracking.trackers.shared.gating import nearest_others_m
+from tracking.trackers.shared.known_embeddings import KnownEmbeddings
 from tracking.trackers.shared.protocol import StepResult
 from tracking.trackers.shared.resumption import Resume
 from tracking.trackers.shared.tracker_base import TrackerBase
 from tracking.trackers.spheroid import births
 from tracking.trackers.spheroid.appearance import ColourLook, appearance_log_weights, learn_colours
-from tracking.trackers.spheroid.boxes import draw_boxes
+from tracking.trackers.spheroid.boxes import BODY_WIDTH_M, draw_boxes
 from tracking.trackers.spheroid.feet import foot_zones
 from tracking.trackers.spheroid.filter_steps import learn_heights, predict, resample_people
 from tracking.trackers.spheroid.floor_cells import FloorCells
@@ -56,6 +59,8 @@ _STEEP_COLOURS = 0.15
 _GHOST_EVERY_S, _GHOST_QUIET_S = 1.0, 1.5
 """How often those who stand are looked at, and how long they must have stood."""
 _GHOST_SCALE = 1.3
+_EMBEDDINGS_EVERY_S = 0.5
+"""How often people are described by an appearance network, if there is one."""
 
 
 class SpheroidTracker(TrackerBase[SpheroidSettings]):
@@ -111,7 +116,8 @@ class SpheroidTracker(TrackerBase[SpheroidSettings]):
         self._people = no_people(settings.particles)
         self._coasting = CoastingPeople(self._people, np.zeros(0))
         self._candidates = births.SpheroidCandidates.none()
-        self._next_look_s = self._next_ghosts_s = -np.inf
+        self._next_look_s = self._next_ghosts_s = self._next_embeddings_s = -np.inf
+        self._known = KnownEmbeddings()
 
     @property
     def notes(self) -> tuple[Message, ...]:
@@ -141,6 +147,7 @@ class SpheroidTracker(TrackerBase[SpheroidSettings]):
         people = self._terminate(people, observation)
         people = self._initiate(people, observation, look)
         people, box = self._draw(self._learn(people, look, elapsed_s), observation, elapsed_s)
+        self._learn_embeddings(people, box, observation)
         self._perception.tell(body_masks(people, self._flat, self._settings))
         self._people = resample_people(people, self._random)
         return step_result(observation.frame, people, box, clothes_of(people))
@@ -207,7 +214,7 @@ class SpheroidTracker(TrackerBase[SpheroidSettings]):
         if len(new) == 0:
             return people
         new = new.select(~self._are_ghosts(new, seen))
-        return self._add(people, new, look, seen.time_s)
+        return self._add(people, new, look, seen.time_s, seen.embed)
 
     def _search(self, people: SpheroidPeople, seen: FlatObservation) -> NDArray[np.float64]:
         """(n, 4) states of whom the foreground shows, for some searches now, and nobody follows."""
@@ -235,17 +242,37 @@ class SpheroidTracker(TrackerBase[SpheroidSettings]):
         )
 
     def _add(
-        self, people: SpheroidPeople, new: SpheroidPeople, look: ColourLook, now_s: float
+        self,
+        people: SpheroidPeople,
+        new: SpheroidPeople,
+        look: ColourLook,
+        now_s: float,
+        embed: Embed | None,
     ) -> SpheroidPeople:
         """The people with new ones: those lost a moment ago keep their tracks, others get ids."""
         colours, known = look.at(new.xy, new.height)
         new = learn_colours(new, colours, known, np.ones(len(new), bool))
-        again = reidentify(self._coasting, new, now_s)
+        embedded = None
+        if embed is not None and len(new) and len(self._coasting.people):
+            given = embed(standing_boxes(self._flat.view, new.xy, new.height, BODY_WIDTH_M))
+            embedded = self._known.log_likelihood_ratio(self._coasting.people.track, given)
+        again = reidentify(self._coasting, new, now_s, embedded)
         found = again >= 0
         new = new.with_rows(~found, track=self._ids.take(int((~found).sum())))
         new, self._coasting = self._coasting.restore(new, found, again[found])
         everybody = concatenate([people, new])
         return everybody.select(np.argsort(everybody.track, kind="stable"))
+
+    def _learn_embeddings(
+        self, people: SpheroidPeople, box: NDArray[np.float64], seen: FlatObservation
+    ) -> None:
+        """What an appearance network says of those seen well, now and then."""
+        if seen.embed is None or seen.time_s < self._next_embeddings_s:
+            return
+        self._next_embeddings_s = seen.time_s + _EMBEDDINGS_EVERY_S - 1e-3
+        clear = np.flatnonzero(seen_whole(people) & (nearest_others_m(people.xy) > _ALONE_M))
+        embeddings = seen.embed(box[clear])
+        self._known.learn(people.track[clear], embeddings, np.ones(len(clear), bool))
 
     def _learn(self, people: SpheroidPeople, look: ColourLook, elapsed_s: float) -> SpheroidPeople:
         """The people with body heights and colours of those seen well."""

@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from tracking.people import Detections, Observation
+from tracking.people.appearance_source import Embeddings
 from tracking.people.parts import ycbcr
 from tracking.trackers.three_part.appearance import Levels, measure_levels
 from tracking.trackers.three_part.bodies import outlined_boxes
@@ -24,6 +25,7 @@ class Frame:
     Attributes:
         seen: the regions. picture: (height, width, 3) of `ycbcr`.
         bodies: each region is of one body, with the box of all of it.
+        embeddings: (regions, d) of an appearance network; None: there is none.
         time_s: since the recording began. elapsed_s: since the frame before; 0 in the first.
     """
 
@@ -41,6 +43,9 @@ class Frame:
             self.seen = replace(self.seen, from_detector=given)
         self.picture = ycbcr(observation.picture)
         self.bodies = bodies
+        self.embeddings: Embeddings | None = None
+        if observation.embed is not None:
+            self.embeddings = observation.embed(self.seen.box)
         self.time_s = observation.time_s
         self.elapsed_s = elapsed_s
         self._claims: tuple[Floats, Claims] | None = None

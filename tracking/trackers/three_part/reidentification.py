@@ -20,6 +20,8 @@ _GATE = WideningGate(at_once=0.6, a_second=1.2)
 """Around the place expected, in body heights."""
 _ALIKE = 0.75
 """Mean similarity of the parts from which on a region may be somebody lost."""
+_NAT = 0.04
+"""Similarity that one nat of an appearance network is worth: at most 0.16 either way."""
 _SIZE = (0.6, 1.6)
 """Height of such a region, in heights of the person."""
 _BETTER = 0.06
@@ -35,6 +37,7 @@ def reidentify(
     free: Indices,
     picture: NDArray[np.uint8],
     layout: Layout,
+    embedded: Floats | None = None,
 ) -> tuple[Floats, Indices]:
     """Where people who were lost have come up again, each in a region nobody has.
 
@@ -45,6 +48,7 @@ def reidentify(
     Args:
         boxes: (people, 4) as expected. lost: (people,) who to look for.
         free: regions.
+        embedded: (people, all regions) log-likelihood ratio of an appearance network; None: none.
 
     Returns:
         (people, parts, 4) the parts of those found, NaN for the others; the regions still free.
@@ -56,6 +60,8 @@ def reidentify(
     rectangles = regions_rectangles(seen, free, picture, layout)
     rectangles = complete_bodies(rectangles, seen, free)
     alike, here = _resemblances(people, who, rectangles, picture)
+    if embedded is not None:
+        alike = alike + _NAT * embedded[np.ix_(who, free)]
     needed = np.where(sharing[who], np.maximum(here + _BETTER, _ALIKE), _ALIKE)[:, None]
     possible = _near(people, boxes, who, seen, free) & (alike >= needed) & is_all_seen(rectangles)
     # Who gains most goes: of two in a region only one does not belong there.

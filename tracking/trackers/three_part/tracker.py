@@ -8,10 +8,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.arrays import Floats
 from tracking.failure import Detector
 from tracking.foreground import CameraWatch
 from tracking.geometry import View
 from tracking.people import Detections, Observation
+from tracking.trackers.shared.known_embeddings import KnownEmbeddings
 from tracking.trackers.shared.occluders import Polygons, occluder_mask
 from tracking.trackers.shared.protocol import StepResult
 from tracking.trackers.shared.resumption import Resume
@@ -143,6 +145,7 @@ class PartTracker(TrackerBase[WholeBodySettings]):
         self._cover = occluder_mask(camera.occluders, camera.size[::-1])
         self._people = no_people(layout)
         self._tentative = births.TentativeRegions()
+        self._known = KnownEmbeddings()
         self._stages = Stages("filters", "failures", "births", "boxes")
 
     @property
@@ -310,10 +313,23 @@ class PartTracker(TrackerBase[WholeBodySettings]):
             return people, free
         lost = people.missed_s > _MISSED_S
         two = is_sharing(claims, seen) & ~lost
-        places, free = reidentify(people, boxes, lost, two, seen, free, frame.picture, self._layout)
+        embedded = self._compare_embeddings(people, frame)
+        places, free = reidentify(
+            people, boxes, lost, two, seen, free, frame.picture, self._layout, embedded
+        )
         people = begin_anew(people, places, frame.picture, self._layout, self._random)
         again = is_all_seen(places)
         return people.replace(missed_s=np.where(again, 0.0, people.missed_s)), free
+
+    def _compare_embeddings(self, people: PartPeople, frame: Frame) -> Floats | None:
+        """(people, regions) what an appearance network says, once those seen whole are learnt."""
+        if frame.embeddings is None:
+            return None
+        claims = frame.claims(people)
+        whole = np.flatnonzero(seen_whole(claims, frame.seen, people.height) & ~people.hidden)
+        mine = frame.embeddings[claims.region[whole]]
+        self._known.learn(people.track[whole], mine, np.ones(len(whole), bool))
+        return self._known.log_likelihood_ratio(people.track, frame.embeddings)
 
     def _split(self, people: PartPeople, frame: Frame, new: Indices) -> PartPeople:
         """The people, those begun as one with somebody now seen beside them begun anew alone."""

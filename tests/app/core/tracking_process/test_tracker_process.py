@@ -54,6 +54,7 @@ def _in_this_process(recording):
 def _tables(run):
     yield from (run.tracks, run.detections, run.particles.columns, run.associations, run.signals)
     yield from (run.parts, run.part_particles.columns, run.tracklets.columns)
+    yield from (run.network_boxes.columns, {"network_start": run.network_boxes.start})
     yield {"start": run.particles.start, "part_start": run.part_particles.start}
     yield {"tracklet_start": run.tracklets.start}
 

@@ -1,0 +1,1 @@
+"""What is wrong with a recording's cameras, calibration and floor, and its mending."""
