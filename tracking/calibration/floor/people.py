@@ -18,6 +18,7 @@ from tracking.people import SingleCameraPerception
 from tracking.progress import Progress, no_progress
 from tracking.recording import Recording
 from tracking.tracks.boxes import overlaps
+from tracking.translation import Message, msg
 
 _LEAST_SQUARES: Any = least_squares
 """Its stubs take no plain floats and functions."""
@@ -37,6 +38,8 @@ _MOST_BOXES, _SEARCHED = 1200, 300
 """Boxes that count in the end, and that a floor is searched by."""
 _FEWEST_PEOPLE, _FEWEST_AREAS = 4, 4
 """Passages, and cells of the image (of 4 x 4) that people stand in."""
+_FEW_BOXES, _MOST_AGREE = 100, 0.6
+"""Boxes that a floor must explain, and their share of all, so that it is not doubtful."""
 _SHORTEST_PASSAGE = 5
 """Boxes of somebody: fewer show no change with the place."""
 _SAME_OVERLAP = 0.25
@@ -50,6 +53,10 @@ _STEADY, _TALLEST, _SELECTIONS = 0.04, 0.2, 3
 """Change of a person's height on the way that is still one person's, and how far from the usual one
 people are, as shares; rounds of choosing them by the floor found so far."""
 _STEP = 1e-4
+_ROLL_SD_RAD = float(np.deg2rad(4.0))
+_MOUNTED_M, _MOUNTED_SD = 4.0, 0.7
+"""How cameras are mounted, as far as people do not tell: level, and between head height and a first
+floor (deviation of the height's logarithm)."""
 _BOOTSTRAPS = 8
 
 Boxes = Floats  # (n, 4) left, top, width, height in px as recorded
@@ -177,7 +184,8 @@ def floor_of_people(camera: Camera, seen: PeopleSeen) -> FloorEstimate:
     state = _fitted(camera, _thinned(seen))
     for _ in range(_SELECTIONS):
         state = _fitted(camera, _thinned(_steady(camera, seen, state)), [state])
-    seen = _steady(camera, seen, state)
+    every, seen = len(seen.box), _steady(camera, seen, state)
+    notes = _notes(len(seen.box), every)
     state = _fitted(camera, seen, [state])
     seen = _thinned(seen)
     ground = _ground(state)
@@ -187,7 +195,21 @@ def floor_of_people(camera: Camera, seen: PeopleSeen) -> FloorEstimate:
     share = float(np.hypot(spread[2], _HEIGHT_SD / np.sqrt(people)))
     lean_deg = float(np.rad2deg(np.hypot(spread[0], spread[1]) / np.sqrt(2)))
     up = np.array(ground.world_from_camera[0][2])
-    return estimate_of(up, ground.height_m, "people", share * ground.height_m, lean_deg)
+    return estimate_of(up, ground.height_m, "people", share * ground.height_m, lean_deg, notes)
+
+
+def _notes(agree: int, every: int) -> tuple[Message, ...]:
+    """What makes a floor doubtful: few boxes, or many that it does not explain."""
+    if agree >= max(_FEW_BOXES, _MOST_AGREE * every):
+        return ()
+    return (
+        msg(
+            "only {agree} boxes of people, of {every}, agree with this floor: look at the grid "
+            "before you trust it, or click points on the floor",
+            agree=agree,
+            every=every,
+        ),
+    )
 
 
 def _fitted(camera: Camera, seen: PeopleSeen, starts: Sequence[Floats] | None = None) -> Floats:
@@ -221,9 +243,10 @@ def _ground(state: Floats) -> Ground:
 
 
 def _misses(camera: Camera, seen: PeopleSeen, state: Floats) -> Floats:
-    """By how many deviations drawn people differ from boxes: (n,) heights, (n,) widths, (people,).
+    """By how many deviations a floor misses: (n,) heights, (n,) widths, (people,), (2,) mounting.
 
-    Each passage has a height of its own; the last ones are how far these are from the usual one.
+    Heights and widths are those of drawn people beside their boxes. Each passage has a height of
+    its own; next come how far these are from the usual one, and the mounting from usual ones.
     """
     view = View(camera, _ground(state))
     left, top, wide, tall = seen.box.T
@@ -247,7 +270,8 @@ def _misses(camera: Camera, seen: PeopleSeen, state: Floats) -> Floats:
     misses = ((ratio - own[number]) / _BOX_ERROR, breadth / _BREADTH_ERROR)
     # Boxes are wrong now and then, and passages of two who walk as one: Cauchy's loss.
     sure = [weight * _cauchy(miss) for miss in misses]
-    return np.concatenate((*sure, _cauchy(own / _HEIGHT_SD)))
+    mounting = state[1] / _ROLL_SD_RAD, (state[2] - np.log(_MOUNTED_M)) / _MOUNTED_SD
+    return np.concatenate((*sure, _cauchy(own / _HEIGHT_SD), mounting))
 
 
 def _cauchy(miss: Floats) -> Floats:
@@ -262,7 +286,7 @@ def _steady(camera: Camera, seen: PeopleSeen, state: Floats) -> PeopleSeen:
     weight = np.sqrt(_SHORTEST_PASSAGE / often)[number]
     raw = np.sqrt(np.expm1(np.minimum((misses / weight) ** 2, 20.0))) * _BOX_ERROR
     off = np.array([np.median(raw[number == own]) for own in range(len(often))])
-    own = _misses(camera, seen, state)[2 * len(seen.box) :]
+    own = _misses(camera, seen, state)[2 * len(seen.box) : -2]
     height = np.sqrt(np.expm1(np.minimum(own**2, 20.0))) * _HEIGHT_SD
     good = (off < _STEADY) & (height < _TALLEST)
     return seen.select(np.flatnonzero(good[number])) if good.sum() >= _FEWEST_PEOPLE else seen

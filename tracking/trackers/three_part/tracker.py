@@ -65,7 +65,6 @@ from tracking.trackers.three_part.occlusion import (
 from tracking.trackers.three_part.part_filter import carry_along, move_parts, weigh_parts
 from tracking.trackers.three_part.people import (
     Flags,
-    Floats,
     Indices,
     Layout,
     PartPeople,
