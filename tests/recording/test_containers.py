@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gzip
+import shutil
 from pathlib import Path
 
 import numpy as np
@@ -15,6 +16,7 @@ from containers_of_scene import (
     Footage,
     footage_of_scene,
     write_euroc,
+    write_kitti,
     write_mcap,
     write_oak,
     write_oak_tar,
@@ -24,7 +26,13 @@ from containers_of_scene import (
 
 from tracking.errors import CalibrationError, RecordingError
 from tracking.geometry import StereoCalibration
-from tracking.recording import OpenOptions, Recording, open_from_manifest, open_recording
+from tracking.recording import (
+    OpenOptions,
+    Recording,
+    open_from_manifest,
+    open_recording,
+    time_stamps,
+)
 from tracking.recording.bags import bag_contents
 
 FLOOR = OpenOptions(height_m=2.4, tilt_deg=30.0)
@@ -268,6 +276,35 @@ def test_a_large_bag_opens_again_by_what_is_kept(
     kept.write_bytes(kept.read_bytes()[:500])
     with open_recording(path) as recording:
         assert_frames(recording, footage)
+
+
+@pytest.mark.parametrize("place", ["above", "linked"])
+def test_times_are_read_inside_the_recording_alone(
+    place: str, tmp_path: Path, footage: Footage
+) -> None:
+    drive = write_kitti(tmp_path / "strange", footage)
+    folder = tmp_path / "run"
+    shutil.copytree(drive / "image_02" / "data", folder if place == "above" else folder / "left")
+    source = "*.png" if place == "above" else "left/*.png"
+    (folder / "recording.toml").write_text(f'[left]\nsource = "{source}"\n')
+    times = drive / "image_02" / "timestamps.txt"
+    if place == "above":
+        shutil.copy(times, tmp_path)
+    else:
+        (folder / "timestamps.txt").symlink_to(times)
+    with pytest.raises(RecordingError, match="do not say how fast"):
+        open_recording(folder)
+
+
+def test_times_of_images_in_a_tar_are_those_of_their_names(
+    tmp_path: Path, footage: Footage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = write_oak_tar(tmp_path, footage)
+    asked: list[Path] = []
+    monkeypatch.setattr(time_stamps, "_text", lambda path: asked.append(path))
+    with open_recording(path) as recording:
+        assert_times(recording, footage)
+    assert asked == []
 
 
 def test_a_number_of_many_digits_is_no_time(tmp_path: Path, footage: Footage) -> None:

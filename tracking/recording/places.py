@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path, PurePosixPath, PureWindowsPath
 
 from tracking.errors import RecordingError
@@ -39,12 +39,13 @@ def place_inside(folder: Path, named: str, allow_outside: bool) -> Path:
     return path
 
 
-def open_pictures(path: Path, name: str) -> PictureSource:
+def open_pictures(path: Path, name: str, folders: Sequence[Path] | None = None) -> PictureSource:
     """The pictures at a path: a video, one image, an image folder or a glob of images.
 
     Args:
         path: where they are.
         name: what to call them in messages.
+        folders: in which files may tell when the images were taken; None: the path's own.
 
     Raises:
         RecordingError: nothing is there, or it cannot be read.
@@ -52,7 +53,7 @@ def open_pictures(path: Path, name: str) -> PictureSource:
     files = _images_at(path)
     if files is None:
         return VideoSource(path, name)
-    return ImageSource(files, name, stamps_of(files))
+    return ImageSource(files, name, stamps_of(files, folders or (path.parent,)))
 
 
 def open_depth(path: Path, name: str, scale_m: float) -> DepthSource:

@@ -119,7 +119,8 @@ def _opened(located: Located, source: str, side: Side, allow_outside: bool) -> P
         return TarImages(place, topic or side, source)
     if is_bag(place):
         return BagPictures(open_bag(place, located.manifest.topics), source, right=side == "right")
-    return open_pictures(place, source)
+    folders = (located.folder, place.parent) if allow_outside else (located.folder,)
+    return open_pictures(place, source, folders)
 
 
 def _called(located: Located, side: Side) -> str:

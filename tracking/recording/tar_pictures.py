@@ -24,7 +24,7 @@ from tracking.recording.frame import Image
 from tracking.recording.image_headers import MOST_PIXELS, size_in
 from tracking.recording.images import IMAGE_SUFFIXES, image_files
 from tracking.recording.pace import pace_of
-from tracking.recording.time_stamps import stamps_of
+from tracking.recording.time_stamps import stamps_of_names
 from tracking.translation import Message, count_msg, msg
 
 TAR_SUFFIX = ".tar"
@@ -112,7 +112,7 @@ class TarImages:
                 member=self._members[0].name,
             )
         self.size = (first.shape[1], first.shape[0])
-        self.stamps_ns = stamps_of([Path("/", folder, m.name.name) for m in self._members])
+        self.stamps_ns = stamps_of_names([member.name.stem for member in self._members])
         stamps = self.stamps_ns
         self.times_s = None if stamps is None else (stamps - stamps[0]) / 1e9
         self._pace = pace_of(self.times_s, None)

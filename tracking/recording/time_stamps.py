@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import os
 import re
 from collections.abc import Sequence
 from datetime import UTC, datetime
@@ -10,6 +11,8 @@ from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
+
+from tracking.owned_files import SAFE_FLAGS, kind_of
 
 Stamps = NDArray[np.int64]
 """(n,) ns since 1970, or since anything that all cameras of a recording share."""
@@ -22,19 +25,27 @@ _NANOSECONDS = 18
 """Digits that a name has at the least which is a time in ns: from 2001 on it has 19."""
 
 
-def stamps_of(files: Sequence[Path]) -> Stamps | None:
+def stamps_of(files: Sequence[Path], folders: Sequence[Path]) -> Stamps | None:
     """When each image was taken; None where nothing says it of all, or it does not increase.
 
     Known are EuRoC's data.csv and KITTI's timestamps.txt beside the folder of the images, and names
     that are ns.
+
+    Args:
+        files: the images. folders: of the recording; a table that lies in none of them is not read.
     """
     if not files:
         return None
     above = files[0].parent.parent
-    for found in (_of_table(above / _EUROC, files), _of_lines(above / _KITTI, files)):
-        if found is not None:
-            return _increasing(found)
-    named = [file.stem for file in files]
+    if any(_lies_in(above, folder) for folder in folders):
+        for found in (_of_table(above / _EUROC, files), _of_lines(above / _KITTI, files)):
+            if found is not None:
+                return _increasing(found)
+    return stamps_of_names([file.stem for file in files])
+
+
+def stamps_of_names(named: Sequence[str]) -> Stamps | None:
+    """When each image was taken where all names, without their endings, are ns; else None."""
     if all(_is_number(name) and len(name) >= _NANOSECONDS for name in named):
         return _increasing([int(name) for name in named])
     return None
@@ -42,7 +53,22 @@ def stamps_of(files: Sequence[Path]) -> Stamps | None:
 
 def has_stamps(folder: Path) -> bool:
     """Whether a table of times stands beside a folder of images."""
-    return any((folder.parent / name).is_file() for name in (_EUROC, _KITTI))
+    return any(_is_plain(folder.parent / name) for name in (_EUROC, _KITTI))
+
+
+def _lies_in(place: Path, folder: Path) -> bool:
+    try:
+        return place.resolve().is_relative_to(folder.resolve())
+    except (OSError, RuntimeError):
+        return False
+
+
+def _is_plain(path: Path) -> bool:
+    """Whether a regular file stands there, and no link to one."""
+    try:
+        return kind_of(path) == "a file"
+    except OSError:
+        return False
 
 
 def _increasing(stamps: Sequence[int]) -> Stamps | None:
@@ -95,9 +121,11 @@ def _nanoseconds(second: str, fraction: str) -> int:
 
 
 def _text(path: Path) -> str | None:
+    if not _is_plain(path):
+        return None
     try:
-        if not path.is_file() or path.stat().st_size > _MOST_BYTES:
-            return None
-        return path.read_text("utf-8-sig")
+        with os.fdopen(os.open(path, os.O_RDONLY | SAFE_FLAGS), "rb") as file:
+            held = file.read(_MOST_BYTES + 1)
+        return held.decode("utf-8-sig") if len(held) <= _MOST_BYTES else None
     except (OSError, UnicodeDecodeError):
         return None
