@@ -307,6 +307,13 @@ def test_times_of_images_in_a_tar_are_those_of_their_names(
     assert asked == []
 
 
+def test_images_beside_a_metadata_of_another_program_open(tmp_path: Path, footage: Footage) -> None:
+    folder = write_oak(tmp_path, footage) / "left"
+    (folder / "metadata.yaml").write_text("camera: left\n# no rosbag2_bagfile_information:\n")
+    with open_recording(folder) as recording:
+        assert_frames(recording, footage)
+
+
 def test_a_number_of_many_digits_is_no_time(tmp_path: Path, footage: Footage) -> None:
     write_euroc(tmp_path, footage)
     table = tmp_path / "mav0" / "cam0" / "data.csv"

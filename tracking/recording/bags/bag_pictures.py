@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import threading
 import weakref
 from collections.abc import Iterator, Sequence
@@ -19,6 +20,8 @@ from tracking.recording.pace import pace_of
 from tracking.translation import Message, count_msg, msg
 
 BAG_SUFFIXES = frozenset((".bag", ".mcap", ".db3"))
+_BAG_KEY = re.compile(rb"^['\"]?rosbag2_bagfile_information['\"]?\s*:", re.MULTILINE)
+_MOST_LOOKED_AT = 64 << 10
 _SIDES = ("left", "right", "depth")
 _MOST_STEPS_BACK = 50
 """Broken pictures on end before one is given up."""
@@ -32,8 +35,19 @@ _opening = threading.Lock()
 def is_bag(path: Path) -> bool:
     """Whether a path is named like a bag, or is the folder of a ROS 2 bag."""
     if path.is_dir():
-        return (path / "metadata.yaml").is_file()
+        return _is_told_of(path / "metadata.yaml")
     return path.suffix.lower() in BAG_SUFFIXES and path.is_file()
+
+
+def _is_told_of(path: Path) -> bool:
+    """Whether a file tells of a bag: other programs have a metadata.yaml, too."""
+    try:
+        if not path.is_file():
+            return False
+        with path.open("rb") as file:
+            return _BAG_KEY.search(file.read(_MOST_LOOKED_AT)) is not None
+    except OSError:
+        return False
 
 
 def open_bag(path: Path, topics: Sequence[str] = ("", "", "")) -> BagProcess:
