@@ -8,7 +8,7 @@ import subprocess
 import sys
 import threading
 import weakref
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -73,8 +73,8 @@ class BagProcess:
             if self._child.poll() is not None:
                 self._restart()
             try:
-                head = self._ask({"side": side, "number": number})
-                return self._picture(head)
+                with self._in_time():
+                    return self._picture(self._ask({"side": side, "number": number}))
             except (OSError, EOFError, ValueError, KeyError, TypeError) as error:
                 self._end()
                 raise BrokenMessageError from error
@@ -96,21 +96,36 @@ class BagProcess:
         )
         self._end = weakref.finalize(self, _ended, self._child)
         try:
-            where = str(self.path.resolve())
-            if known is None:
-                head = self._ask({"path": where, "topics": self._topics})
-                self.contents = self._contents(head)
-            else:
-                counts = [table.shape[1] for table in known.tables]
-                told = {"path": where, "topics": list(known.topics), "counts": counts}
-                tables = [table.tobytes() for table in known.tables]
-                self._ask(told, *tables)
+            with self._in_time():
+                self._open(known)
         except BrokenMessageError as error:
             self._end()
             raise RecordingError("{path}: {why}", path=self.path, why=error.args[0]) from error
         except (OSError, EOFError, ValueError, KeyError, TypeError) as error:
             self._end()
             raise RecordingError("{path}: {why}", path=self.path, why=_DAMAGED) from error
+
+    def _open(self, known: BagContents | None) -> None:
+        """Ask for the bag to be opened."""
+        where = str(self.path.resolve())
+        if known is None:
+            head = self._ask({"path": where, "topics": self._topics})
+            self.contents = self._contents(head)
+            return
+        counts = [table.shape[1] for table in known.tables]
+        told = {"path": where, "topics": list(known.topics), "counts": counts}
+        self._ask(told, *(table.tobytes() for table in known.tables))
+
+    @contextlib.contextmanager
+    def _in_time(self) -> Iterator[None]:
+        """End the program where what is asked of it has not all come in time."""
+        timer = threading.Timer(_PATIENCE_S, self._child.kill)
+        timer.daemon = True
+        timer.start()
+        try:
+            yield
+        finally:
+            timer.cancel()
 
     def _restart(self) -> None:
         """A damaged message may have ended the program; others can still be read."""
@@ -123,15 +138,9 @@ class BagProcess:
         """The head of the answer. Raises BrokenMessageError where it is a refusal."""
         assert self._child.stdin is not None
         assert self._child.stdout is not None
-        timer = threading.Timer(_PATIENCE_S, self._child.kill)
-        timer.daemon = True
-        timer.start()
-        try:
-            with contextlib.suppress(BrokenPipeError):  # it may have said why it ended
-                send(self._child.stdin, head, *parts)
-            answer = receive_head(self._child.stdout)
-        finally:
-            timer.cancel()
+        with contextlib.suppress(BrokenPipeError):  # it may have said why it ended
+            send(self._child.stdin, head, *parts)
+        answer = receive_head(self._child.stdout)
         if answer is None:
             raise EOFError
         if "refused" in answer:
