@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import time
+from io import BytesIO
 from pathlib import Path
 
 import pytest
+from containers_of_scene import footage_of_scene, write_rosbag1
 
 from tracking.errors import RecordingError
-from tracking.recording.bags import bag_process
+from tracking.recording.bags import bag_process, bag_program, messages
 from tracking.recording.bags.bag_process import BagProcess, BrokenMessageError
+from tracking.untrusted.pipe import receive_head, send
 
 _PROGRAM = """
 import json, sys, time
@@ -71,3 +74,63 @@ def test_a_program_that_stalls_in_a_picture_is_ended(
         bag.read(0, 0)
     assert time.monotonic() - begin < _STALLED_S / 2
     bag.close()
+
+
+def test_a_program_that_ends_at_every_other_picture_is_started_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    bag = BagProcess(*write_program(tmp_path, monkeypatch, END_AT="if number % 2: break"))
+    for number in range(0, 16, 2):
+        assert (bag.read(0, number) == number).all()
+        with pytest.raises(BrokenMessageError):
+            bag.read(0, number + 1)
+    bag.close()
+
+
+def test_a_program_that_always_ends_is_given_up(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    bag = BagProcess(*write_program(tmp_path, monkeypatch, END_AT="break"))
+    for _ in range(bag_process._MOST_RESTARTS + 1):
+        with pytest.raises(BrokenMessageError):
+            bag.read(0, 0)
+    with pytest.raises(RecordingError, match="is damaged"):
+        bag.read(0, 0)
+
+
+@pytest.mark.filterwarnings("ignore")  # the program leaves closing to its end
+def test_time_is_given_by_size_and_none_is_lost_by_the_library(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = write_rosbag1(tmp_path, footage_of_scene(), packed=True)
+    allowed: list[tuple[float, int]] = []
+    made = messages._store.cache_info
+
+    def note(seconds: float) -> float:
+        before = allowed[-1][0] if allowed else 0.0
+        allowed.append((seconds, made().currsize))
+        return before
+
+    monkeypatch.setattr(bag_program, "_allow", note)
+    monkeypatch.setattr(bag_program, "_limit_memory", lambda: None)
+    monkeypatch.setattr(bag_program, "_WORKED_BYTES_A_SECOND", 1000)
+    topic = "/stereo/left/image_raw"
+    commands, answers = BytesIO(), BytesIO()
+    send(commands, {"path": str(path), "topics": [topic, "", ""], "counts": [0, 0, 0]})
+    commands.seek(0)
+    messages._store.cache_clear()
+    bag_program.main(commands, answers)
+    answers.seek(0)
+    assert receive_head(answers) == {"ready": True}
+    # Made while no limit runs, before the program says that it is ready.
+    unlimited = next(at for at, (seconds, _) in enumerate(allowed) if not seconds)
+    assert [count for _, count in allowed[unlimited : unlimited + 2]] == [0, 1]
+
+    allowed.clear()
+    commands, answers = BytesIO(), BytesIO()
+    send(commands, {"path": str(path), "topics": [topic, "", ""]})
+    send(commands, {"side": 0, "number": 0})
+    commands.seek(0)
+    bag_program.main(commands, answers)
+    picture_bytes = 160 * 120 * 3
+    assert max(seconds for seconds, _ in allowed[-8:]) > picture_bytes / 1000

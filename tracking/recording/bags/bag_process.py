@@ -30,6 +30,7 @@ _WORKER = Path(__file__).with_name("bag_worker.py")
 _PATIENCE_S = 300.0
 """By the clock; processor time is limited by the program itself."""
 _MOST_RESTARTS = 5
+"""On end, without a picture between them."""
 _MOST_MESSAGES = 20_000_000
 _MOST_BYTES = 40_000_000 * 4
 _KINDS = {"uint8": np.uint8, "uint16": np.uint16, "float32": np.float32}
@@ -74,10 +75,12 @@ class BagProcess:
                 self._restart()
             try:
                 with self._in_time():
-                    return self._picture(self._ask({"side": side, "number": number}))
+                    picture = self._picture(self._ask({"side": side, "number": number}))
             except (OSError, EOFError, ValueError, KeyError, TypeError) as error:
                 self._end()
                 raise BrokenMessageError from error
+            self._restarts = 0
+            return picture
 
     def close(self) -> None:
         """End the program."""

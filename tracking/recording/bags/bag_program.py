@@ -1,7 +1,7 @@
 """The program that reads a bag: what is asked for through its standard input, pictures back.
 
 A damaged bag can crash the libraries that read it, or keep them busy for ever: it ends this program
-only. It may take so much memory and, for each message, so much processor time.
+only. It may take so much memory and, for each message by its size, so much processor time.
 """
 
 from __future__ import annotations
@@ -40,8 +40,11 @@ from tracking.untrusted.pipe import receive_bytes, receive_head, send
 
 _MEMORY_BYTES = 4 << 30
 _ASK_S = 1.2
-"""Of processor time that a message may cost; opening costs more with each byte of the file."""
+"""Of processor time that a message may cost beside what its bytes do."""
 _BYTES_A_SECOND = 100 << 20
+"""Of the file, as it is opened."""
+_WORKED_BYTES_A_SECOND = 5 << 20
+"""That are unpacked (bzip2 is the slowest) and decoded, on a slow machine."""
 _LONGEST_S = 120.0
 _MOST_IMAGE_TOPICS = 64
 
@@ -50,7 +53,8 @@ class Bag:
     """An opened bag: the topics of its cameras, and their messages in order of time.
 
     Args:
-        path: the bag. named: topics of left, right and depth; "": not told.
+        container: the bag. size: of its files in bytes.
+        named: topics of left, right and depth; "": not told.
         known: the entries of each, of a bag that was opened before; `named` are its topics then.
 
     Attributes:
@@ -60,8 +64,10 @@ class Bag:
         recorded_times: the times are those of recording, not the cameras' own.
     """
 
-    def __init__(self, path: Path, named: list[str], known: list[Entries] | None = None) -> None:
-        self._container: Container = open_container(path)
+    def __init__(
+        self, container: Container, size: int, named: list[str], known: list[Entries] | None
+    ) -> None:
+        self._container, self._size = container, size
         self._messages = Messages()
         self.recorded_times = False
         self.first: list[Picture | None] = [None] * 3
@@ -94,8 +100,7 @@ class Bag:
         """The first picture of a topic; None: it is of a kind that is not read."""
         try:
             entries = self._container.entries(topic)
-            data = self._container.read(int(entries.part[0]), int(entries.place[0]))
-            return topic.name, self._messages.picture(topic, data)
+            return topic.name, self._picture(topic, int(entries.part[0]), int(entries.place[0]))
         except Exception:  # whatever the libraries raise: this topic is of no use
             return topic.name, None
 
@@ -105,6 +110,8 @@ class Bag:
             nothing = np.zeros(0, np.int64)
             return Entries(nothing, nothing, nothing), nothing
         entries = self._container.entries(topic)
+        parts = np.unique(entries.part).tolist()
+        self._allow_for(sum(self._container.packed_bytes(part) for part in parts))
         heads = self._container.heads(entries)
         stamps = entries.time_ns
         if heads is None or any(len(head) < HEAD_BYTES for head in heads):
@@ -120,9 +127,19 @@ class Bag:
         """One picture of the left camera, the right one or depth."""
         topic, entries = self.topics[side], self.entries[side]
         assert topic is not None
-        data = self._container.read(int(entries.part[number]), int(entries.place[number]))
-        picture = self._messages.picture(topic, data)
+        picture = self._picture(topic, int(entries.part[number]), int(entries.place[number]))
         return picture if side == 2 else _of_camera(picture)
+
+    def _picture(self, topic: Topic, part: int, place: int) -> Picture:
+        """The picture in a message, with the time that its bytes take."""
+        self._allow_for(self._container.packed_bytes(part))
+        data = self._container.read(part, place)
+        self._allow_for(len(data))
+        return self._messages.picture(topic, data)
+
+    def _allow_for(self, count: int) -> None:
+        """Time for bytes of the bag, however many it says there are."""
+        _allow_more(min(count, self._size) / _WORKED_BYTES_A_SECOND)
 
     def calibrations(self) -> list[str]:
         """camera_info of the left camera, and of the right one, in YAML; none where they lack."""
@@ -183,15 +200,23 @@ def _known(start: dict[str, Any], commands: IO[bytes]) -> list[Entries] | None:
     return [Entries(*table) for table in tables]
 
 
-def _allow(seconds: float) -> None:
-    """Let the system end this program where more processor time than that goes by."""
+def _allow(seconds: float) -> float:
+    """Let the system end this program where more processor time than that goes by; 0: never.
+
+    Returns what was left until then.
+    """
     try:
         import signal
 
         signal.signal(signal.SIGPROF, signal.SIG_DFL)
-        signal.setitimer(signal.ITIMER_PROF, seconds)
+        return signal.setitimer(signal.ITIMER_PROF, seconds)[0]
     except (ImportError, AttributeError, ValueError):  # Windows
-        return
+        return 0.0
+
+
+def _allow_more(seconds: float) -> None:
+    """Let it take so much more."""
+    _allow(min(_LONGEST_S, _allow(0) + seconds))
 
 
 def _limit_memory() -> None:
@@ -210,6 +235,15 @@ def _size_of(path: Path) -> int:
     return sum(file.stat().st_size for file in files if file.is_file())
 
 
+def _prepared(path: Path) -> Container:
+    """The bag at a path; what the library makes for every file counts for no time limit."""
+    container = open_container(path)
+    left = _allow(0)
+    Messages().prepare(container.topics)
+    _allow(left)
+    return container
+
+
 def main(commands: IO[bytes], answers: IO[bytes]) -> None:
     """Open the bag that is asked for, then give pictures until nobody asks."""
     _limit_memory()
@@ -218,9 +252,10 @@ def main(commands: IO[bytes], answers: IO[bytes]) -> None:
         return
     path = Path(start["path"])
     try:
-        _allow(min(_LONGEST_S, _ASK_S + _size_of(path) / _BYTES_A_SECOND))
+        size = _size_of(path)
+        _allow(min(_LONGEST_S, _ASK_S + size / _BYTES_A_SECOND))
         known = _known(start, commands)
-        bag = Bag(path, list(start["topics"]), known)
+        bag = Bag(_prepared(path), size, list(start["topics"]), known)
         head, parts = opened(bag) if known is None else ({"ready": True}, [])
     except Exception as error:
         send(answers, {"refused": message_data(why_of(error))})

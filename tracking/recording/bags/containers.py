@@ -84,6 +84,9 @@ class Container(Protocol):
     def read(self, part: int, place: int) -> bytes:
         """The bytes of one message."""
 
+    def packed_bytes(self, part: int) -> int:
+        """How many bytes are unpacked for the sake of a message there; 0: it is not packed."""
+
     def heads(self, entries: Entries) -> list[bytes] | None:
         """The first bytes of messages; None where too much would have to be unpacked."""
 
@@ -182,6 +185,13 @@ class Rosbag1:
         start, size = _rosbag1_message(chunk, place)
         return chunk[start : start + size]
 
+    def packed_bytes(self, part: int) -> int:
+        """See `Container`."""
+        from rosbags.rosbag1.reader import decompressors
+
+        chunk = self._place_of(part)
+        return 0 if chunk.decompressor is decompressors["none"] else int(chunk.datasize)
+
     def heads(self, entries: Entries) -> list[bytes] | None:
         """See `Container`."""
         from rosbags.rosbag1.reader import decompressors
@@ -268,6 +278,10 @@ class Sqlite:
         ((data,),) = self._rows("SELECT data FROM messages WHERE id = ?", place)
         return bytes(data)
 
+    def packed_bytes(self, part: int) -> int:  # noqa: ARG002 - as all containers
+        """See `Container`."""
+        return 0
+
     def heads(self, entries: Entries) -> list[bytes] | None:
         """See `Container`."""
         wanted = entries.place.tolist()
@@ -347,6 +361,11 @@ class Mcap:
             raise BagError(msg("holds no message where its index says"))
         return chunk[start : place + 9 + size]
 
+    def packed_bytes(self, part: int) -> int:
+        """See `Container`."""
+        index = self._indexes[part]
+        return int(index.compressed_size) if index.compression else 0
+
     def heads(self, entries: Entries) -> list[bytes] | None:
         """See `Container`."""
         pairs = list(zip(entries.part.tolist(), entries.place.tolist(), strict=True))
@@ -409,6 +428,10 @@ class Several:
         """See `Container`."""
         data = self._containers[part // self._most].read(part % self._most, place)
         return _unpacked(data) if self._packed else data
+
+    def packed_bytes(self, part: int) -> int:
+        """See `Container`."""
+        return self._containers[part // self._most].packed_bytes(part % self._most)
 
     def heads(self, entries: Entries) -> list[bytes] | None:
         """See `Container`."""

@@ -20,6 +20,7 @@ from tracking.translation import msg
 
 IMAGE, COMPRESSED = "sensor_msgs/msg/Image", "sensor_msgs/msg/CompressedImage"
 INFO = "sensor_msgs/msg/CameraInfo"
+_KINDS = (IMAGE, COMPRESSED, INFO)
 MOST_PIXELS = 40_000_000
 _SIDES = (("left", "right"), ("infra1", "infra2"), ("cam0", "cam1"), ("camera0", "camera1"))
 _SIDES_OF_NUMBERS = (("0", "1"), ("1", "2"))
@@ -49,6 +50,11 @@ Picture = NDArray[Any]
 
 class Messages:
     """Messages of a bag as values."""
+
+    def prepare(self, topics: Sequence[Topic]) -> None:
+        """Make what reading images of such topics takes, which no file has a part in."""
+        for is_ros1 in {topic.is_ros1 for topic in topics if topic.kind in _KINDS}:
+            _store(is_ros1)
 
     def value(self, topic: Topic, data: bytes) -> Any:
         """The message as the library has it."""
