@@ -105,12 +105,32 @@ def _of_image(value: Any) -> Picture:
 
 
 def _of_compressed(value: Any) -> Picture:
-    data = np.frombuffer(value.data, np.uint8)
-    if "compressedDepth" in str(value.format):  # a head of its own stands before the PNG
-        data = data[_DEPTH_HEAD_BYTES:]
+    data, told = np.frombuffer(value.data, np.uint8), str(value.format)
+    if "compressedDepth" in told:
+        return _of_compressed_depth(data, in_metres="32FC1" in told)
+    of_units = any(name in told for name in _DEPTH_UNITS)
+    return _decoded(data, cv2.IMREAD_UNCHANGED if of_units else cv2.IMREAD_COLOR)
+
+
+def _of_compressed_depth(data: NDArray[np.uint8], in_metres: bool) -> Picture:
+    """A PNG behind a head of its own; of metres it holds the inverse, in steps the head tells.
+
+    Source: ROS' compressed_depth_image_transport, codec.cpp.
+    """
+    head, data = data[:_DEPTH_HEAD_BYTES].tobytes(), data[_DEPTH_HEAD_BYTES:]
+    units = _decoded(data, cv2.IMREAD_UNCHANGED)
+    if units.ndim != 2 or units.dtype != np.uint16:
+        raise BagError(msg("holds depth that is not of 16 bits and one channel"))
+    if not in_metres:
+        return units
+    scale, offset = np.frombuffer(head, "<f4", 2, offset=4)
+    with np.errstate(all="ignore"):
+        depth = scale / (units.astype(np.float32) - offset)
+    return np.where(units > 0, depth, np.float32(np.nan))
+
+
+def _decoded(data: NDArray[np.uint8], flag: int) -> Picture:
     _check_header(data[:65536].tobytes())
-    of_units = any(name in str(value.format) for name in _DEPTH_UNITS)
-    flag = cv2.IMREAD_UNCHANGED if of_units else cv2.IMREAD_COLOR
     picture = cv2.imdecode(data, flag)
     if picture is None:
         raise BagError(msg("holds an image that cannot be decoded"))
