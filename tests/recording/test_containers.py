@@ -167,6 +167,23 @@ def test_what_was_found_opens_again_by_its_manifest(tmp_path: Path, footage: Foo
         assert again.calibration is not None
 
 
+def test_a_kitti_drive_with_a_manifest_of_the_floor_opens_again(
+    tmp_path: Path, footage: Footage
+) -> None:
+    drive = write_kitti(tmp_path, footage)
+    (drive / "recording.toml").write_text("[ground]\nheight = 2.5\ntilt = 31.0\n")
+    with open_recording(drive) as recording:
+        place, text, told = recording.folder, recording.manifest_text, recording.fingerprints()
+        assert_calibration(recording.calibration, footage)
+        assert recording.name == drive.name
+    with open_from_manifest(place, text) as again:
+        assert_frames(again, footage)
+        assert_times(again, footage)
+        assert_calibration(again.calibration, footage)
+        assert again.fingerprints() == told
+        assert again.ground is not None
+
+
 def test_topics_are_named_in_a_manifest(tmp_path: Path, footage: Footage) -> None:
     write_rosbag1(tmp_path, footage)
     manifest = '[left]\nsource = "run.bag"\ntopic = "/stereo/right/image_raw"\n'

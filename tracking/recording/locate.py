@@ -168,6 +168,13 @@ def _with_manifest(folder: Path, text: str, where: str) -> Located:
     own = parse_manifest(text, where, located.manifest.name, located.manifest)
     # What was found may lie above the folder, as KITTI's calibration does; what a text names not.
     trusted = own.calibration == located.manifest.calibration
+    if trusted and any(".." in Path(file).parts for file in own.calibration):
+        # A session keeps the text, which must lead to everything without climbing out.
+        located = _of_sources(folder, found)
+        seen = located.manifest
+        own = replace(
+            own, left=seen.left, right=seen.right, depth=seen.depth, calibration=seen.calibration
+        )
     return replace(located, manifest=own, text=format_manifest(own), trusted=trusted)
 
 
