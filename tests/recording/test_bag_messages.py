@@ -10,7 +10,10 @@ import numpy as np
 import pytest
 from rosbags.typesys import Stores, get_typestore
 
-from tracking.recording.bags.containers import BagError, Topic
+from tracking.recording.bags.container import (
+    BagError,
+    Topic,
+)
 from tracking.recording.bags.messages import COMPRESSED, Messages
 
 DEPTH = Topic("/depth/compressedDepth", COMPRESSED, False, 1)

@@ -14,15 +14,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.message_data import message_data
-from tracking.recording.bags.containers import (
+from tracking.recording.bags.container import (
     HEAD_BYTES,
     BagError,
     Container,
     Entries,
     Topic,
-    open_container,
     why_of,
 )
+from tracking.recording.bags.containers import open_container
 from tracking.recording.bags.messages import (
     COMPRESSED,
     IMAGE,

@@ -15,7 +15,11 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.recording.bags.containers import BagError, Container, Topic
+from tracking.recording.bags.container import (
+    BagError,
+    Container,
+    Topic,
+)
 from tracking.translation import msg
 
 IMAGE, COMPRESSED = "sensor_msgs/msg/Image", "sensor_msgs/msg/CompressedImage"
