@@ -9,7 +9,7 @@ from tracking.errors import RecordingError
 from tracking.recording.depth_pictures import DepthImages, DepthSource
 from tracking.recording.images import IMAGE_SUFFIXES, ImageSource, image_files
 from tracking.recording.pictures import PictureSource
-from tracking.recording.time_stamps import stamps_of
+from tracking.recording.time_stamps import lies_in, stamps_of
 from tracking.recording.video import VideoSource
 
 _GLOB_SIGNS = "*?["
@@ -29,7 +29,7 @@ def place_inside(folder: Path, named: str, allow_outside: bool) -> Path:
         return path
     absolute = PurePosixPath(named).is_absolute() or PureWindowsPath(named).anchor
     inside = not absolute and ".." not in path.relative_to(folder).parts
-    if not inside or not all(_lies_in(place, folder) for place in _places(path)):
+    if not inside or not all(lies_in(place, folder) for place in _places(path)):
         raise RecordingError(
             "{folder}: its manifest names {named!r} outside the folder; move the file inside, "
             "or add --allow-outside where you trust the recording",
@@ -115,10 +115,3 @@ def _matching(pattern: Path) -> list[Path]:
 def is_pattern(name: str) -> bool:
     """Whether a source is a glob of images."""
     return any(sign in name for sign in _GLOB_SIGNS)
-
-
-def _lies_in(path: Path, folder: Path) -> bool:
-    try:
-        return path.resolve().is_relative_to(folder.resolve())
-    except (OSError, RuntimeError):
-        return False

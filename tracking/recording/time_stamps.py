@@ -37,7 +37,7 @@ def stamps_of(files: Sequence[Path], folders: Sequence[Path]) -> Stamps | None:
     if not files:
         return None
     above = files[0].parent.parent
-    if any(_lies_in(above, folder) for folder in folders):
+    if any(lies_in(above, folder) for folder in folders):
         for found in (_of_table(above / _EUROC, files), _of_lines(above / _KITTI, files)):
             if found is not None:
                 return _increasing(found)
@@ -56,7 +56,8 @@ def has_stamps(folder: Path) -> bool:
     return any(_is_plain(folder.parent / name) for name in (_EUROC, _KITTI))
 
 
-def _lies_in(place: Path, folder: Path) -> bool:
+def lies_in(place: Path, folder: Path) -> bool:
+    """Whether a path leads into a folder, links followed."""
     try:
         return place.resolve().is_relative_to(folder.resolve())
     except (OSError, RuntimeError):
