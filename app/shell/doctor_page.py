@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING
 
 from app.core.controller import Controller
@@ -10,6 +11,7 @@ from app.features.doctor.controller import DoctorController
 
 if TYPE_CHECKING:
     from app.shell.main_window import MainWindow
+    from app.shell.recording_controller import RecordingController
 
 
 class DoctorPage(Controller):
@@ -27,14 +29,22 @@ class DoctorPage(Controller):
             return
         recording = controller.document.recording
         self.page = DoctorController(recording.path, recording.name, self._window)
-        self.page.closed.connect(self._close)
+        self.page.closed.connect(partial(self._close, controller))
         self.page.open()
 
-    def _close(self, changed: bool) -> None:
+    def close(self) -> None:
+        """End with the recording: a mend at work is waited for."""
+        if self.page is not None:
+            self.page.end()
+            self.page.deleteLater()
+            self.page = None
+
+    def _close(self, controller: RecordingController, changed: bool, problem: str) -> None:
         """Open the recording anew where nothing was tracked yet; say what to do where it was."""
         self.page = None
-        controller = self._window.controller
-        if not changed or controller is None:
+        if problem:
+            self._window.notice.say(problem, is_error=True)
+        if not changed or self._window.controller is not controller:
             return
         document = controller.document
         if document.session is None or not len(document.session.runs):
