@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from app.core.controller import Controller
 from app.core.i18n import tr
 from app.features.doctor.controller import DoctorController
+from app.features.doctor.presenter import Place
 
 if TYPE_CHECKING:
     from app.shell.main_window import MainWindow
@@ -28,7 +29,7 @@ class DoctorPage(Controller):
         if controller is None or self.page is not None:
             return
         recording = controller.document.recording
-        self.page = DoctorController(recording.path, recording.name, self._window)
+        self.page = DoctorController(Place.of(recording), recording.name, self._window)
         self.page.closed.connect(partial(self._close, controller))
         self.page.open()
 
@@ -48,7 +49,8 @@ class DoctorPage(Controller):
             return
         document = controller.document
         if document.session is None or not len(document.session.runs):
-            self._window.files.open_path(document.recording.path)
+            place = Place.of(document.recording)
+            self._window.files.open_path(place.path, options=place.options)
             return
         self._window.notice.say(
             tr(

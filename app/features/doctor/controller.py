@@ -5,7 +5,6 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 from functools import partial
-from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import QObject, Signal
@@ -16,6 +15,7 @@ from app.core.i18n import tr
 from app.core.jobs.jobs import Job
 from app.features.doctor import presenter
 from app.features.doctor.dialog import DoctorDialog
+from app.features.doctor.presenter import Place
 from app.features.doctor.scene import DoctorScene
 from tracking.doctor import Examination, Mended
 from tracking.progress import Progress
@@ -28,7 +28,7 @@ class DoctorController(QObject):
     """The page of one recording.
 
     Args:
-        place: of the recording. name: its name.
+        place: where the recording is opened. name: its name.
 
     Signals: `closed(changed, problem)`, the page has gone, and what it was writing is written;
     whether the recording's files are others now, and why the last mend failed ("": it did not).
@@ -36,7 +36,7 @@ class DoctorController(QObject):
 
     closed = Signal(bool, str)
 
-    def __init__(self, place: Path, name: str, window: QWidget) -> None:
+    def __init__(self, place: Place, name: str, window: QWidget) -> None:
         super().__init__(window)
         self._place = place
         self._job: Job | None = None

@@ -22,7 +22,7 @@ from app.shell.main_window import MainWindow
 from tracking.doctor import Examination, Finding, Mend, Mended
 from tracking.errors import RecordingError
 from tracking.geometry import read_calibration, write_calibration
-from tracking.recording import read_manifest
+from tracking.recording import OpenOptions, read_manifest
 from tracking.synthesis import SCENES, render_recording
 from tracking.translation import msg
 
@@ -145,6 +145,30 @@ def test_the_page_is_closed_while_it_works(window: MainWindow, qtbot: QtBot, sou
     QTest.keyClick(page, Qt.Key.Key_Escape)
     assert window.files.doctor.page is None
     qtbot.waitUntil(nothing_works, timeout=LONG_MS)
+
+
+def test_a_recording_without_a_manifest_is_checked_as_it_was_opened(
+    window: MainWindow, qtbot: QtBot, turned: Path
+) -> None:
+    manifest = read_manifest(turned)
+    ground = manifest.ground
+    options = OpenOptions(
+        left=turned / manifest.left,
+        right=turned / str(manifest.right),
+        calibration=(turned / manifest.calibration[0],),
+        height_m=ground.height_m,
+        tilt_deg=ground.tilt_deg,
+    )
+    (turned / "recording.toml").unlink()
+    window.files.open_path(turned / manifest.left, options=options)
+    qtbot.waitUntil(lambda: window.controller is not None, timeout=20_000)
+    window.run_command("help.doctor")
+    page = window.files.doctor.page.dialog
+    qtbot.waitUntil(lambda: rests(page), timeout=LONG_MS)
+    assert page.list.count() == 1
+    assert "m on the floor" in page.list.item(0).text()
+    assert page.detail.mend.isHidden()
+    page.reject()
 
 
 def test_close_waits_for_no_check_that_tells_no_progress(
