@@ -298,6 +298,7 @@ class Files(Controller):
             self.keeping.drop()
             self.beside.close()
             self.backups.close()
+            self.doctor.close()
             self.detectors.close()
             if controller.document.recording.is_stereo:  # one camera leaves nothing to choose
                 self._remembered.set_text("eyes", controller.cameras)

@@ -160,6 +160,19 @@ def test_a_network_that_tells_nobody_apart_says_nothing() -> None:
     assert np.abs(known.log_likelihood_ratio(ids, looks())).max() < 0.5
 
 
+def test_nothing_is_learnt_or_said_before_the_first_usable_crop(
+    tmp_path: Path, networks: list[AppearanceNetwork]
+) -> None:
+    networks.append(AppearanceNetwork(read_model(written_appearance(tmp_path, mean_colours()))))
+    networks[0].look(street())
+    known, ids, clear = KnownEmbeddings(), np.arange(1, 4), np.ones(3, bool)
+    for boxes in (np.full((3, 4), np.nan), BOXES):
+        found = networks[0].embed(boxes)
+        assert known.log_likelihood_ratio(ids, found) == pytest.approx(np.zeros((3, 3)))
+        known.learn(ids, found, clear)
+    assert known.log_likelihood_ratio(ids, found)[0, 0] > 1.0
+
+
 @pytest.mark.slow
 def test_damaged_appearance_networks_end_in_one_line_or_a_sound_answer(tmp_path: Path) -> None:
     for number in range(9, 209, 10):

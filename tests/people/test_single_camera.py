@@ -7,6 +7,7 @@ import pytest
 from drawn_people import SIZE, floor, with_person, with_shadow
 from numpy.typing import NDArray
 
+from tracking.foreground import BackgroundModel
 from tracking.geometry import Camera, Ground, View
 from tracking.people import Observation, SingleCameraPerception
 from tracking.people.ghosts import without_ghosts
@@ -76,6 +77,23 @@ def test_somebody_who_stands_still_does_not_melt_into_the_background() -> None:
     found = seen(*[standing] * 150)
     assert len(found.people) == 1
     assert found.people.box[0, 3] > 110
+
+
+def test_the_first_frame_finds_the_background_in_the_light_it_was_learnt_in() -> None:
+    lit, frames = floor(), []
+    for number in range(12):
+        share = 1.0 if number < 8 else 0.75  # the camera's exposure changes late on
+        picture = np.asarray(with_person(lit, 40 + 20 * number, 60, 120) * share, np.uint8)
+        picture[:, :150] = picture[:, :150] * (1.0 if number < 10 else 0.8)  # and then a lamp
+        frames.append(StereoFrame(number, float(number), picture, None))
+    perception, alone = SingleCameraPerception(FPS), BackgroundModel(FPS)
+    perception.learn(frames)
+    alone.learn([frame.left for frame in frames], (), [frame.time_s for frame in frames])
+    assert np.array_equal(perception._background.background, alone.background)
+    found = perception.observe(frames[0])
+    assert len(found.people) == 1
+    same = alone.subtract(frames[0].left).mask
+    assert np.array_equal(found.overlays.foreground > 0, same > 0)
 
 
 @pytest.mark.parametrize("tilt_deg", [0.0, -4.0])

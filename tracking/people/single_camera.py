@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from copy import deepcopy
 
 import cv2
 import numpy as np
@@ -107,8 +108,9 @@ class SingleCameraPerception:
 
     def _bodies(self, frames: Sequence[StereoFrame]) -> Floats:
         """(n, 4) px boxes of whole bodies in the foreground of some frames."""
-        boxes, shade = [np.zeros((0, 4))], self._shade
-        self._shade = ShadeColour()  # frames come in order later
+        boxes, kept = [np.zeros((0, 4))], (self._background, self._shade)
+        # Both follow light and shade; the first frame is to find them as they were learnt.
+        self._background, self._shade = deepcopy(self._background), ShadeColour()
         for frame in frames:
             self._shrink = shrink_of(frame.left.shape[1])
             seen = self._background.subtract(self._working(frame.left))
@@ -118,7 +120,7 @@ class SingleCameraPerception:
             regions = join_regions(given, self._beside(seen, kind, given, standing))
             people = described(regions, seen.picture, frame.left.shape, standing, self._settings)
             boxes.append(people.box[~people.truncated])
-        self._shade = shade
+        self._background, self._shade = kept
         return np.concatenate(boxes)
 
     def observe(self, frame: StereoFrame) -> Observation:

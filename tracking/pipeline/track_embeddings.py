@@ -35,7 +35,7 @@ class TrackEmbeddings:
         if not len(rows):
             return empty(EMBEDDING_COLUMNS)
         embeddings = self._embed(boxes_of(tracks, rows))
-        known = np.isfinite(embeddings).all(axis=1)
+        known = np.isfinite(embeddings).all(axis=1) & (embeddings.shape[1] > 0)
         here = tracks["track"][rows[known]]
         self._next_s |= dict.fromkeys(here.tolist(), time_s + _EVERY_S - 1e-3)
         return embedding_columns(result.frame, here, embeddings[known])

@@ -55,6 +55,7 @@ class Recording:
         manifest_text, calibration_text: as read; the manifest's is made up where there is none,
             or where options said otherwise.
         own_manifest: whether that text is the folder's recording.toml, as read.
+        trusted: whether that text may name files outside the folder.
         truth_path: the truth.txt in the recording's folder; None without one.
     """
 
@@ -79,6 +80,7 @@ class Recording:
         self.looked_at: Mask | None = located.manifest.region.pixels(cameras.size)
         self.manifest_text: str = located.text
         self.own_manifest: bool = located.own
+        self.trusted: bool = located.trusted
         self.calibration_text: str = calibrated.text
         truth = located.path / TRUTH_NAME
         self.truth_path: Path | None = truth if truth.is_file() else None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 from tracking.errors import RecordingError
@@ -73,7 +74,7 @@ def _open(located: Located, options: OpenOptions) -> Recording:
         depth=depth is not None,
         topics=located.manifest.topics,
     )
-    return Recording(located, cameras, calibrated, depth)
+    return Recording(replace(located, trusted=inside), cameras, calibrated, depth)
 
 
 def _open_depth(located: Located, left: PictureSource, allow_outside: bool) -> DepthSource | None:

@@ -181,7 +181,7 @@ RUN_TABLES: Mapping[str, Table] = MappingProxyType(
         "part_particles": Table(PART_PARTICLE_COLUMNS, is_later=True, by_frame=True),  # 1.2
         # 1.3; the column came with 1.4
         "tracklets": Table(TRACKLET_COLUMNS, (_later("foot_v"),), is_later=True, by_frame=True),
-        "network_boxes": Table(NETWORK_BOX_COLUMNS, is_later=True, by_frame=True),  # 1.6
+        "network_boxes": Table(NETWORK_BOX_COLUMNS, is_later=True, by_frame=True),  # 1.7
     }
 )
 """Tables of a run by their names, which are those of `Run`, in the order they are written."""

@@ -84,6 +84,12 @@ class Job(QObject):
         self.wait()
         self.deleteLater()
 
+    def leave_untold(self) -> None:
+        """Ask the work to stop, and let it end by itself; nobody is told anything."""
+        self.blockSignals(True)
+        self.cancel()
+        self.deleteLater()
+
     def _report(self, result: object, error: Exception | None) -> None:
         if error is None:
             self.done.emit(result)

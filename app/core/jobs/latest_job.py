@@ -58,9 +58,7 @@ class LatestJob(QObject):
         self._asked = None
         if self._job is not None:
             job, self._job = self._job, None
-            job.blockSignals(True)
-            job.cancel()
-            job.deleteLater()
+            job.leave_untold()
 
     def _begin(self) -> None:
         subject = self._asked

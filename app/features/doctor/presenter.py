@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from app.core.i18n import N_, count_text, joined, tr
 from app.features.doctor.scene import DoctorScene, FindingScene, State
 from tracking.doctor import Examination, Finding, Mended, examine, mend_undoably, undo_mend
 from tracking.progress import Progress
-from tracking.recording import open_recording
+from tracking.recording import OpenOptions, Recording, open_from_manifest, open_recording
 
 _SMALL_M = 0.005
 """Errors below it are no centimetre."""
@@ -40,18 +41,57 @@ _LEFT_OUT = frozenset((*_AMOUNT, "z"))
 """Told together, or for whoever writes programs."""
 
 
-def examined(place: Path, progress: Progress) -> Examination:
+@dataclass(frozen=True, slots=True)
+class Place:
+    """Where a recording that is open in the window is opened once more, as its files are now.
+
+    Attributes:
+        path: what was opened.
+        folder: what its manifest is relative to.
+        manifest: as options and what was found made it up; None: the folder's recording.toml.
+        allow_outside: that manifest may name files outside the folder.
+    """
+
+    path: Path
+    folder: Path
+    manifest: str | None
+    allow_outside: bool
+
+    @classmethod
+    def of(cls, recording: Recording) -> Place:
+        """That of an open recording."""
+        manifest = None if recording.own_manifest else recording.manifest_text
+        return cls(recording.path, recording.folder, manifest, recording.trusted)
+
+    @property
+    def options(self) -> OpenOptions:
+        """What was allowed when it was opened."""
+        return OpenOptions(allow_outside=self.allow_outside)
+
+    def open(self) -> Recording:
+        """Open it. Raises RecordingError, CalibrationError."""
+        if self.manifest is None:
+            return open_recording(self.path, self.options)
+        return open_from_manifest(self.folder, self.manifest, self.options)
+
+
+def examined(place: Place, progress: Progress) -> Examination:
     """Examine a recording as its files are now; on any thread.
+
+    Where it has no recording.toml of its own there is nothing to write a mend into.
 
     Raises RecordingError, CancelledError.
     """
-    with open_recording(place) as recording:
-        return examine(recording, progress)
+    with place.open() as recording:
+        found = examine(recording, progress)
+    if place.manifest is None:
+        return found
+    return replace(found, findings=tuple(replace(one, mend=None) for one in found.findings))
 
 
-def mended(place: Path, finding: Finding) -> Mended:
+def mended(place: Place, finding: Finding) -> Mended:
     """Mend a finding in the files; on any thread. Raises RecordingError, OutputError."""
-    with open_recording(place) as recording:
+    with place.open() as recording:
         return mend_undoably(recording, finding)
 
 

@@ -202,9 +202,7 @@ class SetupEditor(QObject):
                 self._drafts.save(self.state)
         if self._job is not None:
             work, self._job = self._job, None
-            work.blockSignals(True)
-            work.cancel()
-            work.deleteLater()
+            work.leave_untold()
 
     def forget_draft(self) -> None:
         """It was written."""

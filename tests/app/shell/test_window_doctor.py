@@ -6,6 +6,8 @@ import math
 import shutil
 from dataclasses import replace
 from pathlib import Path
+from threading import Event, Timer
+from threading import enumerate as threads
 
 import cv2
 import numpy as np
@@ -14,13 +16,18 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
+from app.features.doctor import presenter
 from app.features.doctor.dialog import DoctorDialog
 from app.shell.main_window import MainWindow
+from tracking.doctor import Examination, Finding, Mend, Mended
+from tracking.errors import RecordingError
 from tracking.geometry import read_calibration, write_calibration
-from tracking.recording import read_manifest
+from tracking.recording import OpenOptions, read_manifest
 from tracking.synthesis import SCENES, render_recording
+from tracking.translation import msg
 
 LONG_MS = 120_000
+NOTHING = Examination((), (), {})
 
 
 @pytest.fixture(scope="module")
@@ -69,6 +76,11 @@ def press(button: object) -> None:
 def rests(page: DoctorDialog) -> bool:
     """Whether nothing runs."""
     return page.again.isEnabled() and page.progress.isHidden()
+
+
+def nothing_works() -> bool:
+    """Whether every job of the page has ended."""
+    return not any(each.name.startswith("job ") for each in threads())
 
 
 def test_a_finding_is_shown_mended_and_the_mend_taken_back(
@@ -131,7 +143,95 @@ def test_the_check_is_cancelled_and_begun_again(
 def test_the_page_is_closed_while_it_works(window: MainWindow, qtbot: QtBot, sound: Path) -> None:
     page = page_of(window, qtbot, sound)
     QTest.keyClick(page, Qt.Key.Key_Escape)
-    qtbot.waitUntil(lambda: window.files.doctor.page is None, timeout=LONG_MS)
+    assert window.files.doctor.page is None
+    qtbot.waitUntil(nothing_works, timeout=LONG_MS)
+
+
+def test_a_recording_without_a_manifest_is_checked_as_it_was_opened(
+    window: MainWindow, qtbot: QtBot, turned: Path
+) -> None:
+    manifest = read_manifest(turned)
+    ground = manifest.ground
+    options = OpenOptions(
+        left=turned / manifest.left,
+        right=turned / str(manifest.right),
+        calibration=(turned / manifest.calibration[0],),
+        height_m=ground.height_m,
+        tilt_deg=ground.tilt_deg,
+    )
+    (turned / "recording.toml").unlink()
+    window.files.open_path(turned / manifest.left, options=options)
+    qtbot.waitUntil(lambda: window.controller is not None, timeout=20_000)
+    window.run_command("help.doctor")
+    page = window.files.doctor.page.dialog
+    qtbot.waitUntil(lambda: rests(page), timeout=LONG_MS)
+    assert page.list.count() == 1
+    assert "m on the floor" in page.list.item(0).text()
+    assert page.detail.mend.isHidden()
+    page.reject()
+
+
+def test_close_waits_for_no_check_that_tells_no_progress(
+    window: MainWindow, qtbot: QtBot, sound: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    begun, may_end = Event(), Event()
+
+    def examined(*_: object) -> Examination:
+        begun.set()
+        may_end.wait(LONG_MS / 1000)
+        return NOTHING
+
+    monkeypatch.setattr(presenter, "examined", examined)
+    page = page_of(window, qtbot, sound)
+    qtbot.waitUntil(begun.is_set)
+    timer = Timer(20.0, may_end.set)  # a window that stood still goes on by then
+    timer.start()
+    press(page.close_button)
+    assert window.files.doctor.page is None
+    assert not may_end.is_set()
+    timer.cancel()
+    may_end.set()
+    qtbot.waitUntil(nothing_works, timeout=LONG_MS)
+
+
+@pytest.mark.parametrize("fails", [False, True])
+def test_a_mend_that_goes_on_after_close_ends_and_counts(
+    window: MainWindow,
+    qtbot: QtBot,
+    sound: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    fails: bool,
+) -> None:
+    begun, may_end = Event(), Event()
+
+    def mended(*_: object) -> Mended:
+        begun.set()
+        may_end.wait(LONG_MS / 1000)
+        if fails:
+            raise RecordingError("the disk is full")
+        return Mended((), {}, {})
+
+    found = Finding("lag", msg("late"), msg("mend it"), {}, 0.1, mend=Mend(lag=1))
+    monkeypatch.setattr(presenter, "examined", lambda *_: Examination((found,), (), {}))
+    monkeypatch.setattr(presenter, "mended", mended)
+    page = page_of(window, qtbot, sound)
+    before = window.controller
+    qtbot.waitUntil(lambda: rests(page), timeout=LONG_MS)
+    press(page.detail.mend)
+    qtbot.waitUntil(begun.is_set)
+    timer = Timer(20.0, may_end.set)
+    timer.start()
+    press(page.close_button)
+    assert not may_end.is_set()
+    assert window.controller is before
+    timer.cancel()
+    may_end.set()
+    qtbot.waitUntil(lambda: window.files.doctor.page is None, timeout=20_000)
+    if fails:
+        assert "the disk is full" in window.notice.text
+        assert window.controller is before
+    else:
+        qtbot.waitUntil(lambda: window.controller not in (None, before), timeout=20_000)
 
 
 def test_a_recording_that_has_gone_is_told(window: MainWindow, qtbot: QtBot, sound: Path) -> None:

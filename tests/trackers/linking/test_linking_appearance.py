@@ -163,3 +163,10 @@ def test_rows_of_people_in_front_of_others_have_no_embedding_of_theirs() -> None
     run = embedded(run, {1: np.eye(20)[0], 2: np.eye(20)[1]})
     seen, _ = find_seen_rows(run, VIEW)
     assert not np.isfinite(seen.embedding[seen.track == 2]).any()
+
+
+def test_embeddings_of_tracks_without_a_row_that_was_seen_are_left_out() -> None:
+    run = embedded(run_of(Stretch(1, 0, LANES[0], RED), frames=100), {1: np.eye(20)[0]})
+    run.tracks["predicted"][:] = True
+    seen, _ = find_seen_rows(run, VIEW)
+    assert seen.embedding.shape == (0, 0)

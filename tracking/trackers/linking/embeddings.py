@@ -23,7 +23,7 @@ def embeddings_of_rows(embeddings: Columns, frame: Integers, track: Integers, us
         embeddings: `EMBEDDING_COLUMNS`. frame, track: (rows,) of rows. use: (rows,) whether what
             is seen there is this person.
     """
-    if not len(embeddings["frame"]):
+    if not len(embeddings["frame"]) or not len(frame):
         return np.zeros((len(frame), 0))
     key, vectors = _vectors(embeddings)
     own = row_keys(track, frame)

@@ -87,10 +87,13 @@ class KnownEmbeddings:
 
         Args:
             track: ids; 0 of tentative tracks, of which nothing is known.
-            embeddings: (detections, d), NaN where unknown; None: there is no network.
+            embeddings: (detections, d), NaN where unknown; d is 0 before the first usable crop.
+                None: there is no network.
         """
         if embeddings is None:
             return np.zeros((len(track), 0))
+        if not embeddings.shape[1]:
+            return np.zeros((len(track), len(embeddings)))
         return self._model.log_likelihood_ratio(self._distances(track, embeddings))
 
     def learn(
@@ -98,8 +101,10 @@ class KnownEmbeddings:
     ) -> None:
         """Take the embedding of each track (n,), of those seen clearly, and how people differ.
 
-        Ids are of different people, who are in view together.
+        Ids are of different people, who are in view together. Embeddings of no length tell nothing.
         """
+        if not embeddings.shape[1]:
+            return
         seen = clear & (track > 0) & np.isfinite(embeddings).all(axis=1)
         track, embeddings = track[seen], embeddings[seen]
         distance = self._distances(track, embeddings)
