@@ -184,7 +184,8 @@ def manifest_of(plan: SetupPlan) -> Manifest:
 def setup_text(plan: SetupPlan) -> str:
     """The text of recording.toml, with a comment over each table.
 
-    Where the folder has one, its comments and what of it means nothing here are kept.
+    Where the folder has one, its comments and what of it means nothing here are kept, unless that
+    text would not say what the plan says.
 
     Raises:
         RecordingError: the files share no folder, or the old recording.toml cannot be read.
@@ -192,11 +193,22 @@ def setup_text(plan: SetupPlan) -> str:
     folder = plan.folder
     text = format_manifest(manifest_of(plan))
     if plan.at is not None and (folder / MANIFEST_NAME).is_file():
-        return with_old_text(text, manifest_text(folder), _HEADINGS)
+        kept = with_old_text(text, manifest_text(folder), _HEADINGS)
+        if _says_the_same(kept, text):
+            return kept
     lines = ["# Made by trackwright setup; change it by hand as you like."]
     for line in text.splitlines():
         lines += [_HEADINGS[line], line] if line in _HEADINGS else [line]
     return "\n".join(lines) + "\n"
+
+
+def _says_the_same(text: str, other: str) -> bool:
+    """Whether a text reads as the other one does, but for what means nothing here."""
+    try:
+        one = parse_manifest(text, MANIFEST_NAME, "")
+    except RecordingError:
+        return False
+    return replace(one, unknown=()) == parse_manifest(other, MANIFEST_NAME, "")
 
 
 def write_setup(plan: SetupPlan, *, replace_old: bool = False) -> Path:
