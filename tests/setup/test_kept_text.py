@@ -11,6 +11,7 @@ from tracking.recording import read_manifest
 from tracking.setup import plan_of, write_setup
 
 _SOURCES = '\n[left]\nsource = "left/*.png"\n'
+_TOPICS = '[left]\nsource = "a.bag"\ntopic = "/l"\n[right]\nsource = "a.bag"\ntopic = "/r"\n'
 _GROUND = "\n[ground]\nheight = 2.0\ntilt = 30.0\n"
 _DEPTH = '[depth]\nsource = "depth/*.png"\ntopic = "/d"\nscale = 0.01\n'
 
@@ -19,7 +20,7 @@ _DEPTH = '[depth]\nsource = "depth/*.png"\ntopic = "/d"\nscale = 0.01\n'
     "old",
     [
         f"{_SOURCES}{_GROUND}{_DEPTH}",
-        f'[left]\nsource = "a.bag"\ntopic = "/l"\n[right]\nsource = "a.bag"\ntopic = "/r"\n{_GROUND}',
+        f"{_TOPICS}{_GROUND}",
         f'left = {{ source = "left/*.png" }}\n{_GROUND}',
         f"ground.height = 2.0\nground.tilt = 30.0\n{_SOURCES}",
         f'["left"]\nsource = "left/*.png"\n{_GROUND}',

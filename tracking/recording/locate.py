@@ -55,9 +55,7 @@ def locate(path: Path, options: OpenOptions) -> Located:
         RecordingError: nothing is there, or nothing that could be a recording.
     """
     if options.left is not None:
-        return _with_options(
-            _made_up(path, options.left.stem, options.left, options.right), options
-        )
+        return _with_options(_of_sources(path, _named(options.left, options)), options)
     if not path.exists():
         raise RecordingError("{path}: no such recording; check the path", path=path)
     if path.is_dir():
@@ -131,6 +129,18 @@ def _in_folder(folder: Path) -> Located:
 def _made_up(path: Path, name: str, left: Path, right: Path | None) -> Located:
     """A manifest for files that have none."""
     return _of_sources(path, FoundSources(left, right, name=name))
+
+
+def _named(left: Path, options: OpenOptions) -> FoundSources:
+    """The sources that the options name."""
+    return FoundSources(
+        left,
+        options.right,
+        options.depth,
+        depth_scale_m=options.depth_scale_m,
+        topics=options.topics,
+        name=left.stem,
+    )
 
 
 def _of_sources(path: Path, found: FoundSources, base: Path | None = None) -> Located:

@@ -79,8 +79,8 @@ class SetupPlan:
         """
         if self.at is not None:
             return self.at
-        files = [self.left, *([self.right] if self.right else [])]
-        parents = {_absolute(file).parent for file in files}
+        files = (self.left, self.right, self.depth)
+        parents = {_absolute(file).parent for file in files if file is not None}
         try:
             common = Path(os.path.commonpath(parents))
         except ValueError:  # on two drives
@@ -139,6 +139,9 @@ def options_of_plan(plan: SetupPlan) -> OpenOptions:
     return OpenOptions(
         left=plan.left,
         right=plan.right,
+        depth=plan.depth,
+        depth_scale_m=plan.depth_scale_m,
+        topics=plan.topics,
         calibration=plan.calibration,
         height_m=ground.height_m if ground else None,
         tilt_deg=ground.tilt_deg if ground else None,

@@ -25,6 +25,7 @@ from tracking.errors import TrackwrightError
 from tracking.geometry import Ground, StereoCalibration
 from tracking.geometry.calibration_writer import format_calibration
 from tracking.owned_files import make_folder, read_file
+from tracking.recording.depth_pictures import checked_scale
 from tracking.recording.region_of_interest import RegionOfInterest, outlines_of
 from tracking.setup import SetupPlan
 
@@ -175,6 +176,9 @@ def _plan(values: Mapping[str, Any]) -> SetupPlan:
         if ground is None
         else Ground(*(float(ground[name]) for name in ("height_m", "tilt_deg", "roll_deg"))),
         region=RegionOfInterest(look, mask),
+        depth=None if values["depth"] is None else Path(values["depth"]),
+        depth_scale_m=checked_scale(float(values["depth_scale_m"]), "depth"),
+        topics=_topics(values["topics"]),
         at=None if values["at"] is None else Path(values["at"]),
     )
 
@@ -195,6 +199,11 @@ def _texts(values: Any) -> tuple[str, ...]:
     if not isinstance(values, list) or not all(isinstance(one, str) for one in values):
         raise ValueError("no texts")
     return tuple(values)
+
+
+def _topics(values: Any) -> tuple[str, str, str]:
+    left, right, depth = _texts(values)
+    return left, right, depth
 
 
 def _one_of(value: Any, known: tuple[Any, ...]) -> Any:
