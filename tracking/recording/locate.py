@@ -212,14 +212,20 @@ def _with_calibration(found: Located, options: OpenOptions) -> Located:
     So the manifest leads to everything without climbing out, wherever it is kept.
     """
     manifest = found.manifest
-    sources = [manifest.left] if manifest.right is None else [manifest.left, manifest.right]
     inside = found.trusted or options.allow_outside
-    cameras = [place_inside(found.folder, source, inside) for source in sources]
-    folder = _shared_folder([found.folder / "any", *cameras, *options.calibration])
-    left, *right = (_relative(camera, folder) for camera in cameras)
-    calibration = tuple(_relative(file, folder) for file in options.calibration)
+    left, right, depth = (
+        None if source is None else place_inside(found.folder, source, inside)
+        for source in (manifest.left, manifest.right, manifest.depth)
+    )
+    sources = [source for source in (left, right, depth) if source is not None]
+    folder = _shared_folder([found.folder / "any", *sources, *options.calibration])
+    assert left is not None, "each manifest has a left source"
     changed = replace(
-        manifest, left=left, right=right[0] if right else None, calibration=calibration
+        manifest,
+        left=_relative(left, folder),
+        right=_relative(right, folder) if right else None,
+        depth=_relative(depth, folder) if depth else None,
+        calibration=tuple(_relative(file, folder) for file in options.calibration),
     )
     text = format_manifest(changed)
     return replace(found, folder=folder, manifest=changed, text=text, own=False)
