@@ -93,13 +93,24 @@ class SetupPlan:
 
     @property
     def calibration_file(self) -> Path | None:
-        """Where a calibration from elsewhere is to be written; None: it lies in the folder."""
+        """Where a calibration from elsewhere is to be written; None: it lies in the folder.
+
+        Raises:
+            RecordingError: all names are taken, or the files share no folder.
+        """
         folder = self.folder
         if all(_absolute(file).is_relative_to(_absolute(folder)) for file in self.calibration):
             return None
         names = (f"calibration-{number}.yaml" for number in range(2, _MOST_NAMES))
         places = [folder / CALIBRATION_NAME, *(folder / name for name in names)]
-        return next((place for place in places if not _is_there(place)), places[-1])
+        free = next((place for place in places if not _is_there(place)), None)
+        if free is None:
+            raise RecordingError(
+                "{folder}: {count} calibrations lie there already; take some of them away",
+                folder=folder,
+                count=len(places),
+            )
+        return free
 
 
 def plan_of(folder: Path) -> SetupPlan:
@@ -191,7 +202,8 @@ def setup_text(plan: SetupPlan) -> str:
     text would not say what the plan says.
 
     Raises:
-        RecordingError: the files share no folder, or the old recording.toml cannot be read.
+        RecordingError: the files share no folder, the old recording.toml cannot be read, or no
+            name is free for the calibration.
     """
     folder = plan.folder
     text = format_manifest(manifest_of(plan))
