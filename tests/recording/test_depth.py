@@ -11,7 +11,7 @@ from small_recordings import COUNT, rig, write_images
 
 from tracking.errors import RecordingError
 from tracking.geometry import Ground, write_calibration
-from tracking.recording import Manifest, Recording, open_recording, write_manifest
+from tracking.recording import Manifest, OpenOptions, Recording, open_recording, write_manifest
 from tracking.trackers import best_tracker
 
 SIZE = (96, 128)
@@ -54,6 +54,17 @@ def test_each_frame_has_its_depth_in_metres(tmp_path: Path) -> None:
         assert best_tracker(recording) == "stereo-joint"
         assert recording.sources == (tmp_path / "left", tmp_path / "depth")
         assert len(recording.fingerprints()) == 2
+
+
+def test_depth_stays_where_a_calibration_from_elsewhere_is_given(tmp_path: Path) -> None:
+    home, elsewhere = tmp_path / "home", tmp_path / "elsewhere.yaml"
+    home.mkdir()
+    write_depth(home / "depth", range(COUNT))
+    recording_of(home).close()
+    write_calibration(elsewhere, rig())
+    with open_recording(home, OpenOptions(calibration=(elsewhere,))) as recording:
+        assert recording.folder == tmp_path
+        assert recording.read(0).depth is not None
 
 
 def test_unknown_depth_is_zero(tmp_path: Path) -> None:

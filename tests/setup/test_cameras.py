@@ -189,3 +189,15 @@ def test_somebodys_own_text_is_kept_where_it_is_set_up_again(
     write_setup(replace(plan, ground=None), replace_old=True)
     assert plan_of(tmp_path).ground is None
     assert '# [ground] pole = "[x]"' in path.read_text()
+
+
+def test_no_calibration_is_replaced_where_all_names_are_taken(tmp_path: Path) -> None:
+    home = tmp_path / "home"
+    home.mkdir()
+    names = ["calibration", *(f"calibration-{number}" for number in range(2, 100))]
+    for name in names:
+        (home / f"{name}.yaml").write_text("of somebody else")
+    plan = SetupPlan(home / "left.mp4", calibration=(tmp_path / "mine.yaml",))
+    with pytest.raises(RecordingError, match="99 calibrations lie there"):
+        write_setup(plan)
+    assert not (home / "recording.toml").exists()

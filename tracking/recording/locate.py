@@ -55,9 +55,7 @@ def locate(path: Path, options: OpenOptions) -> Located:
         RecordingError: nothing is there, or nothing that could be a recording.
     """
     if options.left is not None:
-        return _with_options(
-            _made_up(path, options.left.stem, options.left, options.right), options
-        )
+        return _with_options(_of_sources(path, _named(options.left, options)), options)
     if not path.exists():
         raise RecordingError("{path}: no such recording; check the path", path=path)
     if path.is_dir():
@@ -131,6 +129,18 @@ def _in_folder(folder: Path) -> Located:
 def _made_up(path: Path, name: str, left: Path, right: Path | None) -> Located:
     """A manifest for files that have none."""
     return _of_sources(path, FoundSources(left, right, name=name))
+
+
+def _named(left: Path, options: OpenOptions) -> FoundSources:
+    """The sources that the options name."""
+    return FoundSources(
+        left,
+        options.right,
+        options.depth,
+        depth_scale_m=options.depth_scale_m,
+        topics=options.topics,
+        name=left.stem,
+    )
 
 
 def _of_sources(path: Path, found: FoundSources, base: Path | None = None) -> Located:
@@ -209,14 +219,20 @@ def _with_calibration(found: Located, options: OpenOptions) -> Located:
     So the manifest leads to everything without climbing out, wherever it is kept.
     """
     manifest = found.manifest
-    sources = [manifest.left] if manifest.right is None else [manifest.left, manifest.right]
     inside = found.trusted or options.allow_outside
-    cameras = [place_inside(found.folder, source, inside) for source in sources]
-    folder = _shared_folder([found.folder / "any", *cameras, *options.calibration])
-    left, *right = (_relative(camera, folder) for camera in cameras)
-    calibration = tuple(_relative(file, folder) for file in options.calibration)
+    left, right, depth = (
+        None if source is None else place_inside(found.folder, source, inside)
+        for source in (manifest.left, manifest.right, manifest.depth)
+    )
+    sources = [source for source in (left, right, depth) if source is not None]
+    folder = _shared_folder([found.folder / "any", *sources, *options.calibration])
+    assert left is not None, "each manifest has a left source"
     changed = replace(
-        manifest, left=left, right=right[0] if right else None, calibration=calibration
+        manifest,
+        left=_relative(left, folder),
+        right=_relative(right, folder) if right else None,
+        depth=_relative(depth, folder) if depth else None,
+        calibration=tuple(_relative(file, folder) for file in options.calibration),
     )
     text = format_manifest(changed)
     return replace(found, folder=folder, manifest=changed, text=text, own=False)

@@ -142,8 +142,11 @@ def parse_manifest(
             known=FORMAT,
         )
     if found is not None:
+        _check_without_left(table, found)
         return replace(
             found,
+            right_lag=_right_lag(table),
+            depth_scale_m=_depth_scale(table, found.depth_scale_m),
             name=table.get("name", str, fallback_name),
             fps=_fps(table) or found.fps,
             calibration=_calibration(table) or found.calibration,
@@ -287,9 +290,24 @@ def _depth(table: _Table) -> str | None:
     return _source(table.section("depth"))
 
 
-def _depth_scale(table: _Table) -> float:
+def _depth_scale(table: _Table, usual_m: float = USUAL_SCALE_M) -> float:
     section = table.section("depth")
-    return checked_scale(section.get("scale", float, USUAL_SCALE_M), section.place("scale"))
+    return checked_scale(section.get("scale", float, usual_m), section.place("scale"))
+
+
+def _check_without_left(table: _Table, found: Manifest) -> None:
+    """Refuse what a text that names no [left] says of other sources than those found."""
+    right, depth = table.section("right"), table.section("depth")
+    for section in (right, depth):
+        for key in ("source", "topic"):
+            if key in section:
+                raise section.error(
+                    key, msg("counts beside [left] alone; name the left camera's source, too")
+                )
+    if "lag" in right and found.right is None and found.layout is None:
+        raise right.error("lag", msg("is of a right camera, and none was found; leave it out"))
+    if "scale" in depth and found.depth is None:
+        raise depth.error("scale", msg("is of depth images, and none were found; leave it out"))
 
 
 def _topics(table: _Table) -> tuple[str, str, str]:

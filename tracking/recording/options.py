@@ -7,6 +7,7 @@ from pathlib import Path
 
 from tracking.errors import RecordingError
 from tracking.geometry import Ground
+from tracking.recording.depth_pictures import USUAL_SCALE_M
 from tracking.recording.image_pairs import Layout, Side
 from tracking.recording.limits import checked_fps, checked_ground
 from tracking.recording.region_of_interest import Outline, RegionOfInterest
@@ -18,6 +19,8 @@ class OpenOptions:
 
     Attributes:
         left, right: a video, an image folder or a glob of images for each camera.
+        depth: beside `left`, in place of `right`, m per unit `depth_scale_m`. topics: of bags, of
+            left, right and depth. These three count with `left` alone.
         calibration: the calibration file, or a pair of files.
         height_m, tilt_deg, roll_deg: where the floor is; see `Ground`.
         fps: frames a second; it counts, whatever the recording says. See `rate`.
@@ -30,6 +33,9 @@ class OpenOptions:
 
     left: Path | None = None
     right: Path | None = None
+    depth: Path | None = None
+    depth_scale_m: float = USUAL_SCALE_M
+    topics: tuple[str, str, str] = ("", "", "")
     calibration: tuple[Path, ...] = ()
     height_m: float | None = None
     tilt_deg: float | None = None

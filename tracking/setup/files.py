@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from tracking.errors import RecordingError
+from tracking.recording.bags.bag_pictures import bag_files, is_bag
 from tracking.recording.images import IMAGE_SUFFIXES, VIDEO_SUFFIXES
 from tracking.recording.locate import locate
 from tracking.recording.options import OpenOptions
@@ -14,8 +15,22 @@ def sources_in(folder: Path) -> tuple[Path, ...]:
     """Videos in a folder, or folders of images in it, or itself where it holds images.
 
     Raises:
-        RecordingError: there are none.
+        RecordingError: there are none, or the folder cannot be read.
     """
+    try:
+        found = _sources_in(folder)
+    except OSError as error:
+        raise RecordingError(
+            "{folder}: cannot be read ({reason}); check the folder",
+            folder=folder,
+            reason=error.strerror,
+        ) from error
+    if not found:
+        raise RecordingError("{folder}: no videos or images in it; check the folder", folder=folder)
+    return found
+
+
+def _sources_in(folder: Path) -> tuple[Path, ...]:
     inside = sorted(path for path in folder.iterdir() if not path.name.startswith("."))
     videos = tuple(p for p in inside if p.suffix.lower() in VIDEO_SUFFIXES and p.is_file())
     if videos:
@@ -23,32 +38,45 @@ def sources_in(folder: Path) -> tuple[Path, ...]:
     folders = tuple(path for path in inside if path.is_dir() and _holds_images(path))
     if folders:
         return folders
-    if _holds_images(folder):
-        return (folder,)
-    raise RecordingError("{folder}: no videos or images in it; check the folder", folder=folder)
+    return (folder,) if _holds_images(folder) else ()
 
 
 def may_be_camera(path: Path) -> bool:
-    """Whether a path is a video, or a folder of images."""
-    is_video = path.suffix.lower() in VIDEO_SUFFIXES and path.is_file()
-    return is_video or (path.is_dir() and _holds_images(path))
+    """Whether a path is a video, or a folder of images; False where it cannot be read."""
+    try:
+        is_video = path.suffix.lower() in VIDEO_SUFFIXES and path.is_file()
+        return is_video or (path.is_dir() and _holds_images(path))
+    except OSError:
+        return False
 
 
 def needs_setup(path: Path) -> bool:
-    """Whether a path is a folder with videos or images, which cannot be opened as it is."""
-    if not path.is_dir():
-        return False
+    """Whether a path is a folder with videos or images, which cannot be opened as it is.
+
+    False for what cannot be read, and for bags, into which it is not looked: opening tells.
+    """
     try:
-        locate(path, OpenOptions())
-    except RecordingError:
-        pass
-    else:
+        if not path.is_dir():
+            return False
+        return not _can_be_opened(path) and bool(sources_in(path))
+    except (RecordingError, OSError):
         return False
+
+
+def _can_be_opened(folder: Path) -> bool:
+    """Whether a folder is a recording, as far as it is told without a bag's program."""
+    if is_bag(folder):
+        return bool(bag_files(folder))
     try:
-        return bool(sources_in(path))
+        locate(folder, OpenOptions())
     except RecordingError:
         return False
+    return True
 
 
 def _holds_images(folder: Path) -> bool:
-    return any(path.suffix.lower() in IMAGE_SUFFIXES for path in folder.iterdir())
+    """Whether images lie in a folder; False where it cannot be read."""
+    try:
+        return any(path.suffix.lower() in IMAGE_SUFFIXES for path in folder.iterdir())
+    except OSError:
+        return False

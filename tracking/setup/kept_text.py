@@ -8,16 +8,21 @@ from dataclasses import dataclass, field
 
 _TABLE = re.compile(r"^\s*(\[{1,2}[^\[\]]+\]{1,2})\s*(#.*)?$")
 _KEY = re.compile(r"^\s*([A-Za-z0-9_-]+|\"[^\"]*\"|'[^']*')\s*[=.]")
+_TABLES = {"left", "right", "depth", "stereo", "calibration", "ground", "region"}
 _OURS = {
-    "": {"format", "name", "fps"},
-    "[left]": {"source"},
-    "[right]": {"source", "lag"},
+    "": {"format", "name", "fps", *_TABLES},
+    "[left]": {"source", "topic"},
+    "[right]": {"source", "topic", "lag"},
+    "[depth]": {"source", "topic", "scale"},
     "[stereo]": {"source", "layout", "first", "lag"},
     "[calibration]": {"file"},
     "[ground]": {"height", "tilt", "roll", "R", "t"},
     "[region]": {"look", "mask"},
 }
-"""Keys that are written anew; all else is somebody's own."""
+"""Keys that are written anew; all else is somebody's own.
+
+A table may be written as a key, `left = { ... }` or `ground.height = ...`: it is written anew, too.
+"""
 
 
 @dataclass(slots=True)

@@ -79,8 +79,8 @@ class SetupPlan:
         """
         if self.at is not None:
             return self.at
-        files = [self.left, *([self.right] if self.right else [])]
-        parents = {_absolute(file).parent for file in files}
+        files = (self.left, self.right, self.depth)
+        parents = {_absolute(file).parent for file in files if file is not None}
         try:
             common = Path(os.path.commonpath(parents))
         except ValueError:  # on two drives
@@ -93,13 +93,24 @@ class SetupPlan:
 
     @property
     def calibration_file(self) -> Path | None:
-        """Where a calibration from elsewhere is to be written; None: it lies in the folder."""
+        """Where a calibration from elsewhere is to be written; None: it lies in the folder.
+
+        Raises:
+            RecordingError: all names are taken, or the files share no folder.
+        """
         folder = self.folder
         if all(_absolute(file).is_relative_to(_absolute(folder)) for file in self.calibration):
             return None
         names = (f"calibration-{number}.yaml" for number in range(2, _MOST_NAMES))
         places = [folder / CALIBRATION_NAME, *(folder / name for name in names)]
-        return next((place for place in places if not _is_there(place)), places[-1])
+        free = next((place for place in places if not _is_there(place)), None)
+        if free is None:
+            raise RecordingError(
+                "{folder}: {count} calibrations lie there already; take some of them away",
+                folder=folder,
+                count=len(places),
+            )
+        return free
 
 
 def plan_of(folder: Path) -> SetupPlan:
@@ -139,6 +150,9 @@ def options_of_plan(plan: SetupPlan) -> OpenOptions:
     return OpenOptions(
         left=plan.left,
         right=plan.right,
+        depth=plan.depth,
+        depth_scale_m=plan.depth_scale_m,
+        topics=plan.topics,
         calibration=plan.calibration,
         height_m=ground.height_m if ground else None,
         tilt_deg=ground.tilt_deg if ground else None,
@@ -184,19 +198,32 @@ def manifest_of(plan: SetupPlan) -> Manifest:
 def setup_text(plan: SetupPlan) -> str:
     """The text of recording.toml, with a comment over each table.
 
-    Where the folder has one, its comments and what of it means nothing here are kept.
+    Where the folder has one, its comments and what of it means nothing here are kept, unless that
+    text would not say what the plan says.
 
     Raises:
-        RecordingError: the files share no folder, or the old recording.toml cannot be read.
+        RecordingError: the files share no folder, the old recording.toml cannot be read, or no
+            name is free for the calibration.
     """
     folder = plan.folder
     text = format_manifest(manifest_of(plan))
     if plan.at is not None and (folder / MANIFEST_NAME).is_file():
-        return with_old_text(text, manifest_text(folder), _HEADINGS)
+        kept = with_old_text(text, manifest_text(folder), _HEADINGS)
+        if _says_the_same(kept, text):
+            return kept
     lines = ["# Made by trackwright setup; change it by hand as you like."]
     for line in text.splitlines():
         lines += [_HEADINGS[line], line] if line in _HEADINGS else [line]
     return "\n".join(lines) + "\n"
+
+
+def _says_the_same(text: str, other: str) -> bool:
+    """Whether a text reads as the other one does, but for what means nothing here."""
+    try:
+        one = parse_manifest(text, MANIFEST_NAME, "")
+    except RecordingError:
+        return False
+    return replace(one, unknown=()) == parse_manifest(other, MANIFEST_NAME, "")
 
 
 def write_setup(plan: SetupPlan, *, replace_old: bool = False) -> Path:

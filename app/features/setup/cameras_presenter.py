@@ -114,7 +114,9 @@ def exchanged(state: SetupState) -> SetupState:
         return state
     lag = None if plan.lag is None else -plan.lag
     if plan.right is not None:
-        plan = replace(plan, left=plan.right, right=plan.left, lag=lag)
+        left, right, depth = plan.topics
+        topics = (right, left, depth)
+        plan = replace(plan, left=plan.right, right=plan.left, lag=lag, topics=topics)
     else:
         plan = replace(plan, first="right" if plan.first == "left" else "left", lag=lag)
     found_lag = None if state.found_lag is None else -state.found_lag
@@ -149,7 +151,7 @@ def with_arrangement(state: SetupState, wanted: Arrangement) -> SetupState:
     if wanted == "one":
         plan = replace(plan, right=None, layout=None, lag=None)
     elif wanted != "pair":
-        plan = replace(plan, right=None, layout=wanted, lag=None)
+        plan = replace(plan, right=None, layout=wanted, lag=None, depth=None)
     return replace(state, plan=plan, by_hand=state.by_hand | {"arrangement"})
 
 

@@ -200,6 +200,8 @@ class SetupEditor(QObject):
         if self._saves.busy:
             with contextlib.suppress(TrackwrightError, OSError):  # as full a disk as before
                 self._drafts.save(self.state)
+        with contextlib.suppress(OSError):  # they lie there until the next time
+            self._drafts.close()
         if self._job is not None:
             work, self._job = self._job, None
             work.leave_untold()

@@ -25,6 +25,7 @@ from tracking.errors import TrackwrightError
 from tracking.geometry import Ground, StereoCalibration
 from tracking.geometry.calibration_writer import format_calibration
 from tracking.owned_files import make_folder, read_file
+from tracking.recording.depth_pictures import checked_scale
 from tracking.recording.region_of_interest import RegionOfInterest, outlines_of
 from tracking.setup import SetupPlan
 
@@ -40,6 +41,7 @@ class Drafts:
     def __init__(self, folder: Path | None = None) -> None:
         self._folder = own_folder() / "setups" if folder is None else folder
         self._written: set[Path] = set()
+        self._forgotten: set[Path] = set()
         self._lock = Lock()
 
     def save(self, state: SetupState) -> None:
@@ -69,11 +71,28 @@ class Drafts:
         return None
 
     def forget(self, plan: SetupPlan, *, for_good: bool = False) -> None:
-        """It is to begin anew; `for_good`: it was written, and saving that is late is left out."""
+        """It is to begin anew; `for_good`: it was written, and saving that is late is left out.
+
+        As that may be undone, its calibrations stay until `close`.
+        """
+        file = self._file(plan)
         with self._lock:
             if for_good:
-                self._written.add(self._file(plan))
-            self._remove(self._file(plan))
+                self._written.add(file)
+                self._remove(file)
+                return
+            self._forgotten.add(file)
+            file.unlink(missing_ok=True)
+
+    def close(self) -> None:
+        """Nothing is undone any more: let calibrations go that no draft names. Raises OSError."""
+        drafts = [self._read(file) for file in self._files()] if self._forgotten else []
+        plans = [draft.plan for draft in drafts if draft is not None and draft.plan is not None]
+        named = {file for plan in plans for file in plan.calibration}
+        while self._forgotten:
+            for file in self._calibrations(self._forgotten.pop()):
+                if file not in named:
+                    file.unlink(missing_ok=True)
 
     def keep_calibration(self, plan: SetupPlan, calibration: StereoCalibration) -> Path:
         """Put a calibration that was made into a file of its own; its path. Raises OutputError."""
@@ -98,8 +117,12 @@ class Drafts:
         return sorted(files, key=lambda file: file.stat().st_mtime, reverse=True)
 
     def _remove(self, file: Path) -> None:
-        for one in (file, *self._folder.glob(f"{file.stem}-*.yaml")):
+        for one in (file, *self._calibrations(file)):
             one.unlink(missing_ok=True)
+
+    def _calibrations(self, file: Path) -> list[Path]:
+        """Those that were made for a draft."""
+        return list(self._folder.glob(f"{file.stem}-*.yaml"))
 
     def _read(self, file: Path) -> SetupState | None:
         if not file.is_file():
@@ -175,6 +198,9 @@ def _plan(values: Mapping[str, Any]) -> SetupPlan:
         if ground is None
         else Ground(*(float(ground[name]) for name in ("height_m", "tilt_deg", "roll_deg"))),
         region=RegionOfInterest(look, mask),
+        depth=None if values["depth"] is None else Path(values["depth"]),
+        depth_scale_m=checked_scale(float(values["depth_scale_m"]), "depth"),
+        topics=_topics(values["topics"]),
         at=None if values["at"] is None else Path(values["at"]),
     )
 
@@ -195,6 +221,11 @@ def _texts(values: Any) -> tuple[str, ...]:
     if not isinstance(values, list) or not all(isinstance(one, str) for one in values):
         raise ValueError("no texts")
     return tuple(values)
+
+
+def _topics(values: Any) -> tuple[str, str, str]:
+    left, right, depth = _texts(values)
+    return left, right, depth
 
 
 def _one_of(value: Any, known: tuple[Any, ...]) -> Any:

@@ -49,7 +49,7 @@ def view_of(scene: SetupScene) -> View | None:
 
 
 def measured(state: SetupState, progress: Progress) -> FloorEstimate:
-    """The floor, by stereo where there are two calibrated cameras, else by people; slow.
+    """The floor, by stereo where there are two calibrated cameras or depth, else by people; slow.
 
     Raises:
         CalibrationError, RecordingError: it is not found, or the plan cannot be opened.
@@ -58,8 +58,9 @@ def measured(state: SetupState, progress: Progress) -> FloorEstimate:
     plan = replace(state.plan, ground=None, region=EVERYWHERE)
     with open_recording(plan.folder, options_of_plan(plan)) as recording:
         calibration = recording.calibration
-        stereo = calibration is not None and calibration.right is not None
-        find = floor_by_stereo if recording.is_stereo and stereo else floor_by_people
+        pair = recording.is_stereo and calibration is not None and calibration.right is not None
+        deep = recording.has_depth and recording.rectification is not None
+        find = floor_by_stereo if pair or deep else floor_by_people
         return find(recording, progress)
 
 
