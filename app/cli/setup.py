@@ -17,7 +17,7 @@ from tracking.people.first_lag import first_lag
 from tracking.recording import MANIFEST_NAME, OpenOptions, open_recording
 from tracking.recording.image_pairs import Side
 from tracking.setup import CameraFindings, SetupPlan, find_cameras, pair_by_name, write_setup
-from tracking.setup.files import sources_in
+from tracking.setup.files import calibration_beside, sources_in
 from tracking.setup.plan import options_of_plan, plan_of, setup_text, with_lag
 from tracking.translation import msg, tr
 
@@ -118,10 +118,14 @@ def _as_typed(plan: SetupPlan, request: SetupRequest, given: OpenOptions) -> Set
         name=request.name or plan.name,
         lag=plan.lag if request.lag is None else request.lag,
         fps=given.rate(plan.fps),
-        calibration=given.calibration or plan.calibration,
+        calibration=given.calibration or plan.calibration or _beside(plan, request),
         ground=given.ground(plan.ground),
         region=given.region(plan.region),
     )
+
+
+def _beside(plan: SetupPlan, request: SetupRequest) -> tuple[Path, ...]:
+    return () if request.as_given or plan.at is not None else calibration_beside(plan.left)
 
 
 def _completed(plan: SetupPlan, request: SetupRequest) -> SetupPlan:

@@ -10,6 +10,8 @@ from tracking.recording.images import IMAGE_SUFFIXES, VIDEO_SUFFIXES
 from tracking.recording.locate import locate
 from tracking.recording.options import OpenOptions
 
+_CALIBRATIONS = ("calibration.yaml", "calibration.yml", "calib.txt", "calib.json", "camchain.yaml")
+
 
 def sources_in(folder: Path) -> tuple[Path, ...]:
     """Videos in a folder, or folders of images in it, or itself where it holds images.
@@ -80,3 +82,9 @@ def _holds_images(folder: Path) -> bool:
         return any(path.suffix.lower() in IMAGE_SUFFIXES for path in folder.iterdir())
     except OSError:
         return False
+
+
+def calibration_beside(left: Path) -> tuple[Path, ...]:
+    """A calibration by a usual name in the folder of the left camera's file."""
+    found = [left.parent / name for name in _CALIBRATIONS if (left.parent / name).is_file()]
+    return tuple(found[:1])

@@ -18,10 +18,9 @@ from tracking.recording import MANIFEST_NAME, open_recording
 from tracking.recording.frame import Image
 from tracking.recording.limits import checked_fps
 from tracking.setup import CameraFindings, SetupPlan, find_cameras, pair_by_name, plan_of
-from tracking.setup.files import sources_in
+from tracking.setup.files import calibration_beside, sources_in
 from tracking.setup.plan import options_of_plan
 
-_CALIBRATIONS = ("calibration.yaml", "calibration.yml", "calib.txt", "calib.json", "camchain.yaml")
 _BETWEEN_PX = 8
 _STEPS = 3
 
@@ -66,7 +65,7 @@ def look(plan: SetupPlan, progress: Progress) -> SetupState:
         right=found.right,
         layout=found.layout,
         first="left" if found.left_first else "right",
-        calibration=plan.calibration or _calibration_beside(found.left),
+        calibration=plan.calibration or calibration_beside(found.left),
     )
     lag = find_lag(plan) if found.same_scene and not found.doubts else None
     progress(_STEPS, _STEPS)
@@ -77,7 +76,7 @@ def look(plan: SetupPlan, progress: Progress) -> SetupState:
 def state_of_plan(plan: SetupPlan) -> SetupState:
     """What a recording that is there begins with; of bare videos a calibration beside them too."""
     if plan.at is None and not plan.calibration:
-        plan = replace(plan, calibration=_calibration_beside(plan.left))
+        plan = replace(plan, calibration=calibration_beside(plan.left))
     return SetupState(plan, floor_way="typed" if plan.ground else "measured")
 
 
@@ -99,12 +98,6 @@ def find_lag(plan: SetupPlan) -> int | None:
         if not plan.calibration:
             raise
         return find_lag(replace(plan, calibration=()))
-
-
-def _calibration_beside(left: Path) -> tuple[Path, ...]:
-    """A calibration by a usual name in the folder of the left camera's file."""
-    found = [left.parent / name for name in _CALIBRATIONS if (left.parent / name).is_file()]
-    return tuple(found[:1])
 
 
 def exchanged(state: SetupState) -> SetupState:

@@ -211,6 +211,8 @@ class SetupDialog(QDialog):
         self.steps.choose(max(self._stack.currentIndex() - 1, 0))
 
     def _enter(self, row: int) -> None:
+        if row != self._stack.currentIndex():
+            self.page.leave()
         self._stack.setCurrentIndex(row)
         self._show()
         self.page.ensureVisible(0, 0)

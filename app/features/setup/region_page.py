@@ -144,6 +144,11 @@ class RegionPage(StepPage):
         self._corner = 0
         self.editor.change(state)
 
+    def leave(self) -> None:
+        """What has corners enough is an outline, though nobody ended it."""
+        if self._drawn is not None and len(self._drawn) >= _FEWEST:
+            self.end()
+
     def give_up(self) -> None:
         """Nothing is drawn any more."""
         self._drawn = None

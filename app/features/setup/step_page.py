@@ -71,6 +71,9 @@ class StepPage(QScrollArea):
         super().resizeEvent(event)
         self._fit_height()
 
+    def leave(self) -> None:
+        """Another step is shown next: what was begun is ended."""
+
     def _fit_height(self) -> None:
         """As high as the words are at this width; Qt would take their height at the least one."""
         width = self.viewport().width()

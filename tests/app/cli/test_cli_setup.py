@@ -37,6 +37,20 @@ def test_two_files_become_a_recording_with_metres(trackwright: Trackwright, file
         assert opened.notes == ()
 
 
+def test_a_calibration_beside_the_files_is_taken(trackwright: Trackwright, files: Path) -> None:
+    status, printed, _ = trackwright("setup", files)
+    assert (status, 'file = "calibration.yaml"' in printed) == (0, True)
+
+
+def test_a_calibration_beside_is_not_taken_where_nothing_is_to_be_found(
+    trackwright: Trackwright, files: Path
+) -> None:
+    left, right = sorted(files.glob("GX*"), reverse=True)
+    given = ("--left", left, "--right", right, "--as-given")
+    status, printed, _ = trackwright("setup", *given, "--fps", "20")
+    assert (status, "calibration.yaml" in printed) == (0, False)
+
+
 def test_a_recording_that_is_there_is_not_replaced(trackwright: Trackwright, files: Path) -> None:
     (files / "recording.toml").write_text("mine")
     status, _, said = trackwright("setup", "--left", next(files.glob("GX010035*")))

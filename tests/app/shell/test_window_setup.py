@@ -218,6 +218,20 @@ def test_a_region_is_drawn_with_the_mouse_and_with_keys(begin: Begin, card: Path
     assert "People are looked for in" in dialog.region.told.text()
 
 
+def test_an_outline_that_nobody_ended_is_kept_when_another_step_is_shown(
+    begin: Begin, card: Path
+) -> None:
+    user = begin(card)
+    dialog = user.dialog
+    dialog.go_to(Step.REGION)
+    user.press(dialog.region.look_here)
+    for corner in ((20, 40), (300, 40), (300, 230)):
+        user.click_image(*corner)
+    dialog.go_to(Step.WRITE)
+    assert dialog.plan is not None
+    assert len(dialog.plan.region.look[0]) == 3
+
+
 def test_points_are_clicked_and_their_places_typed(
     begin: Begin, with_calibration: Path, tiny_recording: Path
 ) -> None:
