@@ -6,7 +6,14 @@ from dataclasses import replace
 
 import numpy as np
 
-from tracking.tracks import PART_COLUMNS, PART_PARTICLE_COLUMNS, Columns, Particles, Run
+from tracking.tracks import (
+    PART_COLUMNS,
+    PART_EVIDENCE,
+    PART_PARTICLE_COLUMNS,
+    Columns,
+    Particles,
+    Run,
+)
 
 SHARES = ((0.0, 0.15), (0.15, 0.52), (0.52, 1.0))
 FAILS_EVERY, FAILS_FOR = 20, 5
@@ -46,6 +53,7 @@ def parts_of(tracks: Columns) -> Columns:
         "particles": 300 + 100 * part + 40 * (frame % 5),
         "occluded": hidden,
     }
+    values |= {name: np.where(failed, 0.1, 0.9) for name in PART_EVIDENCE}
     return {name: np.asarray(values[name]).astype(kind) for name, kind in PART_COLUMNS.items()}
 
 
