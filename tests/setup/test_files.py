@@ -49,7 +49,7 @@ def test_no_program_reads_a_bag_to_tell_whether_it_is_to_be_set_up(
         raise AssertionError(f"{path} was opened")
 
     monkeypatch.setattr(bag, "open_bag", refuse)
-    (tmp_path / "metadata.yaml").touch()
+    (tmp_path / "metadata.yaml").write_text("rosbag2_bagfile_information:\n  version: 5\n")
     (tmp_path / "preview.mp4").touch()
     assert needs_setup(tmp_path)
     (tmp_path / "run.db3").touch()
