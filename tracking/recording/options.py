@@ -19,8 +19,6 @@ class OpenOptions:
 
     Attributes:
         left, right: a video, an image folder or a glob of images for each camera.
-        depth: beside `left`, in place of `right`, m per unit `depth_scale_m`. topics: of bags, of
-            left, right and depth. These three count with `left` alone.
         calibration: the calibration file, or a pair of files.
         height_m, tilt_deg, roll_deg: where the floor is; see `Ground`.
         fps: frames a second; it counts, whatever the recording says. See `rate`.
@@ -29,13 +27,12 @@ class OpenOptions:
         right_lag: frames by which the right camera is late; negative: the left one.
         look, mask: see `RegionOfInterest`; they stand in place of what the recording says.
         allow_outside: a manifest may name files outside its folder.
+        depth: beside `left`, in place of `right`, m per unit `depth_scale_m`. topics: of bags, of
+            left, right and depth. These three count with `left` alone.
     """
 
     left: Path | None = None
     right: Path | None = None
-    depth: Path | None = None
-    depth_scale_m: float = USUAL_SCALE_M
-    topics: tuple[str, str, str] = ("", "", "")
     calibration: tuple[Path, ...] = ()
     height_m: float | None = None
     tilt_deg: float | None = None
@@ -47,6 +44,9 @@ class OpenOptions:
     look: tuple[Outline, ...] = ()
     mask: tuple[Outline, ...] = ()
     allow_outside: bool = False
+    depth: Path | None = None
+    depth_scale_m: float = USUAL_SCALE_M
+    topics: tuple[str, str, str] = ("", "", "")
 
     def ground(self, told: Ground | None) -> Ground | None:
         """The floor, with what the options say in place of what the recording says.

@@ -25,7 +25,7 @@ def rename_tracks(
 
     Rows without a detection go with those before them until the person is seen again; where the
     tracker has none in a short gap, predicted ones are added. Those of nobody, and those after
-    somebody was seen last, are left out, and their particles are of track 0.
+    somebody was seen last, are left out with their parts, and their particles are of track 0.
 
     Args:
         row: (k,) of the run's tracks, those that were seen, by track and frame.
@@ -42,6 +42,9 @@ def rename_tracks(
         detections=names.rename(run.detections),
         associations=_sort(names.rename(run.associations)),
         particles=names.rename_particles(run.particles),
+        parts=_sort(names.rename(run.parts), "part"),
+        part_particles=names.rename_particles(run.part_particles),
+        tracklets=names.rename_particles(run.tracklets),
     )
 
 
@@ -91,9 +94,9 @@ def _with_ids(tracks: Columns, new: Ids) -> dict[str, NDArray[Any]]:
     return {**tracks, "track": new}
 
 
-def _sort(columns: Columns) -> Columns:
-    """By frame, then track; without those of nobody."""
-    order = np.lexsort((columns["track"], columns["frame"]))
+def _sort(columns: Columns, *then: str) -> Columns:
+    """By frame, then track, then other columns; without those of nobody."""
+    order = np.lexsort((*(columns[name] for name in then), columns["track"], columns["frame"]))
     order = order[columns["track"][order] > 0]
     return {name: column[order] for name, column in columns.items()}
 
