@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 
 from PySide6.QtCore import Qt, Signal
@@ -28,6 +29,7 @@ from app.features.parts.training_result import PartFigures, ResultScene, Trainin
 
 _UP_TO = (0.05, 0.2, 1.0)
 _UP_TO_FIRST = 1
+_UNKNOWN = "\u2013"
 
 
 class ResultDialog(QDialog):
@@ -215,7 +217,7 @@ def _fill(cells: tuple[QLabel, ...], figures: PartFigures) -> None:
         f"{figures.off - figures.found}",
         f"{figures.false_alarms}  ({_share(figures.false_alarms, figures.on)})",
         f"{figures.on - figures.false_alarms}",
-        f"{figures.area:.2f}",
+        f"{figures.area:.2f}" if math.isfinite(figures.area) else _UNKNOWN,
     )
     for cell, text in zip(cells, texts, strict=True):
         cell.setText(text)
@@ -224,4 +226,4 @@ def _fill(cells: tuple[QLabel, ...], figures: PartFigures) -> None:
 
 
 def _share(some: int, whole: int) -> str:
-    return f"{100 * some / whole:.1f} %" if whole else "\u2013"
+    return f"{100 * some / whole:.1f} %" if whole else _UNKNOWN
