@@ -6,7 +6,7 @@ runs, so that help comes at once and no command waits for libraries it does not 
 
 # isort: off
 from app.cli.commands import recordings, setup, calibration, floor, doctor
-from app.cli.commands import trackers, scores, counts, sessions
+from app.cli.commands import trackers, plugins, scores, counts, sessions
 
 # isort: on
 from app.cli.commands.program import program
@@ -18,6 +18,7 @@ __all__ = [
     "counts",
     "doctor",
     "floor",
+    "plugins",
     "program",
     "recordings",
     "scores",
