@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import sys
 import textwrap
+from collections.abc import Iterator
 from pathlib import Path
 from types import ModuleType
 from typing import Any, cast
@@ -26,6 +27,7 @@ from tests.trackers.people_of_three_blocks import RED_BLUE, Blocks, observations
 from tracking.editing import apply_change
 from tracking.formats import FORMATS, Exported, Filmed, no_progress
 from tracking.pipeline import track
+from tracking.plugins import PluginKind, offered_for_a_while
 from tracking.recording import open_recording
 from tracking.synthesis import render_recording
 from tracking.trackers import TRACKERS, TrackerSpec, settings_fields
@@ -132,17 +134,20 @@ def test_the_tracker_of_the_guide_keeps_ids() -> None:
 
 
 @pytest.fixture
-def overlap(monkeypatch: pytest.MonkeyPatch) -> TrackerSpec:
+def overlap() -> Iterator[TrackerSpec]:
     """The tracker of the guide, entered into the catalogue as the guide says."""
     module = _module("tracking/trackers/overlap.py")
     guide = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
-    entry = guide.partition("`_BUILT` in")[2].partition("```python\n")[2].partition("   ```")[0]
+    entry = (
+        guide.partition("`overlap.py` in `tracking/trackers/built_in/`")[2]
+        .partition("```python\n")[2]
+        .partition("   ```")[0]
+    )
     names = {"TrackerSpec": TrackerSpec, **module}
-    (spec,) = cast("tuple[TrackerSpec]", eval(textwrap.dedent(entry), names))
-    trackers = {**TRACKERS, spec.name: spec}
-    for user in ("tracking.trackers.catalogue", "app.features.runs.track_dialog"):
-        monkeypatch.setattr(f"{user}.TRACKERS", trackers)
-    return spec
+    exec(textwrap.dedent(entry), names)
+    spec = cast("TrackerSpec", names["OVERLAP"])
+    with offered_for_a_while(PluginKind.TRACKER, spec.name, spec, "overlap"):
+        yield spec
 
 
 @pytest.fixture(scope="module")

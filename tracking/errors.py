@@ -120,6 +120,10 @@ class OutputError(TrackwrightError):
     """A result cannot be written where it was asked for."""
 
 
+class PluginError(TrackwrightError):
+    """A plug-in cannot be loaded, or failed at its work; the message names it."""
+
+
 class CancelledError(TrackwrightError):
     """The user stopped long work; nothing half-done was kept."""
 

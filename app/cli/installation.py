@@ -13,13 +13,14 @@ from pathlib import Path
 
 import platformdirs
 
+from app.cli.installation_faults import find_faults
 from app.cli.system_libraries import this_machine
 from tracking.translation import Message, msg
 
 _PYTHON = (3, 11)
 """As pyproject.toml asks."""
 _NEEDED = ("numpy", "cv2", "scipy", "sklearn", "av", "h5py", "PySide6", "pyqtgraph", "yaml")
-_EXTRAS = {"onnx": ("onnxruntime",), "bags": ("rosbags", "mcap")}
+_EXTRAS = {"onnx": ("onnxruntime",), "bags": ("rosbags", "mcap"), "pandas": ("pandas",)}
 _NAME = "trackwright"
 
 
@@ -56,6 +57,8 @@ def check_installation() -> Iterator[Check]:
         yield from (_imported(name, extra) for name in names)
     for name, folder in _folders().items():
         yield _writable(name, folder)
+    for name, said, needed in find_faults(_folders()):
+        yield Check(name, False, said, needed)
 
 
 def _imported(name: str, extra: str = "") -> Check:

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from app.cli.option_groups import Order
 from app.cli.sessions import open_session
+from tracking.detections.catalogue import picture_detector
 from tracking.errors import FormatError, SessionError, SettingsError
 from tracking.failure import load_detector
 from tracking.trackers import (
@@ -74,7 +75,10 @@ def _named(order: Order) -> Iterator[tuple[str, str]]:
         _refuse_right_alone(order)
         yield "detections.file_right", _absolute(order.detections_right)
     if order.model is not None:
-        if _is_appearance(order.model):
+        if not order.model.exists() and picture_detector(str(order.model)) is not None:
+            _refuse_both(order)
+            yield "detections.model", str(order.model)
+        elif _is_appearance(order.model):
             yield "detections.appearance", _absolute(order.model)
         else:
             _refuse_both(order)

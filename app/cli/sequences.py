@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from tracking.errors import FormatError
-from tracking.formats import FORMATS, TRACK_ENDINGS
+from tracking.formats import FORMATS, track_endings
 from tracking.translation import msg, some_of
 
 RESULT, TRUTH = "result.txt", "truth.txt"
@@ -95,7 +95,8 @@ def _sequences(folder: Path, *, truths: bool) -> dict[str, Path]:
     if not truths and inner.is_dir():
         folder = inner
     entries = sorted(each for each in folder.iterdir() if not each.name.startswith("."))
-    files = [each for each in entries if each.is_file() and each.suffix.lower() in TRACK_ENDINGS]
+    endings = track_endings()
+    files = [each for each in entries if each.is_file() and each.suffix.lower() in endings]
     held = ((each, _sequence_in(each, truths=truths)) for each in entries)
     inside = _called((_printable(each.name), path) for each, path in held if path is not None)
     named = _by_name([each for each in files if not (truths and _name_of(each) in inside)])
@@ -173,7 +174,7 @@ def _name_of(path: Path) -> str:
         path = whole.parent.parent
     elif path.name in (RESULT, TRUTH):
         path = whole.parent
-    return _printable(path.stem if path.suffix.lower() in TRACK_ENDINGS else path.name)
+    return _printable(path.stem if path.suffix.lower() in track_endings() else path.name)
 
 
 def _printable(name: str) -> str:

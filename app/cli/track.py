@@ -15,6 +15,7 @@ from app.cli.failure import EndedEarlyError
 from app.cli.option_groups import Bare, Order
 from app.cli.output import print_json, print_line, progress, say
 from app.cli.part_options import refuse_missing_detector, settings_texts
+from app.cli.plugin_watch import limited_steps
 from app.cli.ranges import parse_range
 from app.cli.recordings import open_with_options
 from app.core.document.document_loader import remember_place
@@ -138,10 +139,10 @@ def run_to_end(work: Tracking, recording: Recording, what: str) -> Run:
     Raises TrackerEndedError where it could not go on after some frames, from what went wrong.
     """
     told = recording.notes
-    with progress(what) as advance:
+    with progress(what) as advance, limited_steps(work.tracker) as limited:
         start, stop = work.frames
         try:
-            for result in work:
+            while (result := limited(lambda: next(work, None))) is not None:
                 if work.doubt and work.done == 1:  # at once: the rest may be in vain
                     say(msg("note: {doubt}", doubt=work.doubt))
                 advance(result.frame + 1 - start, stop - start)

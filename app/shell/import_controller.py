@@ -29,7 +29,7 @@ from app.features.files.track_import import (
 )
 from app.shell.recording_controller import RecordingController
 from tracking.errors import SessionError, TrackwrightError, UnitUnsaidError
-from tracking.formats import READABLE, TRACK_ENDINGS, Stated, TrackFormat, format_named
+from tracking.formats import Stated, TrackFormat, format_named, readable_formats, track_endings
 from tracking.progress import Progress
 from tracking.session import Session, describe_footage
 from tracking.tracks import Labels
@@ -47,7 +47,7 @@ class ImportController(Controller):
 
     def ask(self) -> None:
         """Ask for the file."""
-        endings = " ".join(f"*{each}" for each in TRACK_ENDINGS)
+        endings = " ".join(f"*{each}" for each in track_endings())
         filters = f"{tr('Tracks of other tools')} ({endings})"
         last = self._window.remembered.last_folder("import")
         choose_file(self._window, tr("Import tracks"), filters, self.read, last)
@@ -139,7 +139,7 @@ class LookedOver(QObject):
     ) -> None:
         super().__init__(importing)
         self._importing, self._controller, self._read = importing, controller, read
-        formats = [(each.name, tr(each.title)) for each in READABLE]
+        formats = [(each.name, tr(each.title)) for each in readable_formats()]
         self._dialog = ImportDialog(read.path.name, formats, controller.window_page)
         self._fitted: FittedTracks | None = None
         self._search = LatestJob("import", self._prepare, self)

@@ -5,20 +5,20 @@ from __future__ import annotations
 import hashlib
 import os
 import stat
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
 from tracking.detections.box_collector import BoxCollector
-from tracking.detections.coco_boxes import is_coco, read_coco_boxes
+from tracking.detections.box_format import BoxFormat
+from tracking.detections.catalogue import box_format_of, folder_format
 from tracking.detections.frame_numbers import Footage
-from tracking.detections.mot_boxes import read_mot_boxes
 from tracking.detections.table import BoxTable
-from tracking.detections.yolo_boxes import contents_of, is_yolo, read_yolo_boxes
+from tracking.detections.yolo_boxes import contents_of, is_yolo
 from tracking.errors import FormatError, explain_unreadable
-from tracking.formats.mot import is_mot, lacks_commas
+from tracking.formats.mot import lacks_commas
 from tracking.formats.read_result import Reading
 from tracking.formats.track_format import HEAD_BYTES
 from tracking.owned_files import SAFE_FLAGS
@@ -27,29 +27,6 @@ from tracking.translation import Message, count_msg, msg
 
 MOST_BYTES = 200 << 20
 """More than five million boxes take as text."""
-
-
-@dataclass(frozen=True, slots=True)
-class BoxFormat:
-    """A format of detections.
-
-    Attributes:
-        name: as sessions and reports have it. title: what people call it.
-        read: takes the boxes of a file in, that are of some footage.
-        recognises: whether a file is of it, by its first `HEAD_BYTES` bytes; never raises.
-    """
-
-    name: str
-    title: str
-    read: Callable[[BoxCollector, Footage], None]
-    recognises: Callable[[bytes], bool]
-
-
-_YOLO = BoxFormat("yolo", "YOLO text", read_yolo_boxes, lambda _: False)
-_FILES = (
-    BoxFormat("coco", "COCO JSON", read_coco_boxes, is_coco),
-    BoxFormat("mot", "MOTChallenge text", read_mot_boxes, is_mot),
-)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -133,7 +110,7 @@ def _read_into(boxes: BoxCollector) -> tuple[BoxFormat, str]:
             "{path} is a link, which is not followed; name the file it leads to", path=path
         )
     if path.is_dir():
-        return _YOLO, _read_folder(boxes)
+        return folder_format(), _read_folder(boxes)
     boxes.held = _read_file(path)
     known = _format_of(path, boxes.held[:HEAD_BYTES])
     return known, hashlib.sha256(boxes.held).hexdigest()
@@ -185,9 +162,9 @@ def _check_size(path: Path, size: int) -> None:
 
 
 def _format_of(path: Path, head: bytes) -> BoxFormat:
-    for known in _FILES:
-        if known.recognises(head):
-            return known
+    known = box_format_of(head)
+    if known is not None:
+        return known
     if lacks_commas(head):
         raise FormatError(
             "{path}: no commas between values; MOT text wants them, and YOLO text is given as the "

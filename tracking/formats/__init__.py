@@ -2,10 +2,10 @@
 
 from tracking.formats.catalogue import (
     FORMATS,
-    READABLE,
-    TRACK_ENDINGS,
     format_named,
     format_of,
+    readable_formats,
+    track_endings,
 )
 from tracking.formats.losses import losses
 from tracking.formats.measurable import Measurable, measurable

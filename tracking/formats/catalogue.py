@@ -2,63 +2,58 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from types import MappingProxyType
 
-from tracking.errors import FormatError, explain_unreadable
-from tracking.formats.coco import COCO
-from tracking.formats.csv_tracks import CSV
-from tracking.formats.cvat import CVAT
-from tracking.formats.floor_hdf5 import JUPEDSIM_HDF5, PEDPY_HDF5
-from tracking.formats.floor_text import PEDPY_TEXT, PETRACK
+from tracking.errors import FormatError, PluginError, explain_unreadable
 from tracking.formats.hdf5_tracks import why_refused
-from tracking.formats.idtracker import IDTRACKER
-from tracking.formats.jupedsim import JUPEDSIM_SQLITE
-from tracking.formats.kitti import KITTI
-from tracking.formats.label_studio import LABEL_STUDIO
-from tracking.formats.mot import MOT, MOT16, lacks_commas
-from tracking.formats.petrack_trc import PETRACK_TRC
+from tracking.formats.mot import lacks_commas
+from tracking.formats.plugin_guard import guard_format
 from tracking.formats.samples_reader import begins_as_hdf5
-from tracking.formats.sleap import SLEAP
 from tracking.formats.track_format import HEAD_BYTES, TrackFormat
-from tracking.formats.viame import VIAME
-from tracking.formats.xanylabeling import X_ANYLABELING
+from tracking.plugins import Catalogue, PluginKind
 from tracking.translation import joined
 
-_ALL = (
-    MOT,
-    MOT16,
-    KITTI,
-    CSV,
-    CVAT,
-    COCO,
-    LABEL_STUDIO,
-    X_ANYLABELING,
-    VIAME,
-    PEDPY_TEXT,
-    PETRACK,
-    PETRACK_TRC,
-    PEDPY_HDF5,
-    JUPEDSIM_HDF5,
-    JUPEDSIM_SQLITE,
-    SLEAP,
-    IDTRACKER,
+_HERE = "tracking.formats"
+BUILT_IN: Mapping[str, str] = MappingProxyType(
+    {
+        "mot": f"{_HERE}.mot:MOT",
+        "mot16": f"{_HERE}.mot:MOT16",
+        "kitti": f"{_HERE}.kitti:KITTI",
+        "csv": f"{_HERE}.csv_tracks:CSV",
+        "cvat": f"{_HERE}.cvat:CVAT",
+        "coco": f"{_HERE}.coco:COCO",
+        "label-studio": f"{_HERE}.label_studio:LABEL_STUDIO",
+        "x-anylabeling": f"{_HERE}.xanylabeling:X_ANYLABELING",
+        "viame": f"{_HERE}.viame:VIAME",
+        "pedpy-txt": f"{_HERE}.floor_text:PEDPY_TEXT",
+        "petrack": f"{_HERE}.floor_text:PETRACK",
+        "petrack-trc": f"{_HERE}.petrack_trc:PETRACK_TRC",
+        "pedpy-h5": f"{_HERE}.floor_hdf5:PEDPY_HDF5",
+        "jupedsim-h5": f"{_HERE}.floor_hdf5:JUPEDSIM_HDF5",
+        "jupedsim-sqlite": f"{_HERE}.jupedsim:JUPEDSIM_SQLITE",
+        "sleap": f"{_HERE}.sleap:SLEAP",
+        "idtracker": f"{_HERE}.idtracker:IDTRACKER",
+    }
 )
+"""Where our own formats stand, in the order in which they are listed; pyproject.toml has the same
+as entry points."""
 
-FORMATS: Mapping[str, TrackFormat] = MappingProxyType({each.name: each for each in _ALL})
-"""In the order in which they are listed."""
-
-READABLE: tuple[TrackFormat, ...] = tuple(each for each in _ALL if each.read is not None)
-"""The formats that are read."""
-
-_AS_ASKED = sorted(READABLE, key=lambda each: each.by_numbers)
-"""In the order in which a file's content is asked about."""
-
-TRACK_ENDINGS: tuple[str, ...] = tuple(
-    dict.fromkeys(ending for each in READABLE for ending in each.extensions)
+FORMATS: Catalogue[TrackFormat] = Catalogue(
+    PluginKind.FORMAT, BUILT_IN, lambda: (TrackFormat,), guard_format
 )
-"""Of files that tracks are read from, with the dot."""
+"""The formats, our own first, then those of plug-ins by name."""
+
+
+def readable_formats() -> tuple[TrackFormat, ...]:
+    """The formats that are read."""
+    return tuple(each for each in FORMATS.values() if each.read is not None)
+
+
+def track_endings() -> tuple[str, ...]:
+    """Of files that tracks are read from, with the dot."""
+    return tuple(dict.fromkeys(one for each in readable_formats() for one in each.extensions))
 
 
 def format_named(name: str) -> TrackFormat:
@@ -66,9 +61,10 @@ def format_named(name: str) -> TrackFormat:
 
     Raises:
         FormatError: there is none; lists those there are.
+        PluginError: it is a plug-in's, which does not work.
     """
-    if name not in FORMATS:
-        known = joined(", ", FORMATS)
+    if name not in FORMATS.names:
+        known = joined(", ", FORMATS.names)
         raise FormatError(
             "format {name!r} is unknown; choose one of: {known}", name=name, known=known
         )
@@ -76,10 +72,11 @@ def format_named(name: str) -> TrackFormat:
 
 
 def format_of(path: Path) -> TrackFormat:
-    """The format of a file, told by its content.
+    """The format of a file, told by its content; plug-ins are asked where none of ours knows it.
 
     Raises:
         FormatError: it cannot be read, or is of none that is read here.
+        PluginError: the same, and a plug-in failed as it was asked.
     """
     if path.is_dir():
         return _format_of_folder(path)
@@ -89,9 +86,9 @@ def format_of(path: Path) -> TrackFormat:
         head = stream.read(HEAD_BYTES)
     if not head.strip():
         raise FormatError("{path} is empty; name a file with tracks", path=path)
-    for each in _AS_ASKED:
-        if each.recognises(path, head):
-            return each
+    found = _first(lambda each: each.recognises(path, head))
+    if found is not None:
+        return found
     if begins_as_hdf5(path):
         raise FormatError("{path}{why_refused}", path=path, why_refused=why_refused(path))
     if lacks_commas(head):
@@ -100,7 +97,7 @@ def format_of(path: Path) -> TrackFormat:
             "put commas between values if it is MOT text",
             path=path,
         )
-    known = joined(", ", (each.name for each in READABLE))
+    known = joined(", ", (each.name for each in readable_formats()))
     raise FormatError(
         "{path} is of no format known here",
         "choose one of: {known}",
@@ -111,7 +108,30 @@ def format_of(path: Path) -> TrackFormat:
 
 
 def _format_of_folder(path: Path) -> TrackFormat:
-    for each in READABLE:
-        if each.recognises_folder is not None and each.recognises_folder(path):
-            return each
+    found = _first(lambda each: each.recognises_folder is not None and each.recognises_folder(path))
+    if found is not None:
+        return found
     raise FormatError("{path} is a folder; name the file with the tracks", path=path)
+
+
+def _first(recognises: Callable[[TrackFormat], bool]) -> TrackFormat | None:
+    """The first format that knows a file: of ours by content, then by numbers, then of plug-ins.
+
+    Raises PluginError where none does and a plug-in failed.
+    """
+    own = [each for each in FORMATS.of_built_in() if each.read is not None]
+    for each in sorted(own, key=lambda one: one.by_numbers):
+        if recognises(each):
+            return each
+    failed: list[PluginError] = []
+    for offer, each in FORMATS.of_plugins():
+        try:
+            if each.read is not None and recognises(each):
+                return each
+        except PluginError as error:
+            FORMATS.note(offer, error)
+            failed.append(error)
+    failed += [fault.error for fault in FORMATS.faults if fault.error not in failed]
+    if failed:
+        raise failed[0]
+    return None

@@ -16,6 +16,7 @@ from tracking.detections import (
     load_detections,
     with_relative_paths,
 )
+from tracking.detections.picture_detections import PictureDetections
 from tracking.errors import SettingsError
 from tracking.networks.appearance_network import AppearanceNetwork, appearance_network
 from tracking.networks.network_detections import NetworkDetections, network_detections
@@ -146,7 +147,7 @@ class Tracking:
         self._tracker: Tracker | None = None
         self._perception: Perception | None = None
         self._from_file: RecordingDetections | None = None
-        self._network: NetworkDetections | None = None
+        self._network: NetworkDetections | PictureDetections | None = None
         self._appearance: AppearanceNetwork | None = None
         self._embeddings: TrackEmbeddings | None = None
         self._kept = kept
@@ -185,6 +186,11 @@ class Tracking:
         """What was asked for, as a run has it."""
         settings = settings_values(self._settings)
         return self._spec.name, settings, self._seed, self._recording, self._resume
+
+    @property
+    def tracker(self) -> str:
+        """The tracker's name."""
+        return self._spec.name
 
     @property
     def detections_input(self) -> tuple[DetectionsInput, ...]:
@@ -233,7 +239,7 @@ class Tracking:
         )
 
     @property
-    def _source(self) -> RecordingDetections | NetworkDetections | None:
+    def _source(self) -> RecordingDetections | NetworkDetections | PictureDetections | None:
         """What gives boxes of people; None: nothing but the foreground."""
         return self._from_file or self._network
 

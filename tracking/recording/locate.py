@@ -9,7 +9,7 @@ from pathlib import Path
 
 from tracking.errors import RecordingError
 from tracking.recording.images import IMAGE_SUFFIXES, image_files
-from tracking.recording.kinds.catalogue import find_sources
+from tracking.recording.kinds.catalogue import find_sources, told_of_plugins
 from tracking.recording.kinds.folders import camera_in, images_in
 from tracking.recording.kinds.kind import FoundSources
 from tracking.recording.manifest import (
@@ -118,11 +118,13 @@ def _in_folder(folder: Path) -> Located:
     left, right = camera_in(folder, "left"), camera_in(folder, "right")
     if left is not None:
         return _made_up(folder, name, left, right)
+    failed = told_of_plugins()
     raise RecordingError(
         "{folder}: no recording in this folder; it needs a {manifest}, images, or videos "
-        "called left and right",
+        "called left and right{failed}",
         folder=folder,
         manifest=MANIFEST_NAME,
+        failed=" (" + failed + ")" if failed else "",
     )
 
 

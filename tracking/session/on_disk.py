@@ -140,7 +140,7 @@ class OnDisk(SessionState):
 
     # Saving
 
-    def save(self, path: Path | None = None) -> Path:
+    def save(self, path: Path | str | None = None) -> Path:
         """Save, there or under its own name; afterwards this is the session of that file.
 
         Raises OutputError, with the old file byte for byte as it was, where that fails; where it
@@ -148,7 +148,7 @@ class OnDisk(SessionState):
         edits until another save succeeds.
         SessionError where another program has the file or no path was ever named.
         """
-        return self._write(self.begin_save(path))
+        return self._write(self.begin_save(None if path is None else Path(path)))
 
     def _write(self, pending: PendingSave) -> Path:
         try:

@@ -1,16 +1,14 @@
-"""The catalogue: every tracker that is built, by the name it has everywhere."""
+"""The catalogue: every tracker that is built in or plugged in, by the name it has everywhere."""
 
 from __future__ import annotations
 
 import difflib
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
-from functools import partial
 from types import MappingProxyType
-from typing import Any, Protocol
+from typing import Any
 
 from tracking.errors import CalibrationError, RecordingError, SettingsError
-from tracking.people.detection_source import DetectionSource
+from tracking.plugins import Catalogue, PluginKind
 from tracking.recording import Recording
 from tracking.settings import (
     former_names,
@@ -19,214 +17,49 @@ from tracking.settings import (
     settings_values,
     with_present_names,
 )
-from tracking.trackers.flow import (
-    FLOW_OVERLAYS,
-    FlowSettings,
-    build_flow,
-    extend_trajectories,
-    link_walkers,
-)
-from tracking.trackers.joint import JointSettings, build_joint
-from tracking.trackers.linking import (
-    Finisher,
-    Published,
-    extend_ends_in_pixels,
-    link_tracks,
-)
-from tracking.trackers.shared.overlays import TrackerOverlays
-from tracking.trackers.shared.protocol import Perception, Tracker
-from tracking.trackers.spheroid import SPHEROID_OVERLAYS, SpheroidSettings, build_spheroid
-from tracking.trackers.stereo import colour as stereo_colour
-from tracking.trackers.stereo import direction as stereo_direction
-from tracking.trackers.three_part import (
-    ThreePartSettings,
-    WholeBodySettings,
-    build_three_part,
-    build_three_part_joint,
-    build_whole_body,
-    detector_fingerprint,
-)
+from tracking.trackers.plugin_guard import guard_tracker
+from tracking.trackers.tracker_spec import TrackerSpec
 from tracking.translation import count_msg, joined, msg
 
-
-class Build(Protocol):
-    """Makes a tracker."""
-
-    def __call__(
-        self,
-        recording: Recording,
-        settings: Any,
-        seed: int,
-        boxes: DetectionSource | None = None,
-        /,
-    ) -> tuple[Perception, Tracker]:
-        """Perception and tracker at their start; see `TrackerSpec`."""
-
-
-def _no_detector(settings: Mapping[str, Any]) -> str:  # noqa: ARG001 - of trackers that use one
-    return ""
-
-
-@dataclass(frozen=True, slots=True)
-class TrackerSpec:
-    """A tracker as the catalogue lists it.
-
-    Attributes:
-        name: on the command line and in sessions.
-        title: for people, one line.
-        paper: key of the source in the papers' list, e.g. "Kawashita2014"; "" for one of our own.
-        needs_stereo, needs_calibration: of the recording.
-        settings_type: a frozen dataclass; see `settings_fields`.
-        build: (recording, settings, seed, boxes) -> perception and tracker, both at their start;
-            boxes are those of another program that the settings name, None without any.
-        detector: (settings by their dotted names) -> fingerprint of the failure detector they
-            name; "" for none.
-        finisher: how a run is looked over from both ends, where its settings say `smooth`.
-        overlays: what a view can draw of its work.
-        body_parts: its runs hold body parts, which can be labelled to train a failure detector.
-    """
-
-    name: str
-    title: str
-    paper: str
-    needs_stereo: bool
-    needs_calibration: bool
-    settings_type: type
-    build: Build
-    detector: Callable[[Mapping[str, Any]], str] = _no_detector
-    finisher: Finisher = field(default_factory=Finisher)
-    overlays: TrackerOverlays = field(default_factory=TrackerOverlays)
-    body_parts: bool = False
-
-
-_TWO_CAMERAS = TrackerOverlays(subtraction=True)
-
-_FLOW_PATH_MEMORY_S = 0.25
-"""Places seen by one camera err for longer than those of two do: more of them make a path."""
-_LIVE_IF_PAPER = Finisher(published=Published((("paper", True),), smoothed=False))
-_SURE_BY_PARTS_S = 0.4
-"""So long it is known about where somebody walks unseen whose place one camera tells by a box."""
-_THREE_PART = Finisher(
-    relabel=partial(link_tracks, longest_gap_s=_SURE_BY_PARTS_S),
-    extend_in_pixels=extend_ends_in_pixels,
-    published=Published((("adjust", False), ("reidentify", False)), smoothed=False),
+_HERE = "tracking.trackers.built_in"
+BUILT_IN: Mapping[str, str] = MappingProxyType(
+    {
+        "stereo-joint": f"{_HERE}.stereo_joint:STEREO_JOINT",
+        "stereo-direction": f"{_HERE}.stereo:STEREO_DIRECTION",
+        "stereo-colour": f"{_HERE}.stereo:STEREO_COLOUR",
+        "spheroid": f"{_HERE}.spheroid:SPHEROID",
+        "three-part": f"{_HERE}.three_part:THREE_PART",
+        "three-part-joint": f"{_HERE}.three_part:THREE_PART_JOINT",
+        "whole-body": f"{_HERE}.three_part:WHOLE_BODY",
+        "flow": f"{_HERE}.flow:FLOW",
+    }
 )
+"""Where our own trackers stand, the best first; pyproject.toml has the same as entry points."""
 
-_BUILT = (
-    TrackerSpec(
-        name="stereo-joint",
-        title="Two cameras: joint assignment of all tracks by position, appearance and direction",
-        paper="",
-        needs_stereo=True,
-        needs_calibration=True,
-        settings_type=JointSettings,
-        build=build_joint,
-        finisher=Finisher(relabel=link_tracks),
-        overlays=_TWO_CAMERAS,
-    ),
-    TrackerSpec(
-        name="stereo-direction",
-        title="Two cameras: particle filter with distance, colour and walking direction",
-        paper="Kawashita2014",
-        needs_stereo=True,
-        needs_calibration=True,
-        settings_type=stereo_direction.StereoDirectionSettings,
-        build=stereo_direction.build,
-        finisher=_LIVE_IF_PAPER,
-        overlays=_TWO_CAMERAS,
-    ),
-    TrackerSpec(
-        name="stereo-colour",
-        title="Two cameras: particle filter with distance and colour",
-        paper="Kawashita2012",
-        needs_stereo=True,
-        needs_calibration=True,
-        settings_type=stereo_colour.StereoColourSettings,
-        build=stereo_colour.build,
-        finisher=_LIVE_IF_PAPER,
-        overlays=_TWO_CAMERAS,
-    ),
-    TrackerSpec(
-        name="spheroid",
-        title="One calibrated camera: particle filter on the floor, weighted by silhouettes",
-        paper="Waechter2013",
-        needs_stereo=False,
-        needs_calibration=True,
-        settings_type=SpheroidSettings,
-        build=build_spheroid,
-        finisher=Finisher(relabel=link_tracks, published=Published((("paper", True),))),
-        overlays=SPHEROID_OVERLAYS,
-    ),
-    TrackerSpec(
-        name="three-part",
-        title="One camera: one particle filter each for head, torso and hip-leg, with adjustment",
-        paper="ZhaoLee2009",
-        needs_stereo=False,
-        needs_calibration=False,
-        settings_type=ThreePartSettings,
-        build=build_three_part,
-        detector=detector_fingerprint,
-        finisher=_THREE_PART,
-        body_parts=True,
-    ),
-    TrackerSpec(
-        name="three-part-joint",
-        title="One camera: one particle filter for head, torso and hip-leg together",
-        paper="ZhaoLee2009",
-        needs_stereo=False,
-        needs_calibration=False,
-        settings_type=ThreePartSettings,
-        build=build_three_part_joint,
-        detector=detector_fingerprint,
-        finisher=_THREE_PART,
-        body_parts=True,
-    ),
-    TrackerSpec(
-        name="whole-body",
-        title="One camera: particle filter for the whole body, for comparison",
-        paper="ZhaoLee2009",
-        needs_stereo=False,
-        needs_calibration=False,
-        settings_type=WholeBodySettings,
-        build=build_whole_body,
-    ),
-    TrackerSpec(
-        name="flow",
-        title="One calibrated camera: tracklets clustered into people, for counting",
-        paper="Yoneji2013",
-        needs_stereo=False,
-        needs_calibration=True,
-        settings_type=FlowSettings,
-        build=build_flow,
-        finisher=Finisher(
-            relabel=link_walkers,
-            path_memory_s=_FLOW_PATH_MEMORY_S,
-            extend=extend_trajectories,
-            published=Published((("persistent_points", False),)),
-        ),
-        overlays=FLOW_OVERLAYS,
-    ),
+TRACKERS: Catalogue[TrackerSpec] = Catalogue(
+    PluginKind.TRACKER, BUILT_IN, lambda: (TrackerSpec,), guard_tracker
 )
-
-TRACKERS: Mapping[str, TrackerSpec] = MappingProxyType({spec.name: spec for spec in _BUILT})
-"""The trackers that can be run, the best first."""
+"""The trackers that can be run, the best first, then those of plug-ins."""
 
 _NOTHING = ("", "[]")
 _WITHOUT = " (without, three-part tracks people in pixels)"
 
 
 def tracker_named(name: str) -> TrackerSpec:
-    """The tracker of that name; raises `SettingsError` that says what there is."""
-    if name in TRACKERS:
+    """The tracker of that name.
+
+    Raises `SettingsError` that says what there is, `PluginError` where a plug-in does not work.
+    """
+    if name in TRACKERS.names:
         return TRACKERS[name]
-    near = difflib.get_close_matches(name, TRACKERS, n=1)
+    near = difflib.get_close_matches(name, TRACKERS.names, n=1)
     raise SettingsError(
         "tracker {name} is unknown: did you mean {near}? Available are {trackers}"
         if near
         else "tracker {name} is unknown: available are {trackers}",
         name=name,
         near="".join(near),
-        trackers=joined(", ", TRACKERS),
+        trackers=joined(", ", TRACKERS.names),
     )
 
 
@@ -243,9 +76,10 @@ def tracker_with(able: Callable[[TrackerSpec], object], preferred: str = "") -> 
 
     Raises LookupError where none is.
     """
-    for name in (preferred, *TRACKERS):
-        if name in TRACKERS and able(TRACKERS[name]):
-            return TRACKERS[name]
+    for name in (preferred, *TRACKERS.names):
+        spec = TRACKERS.get(name)
+        if spec is not None and able(spec):
+            return spec
     raise LookupError("no tracker of the catalogue can do this")
 
 
@@ -338,7 +172,9 @@ def parse_settings(spec: TrackerSpec, texts: Mapping[str, str]) -> Any:
     known = _setting_names(spec) | former_names(spec.settings_type).keys()
     for name in sorted(texts.keys() - known):
         present = _present_name(name)
-        if theirs := [other.name for other in _BUILT if present in _setting_names(other)]:
+        if theirs := [
+            other.name for other in TRACKERS.values() if present in _setting_names(other)
+        ]:
             now = msg(", whose name is {present} now", present=present)
             raise SettingsError(
                 "{tracker} has no setting {name}{now} ({who}): choose such a tracker with "
@@ -358,7 +194,7 @@ def parse_settings(spec: TrackerSpec, texts: Mapping[str, str]) -> Any:
 
 def _present_name(name: str) -> str:
     """The name that a setting of any tracker has now; other names as they are."""
-    former = (former_names(spec.settings_type) for spec in _BUILT)
+    former = (former_names(spec.settings_type) for spec in TRACKERS.values())
     return next((present[name] for present in former if name in present), name)
 
 

@@ -6,7 +6,7 @@ runs, so that help comes at once and no command waits for libraries it does not 
 
 # isort: off
 from app.cli.commands import recordings, setup, calibration, floor, doctor
-from app.cli.commands import trackers, scores, counts, sessions
+from app.cli.commands import trackers, plugins, scores, counts, sessions, desktop
 
 # isort: on
 from app.cli.commands.program import program
@@ -16,8 +16,10 @@ __all__ = [
     "SCENE_NAMES",
     "calibration",
     "counts",
+    "desktop",
     "doctor",
     "floor",
+    "plugins",
     "program",
     "recordings",
     "scores",

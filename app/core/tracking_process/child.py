@@ -16,6 +16,7 @@ import time
 import traceback
 from typing import IO
 
+from app.core.tracking_process.memory_limit import give_way
 from app.core.tracking_process.messages import (
     Kind,
     packed_error,
@@ -26,6 +27,7 @@ from app.core.tracking_process.messages import (
 )
 from app.core.tracking_process.request import TrackingRequest
 from tracking.trackers import StepResult
+from tracking.trackers.catalogue import BUILT_IN
 
 _BATCH_EVERY_S = 0.04
 _NICER = 5
@@ -39,6 +41,7 @@ def main() -> None:
         os.nice(_NICER)
     answers = _own_output()
     request = TrackingRequest.from_line(sys.stdin.buffer.readline())
+    give_way(foreign=request.tracker not in BUILT_IN)
     stop = threading.Event()
     threading.Thread(target=_listen, args=(stop,), daemon=True).start()
     with contextlib.suppress(BrokenPipeError):

@@ -9,6 +9,7 @@ import sys
 import threading
 from collections.abc import Iterator
 from pathlib import Path
+from typing import IO
 
 from app.core.tracking_process.messages import (
     Kind,
@@ -19,8 +20,10 @@ from app.core.tracking_process.messages import (
     unpacked_steps,
 )
 from app.core.tracking_process.request import TrackingRequest
+from app.core.tracking_process.step_watch import StepWatch
 from tracking.errors import TrackwrightError
-from tracking.trackers import StepResult
+from tracking.plugins.time_limit import overdue
+from tracking.trackers import TRACKERS, StepResult, tracker_named
 from tracking.tracks import DetectionsInput
 from tracking.translation import Message
 
@@ -42,6 +45,8 @@ class TrackerProcess:
         self.notes: tuple[Message, ...] = ()
         self.detections_input: tuple[DetectionsInput, ...] = ()
         self._request = request
+        self._offer = TRACKERS.offer(request.tracker)
+        self._watch: StepWatch | None = None
         self._lock = threading.Lock()
         self._child: subprocess.Popen[bytes] | None = None
         self._stopping = threading.Event()
@@ -64,7 +69,7 @@ class TrackerProcess:
             return
         assert child.stdout is not None
         try:
-            while (message := receive(child.stdout)) is not None:
+            while (message := self._next(child.stdout)) is not None:
                 kind, payload = message
                 if kind is Kind.STEPS:
                     yield unpacked_steps(payload)
@@ -79,6 +84,16 @@ class TrackerProcess:
             self._check_death(child)
         finally:
             self._end(child)
+
+    def _next(self, answers: IO[bytes]) -> tuple[Kind, bytes] | None:
+        """The child's next message; a plug-in's is waited for as long as its entry says."""
+        if self._watch is None:
+            return receive(answers)
+        self._watch.begin()
+        try:
+            return receive(answers)
+        finally:
+            self._watch.pause()
 
     def stop(self) -> None:
         """Ask for the end after the frame in work; who does not obey in time is killed."""
@@ -105,6 +120,9 @@ class TrackerProcess:
             if self._stopping.is_set():
                 return None
             self._child = _started()
+        if self._offer is not None and not self._offer.built_in:
+            limit_s = tracker_named(self._request.tracker).step_limit_s
+            self._watch = StepWatch(limit_s, self.kill)
         assert self._child.stdin is not None
         with contextlib.suppress(OSError):  # died at once: told when its answers are read
             self._child.stdin.write(self._request.as_line())
@@ -112,16 +130,20 @@ class TrackerProcess:
         return self._child
 
     def _check_death(self, child: subprocess.Popen[bytes]) -> None:
+        if self._watch is not None and self._watch.is_overdue and self._offer is not None:
+            raise overdue(self._offer, tracker_named(self._request.tracker).step_limit_s)
         if not self._stopping.is_set():
             raise TrackwrightError(
-                "the tracker {tracker} ended by itself (status {status}), perhaps for want of "
+                "{tracker} ended by itself (status {status}), perhaps for want of "
                 "memory; track a shorter range, or again",
-                tracker=self._request.tracker,
+                tracker=self._request.tracker if self._offer is None else self._offer.words,
                 status=child.wait(),
             )
 
     def _end(self, child: subprocess.Popen[bytes]) -> None:
         self.kill()
+        if self._watch is not None:
+            self._watch.end()
         self._overdue.cancel()
         if self._overdue.is_alive():
             self._overdue.join()

@@ -12,7 +12,7 @@ from app.core.editing.edit_planner import refuse_too_large
 from app.core.i18n import count_text, tr
 from tracking.editing import StoredChange, plan_import
 from tracking.errors import EditError, FormatError
-from tracking.formats import TRACK_ENDINGS, Filmed, Imported, TrackFormat, format_of
+from tracking.formats import Filmed, Imported, TrackFormat, format_of, track_endings
 from tracking.progress import Progress
 from tracking.session import Importable, ImportOrigin, ImportWish, fit_to_recording
 from tracking.tracks import Labels, TrackTable, row_keys
@@ -80,7 +80,7 @@ class ImportScene:
 
 def holds_tracks_alone(path: Path) -> bool:
     """Whether a file's name says that it is of tracks, and neither a recording nor a session."""
-    return path.suffix.lower() in set(TRACK_ENDINGS) - _OF_SESSIONS
+    return path.suffix.lower() in set(track_endings()) - _OF_SESSIONS
 
 
 def read_tracks(

@@ -16,6 +16,7 @@ from app.core.tracks.frame_state import FrameState, ViewOptions
 from app.core.tracks.made_by import MadeBy, overlay_of, settings_of
 from app.core.tracks.particle_weights import relative_weights
 from tracking.geometry import View
+from tracking.plugins import PluginKind, failed_drawing
 from tracking.trackers import TRACKERS, Bodies, tracker_with
 from tracking.tracks import Columns
 
@@ -155,6 +156,9 @@ def _seen(state: FrameState, name: str) -> bool:
 def why_nothing(state: FrameState, name: str) -> str:
     """What to do where something that was asked for is not seen in the frame; "": it is."""
     tracks, frame = state.tracks, state.frame
+    made_by = "" if state.run is None else state.run.tracker
+    if (failed := failed_drawing(PluginKind.TRACKER, made_by)) is not None:
+        return tr(failed.message)
     if name == "tracklets" and not len(tracks.tracklets(frame)["track"]):
         return tr(
             "No points are tracked here: track with {tracker} (Ctrl+T) to see tracklets",

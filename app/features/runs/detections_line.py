@@ -25,6 +25,7 @@ from tracking.detections import (
 )
 from tracking.detections.settings import BESIDE, ONLY
 from tracking.networks.model_file import Model, read_model
+from tracking.networks.network_detections import named_detector
 from tracking.progress import Progress
 from tracking.recording import Recording
 from tracking.settings import settings_fields, settings_from
@@ -247,6 +248,8 @@ def _is_there(path: Path) -> bool:
 def _reading(
     recording: Recording, settings: DetectionSettings
 ) -> Callable[[Progress], RecordingDetections | Model | None]:
+    if settings.model and named_detector(recording, settings.model) is not None:
+        return lambda _: None
     if settings.model:
         return lambda _: read_model(place_of(recording, settings.model))
     return lambda _: load_detections(recording, settings)

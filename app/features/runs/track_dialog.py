@@ -33,6 +33,7 @@ from app.core.widgets.user_settings import UserSettings
 from app.features.runs.detections_line import FILLED_IN, DetectionsLine
 from app.features.runs.parts_line import PartsLine
 from tracking.errors import TrackwrightError
+from tracking.plugins import CatalogueFault
 from tracking.recording import Recording
 from tracking.settings import settings_values
 from tracking.trackers import TRACKERS, best_tracker, require
@@ -77,6 +78,8 @@ class TrackDialog(QDialog):
             form = SettingsForm(TRACKERS[name], self, without=(DETECTOR, OCCLUDERS, *FILLED_IN))
             form.show_expert(self._expert.isChecked())
             self._forms.addWidget(_scrolled(form))
+        for fault in TRACKERS.faults:
+            self._add_fault(fault)
         self._choice.currentIndexChanged.connect(self._show_tracker)
         first = chosen if chosen in fitting else next(iter(fitting), self._names[0])
         self._choice.setCurrentIndex(self._names.index(first))
@@ -119,6 +122,14 @@ class TrackDialog(QDialog):
         self._choice.setItemData(
             row, why_not or tr(TRACKERS[name].title), Qt.ItemDataRole.ToolTipRole
         )
+
+    def _add_fault(self, fault: CatalogueFault) -> None:
+        """A plug-in's tracker that does not work: greyed, behind all others, and says why."""
+        self._choice.addItem(tr("{name} (does not work)", name=fault.offer.name))
+        row, model = self._choice.count() - 1, self._choice.model()
+        assert isinstance(model, QStandardItemModel)
+        model.item(row).setEnabled(False)
+        self._choice.setItemData(row, tr(fault.error.message), Qt.ItemDataRole.ToolTipRole)
 
     def _lay_out(self, warning: str) -> None:
         rows = QVBoxLayout(self)

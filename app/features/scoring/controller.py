@@ -19,7 +19,7 @@ from app.features.scoring.panel import ScorePanel
 from app.features.scoring.presenter import ScoringPresenter
 from app.features.scoring.subject import ScoreResult, ScoreSubject, score_subject
 from tracking.errors import TrackwrightError
-from tracking.formats import TRACK_ENDINGS
+from tracking.formats import track_endings
 from tracking.progress import Progress
 from tracking.scoring import ErrorKind
 
@@ -148,7 +148,7 @@ class ScoreController(FeatureController):
 
     def ask_truth(self) -> None:
         """Ask for a file with the truth."""
-        endings = " ".join(f"*{each}" for each in TRACK_ENDINGS)
+        endings = " ".join(f"*{each}" for each in track_endings())
         known = tr(_TRUTHS).format(endings=endings)
         self.truth_asked.emit(known)
 

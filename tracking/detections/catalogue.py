@@ -1,0 +1,58 @@
+"""What tells where people are: formats of boxes of other programs, and detectors of plug-ins."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from types import MappingProxyType
+
+from tracking.detections.box_format import YOLO, BoxFormat
+from tracking.detections.detector import DetectorSpec
+from tracking.detections.plugin_guard import guard_detector
+from tracking.errors import PluginError
+from tracking.plugins import Catalogue, PluginKind
+
+_HERE = "tracking.detections.box_format"
+BUILT_IN: Mapping[str, str] = MappingProxyType(
+    {"coco": f"{_HERE}:COCO", "mot": f"{_HERE}:MOT", "yolo": f"{_HERE}:YOLO"}
+)
+"""Where our own stand, in the order in which they are asked; pyproject.toml has the same."""
+
+DETECTORS: Catalogue[BoxFormat | DetectorSpec] = Catalogue(
+    PluginKind.DETECTOR, BUILT_IN, lambda: (BoxFormat, DetectorSpec), guard_detector
+)
+"""Formats of boxes, and what looks at pictures."""
+
+
+def folder_format() -> BoxFormat:
+    """The format of folders."""
+    return YOLO
+
+
+def box_format_of(head: bytes) -> BoxFormat | None:
+    """The format of a file by its first bytes, plug-ins last; None: nobody knows it.
+
+    Raises PluginError where nobody does and a plug-in failed.
+    """
+    for own in DETECTORS.of_built_in():
+        if isinstance(own, BoxFormat) and own.recognises(head):
+            return own
+    for offer, each in DETECTORS.of_plugins():
+        try:
+            if isinstance(each, BoxFormat) and each.recognises(head):
+                return each
+        except PluginError as error:
+            DETECTORS.note(offer, error)
+    for fault in DETECTORS.faults:
+        raise fault.error
+    return None
+
+
+def picture_detector(name: str) -> DetectorSpec | None:
+    """The detector of that name that looks at pictures; None: there is none.
+
+    Raises PluginError where it does not work.
+    """
+    if name in BUILT_IN or name not in DETECTORS.names:
+        return None
+    found = DETECTORS[name]
+    return found if isinstance(found, DetectorSpec) else None
