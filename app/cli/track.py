@@ -291,13 +291,13 @@ def settings_of(spec: TrackerSpec, order: Order) -> Any:
 
 def read_settings(spec: TrackerSpec, texts: Sequence[str]) -> Any:
     """The tracker's settings with those typed as KEY=VALUE; raises `SettingsError`."""
-    pairs = _pairs(texts)
+    pairs = pairs_of(texts)
     refuse_missing_detector(pairs.get("detector", ""))
     return parse_settings(spec, pairs)
 
 
-def _pairs(texts: Sequence[str]) -> dict[str, str]:
-    """KEY=VALUE texts as a mapping."""
+def pairs_of(texts: Sequence[str]) -> dict[str, str]:
+    """KEY=VALUE texts as a mapping; raises SettingsError."""
     pairs: dict[str, str] = {}
     for text in texts:
         name, sign, value = text.partition("=")
