@@ -14,9 +14,7 @@ import typer
 from app.cli.batch_progress import BatchProgress
 from app.cli.option_groups import Order
 from app.cli.output import print_json, print_line, print_lines, say
-from app.cli.part_options import settings_texts, texts_of_options
-from app.cli.track import pairs_of, read_settings
-from app.core.document.document_loader import known_recordings
+from app.cli.setting_texts import pairs_of
 from tracking.batch import (
     BatchOrder,
     BatchRun,
@@ -34,14 +32,14 @@ from tracking.batch import (
     array_script,
     batch_folder,
     find_recordings,
+    ledger_path,
     merge_shard,
     named_entries,
+    report_path,
     shard_of,
     write_batch_report,
 )
 from tracking.errors import RecordingError
-from tracking.formats import FORMATS
-from tracking.trackers import tracker_named
 from tracking.translation import Message, count_msg, joined, msg
 
 SOME_FAILED = 3
@@ -105,15 +103,18 @@ def run_batch(request: BatchRequest, *, as_json: bool) -> None:
     shard = parse_shard(request.shard)
     out = Path(os.path.abspath(request.out))  # noqa: PTH100 - links stay
     found = _found(request, out)
+    if not ledger_path(out, shard).exists():
+        _check_order(request)  # nothing is left behind of what is wrongly asked for
     with batch_folder(out, shard) as ledger:
         entries = _entries(found, ledger)
         entries = entries if shard is None else shard_of(entries, shard.number, shard.count)
-        outcomes = _worked(request, order, ledger, out, entries, shard)
+        outcomes, worked = _worked(request, order, ledger, out, entries, shard)
         missing = _missing(found)
-        if shard is None:
-            page = write_batch_report(ledger, out, missing)
-        else:
-            page = merge_shard(ledger, out)
+        page = report_path(out)
+        if shard is not None:
+            merge_shard(ledger, out)
+        elif worked or missing or not page.exists():
+            write_batch_report(ledger, out, missing)
     _tell(entries, outcomes, missing, page, as_json=as_json)
 
 
@@ -129,21 +130,14 @@ def parse_shard(text: str | None) -> Shard | None:
 
 
 def _batch_order(request: BatchRequest) -> BatchOrder:
-    """The order, of which everything is checked that needs no recording."""
+    """What is asked for, as it was typed. Raises as `run_batch`."""
     typed = request.order
-    if typed.tracker is not None:
-        spec = tracker_named(typed.tracker)
-        texts = settings_texts(spec, typed)
-        read_settings(spec, texts)
-    else:
+    if typed.detector is not None or typed.model is not None:
+        from app.cli.part_options import texts_of_options  # takes long to import
+
         texts = texts_of_options(typed)
-    for name in request.exports:
-        if name not in FORMATS or FORMATS[name].write is None:
-            known = joined(", ", [one.name for one in FORMATS.values() if one.write is not None])
-            reason = msg(
-                "format {name!r} is unknown; choose one of: {known}", name=name, known=known
-            )
-            raise typer.BadParameter(reason, param_hint="--export")
+    else:
+        texts = tuple(typed.setting or ())
     return BatchOrder(
         typed.tracker or "",
         tuple(pairs_of(texts).items()),
@@ -155,6 +149,28 @@ def _batch_order(request: BatchRequest) -> BatchOrder:
         request.allow_outside,
         request.force,
     )
+
+
+def _check_order(request: BatchRequest) -> None:
+    """Refuse what is no tracker, setting or format, before anything is done.
+
+    Not asked where nothing is left to do, as it takes longer than all the rest.
+    """
+    from app.cli.part_options import settings_texts
+    from app.cli.track import read_settings
+    from tracking.formats import FORMATS
+    from tracking.trackers import tracker_named
+
+    if request.order.tracker is not None:
+        spec = tracker_named(request.order.tracker)
+        read_settings(spec, settings_texts(spec, request.order))
+    for name in request.exports:
+        if name not in FORMATS or FORMATS[name].write is None:
+            known = joined(", ", [one.name for one in FORMATS.values() if one.write is not None])
+            reason = msg(
+                "format {name!r} is unknown; choose one of: {known}", name=name, known=known
+            )
+            raise typer.BadParameter(reason, param_hint="--export")
 
 
 def _found(request: BatchRequest, out: Path) -> Found:
@@ -181,8 +197,8 @@ def _worked(
     out: Path,
     entries: Sequence[Entry],
     shard: Shard | None,
-) -> Mapping[str, Outcome]:
-    """What became of the recordings."""
+) -> tuple[Mapping[str, Outcome], bool]:
+    """What became of the recordings, and whether anything was done for it now."""
     count = request.workers or _cores()
     limits = _limits(request, count)
     with BatchProgress() as shown:
@@ -195,19 +211,28 @@ def _worked(
         plan = run.plan(entries)
         try:
             if not plan.to_do:
-                return plan.finished
+                return plan.finished, False
+            _check_order(request)
             workers: Workers = (
                 LocalWorkers(min(count, len(plan.to_do)), limits)
                 if request.scheduler is None
                 else ClusterWorkers(request.scheduler, limits, out)
             )
-            return run.work(workers)
+            return run.work(workers), True
         except KeyboardInterrupt:
             shown.close()
             _tell_interrupted(run.state)
             raise
         finally:
-            known_recordings().remember_all(shown.places)
+            _remember(shown.places)
+
+
+def _remember(places: Mapping[str, Path]) -> None:
+    """Note where the recordings stand, so that their sessions find them unasked."""
+    if places:
+        from app.core.document.document_loader import known_recordings  # takes long to import
+
+        known_recordings().remember_all(places)
 
 
 def _tell_interrupted(state: BatchState) -> None:

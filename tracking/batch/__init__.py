@@ -12,7 +12,7 @@ from tracking.batch.recordings import (
     named_entries,
     shard_of,
 )
-from tracking.batch.report import write_batch_report
+from tracking.batch.report import report_path, write_batch_report
 from tracking.batch.runner import (
     BatchRun,
     BatchState,

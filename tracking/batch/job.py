@@ -33,8 +33,8 @@ from tracking.pipeline import track
 from tracking.recording import OpenOptions, Recording, open_recording
 from tracking.session import Session
 from tracking.session.reference import refer_to
-from tracking.session.stamps import software
 from tracking.settings import settings_values
+from tracking.stamps import software
 from tracking.trackers import TrackerSpec, best_tracker, parse_settings, tracker_named
 from tracking.tracks import Run
 from tracking.translation import Message, joined, msg

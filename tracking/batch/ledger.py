@@ -7,6 +7,7 @@ while it is written (no write-ahead log, whose shared memory network disks do no
 
 from __future__ import annotations
 
+import contextlib
 import json
 import sqlite3
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -19,7 +20,7 @@ from typing import Self
 from tracking.batch.outcome import Outcome
 from tracking.errors import OutputError
 from tracking.owned_files import check_file
-from tracking.session.stamps import now, software
+from tracking.stamps import now, software
 from tracking.translation import msg
 
 NAME = "batch.sqlite"
@@ -131,6 +132,8 @@ class Ledger:
 
     def close(self) -> None:
         """Let go of the file; what was not committed is lost."""
+        with contextlib.suppress(sqlite3.Error):
+            self._base.execute("PRAGMA journal_mode = DELETE")  # leaves nothing beside the file
         self._base.close()
 
     def commit(self) -> None:

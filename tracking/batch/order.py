@@ -9,7 +9,7 @@ from dataclasses import asdict, dataclass, fields
 from pathlib import Path
 from typing import Any, Self
 
-from tracking.session.stamps import software
+from tracking.stamps import software
 
 _CHUNK_BYTES = 1 << 20
 _FILES = ("detector", "detections.model", "detections.appearance")

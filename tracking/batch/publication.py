@@ -20,11 +20,12 @@ from tracking.batch.signature import file_state
 from tracking.batch.task import HIDDEN, Workplace
 from tracking.errors import OutputError, TrackwrightError, told_by_system
 from tracking.owned_files import sync_folder
-from tracking.session.session_writer import companions
 from tracking.translation import message_of
 
 REPORT, EXPORT = "report", "export"
 """Folders in the output folder."""
+SCORE_PAGE = "report.html"
+"""In the folder of a recording's report, as `scoring.report` calls it."""
 
 
 def publish(place: Workplace, name: str, outcome: Outcome) -> Outcome:
@@ -88,6 +89,8 @@ def workplaces(out: Path, prefix: str) -> Iterator[Workplace]:
 def clear(place: Workplace) -> None:
     """Remove whatever an attempt left in its workplace."""
     shutil.rmtree(place.folder, ignore_errors=True)
+    from tracking.session.session_writer import companions  # takes long to import
+
     shutil.rmtree(companions(place.session), ignore_errors=True)
     for file in (place.session, place.folder):  # or a sign of life, which is a file
         with contextlib.suppress(OSError):

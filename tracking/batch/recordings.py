@@ -5,6 +5,7 @@ from __future__ import annotations
 import glob
 import hashlib
 import os
+import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -12,15 +13,16 @@ from pathlib import Path
 
 from tracking.batch.order import BatchOrder
 from tracking.errors import RecordingError, TrackwrightError
-from tracking.recording import MANIFEST_NAME, OpenOptions
-from tracking.recording.kinds.catalogue import find_sources
-from tracking.recording.locate import locate
-from tracking.recording.places import is_pattern
 from tracking.translation import Message, message_of, msg
 
 VIDEO_ENDINGS = frozenset(
     {".mp4", ".avi", ".mkv", ".mov", ".m4v", ".mpg", ".mpeg", ".webm", ".wmv", ".ts", ".mts"}
 )
+_OTHER_ENDINGS = frozenset({".bag", ".mcap", ".db3", ".tar", ".svo", ".svo2"})
+"""Of files that hold the pictures of several cameras."""
+MANIFEST = "recording.toml"
+"""As in `tracking.recording`, which takes longer to import than all this needs."""
+_PATTERN = re.compile(r"[*?[]")
 _LIST_ENDINGS = (".txt", ".lst")
 _MOST_LIST_BYTES = 64 << 20
 _DEEPEST = 6
@@ -103,13 +105,39 @@ def is_recording(path: Path) -> bool:
     """Whether something at a path would be opened as one recording; nothing of it is read."""
     try:
         if path.is_dir():
-            if (path / MANIFEST_NAME).exists():
+            if (path / MANIFEST).exists():
                 return True
-            locate(path, OpenOptions())
-            return True
-        return path.suffix.lower() in VIDEO_ENDINGS or find_sources(path) is not None
+            return not _holds_recordings(path) and _is_located(path)
+        return path.suffix.lower() in VIDEO_ENDINGS or _has_sources(path)
     except (TrackwrightError, OSError):
         return False
+
+
+def _holds_recordings(folder: Path) -> bool:
+    """Whether a folder has recordings in it, and so is none itself."""
+    with os.scandir(folder) as held:
+        return any(each.is_dir() and os.path.exists(f"{each.path}/{MANIFEST}") for each in held)  # noqa: PTH110
+
+
+def _is_located(folder: Path) -> bool:
+    """The same of a folder without a manifest. Raises RecordingError."""
+    from tracking.recording.locate import locate  # brings what reads pictures
+    from tracking.recording.options import OpenOptions
+
+    locate(folder, OpenOptions())
+    return True
+
+
+def _has_sources(path: Path) -> bool:
+    if path.suffix.lower() not in _OTHER_ENDINGS:
+        return False
+    from tracking.recording.kinds.catalogue import find_sources  # brings what reads pictures
+
+    return find_sources(path) is not None
+
+
+def _is_pattern(text: str) -> bool:
+    return _PATTERN.search(text) is not None
 
 
 class _Search:
@@ -120,7 +148,7 @@ class _Search:
 
     def add_word(self, path: Path, word: str) -> None:
         """Add what a word means; path: the same, from where it is meant."""
-        if not path.exists() and is_pattern(word):
+        if not path.exists() and _is_pattern(word):
             fitting = sorted(glob.glob(word, recursive=True))  # noqa: PTH207 - absolute ones, too
             for each in fitting:
                 self._add_path(Path(each), named=False)
@@ -169,7 +197,7 @@ class _Search:
         return count
 
     def _keep(self, path: Path) -> None:
-        if path.name == MANIFEST_NAME:
+        if path.name == MANIFEST:
             path = path.parent
         real = path.resolve()
         if real not in self._seen:
@@ -211,12 +239,12 @@ def detections_of(pattern: str, entry: Entry) -> Path:
     values = {"{folder}": folder, "{name}": entry.name, "{stem}": entry.path.stem}
     text = pattern
     for place, value in values.items():
-        literal = glob.escape(str(value)) if is_pattern(pattern) else str(value)
+        literal = glob.escape(str(value)) if _is_pattern(pattern) else str(value)
         text = text.replace(place, literal)
     if text == pattern and not os.path.isabs(pattern):  # noqa: PTH117 - a pattern is no path
-        base = glob.escape(str(folder)) if is_pattern(pattern) else str(folder)
+        base = glob.escape(str(folder)) if _is_pattern(pattern) else str(folder)
         text = os.path.join(base, pattern)  # noqa: PTH118
-    if not is_pattern(pattern):
+    if not _is_pattern(pattern):
         fitting = [text] if Path(text).exists() else []
     else:
         fitting = sorted(glob.glob(text))  # noqa: PTH207 - absolute ones, too

@@ -11,10 +11,8 @@ from urllib.parse import quote
 from tracking.atomic_output import replacing
 from tracking.batch.ledger import Ledger, Row
 from tracking.batch.outcome import Outcome, State
-from tracking.batch.publication import REPORT
+from tracking.batch.publication import REPORT, SCORE_PAGE
 from tracking.errors import OutputError
-from tracking.pages import render
-from tracking.scoring.report.report_writer import PAGE as SCORE_PAGE
 from tracking.translation import Message, msg
 
 PAGE = "index.html"
@@ -55,19 +53,21 @@ def write_batch_report(
     Raises:
         OutputError: it cannot be written.
     """
+    from tracking.pages import render  # brings NumPy, which resuming does without
+
     rows = sorted(ledger.rows(), key=lambda row: _urgency(row.outcome))
     pictured = [row.name for row in rows[:MOST_PICTURED]]
     images = ledger.thumbnails(pictured)
     lines = [_line(row, images.get(row.name)) for row in rows]
     lines = [*_missing_lines(missing or {}), *lines]
-    folder = out / REPORT
+    page = report_path(out)
+    folder = page.parent
     try:
         folder.mkdir(exist_ok=True)
     except OSError as error:
         raise OutputError(
             "cannot make folder {folder}: {reason}", folder=folder, reason=error.strerror
         ) from error
-    page = folder / PAGE
     text = render(
         "batch/report.html",
         title=msg("Batch in {folder}", folder=out.resolve().name),
@@ -80,6 +80,11 @@ def write_batch_report(
     with replacing(page) as stream:
         stream.write(text)
     return page
+
+
+def report_path(out: Path) -> Path:
+    """Where the page of an output folder stands."""
+    return out / REPORT / PAGE
 
 
 def suspicion(outcome: Outcome) -> float:

@@ -34,8 +34,8 @@ from tracking.batch.task import Finished, Task, Workplace
 from tracking.batch.worker_process import Doing
 from tracking.batch.workers import Ended, Event, Workers
 from tracking.errors import OutputError
-from tracking.session.lock import SessionLock
-from tracking.session.stamps import make_id
+from tracking.file_lock import SessionLock
+from tracking.stamps import make_id
 from tracking.translation import msg
 
 TRIES: Final = 3
@@ -216,7 +216,7 @@ class BatchRun:
         rows = {row.name: row for row in self._ledger.rows()}
         plan = self._planner.plan(entries, rows)
         self._waiting.extend(plan.to_do)
-        self._pace.begin(sum(each.size_bytes for each in plan.to_do))
+        self._pace.begin([each.size_bytes for each in plan.to_do])
         self.state.total = len(entries)
         for name, outcome in plan.finished.items():
             self._outcomes[name] = outcome
@@ -327,7 +327,10 @@ class BatchRun:
                     work.attempt = self._ledger.begin_attempt(
                         doing.name, self._run, work.task.token, doing.worker
                     )
-        begun = sum(each.share * each.planned.size_bytes for each in self._in_work.values())
+        begun = sum(
+            each.share * self._pace.weight(each.planned.size_bytes)
+            for each in self._in_work.values()
+        )
         self.state.seconds_left = self._pace.seconds_left(begun)
 
     def _count(self, outcome: Outcome) -> None:
@@ -374,21 +377,29 @@ class _InWork:
 
 
 class _Pace:
-    """How long the rest will take, by the bytes that were worked through so far."""
+    """How long the rest will take, by what was worked through so far.
+
+    A recording counts half as one and half by its bytes, as some take long whatever their size.
+    """
 
     def __init__(self) -> None:
-        self._total = self._done = 0
+        self._total = self._done = 0.0
+        self._mean_bytes = 1.0
         self._began_s = time.monotonic()
 
-    def begin(self, total_bytes: int) -> None:
-        self._total, self._done = total_bytes, 0
+    def begin(self, sizes_bytes: Sequence[int]) -> None:
+        self._mean_bytes = max(1.0, sum(sizes_bytes) / max(1, len(sizes_bytes)))
+        self._total, self._done = sum(map(self.weight, sizes_bytes)), 0.0
         self._began_s = time.monotonic()
+
+    def weight(self, size_bytes: int) -> float:
+        return 0.5 + 0.5 * size_bytes / self._mean_bytes
 
     def end(self, size_bytes: int) -> None:
-        self._done += size_bytes
+        self._done += self.weight(size_bytes)
 
-    def seconds_left(self, begun_bytes: float) -> float | None:
-        done = self._done + begun_bytes
+    def seconds_left(self, begun: float) -> float | None:
+        done = self._done + begun
         spent_s = time.monotonic() - self._began_s
         if done <= 0:
             return None

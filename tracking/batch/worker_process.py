@@ -19,7 +19,6 @@ from tracking.batch.order import Limits
 from tracking.batch.outcome import Cause, Outcome, failure
 from tracking.batch.task import Task
 from tracking.translation import Message, msg
-from tracking.untrusted.pipe import receive_head, send
 
 WORKER: tuple[str, ...] = ("-m", "tracking.batch.worker")
 """What Python is given to be a worker."""
@@ -85,6 +84,8 @@ class WorkerProcess:
             tell: told what the worker does, each time that it says so.
             unwanted: asked all the time; True ends the worker.
         """
+        from tracking.untrusted.pipe import send  # its room brings h5py
+
         began_s = time.monotonic()
         doing = Doing(self.name, task.name, "starting", since_s=began_s)
         tell(doing)
@@ -199,6 +200,8 @@ def _outcome(said: dict[str, Any]) -> Outcome:
 
 
 def _listen(answers: IO[bytes], heard: queue.SimpleQueue[dict[str, Any] | None]) -> None:
+    from tracking.untrusted.pipe import receive_head  # its room brings h5py
+
     with contextlib.suppress(ValueError, OSError), answers:
         while (said := receive_head(answers)) is not None:
             heard.put(said)
