@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.batch.batches import QUICK, Counting, batch, leftovers, ledger_of
+from tests.batch.batches import QUICK, Counting, batch, ledger_of, leftovers
 from tests.batch.walks import make_damaged, make_walk
 from tracking.batch import Cause, Limits, State
 from tracking.batch.outcome import failure
@@ -136,7 +136,7 @@ def test_files_that_are_the_same_after_all_are_not_tracked_again(settled: Path) 
     ],
 )
 def test_other_settings_are_tracked_anew(settled: Path, order) -> None:
-    count = Counting(lambda task: failure(Cause.INPUT, msg("asked")))
+    count = Counting(lambda _: failure(Cause.INPUT, msg("asked")))
     batch(settled / "out", [settled / "a", settled / "b"], order, count)
     assert count.names == ["a", "b"]
 
@@ -150,7 +150,7 @@ def test_a_new_truth_is_scored_and_nothing_is_tracked(settled: Path) -> None:
 
 
 def test_a_further_format_is_written_and_nothing_is_tracked(settled: Path) -> None:
-    count, outcomes = again(settled, replace(QUICK, exports=("mot", "csv")))
+    count, _ = again(settled, replace(QUICK, exports=("mot", "csv")))
     assert (count.names, count.tracked) == (["a", "b"], [])
     out = settled / "out"
     assert (out / "export" / "mot" / "a.txt").read_text().count("\n") > 10
@@ -160,7 +160,7 @@ def test_a_further_format_is_written_and_nothing_is_tracked(settled: Path) -> No
 
 
 def test_a_page_that_is_missing_is_written_and_nothing_is_tracked(settled: Path) -> None:
-    count, outcomes = again(settled, replace(QUICK, report=True))
+    count, _ = again(settled, replace(QUICK, report=True))
     assert (count.names, count.tracked) == (["b"], [])
     assert "b" in (settled / "out" / "report" / "b" / "report.html").read_text()
 
@@ -228,7 +228,7 @@ def test_what_may_pass_is_tried_three_times_and_again_the_next_time(
     tmp_path: Path, cause: Cause
 ) -> None:
     walk = make_walk(tmp_path / "walk")
-    count = Counting(lambda task: failure(cause, msg("of no account")))
+    count = Counting(lambda _: failure(cause, msg("of no account")))
     assert batch(tmp_path / "out", [walk], do=count)["walk"].cause is cause
     assert count.names == ["walk"] * 3
     count = Counting()
@@ -240,7 +240,7 @@ def test_what_may_pass_is_tried_three_times_and_again_the_next_time(
 
 def test_what_went_beyond_a_limit_is_tried_again_only_where_that_is_raised(tmp_path: Path) -> None:
     walk = make_walk(tmp_path / "walk")
-    count = Counting(lambda task: failure(Cause.LIMIT, msg("it took too long")))
+    count = Counting(lambda _: failure(Cause.LIMIT, msg("it took too long")))
     for limit_s in (10.0, 10.0, 5.0, 20.0, None, None):
         batch(tmp_path / "out", [walk], do=count, limits=Limits(time_s=limit_s))
     assert len(count.names) == 3

@@ -70,7 +70,8 @@ def make_damaged(folder: Path, kind: int) -> Path:
         (folder / "left.mp4").write_bytes(b"\0\0\0\x18ftypmp42 and no more")
     elif kind == 3:
         make_walk(folder, kind)
-        (folder / "left" / "0007.png").write_bytes(b"no picture")
+        text = (folder / "recording.toml").read_text()
+        (folder / "recording.toml").write_text(f'{text}\n[calibration]\nfile = "none.yaml"\n')
     else:
         make_walk(folder, kind)
         text = (folder / "recording.toml").read_text()

@@ -135,11 +135,15 @@ class WorkerProcess:
         """Until it has ended, for whoever looks at what it left."""
         if self._child is not None:
             self._child.wait()
+            if self._child.stdin is not None:
+                with contextlib.suppress(OSError):  # what was written and never read
+                    self._child.stdin.close()
 
     def _begin(self) -> bool:
         """Have a worker that is ready; False where it died before."""
         if self._child is not None and self._child.poll() is None:
             return True
+        self.wait()
         with self._lock:
             if self._closed.is_set():
                 return False
