@@ -17,8 +17,6 @@ from app.cli.typer_texts import told_of
 from app.core.interrupts import end_at_once
 from tracking.translation import msg, use_language
 
-NOT_BUILT = ("batch",)
-"""Commands that are announced; typing one is answered with a line of its own."""
 _MISUSE: type[Exception] = next(
     kind for kind in typer.BadParameter.__mro__ if kind.__name__ == "UsageError"
 )
@@ -50,9 +48,6 @@ def run(arguments: Sequence[str]) -> int:
     """Run a command; the exit status: 0 done, 1 failed, 2 wrongly asked for."""
     debug = "--debug" in arguments
     words = [word for word in arguments if word != "--debug"]
-    if words and words[0] in NOT_BUILT:
-        say(msg("trackwright: {command} is not built yet", command=words[0]))
-        return MISUSED
     with print_notes():
         return run_reporting_errors(lambda: _obey(words), debug=debug)
 

@@ -29,6 +29,11 @@ def settings_texts(spec: TrackerSpec, order: Order) -> tuple[str, ...]:
         SessionError: the occluders' session cannot be read, or nothing is drawn in it.
     """
     _refuse_unknown(spec, order)
+    return texts_of_options(order)
+
+
+def texts_of_options(order: Order) -> tuple[str, ...]:
+    """The same where the tracker is not known yet; raises as `settings_texts`."""
     texts = list(order.setting or ())
     texts += [f"{name}={value}" for name, value in _named(order)]
     return tuple(texts)

@@ -18,11 +18,11 @@ from app.cli.part_options import refuse_missing_detector, settings_texts
 from app.cli.plugin_watch import limited_steps
 from app.cli.ranges import parse_range
 from app.cli.recordings import open_with_options
+from app.cli.setting_texts import pairs_of
 from app.core.document.document_loader import remember_place
 from tracking.errors import (
     OutputError,
     SessionError,
-    SettingsError,
     TrackwrightError,
     told_by_system,
 )
@@ -292,26 +292,6 @@ def settings_of(spec: TrackerSpec, order: Order) -> Any:
 
 def read_settings(spec: TrackerSpec, texts: Sequence[str]) -> Any:
     """The tracker's settings with those typed as KEY=VALUE; raises `SettingsError`."""
-    pairs = _pairs(texts)
+    pairs = pairs_of(texts)
     refuse_missing_detector(pairs.get("detector", ""))
     return parse_settings(spec, pairs)
-
-
-def _pairs(texts: Sequence[str]) -> dict[str, str]:
-    """KEY=VALUE texts as a mapping."""
-    pairs: dict[str, str] = {}
-    for text in texts:
-        name, sign, value = text.partition("=")
-        if not sign or not name.strip():
-            raise SettingsError(
-                "setting {text!r} is not KEY=VALUE, e.g. --set particles=700", text=text
-            )
-        if (name := name.strip()) in pairs:
-            raise SettingsError(
-                "setting {name} is given twice, as {first} and {value}: give it once",
-                name=name,
-                first=pairs[name],
-                value=value,
-            )
-        pairs[name] = value
-    return pairs

@@ -16,8 +16,8 @@ from made_up_sessions import make_recording, make_run, make_session, state_of
 
 from tracking.editing import plan_swap
 from tracking.errors import OutputError, SessionError
+from tracking.file_lock import SessionLock
 from tracking.session import Session, find_backups
-from tracking.session.lock import SessionLock
 from tracking.session.session_writer import companions
 
 

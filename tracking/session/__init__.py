@@ -15,7 +15,6 @@ from tracking.session.reference import RecordingReference
 from tracking.session.runs import Runs
 from tracking.session.samples import boxes_of, places_of, samples_from, samples_with_boxes
 from tracking.session.session_writer import find_backups
-from tracking.session.stamps import resolve_author
 from tracking.session.store import is_open
 from tracking.session.track_import import (
     IMPORTED,
@@ -27,3 +26,4 @@ from tracking.session.track_import import (
     session_of_import,
     take_into,
 )
+from tracking.stamps import resolve_author

@@ -21,8 +21,8 @@ from tracking.session.pending_save import PendingSave, next_stamps
 from tracking.session.reference import refer_to
 from tracking.session.session_reader import read_session
 from tracking.session.session_writer import UNLIMITED, file_state, find_backups, keep_damaged
-from tracking.session.stamps import make_id, now, resolve_author, software
 from tracking.session.store import Store
+from tracking.stamps import make_id, now, resolve_author, software
 from tracking.tracks import DetectionsInput, Run, TrackTable
 from tracking.translation import msg
 

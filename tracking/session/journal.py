@@ -11,6 +11,7 @@ from pathlib import Path
 
 from tracking.editing import Entry
 from tracking.errors import OutputError, SessionError
+from tracking.file_lock import identity
 from tracking.owned_files import check_file, open_file
 from tracking.session.journal_faults import is_damage, translate_errors
 from tracking.session.journal_limits import (
@@ -36,7 +37,6 @@ from tracking.session.journal_rows import (
 )
 from tracking.session.journal_rows import Step as Step
 from tracking.session.journal_schema import INSERT, SELECT, open_checked
-from tracking.session.lock import identity
 from tracking.session.step_count import StepCount
 
 ENDINGS = ("-wal", "-shm", "-count", "")

@@ -34,9 +34,14 @@ class KnownRecordings:
 
     def remember(self, reference: RecordingReference, place: Path) -> None:
         """Note where the recording stands."""
-        places = dict(self._read())
-        places.pop(reference.key, None)
-        places[reference.key] = str(place.resolve())
+        self.remember_all({reference.key: place})
+
+    def remember_all(self, found: Mapping[str, Path]) -> None:
+        """Note where recordings stand, by the keys of their references."""
+        if not found:
+            return
+        places = {key: place for key, place in self._read().items() if key not in found}
+        places |= {key: str(place.resolve()) for key, place in found.items()}
         text = json.dumps(dict(list(places.items())[-_MOST:]), indent=1)
         with contextlib.suppress(OSError, OutputError):
             self._file.parent.mkdir(parents=True, exist_ok=True)

@@ -18,8 +18,8 @@ from tracking.session.recovery import recover
 from tracking.session.session_reader import read_save
 from tracking.session.session_state import SessionState
 from tracking.session.session_writer import companions, keep_damaged
-from tracking.session.stamps import now
 from tracking.session.store import Store
+from tracking.stamps import now
 from tracking.translation import msg
 
 

@@ -9,8 +9,8 @@ from pathlib import Path
 
 from tracking.session.image import Snapshot, Stamps, write_image
 from tracking.session.session_writer import MAX_BACKUPS, replace_verified
-from tracking.session.stamps import make_id, now, software
 from tracking.session.store import Store
+from tracking.stamps import make_id, now, software
 
 
 @dataclass(frozen=True, slots=True)

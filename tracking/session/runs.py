@@ -18,7 +18,7 @@ from tracking.session.hdf5 import open_readonly, read_columns, read_rows, text_a
 from tracking.session.image_file import ImageFile
 from tracking.session.layout import CHUNK_ROWS, RUN_TABLES
 from tracking.session.run_notes import read_notes
-from tracking.session.stamps import now
+from tracking.stamps import now
 from tracking.trackers import present_settings
 from tracking.tracks import (
     LARGEST_NUMBER,

@@ -32,8 +32,8 @@ from tracking.session.runs import StoredRun
 from tracking.session.seal import holds as is_sealed
 from tracking.session.seal import is_changed, is_missing
 from tracking.session.session_writer import find_backups
-from tracking.session.stamps import now
 from tracking.session.table_reader import PendingColumns
+from tracking.stamps import now
 from tracking.tracks import LARGEST_NUMBER, TrackTable
 from tracking.translation import Message, msg
 from tracking.untrusted import verdicts_of

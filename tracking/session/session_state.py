@@ -17,8 +17,8 @@ from tracking.session.recording_lookup import find_recording
 from tracking.session.reference import RecordingReference, relative
 from tracking.session.runs import Runs
 from tracking.session.samples import KeptSamples
-from tracking.session.stamps import resolve_author
 from tracking.session.store import Store
+from tracking.stamps import resolve_author
 from tracking.tracks import Labels, Run, TrackTable
 from tracking.translation import Message
 

@@ -13,11 +13,11 @@ from pathlib import Path
 from tracking.atomic_output import check_target
 from tracking.editing import Entry
 from tracking.errors import OutputError, SessionError
+from tracking.file_lock import SessionLock
 from tracking.owned_files import make_folder, permissions_of, sync_folder
 from tracking.session import journal_files
 from tracking.session.journal import Act, Journal, Step
 from tracking.session.journal_files import JOURNAL
-from tracking.session.lock import SessionLock
 from tracking.session.session_writer import clear_leftovers, companions, explain_file_errors
 from tracking.translation import msg
 

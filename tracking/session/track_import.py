@@ -22,7 +22,7 @@ from tracking.recording.fingerprint import Fingerprint, fingerprint
 from tracking.session.document import Session
 from tracking.session.import_notes import differing_footage, note_on_outside
 from tracking.session.imported_ids import id_of_zero, new_ids
-from tracking.session.stamps import software
+from tracking.stamps import software
 from tracking.tracks import (
     DETECTION_COLUMNS,
     LONGEST_KEY,

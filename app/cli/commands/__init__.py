@@ -6,7 +6,7 @@ runs, so that help comes at once and no command waits for libraries it does not 
 
 # isort: off
 from app.cli.commands import recordings, setup, calibration, floor, doctor
-from app.cli.commands import trackers, plugins, scores, counts, sessions, desktop
+from app.cli.commands import trackers, plugins, batch, scores, counts, sessions, desktop
 
 # isort: on
 from app.cli.commands.program import program
@@ -14,6 +14,7 @@ from app.cli.commands.recordings import SCENE_NAMES
 
 __all__ = [
     "SCENE_NAMES",
+    "batch",
     "calibration",
     "counts",
     "desktop",

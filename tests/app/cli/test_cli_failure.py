@@ -73,12 +73,6 @@ def test_missing_memory_is_told(capsys: pytest.CaptureFixture[str]) -> None:
     assert "not enough memory" in capsys.readouterr().err
 
 
-@pytest.mark.parametrize("name", ["batch"])
-def test_commands_to_come_say_so(capsys: pytest.CaptureFixture[str], name: str) -> None:
-    assert run([name, "anything"]) == 2
-    assert capsys.readouterr().err == f"trackwright: {name} is not built yet\n"
-
-
 @pytest.mark.parametrize("words", [["nonsense"], ["score"], ["trackers", "--nonsense"], []])
 def test_misuse_is_status_2(capsys: pytest.CaptureFixture[str], words: list[str]) -> None:
     assert run(words) == 2

@@ -1,0 +1,26 @@
+"""Many recordings: planned, handed out to workers, written down in a ledger, reported."""
+
+from tracking.batch.array_script import array_script
+from tracking.batch.cluster import ClusterWorkers
+from tracking.batch.ledger import Ledger, Row, read_rows
+from tracking.batch.order import BatchOrder, Limits
+from tracking.batch.outcome import Cause, Outcome, State
+from tracking.batch.recordings import (
+    Entry,
+    Found,
+    find_recordings,
+    named_entries,
+    shard_of,
+)
+from tracking.batch.report import report_path, write_batch_report
+from tracking.batch.runner import (
+    BatchRun,
+    BatchState,
+    Listener,
+    Shard,
+    batch_folder,
+    ledger_path,
+    merge_shard,
+)
+from tracking.batch.worker_process import Doing
+from tracking.batch.workers import LocalWorkers, Workers

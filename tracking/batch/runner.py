@@ -1,0 +1,406 @@
+"""A batch from its first recording to its last: hand out, take in, write down, try again.
+
+One program at a time works in an output folder (or on a shard of it). The ledger and the results
+in the folder are all there is to know: whoever begins again goes on from them.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import secrets
+import time
+from collections import deque
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Final
+
+from tracking.batch.ledger import NAME, Ledger, Row, limits_text
+from tracking.batch.order import BatchOrder, Limits
+from tracking.batch.outcome import Cause, Outcome, State, failure
+from tracking.batch.plan import Plan, Planned, Planner
+from tracking.batch.publication import (
+    clear,
+    clear_parts,
+    clear_unfinished,
+    is_whole,
+    publish,
+    sync_published,
+    workplaces,
+)
+from tracking.batch.recordings import Entry
+from tracking.batch.report import write_batch_report
+from tracking.batch.task import Finished, Task, Workplace
+from tracking.batch.worker_process import Doing
+from tracking.batch.workers import Ended, Event, Workers
+from tracking.errors import OutputError
+from tracking.file_lock import SessionLock
+from tracking.stamps import make_id
+from tracking.translation import msg
+
+TRIES: Final = 3
+"""The first one, and two more where what went wrong may pass."""
+_WAIT_S = 0.25
+_MERGE_S = 120.0
+_LOCK = ".batch.lock"
+_SHARDS = "shards"
+_STOPPED = failure(Cause.WORKER, msg("stopped"))
+
+
+@dataclass(frozen=True, slots=True)
+class Shard:
+    """A part of a batch that is worked on by itself.
+
+    Attributes:
+        number: from 1 on. count: how many parts there are.
+    """
+
+    number: int
+    count: int
+
+    @property
+    def name(self) -> str:
+        """Of its ledger."""
+        return f"{self.number}-of-{self.count}"
+
+
+@dataclass(slots=True)
+class BatchState:
+    """How far a batch is, for whoever shows it.
+
+    Attributes:
+        total: recordings. done, failed, skipped: how many of them so far.
+        finished: how many of these were so when the batch began.
+        doing: by worker. seconds_left: None while it cannot be told.
+    """
+
+    total: int = 0
+    done: int = 0
+    failed: int = 0
+    skipped: int = 0
+    finished: int = 0
+    doing: dict[str, Doing] = field(default_factory=dict)
+    seconds_left: float | None = None
+
+
+class Listener:
+    """Told what happens; a batch that nobody listens to has this one."""
+
+    def began(self, state: BatchState) -> None:
+        """What is finished is known, and the rest begins."""
+
+    def ended(self, name: str, outcome: Outcome) -> None:
+        """A recording came to its end; the ledger says so on disk."""
+
+    def again(self, name: str, outcome: Outcome) -> None:
+        """A recording failed, and is tried once more."""
+
+    def moved(self, state: BatchState) -> None:
+        """Called a few times each second."""
+
+
+def ledger_path(out: Path, shard: Shard | None = None) -> Path:
+    """Where the ledger of a batch, or of a shard of it, stands."""
+    return out / NAME if shard is None else out / _SHARDS / f"{shard.name}.sqlite"
+
+
+@contextlib.contextmanager
+def batch_folder(out: Path, shard: Shard | None = None) -> Iterator[Ledger]:
+    """The ledger of an output folder, which this program alone works in while the block runs.
+
+    What shards found out is in it, once no shard works any more.
+    Raises OutputError where another program works there, or the folder cannot be used.
+    """
+    folder = out if shard is None else out / _SHARDS
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise OutputError(
+            "cannot make folder {folder}: {reason}; choose another",
+            folder=folder,
+            reason=error.strerror,
+        ) from error
+    lock = _locked(out / _LOCK if shard is None else folder / f".{shard.name}.lock", out)
+    try:
+        others = [out / _LOCK] if shard is not None else sorted((out / _SHARDS).glob(".*.lock"))
+        for other in others:
+            if SessionLock(other).is_held:
+                raise _busy(out, SessionLock(other))
+        with Ledger(ledger_path(out, shard)) as ledger:
+            if shard is None:
+                _take_over_shards(ledger, out)
+            yield ledger
+    finally:
+        lock.release()
+
+
+def merge_shard(ledger: Ledger, out: Path) -> Path:
+    """Put what a shard found out into the ledger of the whole, and write the report on that.
+
+    Gives the page's path. Other shards may be at work. Raises OutputError.
+    """
+    lock = SessionLock(out / _SHARDS / ".merge")
+    until_s = time.monotonic() + _MERGE_S
+    while not lock.acquire():
+        if time.monotonic() > until_s:
+            raise _busy(out, lock)
+        time.sleep(_WAIT_S)
+    try:
+        with Ledger(ledger_path(out)) as whole:
+            whole.take_over(ledger)
+            whole.commit()
+            return write_batch_report(whole, out)
+    finally:
+        lock.release()
+
+
+def _take_over_shards(ledger: Ledger, out: Path) -> None:
+    for path in sorted((out / _SHARDS).glob("*.sqlite")):
+        with Ledger(path) as other:
+            ledger.take_over(other)
+    ledger.commit()
+
+
+def _locked(path: Path, out: Path) -> SessionLock:
+    lock = SessionLock(path)
+    try:
+        if lock.acquire():
+            return lock
+    except OSError as error:
+        raise OutputError(
+            "cannot work in {out}: {reason}; choose another folder",
+            out=out,
+            reason=error.strerror or str(error),
+        ) from error
+    raise _busy(out, lock)
+
+
+def _busy(out: Path, lock: SessionLock) -> OutputError:
+    return OutputError(
+        "another batch works in {out} ({holder}); wait for it, or choose another folder",
+        out=out,
+        holder=lock.holder(),
+    )
+
+
+class BatchRun:
+    """One go at a batch."""
+
+    def __init__(
+        self,
+        ledger: Ledger,
+        out: Path,
+        order: BatchOrder,
+        limits: Limits,
+        *,
+        listener: Listener | None = None,
+        retry: bool = False,
+        shard: Shard | None = None,
+    ) -> None:
+        """retry: see `Planner`."""
+        self._ledger, self._out, self._order, self._limits = ledger, out, order, limits
+        self._listener = listener or Listener()
+        self._planner = Planner(order, limits, out, retry=retry)
+        self._prefix = "" if shard is None else f"s{shard.number}of{shard.count}-"
+        self._run = make_id()
+        self._waiting: deque[Planned] = deque()
+        self._in_work: dict[str, _InWork] = {}
+        self._tries: dict[str, int] = {}
+        self._outcomes: dict[str, Outcome] = {}
+        self._pace = _Pace()
+        self.state = BatchState()
+
+    def plan(self, entries: Sequence[Entry]) -> Plan:
+        """Take in what workers finished unseen, and see what is left."""
+        self._take_in()
+        rows = {row.name: row for row in self._ledger.rows()}
+        plan = self._planner.plan(entries, rows)
+        self._waiting.extend(plan.to_do)
+        self._pace.begin([each.size_bytes for each in plan.to_do])
+        self.state.total = len(entries)
+        for name, outcome in plan.finished.items():
+            self._outcomes[name] = outcome
+            self._count(outcome)
+        self.state.finished = len(plan.finished)
+        return plan
+
+    def work(self, workers: Workers) -> Mapping[str, Outcome]:
+        """Do what is left; what became of every recording, by name.
+
+        Whatever ends it early, what is finished by then is kept.
+        """
+        self._listener.began(self.state)
+        try:
+            while self._waiting or self._in_work:
+                self._hand_out(workers)
+                self._take(workers.events(_WAIT_S))
+                self._listener.moved(self.state)
+        finally:
+            workers.stop()
+            self._take(workers.events(0.0))
+            self._clear_all()
+        return self._outcomes
+
+    def _hand_out(self, workers: Workers) -> None:
+        while self._waiting and len(self._in_work) < workers.count + workers.ahead:
+            planned = self._waiting.popleft()
+            token = f"{self._prefix}{secrets.token_hex(8)}"
+            entry = planned.entry
+            task = Task(
+                *(entry.name, entry.path, self._out, token, self._order),
+                *(self._planner.asked, planned.signature, planned.known),
+                self._limits.memory_bytes,
+            )
+            self._in_work[token] = _InWork(planned, task)
+            workers.start(task)
+
+    def _take(self, events: Sequence[Event]) -> None:
+        """Write down what happened, on disk, and then tell it."""
+        ended = [each for each in events if isinstance(each, Ended)]
+        for each in events:
+            if isinstance(each, Doing):
+                self._note(each)
+        told: list[tuple[_InWork, Outcome]] = []
+        for each in ended:
+            work = self._in_work.pop(each.token, None)
+            if work is None:
+                continue
+            if each.outcome is None:  # stopped
+                self._end_attempt(work, each.worker, _STOPPED)
+                continue
+            told.append((work, self._publish(work, each)))
+        if told:
+            sync_published(self._out)
+        self._ledger.commit()
+        for work, outcome in told:
+            (clear if outcome.is_done else clear_unfinished)(work.task.workplace)
+            self._tell(work, outcome)
+
+    def _publish(self, work: _InWork, ended: Ended) -> Outcome:
+        """Put a result in its place, and into the ledger."""
+        assert ended.outcome is not None
+        task, place = work.task, work.task.workplace
+        outcome = publish(place, task.name, ended.outcome)
+        self._end_attempt(work, ended.worker, outcome)
+        signature = outcome.signature or task.signature
+        if not outcome.is_done and work.planned.known is not None:
+            outcome = replace(outcome, outside=outcome.outside or work.planned.known.outside)
+        self._put(task.name, task.path, task.asked, signature, outcome, place)
+        return outcome
+
+    def _put(
+        self, name: str, path: Path, asked: str, signature: str, outcome: Outcome, place: Workplace
+    ) -> None:
+        limits = self._limits
+        text = limits_text(limits.time_s, limits.stall_s, limits.memory_bytes)
+        image: bytes | None = None
+        with contextlib.suppress(OSError):
+            image = place.thumbnail.read_bytes()
+        self._ledger.put(Row(name, path, asked, signature, text, outcome), image)
+
+    def _end_attempt(self, work: _InWork, worker: str, outcome: Outcome) -> None:
+        if work.attempt == 0:
+            work.attempt = self._ledger.begin_attempt(
+                work.task.name, self._run, work.task.token, worker
+            )
+        self._ledger.end_attempt(work.attempt, outcome)
+
+    def _tell(self, work: _InWork, outcome: Outcome) -> None:
+        name = work.task.name
+        tries = self._tries[name] = self._tries.get(name, 0) + 1
+        if not outcome.is_done and outcome.cause.may_pass and tries < TRIES:
+            self._waiting.append(work.planned)
+            self._listener.again(name, outcome)
+            return
+        self._outcomes[name] = outcome
+        self._count(outcome)
+        self._pace.end(work.planned.size_bytes)
+        self._listener.ended(name, outcome)
+
+    def _note(self, doing: Doing) -> None:
+        """Note what a worker does; that it began is in the ledger with the next commit."""
+        self.state.doing[doing.worker] = doing
+        for work in self._in_work.values():
+            if work.task.name == doing.name:
+                work.share = doing.done / doing.total if doing.total else 0.0
+                if work.attempt == 0:
+                    work.attempt = self._ledger.begin_attempt(
+                        doing.name, self._run, work.task.token, doing.worker
+                    )
+        begun = sum(
+            each.share * self._pace.weight(each.planned.size_bytes)
+            for each in self._in_work.values()
+        )
+        self.state.seconds_left = self._pace.seconds_left(begun)
+
+    def _count(self, outcome: Outcome) -> None:
+        name = {State.DONE: "done", State.FAILED: "failed", State.SKIPPED: "skipped"}[outcome.state]
+        setattr(self.state, name, getattr(self.state, name) + 1)
+
+    def _take_in(self) -> None:
+        """Publish what workers finished for a program that was killed; remove all else."""
+        places = list(workplaces(self._out, self._prefix))
+        taken = False
+        for place in places:
+            finished = Finished.read(place)
+            if finished is None or finished.outcome.cause.may_pass:
+                continue
+            if not is_whole(place, finished.name, finished.outcome):
+                continue
+            outcome = publish(place, finished.name, finished.outcome)
+            if outcome.is_done or not finished.outcome.is_done:
+                seen = outcome.signature
+                self._put(finished.name, finished.path, finished.asked, seen, outcome, place)
+                taken = True
+                self._ledger.end_attempt_of(place.token, outcome)
+        if taken:
+            sync_published(self._out)
+        self._ledger.end_open_attempts()
+        self._ledger.commit()
+        for place in places:
+            clear(place)
+        clear_parts(self._out, self._prefix)
+
+    def _clear_all(self) -> None:
+        for work in self._in_work.values():
+            clear_unfinished(work.task.workplace)
+
+
+@dataclass(slots=True)
+class _InWork:
+    """A task that a worker has; share: of it that is done."""
+
+    planned: Planned
+    task: Task
+    attempt: int = 0
+    share: float = 0.0
+
+
+class _Pace:
+    """How long the rest will take, by what was worked through so far.
+
+    A recording counts half as one and half by its bytes, as some take long whatever their size.
+    """
+
+    def __init__(self) -> None:
+        self._total = self._done = 0.0
+        self._mean_bytes = 1.0
+        self._began_s = time.monotonic()
+
+    def begin(self, sizes_bytes: Sequence[int]) -> None:
+        self._mean_bytes = max(1.0, sum(sizes_bytes) / max(1, len(sizes_bytes)))
+        self._total, self._done = sum(map(self.weight, sizes_bytes)), 0.0
+        self._began_s = time.monotonic()
+
+    def weight(self, size_bytes: int) -> float:
+        return 0.5 + 0.5 * size_bytes / self._mean_bytes
+
+    def end(self, size_bytes: int) -> None:
+        self._done += self.weight(size_bytes)
+
+    def seconds_left(self, begun: float) -> float | None:
+        done = self._done + begun
+        spent_s = time.monotonic() - self._began_s
+        if done <= 0:
+            return None
+        return max(0.0, spent_s * (self._total - done) / done)
