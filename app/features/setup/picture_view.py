@@ -16,9 +16,11 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QWidget
 
 from app.core.drawing.canvas import Canvas
+from app.core.drawing.label_marks import draw_arrow
 from app.core.drawing.name_plates import draw_message
 from app.core.drawing.viewport import path_through, polygon
 from app.core.look.theme import Theme, faded
+from app.core.scenes.labels import LINE_COLOUR, OCCLUDER_COLOUR
 from app.features.setup.scene import SetupPicture, ShownOutline
 from tracking.arrays import Floats
 from tracking.recording.frame import Image
@@ -34,7 +36,12 @@ _ARROWS = {
 _FAST = 10.0
 _SEEN = QColor(90, 220, 120)
 _HORIZON, _FIGURE = QColor(80, 190, 255), QColor(255, 200, 60)
-_LOOK, _MASK = QColor(90, 220, 120), QColor(255, 110, 90)
+_COLOURS = {
+    "look": _SEEN,
+    "mask": QColor(255, 110, 90),
+    "occluder": QColor(*OCCLUDER_COLOUR),
+    "line": QColor(*LINE_COLOUR),
+}
 
 
 class PictureView(Canvas):
@@ -194,7 +201,13 @@ class PictureView(Canvas):
         )
         painter.save()
         painter.setClipRect(self.viewport.rect(self.content()))
+        painter.save()
+        painter.setClipRect(
+            self.viewport.rect(QRectF(-0.5, -0.5, *picture.floor_size)),
+            Qt.ClipOperation.IntersectClip,
+        )
         self._draw_floor(painter, picture)
+        painter.restore()
         handles = self._handles_now()
         first = len(picture.points)
         for outline in picture.outlines:
@@ -225,14 +238,16 @@ class PictureView(Canvas):
             painter.drawRoundedRect(self.viewport.rect(QRectF(*picture.figure)), 6, 6)
 
     def _draw_outline(self, painter: QPainter, outline: ShownOutline, corners: Floats) -> None:
-        colour = _LOOK if outline.kind == "look" else _MASK
+        colour = _COLOURS[outline.kind]
         painter.setPen(QPen(colour, 3.0 if outline.chosen else 1.8))
         painter.setBrush(faded(colour, 0.18) if outline.closed else Qt.BrushStyle.NoBrush)
         shape = polygon(self.viewport.to_widget(corners))
-        if outline.closed:
+        if outline.closed and outline.kind != "line":
             painter.drawPolygon(shape)
         else:
             painter.drawPolyline(shape)
+        if len(outline.arrow):
+            draw_arrow(painter, self.viewport.to_widget(outline.arrow), colour)
 
     def _draw_handles(self, painter: QPainter, handles: Floats, theme: Theme) -> None:
         numbered = len(self._picture.points)
