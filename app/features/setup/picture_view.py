@@ -35,6 +35,8 @@ _ARROWS = {
 }
 _FAST = 10.0
 _SEEN = QColor(90, 220, 120)
+_GRID, _GRID_BEHIND = 0.75, 0.35
+"""How strong the grid is, and behind outlines, which may have its colour."""
 _HORIZON, _FIGURE = QColor(80, 190, 255), QColor(255, 200, 60)
 _COLOURS = {
     "look": _SEEN,
@@ -226,7 +228,8 @@ class PictureView(Canvas):
         return handles
 
     def _draw_floor(self, painter: QPainter, picture: SetupPicture) -> None:
-        painter.setPen(QPen(faded(_SEEN, 0.75), 1.2))
+        strength = _GRID_BEHIND if picture.outlines else _GRID
+        painter.setPen(QPen(faded(_SEEN, strength), 1.2))
         for line in picture.grid:
             painter.drawPath(path_through(self.viewport.to_widget(line), False))
         if picture.horizon is not None:

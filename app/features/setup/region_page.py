@@ -48,7 +48,7 @@ class RegionPage(StepPage):
         self.list.setFixedHeight(_ROWS_SEEN * (self.list.fontMetrics().height() + 12))
         self.list.currentRowChanged.connect(self._choose_row)
         self.rows.addWidget(self.list)
-        self.remove = self.button(tr("Delete outline"), self._delete_outline)
+        self.remove = self.button(tr("Delete"), self._delete_outline, tr("Delete what is chosen"))
         self.rows.addWidget(self.remove, 0, Qt.AlignmentFlag.AlignLeft)
         self.told = plain("", self)
         self.rows.addWidget(self.problem)
