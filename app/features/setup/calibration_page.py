@@ -104,6 +104,7 @@ class CalibrationPage(StepPage):
         )
         self.shown = self.choice(shown, lambda _: self.redrawn.emit())
         form.addRow(tr("Picture"), named(self.shown, tr("What the picture shows")))
+        self._shown_form = form
         self.rows.addLayout(form)
 
     def fill(self, scene: SetupScene) -> None:
@@ -126,6 +127,8 @@ class CalibrationPage(StepPage):
         self.missing.setText("\n".join(_bulleted(scene.checked.missing)) if current else "")
         self.missing.setVisible(bool(self.missing.text()))
         fit_stack(self.pages)
+        pair = scene.checked.calibration is not None and plan is not None and plan.is_stereo
+        self._shown_form.setRowVisible(self.shown, pair or scene.boards is not None)
         self._ask_preview(scene)
 
     def _ask_preview(self, scene: SetupScene) -> None:
