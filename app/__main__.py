@@ -59,7 +59,7 @@ def _obey(words: list[str]) -> None:
     except typer.Abort as stop:
         raise KeyboardInterrupt from stop
     except _MISUSE as misuse:
-        say(msg("trackwright: {what}", what=told_of(misuse)))
+        say(msg("trackwright: {what}", what=told_of(misuse, words)))
         raise SystemExit(MISUSED) from misuse
     raise SystemExit((status or 0) if words else MISUSED)
 

@@ -10,11 +10,13 @@ import typer
 
 from app.cli.destination import check_folder, nearest_folder
 from app.cli.installation import check_installation
+from app.cli.option_groups import Bare
 from app.cli.output import print_json, print_line, print_table, progress, say
+from app.cli.recordings import open_with_options
 from tracking.atomic_output import replace_with
 from tracking.doctor import Examination, examine, mend
-from tracking.recording import Recording, open_recording
-from tracking.translation import joined, msg, tr
+from tracking.recording import Recording
+from tracking.translation import Message, joined, msg, tr
 
 
 def run_doctor(
@@ -28,7 +30,7 @@ def run_doctor(
         return
     if pictures is not None:
         check_folder(nearest_folder(pictures))
-    with open_recording(path) as recording:
+    with open_with_options(path, Bare()) as recording:
         with progress(msg("reading frames")) as tell:
             examination = examine(recording, tell)
         if pictures is not None:
@@ -75,7 +77,7 @@ def as_document(examination: Examination) -> dict[str, Any]:
 
 def _print(examination: Examination) -> None:
     if not examination.findings:
-        print_line(msg("nothing is wrong, as far as the pictures tell"))
+        print_line(_all_clear(examination))
     for one in examination.findings:
         print_line(joined(": ", (one.code, one.title)))
         rows: list[tuple[str, object]] = [
@@ -90,6 +92,15 @@ def _print(examination: Examination) -> None:
         print_table([(f"  {tr(name)}", value) for name, value in rows])
     for code, why in examination.unchecked.items():
         say(msg("not checked: {code}: {why}", code=code, why=why))
+
+
+def _all_clear(examination: Examination) -> Message:
+    if not examination.unchecked:
+        return msg("nothing is wrong, as far as the pictures tell")
+    if not examination.checked:
+        return msg("nothing could be checked")
+    checked = joined(", ", examination.checked)
+    return msg("nothing is wrong in what could be checked: {checked}", checked=checked)
 
 
 def _figure(value: float | int | str) -> str:

@@ -58,7 +58,7 @@ def run_floor(
     if as_json:
         print_json(as_document(found))
     else:
-        print_table(_rows(found))
+        print_table(rows_of_floor(found))
         if write:
             say(msg("written: {path}", path=recording.folder / MANIFEST_NAME))
 
@@ -125,7 +125,8 @@ def as_document(found: FloorEstimate) -> dict[str, Any]:
     }
 
 
-def _rows(found: FloorEstimate) -> list[tuple[str, object]]:
+def rows_of_floor(found: FloorEstimate) -> list[tuple[str, object]]:
+    """Its figures with what they may be off by, in words."""
     ground = found.ground
     angle = "{angle:.2f} degrees, give or take {sigma:.2f}"
     return [

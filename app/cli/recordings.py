@@ -13,6 +13,7 @@ from tracking.errors import CalibrationError, RecordingError, SessionError
 from tracking.formats import begins_as_hdf5
 from tracking.recording import OpenOptions, Recording, open_recording
 from tracking.recording.limits import checked_fps, checked_ground
+from tracking.setup.files import needs_setup
 from tracking.translation import msg, tr
 
 
@@ -31,7 +32,12 @@ def open_with_options(path: Path | None, bare: Bare, instead: str = "") -> Recor
         raise typer.BadParameter(msg("name a recording, or its cameras with --left and --right"))
     if _is_hdf5(place):
         raise _refusal(place, instead)
-    return open_recording(place, options_of(bare))
+    try:
+        return open_recording(place, options_of(bare))
+    except RecordingError as error:
+        if bare.left is None and needs_setup(place):
+            raise error.advising("make one: trackwright setup {place}", place=place) from error
+        raise
 
 
 def _refusal(place: Path, instead: str) -> RecordingError:

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import shlex
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Literal
 
 import typer
 
+from app.cli.floor import as_document as floor_as_document
+from app.cli.floor import rows_of_floor
 from app.cli.option_groups import Bare
-from app.cli.output import print_json, print_line, progress, say
+from app.cli.output import print_json, print_line, print_table, progress, say
 from app.cli.recordings import options_of
 from tracking.calibration.floor import FloorEstimate, floor_by_people, floor_by_stereo
 from tracking.errors import RecordingError
@@ -19,7 +22,7 @@ from tracking.recording.image_pairs import Side
 from tracking.setup import CameraFindings, SetupPlan, find_cameras, pair_by_name, write_setup
 from tracking.setup.files import calibration_beside, sources_in
 from tracking.setup.plan import options_of_plan, plan_of, setup_text, with_lag
-from tracking.translation import msg, tr
+from tracking.translation import Message, msg, tr
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,15 +61,32 @@ def run_setup(request: SetupRequest, bare: Bare, *, as_json: bool) -> None:
             left=found.left,
             right=found.right,
         )
-    plan = _completed(plan, request)
+    plan, floor = _completed(plan, request)
     text = setup_text(plan)
     path = write_setup(plan, replace_old=request.force)
     if as_json:
-        print_json({"recording": str(path.parent), **_document(plan, found)})
+        print_json({"recording": str(path.parent), **_document(plan, found, floor)})
         return
     for line in text.splitlines():
         print_line(line)
+    if floor is not None:
+        print_line("")
+        print_table(rows_of_floor(floor))
     say(msg("written: {path}", path=path))
+    say(_next_step(plan, path.parent))
+
+
+def _next_step(plan: SetupPlan, folder: Path) -> Message:
+    """The command that comes next: what metres still lack, else the window."""
+    quoted = shlex.quote(str(folder))
+    if not plan.calibration:
+        return msg(
+            "next: trackwright calibrate --help, for metres; or trackwright open {folder}",
+            folder=quoted,
+        )
+    if plan.ground is None:
+        return msg("next: trackwright floor {folder} --write, for metres", folder=quoted)
+    return msg("next: trackwright open {folder}", folder=quoted)
 
 
 def _cameras(request: SetupRequest, given: OpenOptions) -> tuple[SetupPlan, CameraFindings]:
@@ -128,7 +148,7 @@ def _beside(plan: SetupPlan, request: SetupRequest) -> tuple[Path, ...]:
     return () if request.as_given or plan.at is not None else calibration_beside(plan.left)
 
 
-def _completed(plan: SetupPlan, request: SetupRequest) -> SetupPlan:
+def _completed(plan: SetupPlan, request: SetupRequest) -> tuple[SetupPlan, FloorEstimate | None]:
     """The plan with lag and floor as they are found, checked by opening the recording."""
     with open_recording(plan.folder, options_of_plan(plan)) as recording:
         if recording.is_stereo and request.lag is None and not request.as_given:
@@ -137,17 +157,19 @@ def _completed(plan: SetupPlan, request: SetupRequest) -> SetupPlan:
                 say(msg("the right camera is {lag} frames late", lag=lag))
             plan = with_lag(plan, lag)
     if request.floor is None:
-        return plan
+        return plan, None
     with open_recording(plan.folder, options_of_plan(plan)) as recording:
         find = floor_by_stereo if request.floor == "stereo" else floor_by_people
         with progress(msg("finding the floor")) as tell:
             estimate: FloorEstimate = find(recording, tell)
     for note in estimate.notes:
         say(note)
-    return replace(plan, ground=estimate.ground)
+    return replace(plan, ground=estimate.ground), estimate
 
 
-def _document(plan: SetupPlan, found: CameraFindings) -> dict[str, Any]:
+def _document(
+    plan: SetupPlan, found: CameraFindings, floor: FloorEstimate | None
+) -> dict[str, Any]:
     ground = plan.ground
     return {
         "left": str(plan.left),
@@ -158,6 +180,7 @@ def _document(plan: SetupPlan, found: CameraFindings) -> dict[str, Any]:
         "lag": plan.lag or 0,
         "ground": ground
         and {"height": ground.height_m, "tilt": ground.tilt_deg, "roll": ground.roll_deg},
+        "floor": None if floor is None else floor_as_document(floor),
         "notes": [tr(note) for note in found.notes],
         "doubts": [tr(doubt) for doubt in found.doubts],
     }

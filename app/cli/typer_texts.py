@@ -7,12 +7,16 @@ told apart by its wording, as it has no other mark; one that is not listed is sh
 from __future__ import annotations
 
 import re
+import shlex
+from collections.abc import Sequence
+from pathlib import Path
 from typing import Any, Final
 
 import typer.core
 
 from tracking.translation import N_, Message, msg, tr
 
+_EXTRA: Final = N_("Got unexpected extra argument(s) ({words})")
 SENTENCES: Final = (
     N_("Invalid value for {option}: {reason}"),
     N_("Invalid value: {reason}"),
@@ -26,7 +30,7 @@ SENTENCES: Final = (
     N_("Option {option} requires an argument"),
     N_("Option {option} requires {n} arguments"),
     N_("Option {option} does not take a value"),
-    N_("Got unexpected extra argument(s) ({words})"),
+    _EXTRA,
     N_("Argument {name} takes {n} values"),
     N_("Value {text} is not a valid {kind}"),
     N_("Input should be a valid number, unable to parse string as a number"),
@@ -55,15 +59,23 @@ def usage_pieces(pieces: list[str]) -> str:
     return " ".join(tr(piece) if piece in PLACEHOLDERS else piece for piece in pieces)
 
 
-def told_of(misuse: Any) -> Message:
+def told_of(misuse: Any, words: Sequence[str] = ()) -> Message:
     """What was wrongly asked for, in a line that says where more is told.
 
     Args:
         misuse: typer's UsageError; one raised by us has a message.
+        words: what was typed; two cameras in the place of a recording are told how they become one.
     """
     asked = misuse.ctx.command_path if misuse.ctx is not None else "trackwright"
     own = misuse.message if isinstance(misuse.message, Message) else None
     what = _sentence(_on_one_line(misuse.format_message()), own)
+    if what.template == _EXTRA and (cameras := _cameras_in(words)):
+        return msg(
+            "{left} and {right} are no recording yet; make one of them first: trackwright setup "
+            "{left} {right}",
+            left=shlex.quote(cameras[0]),
+            right=shlex.quote(cameras[1]),
+        )
     return msg("{what}; see {command} --help", what=what, command=asked)
 
 
@@ -78,6 +90,15 @@ def _sentence(text: str, own: Message | None = None) -> Message:
                 values["reason"] = _sentence(str(values["reason"]), own)
             return Message(template, **values)
     return Message("{text}", text=text)
+
+
+def _cameras_in(words: Sequence[str]) -> Sequence[str]:
+    """The two videos, or folders of images, among the words; none where there are not two."""
+    # Takes longer to import than most commands' help to be shown.
+    from tracking.setup.files import may_be_camera
+
+    found = [word for word in words[1:] if may_be_camera(Path(word))]
+    return found if len(found) == 2 else ()
 
 
 def _on_one_line(text: str) -> str:

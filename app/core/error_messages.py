@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import logging
 
-from app.core.i18n import strip_full_stop, tr
+from app.core.i18n import sentence, strip_full_stop, tr
 from tracking.errors import TrackwrightError, told_by_system
 from tracking.session import RecordingMissing
-from tracking.translation import joined
+from tracking.translation import Message, joined, msg
 
 _log = logging.getLogger(__name__)
 
@@ -19,16 +19,25 @@ def explain(error: BaseException) -> str:
     file is told with what to do. Anything else is a bug of the program: it is logged with where
     it came from, and the user is told that the edits are safe.
     """
+    return tr(_reason(error))
+
+
+def explain_in_sentence(error: BaseException) -> str:
+    """The same as a sentence of its own; names of files at its beginning stay as they are."""
+    return sentence(_reason(error))
+
+
+def _reason(error: BaseException) -> Message:
     if isinstance(error, RecordingMissing):
-        return tr(error.reason)
+        return msg(error.reason)
     if isinstance(error, TrackwrightError):
         # Without the option of the command line, which is no help in a window.
-        return tr(joined("; ", filter(None, (error.reason, error.to_do))))
+        return joined("; ", filter(None, (error.reason, error.to_do)))
     if told := told_by_system(error):
         _log.warning("unforeseen: %s", told, exc_info=error)
-        return tr(told)
+        return msg(told)
     _log.error("unexpected error", exc_info=error)
-    return tr(
+    return msg(
         "A bug in trackwright: {kind}: {error}. Your edits are safe on disk; save, and start the "
         "program again if it misbehaves.",
         kind=type(error).__name__,

@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Mapping
+
 from tracking.translation import (
     N_,
+    Message,
     count_text,
     joined,
     joined_text,
@@ -19,6 +23,7 @@ __all__ = [
     "joined",
     "joined_text",
     "language_in_use",
+    "sentence",
     "some_of",
     "span_text",
     "strip_full_stop",
@@ -26,6 +31,40 @@ __all__ = [
     "tr",
     "use_language",
 ]
+
+
+_FIRST_VALUE = re.compile(r"\{(\w+)\}")
+_ENDS = (".", "!", "?", ":", "\N{IDEOGRAPHIC FULL STOP}")
+
+
+def sentence(text: str) -> str:
+    """A text or a message as a sentence of its own, in the user's language.
+
+    It begins with a capital, unless a name of a file or of a person begins it, and has a full
+    stop. What is a message is to come as one: in a plain text names cannot be told from words.
+    """
+    shown = _begun(text)
+    return shown if not shown or shown.endswith(_ENDS) else f"{shown}."
+
+
+def _begun(text: str) -> str:
+    if not isinstance(text, Message):
+        return _capital(tr(text))
+    first = _FIRST_VALUE.match(text.template)
+    inner = text.values.get(first[1]) if first is not None else None
+    if first is not None and isinstance(inner, Message):
+        values = {**text.values, first[1]: _begun(inner)}
+        text = Message(text.template, text.many, **values)
+    return text.translated(_filled_with_capital)
+
+
+def _filled_with_capital(template: str, values: Mapping[str, object]) -> str:
+    begun = _capital(template)
+    return begun.format(**values) if values else begun
+
+
+def _capital(text: str) -> str:
+    return text[:1].upper() + text[1:]
 
 
 def strip_full_stop(text: str) -> str:

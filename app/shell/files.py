@@ -23,7 +23,6 @@ from app.core.widgets.work import Work
 from app.features.files import left_behind
 from app.features.files.demonstration import Demonstration
 from app.features.files.first_page import first_page
-from app.features.files.track_import import holds_tracks_alone
 from app.features.runs.run_summary import list_tracking_notes
 from app.features.runs.track_dialog import TrackDialog
 from app.features.scoring.controller import ScoreController
@@ -32,6 +31,7 @@ from app.shell.backup_controller import BackupController
 from app.shell.close_prompts import ClosePrompts, Then
 from app.shell.detectors import Detectors
 from app.shell.doctor_page import DoctorPage
+from app.shell.drops import Drops
 from app.shell.export_controller import ExportController
 from app.shell.import_controller import ImportController
 from app.shell.open_recovery import OpenRecovery
@@ -41,9 +41,10 @@ from app.shell.save_controller import SaveController
 from app.shell.sessions_beside import SessionsBeside
 from app.shell.setup_controller import SetupController
 from app.shell.whereabouts import Whereabouts
+from tracking.progress import Progress
 from tracking.recording import OpenOptions
 from tracking.session import Session
-from tracking.setup.files import may_be_camera, needs_setup
+from tracking.setup.files import needs_setup
 
 if TYPE_CHECKING:
     from app.shell.main_window import MainWindow
@@ -57,6 +58,8 @@ GIVE_BACK_MS = 500
 
 class Files(Controller):
     """Opens recordings and sessions in the window, saves and closes them.
+
+    Attributes: `opening`, something is being opened.
 
     Signals: `changed()`, another document, title or save state; `progressed()`, the tracker at
     work is further.
@@ -83,6 +86,8 @@ class Files(Controller):
         self.backups.changed.connect(self.changed)
         self.setup: SetupController = SetupController(window, work, self)
         self.doctor: DoctorPage = DoctorPage(window, self)
+        self.drops: Drops = Drops(self, work)
+        self.opening = False
         self.beside: SessionsBeside = SessionsBeside(window, work, self)
         self.keeping: ResultStorage = ResultStorage(window, work, self)
         self.keeping.changed.connect(self.changed)
@@ -103,16 +108,7 @@ class Files(Controller):
 
     def open_dropped(self, urls: Sequence[QUrl]) -> None:
         """Open what was dropped: tracks go into the recording shown, several videos are set up."""
-        paths = [Path(url.toLocalFile()) for url in urls if url.isLocalFile()]
-        cameras = [path for path in paths if may_be_camera(path)]
-        if len(cameras) > 1:
-            self.setup.begin(cameras)
-        elif len(paths) == 1 and needs_setup(paths[0]):
-            self.setup.begin(paths)
-        elif paths and self.controller is not None and holds_tracks_alone(paths[0]):
-            self.importing.read_dropped(paths[0])
-        elif paths:
-            self.open_path(paths[0])
+        self.drops.take(urls)
 
     def open_path(
         self,
@@ -124,6 +120,8 @@ class Files(Controller):
         save_at: Path | None = None,
     ) -> None:
         """Open a recording or a session; what is open stays where the other one does not open.
+
+        A folder with videos that are no recording yet is set up.
 
         Args:
             path: what to open.
@@ -138,7 +136,11 @@ class Files(Controller):
         if not asks:
             self._remembered.note_closed()  # what crashes as it opens is not opened again unasked
 
-        def show(opened: OpenedDocument) -> None:
+        def show(opened: OpenedDocument | None) -> None:
+            self.opening = False
+            if opened is None:
+                self.setup.begin([path])
+                return
             if asks:  # it does open: only now is it worth asking what becomes of the other one
                 opened.close()
                 if self.may_leave(again):
@@ -150,8 +152,13 @@ class Files(Controller):
                 self.controller.toggle()
 
         again = partial(self.open_path, path, recording, options, play=play, save_at=save_at)
-        work = partial(left_behind.open_with_unsaved, path, recording, options)
-        self._work.run(tr("Opening {name}", name=path.name), work, show)
+        work = partial(_opened, path, recording, options)
+        if not self._work.refuses():
+            self.opening = True
+            self._work.run(tr("Opening {name}", name=path.name), work, show, self._end_opening)
+
+    def _end_opening(self) -> None:
+        self.opening = False
 
     def open_demo(self) -> None:
         """Make the built-in recording where it is not there yet, and play it."""
@@ -337,3 +344,16 @@ class Files(Controller):
         """The first page: what was opened before, and what a crash left behind."""
         remembered = self._remembered
         return first_page({path: remembered.recent_name(path) for path in remembered.recent})
+
+
+def _opened(
+    path: Path, recording: Path | None, options: OpenOptions | None, report: Progress
+) -> OpenedDocument | None:
+    """What a path holds; None: a folder with cameras that are to be set up first.
+
+    Raises:
+        TrackwrightError: it cannot be opened.
+    """
+    if (options is None or options.left is None) and needs_setup(path):
+        return None
+    return left_behind.open_with_unsaved(path, recording, options, report)

@@ -263,6 +263,7 @@ class MainWindow(QMainWindow):
             return
         self.remembered.set_state("window/geometry", self.saveGeometry())
         self.workspace.remember(self.remembered)
+        self.files.drops.close()
         self.work.close()
         self.files.close()
         application = QApplication.instance()

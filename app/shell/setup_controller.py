@@ -16,9 +16,9 @@ from app.core.widgets.work import Work
 from app.features.setup.cameras_presenter import state_of_plan
 from app.features.setup.dialog import SetupDialog
 from app.features.setup.drafts import Drafts
+from app.features.setup.drawn_labels import keep_drawn, with_labels
 from app.features.setup.scene import SetupState, Step
 from tracking.errors import TrackwrightError
-from tracking.recording import MANIFEST_NAME
 from tracking.setup import SetupPlan, write_setup
 from tracking.setup.plan import plan_from_manifest, plan_of
 
@@ -55,8 +55,11 @@ class SetupController(Controller):
         except TrackwrightError as error:
             self._window.notice.say(explain(error))
             return
-        draft = Drafts().find(plan)
-        self._show(draft or state_of_plan(plan)).editor.resumed = draft is not None
+        draft, session = Drafts().find(plan), controller.document.session
+        state = state_of_plan(plan)
+        if session is not None:
+            state = with_labels(state, session.labels, recording.view)
+        self._show(draft or state).editor.resumed = draft is not None
 
     def metres(self) -> None:
         """The same at the first step that metres need, or for other files where none is open."""
@@ -80,8 +83,8 @@ class SetupController(Controller):
         self.dialog = None
 
     def _write(self, plan: SetupPlan) -> None:
-        if not (plan.folder / MANIFEST_NAME).exists():
-            self._write_and_open(plan)
+        if self.dialog is None or not self.dialog.editor.scene.checked.replaces:
+            self._write_and_open(plan, replace_old=False)
             return
         box = QMessageBox(self.dialog or self._window)
         box.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
@@ -90,10 +93,10 @@ class SetupController(Controller):
         box.setText(tr("Replace the recording.toml in {folder}?", folder=plan.folder.name))
         replace = box.addButton(tr("Replace"), QMessageBox.ButtonRole.AcceptRole)
         box.addButton(QMessageBox.StandardButton.Cancel)
-        replace.clicked.connect(lambda: self._write_and_open(plan))
+        replace.clicked.connect(lambda: self._write_and_open(plan, replace_old=True))
         box.open()
 
-    def _write_and_open(self, plan: SetupPlan) -> None:
+    def _write_and_open(self, plan: SetupPlan, *, replace_old: bool) -> None:
         """Write beside the window's thread; what fails is told at the last step."""
         dialog = self.dialog
         if dialog is None:
@@ -101,7 +104,14 @@ class SetupController(Controller):
 
         def done(path: Path) -> None:
             dialog.finish()
-            self._window.files.open_path(path.parent)
+            self._window.remembered.add_recent(plan.folder.resolve(), plan.name or plan.folder.name)
+            self._window.files.open_path(path)
 
-        work = partial(write_setup, plan, replace_old=True)
+        work = partial(_written, plan, dialog.editor.state, replace_old)
         dialog.editor.run(Step.WRITE, tr("Writing"), lambda _: work(), done)
+
+
+def _written(plan: SetupPlan, state: SetupState, replace_old: bool) -> Path:
+    """Write it; what is to be opened then: the recording, or the session of what was drawn."""
+    folder = write_setup(plan, replace_old=replace_old).parent
+    return keep_drawn(folder, state) if state.occluders or state.lines else folder

@@ -93,14 +93,15 @@ class TrackerAtWork(Controller):
 
         That is not the tracker at work while somebody looks at the session's tracks.
         """
-        if self.live.running and (self._document.is_live or self._document.session is None):
+        if self.live.running and (self._document.is_live or self._document.is_untouched):
             status = tr("stopping") if self.live.stopping else self.live.status
             return self._words.describe_work(self.live.tracker, status)
-        return self._words.describe_rest(self._document.session)
+        document = self._document
+        return self._words.describe_rest(None if document.is_untouched else document.session)
 
     def begin_first(self) -> None:
         """Put the best tracker to work where none was yet, not even on the way into a session."""
-        untouched = self._document.session is None and not self._document.tracked_until
+        untouched = self._document.is_untouched and not self._document.tracked_until
         if self.best and untouched and not self.live.running:
             self.track(self.best)
 
@@ -128,7 +129,7 @@ class TrackerAtWork(Controller):
         self.following.begin()
         self.began.emit()
         self.changed.emit()
-        if self._document.session is not None and resume is None:
+        if not self._document.is_untouched and resume is None:
             self.noted.emit((meanwhile(),), True)
 
     def track_again(

@@ -11,7 +11,6 @@ from PySide6.QtWidgets import (
     QApplication,
     QFrame,
     QHBoxLayout,
-    QScrollArea,
     QSizePolicy,
     QSplitter,
     QVBoxLayout,
@@ -41,6 +40,7 @@ from app.shell.below_floor import BelowFloor
 from app.shell.features import FEATURES
 from app.shell.image_room import ImageRoom
 from app.shell.pane_ring import PaneRing
+from app.shell.panel_column import PanelColumn
 
 PanelT = TypeVar("PanelT", bound=FeaturePanel)
 _PANEL_LETTERS = 48
@@ -117,22 +117,12 @@ class Workspace(QWidget):
         column.addWidget(self.differences, 1)
         return side
 
-    def _scrolled_panels(self) -> QScrollArea:
+    def _scrolled_panels(self) -> PanelColumn:
         """On a low screen the panels scroll, so that they never make the window too high for it."""
         listed = self._placed[Place.SIDE]
         parts, shares = (self.review, self.card, *listed), (11, 5, *(5 for _ in listed))
         side = self._split("side", Qt.Orientation.Vertical, parts, shares)
-        panels = QScrollArea(self)
-        panels.setWidget(side)
-        panels.setWidgetResizable(True)
-        panels.setFrameShape(QFrame.Shape.NoFrame)
-        panels.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # a click on a row leaves the keyboard there
-        panels.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        letter = self.fontMetrics().averageCharWidth()
-        width = side.minimumSizeHint().width() + 12
-        panels.setMinimumWidth(max(width, _PANEL_LETTERS * letter))
-        panels.setMinimumHeight(1)
-        return panels
+        return PanelColumn(side, _PANEL_LETTERS * self.fontMetrics().averageCharWidth(), self)
 
     def _transport_line(self) -> QFrame:
         """Playback and, at its end, which cameras are shown: no picture is covered by a switch."""

@@ -18,7 +18,7 @@ from PySide6.QtCore import QSize
 from app.cli.display import why_no_window
 from app.core.look.theme import Look
 from app.features.setup import floor_presenter, region_presenter
-from app.features.setup.calibration_presenter import with_board, with_rough, with_way
+from app.features.setup.calibration_presenter import with_board, with_method, with_rough
 from app.features.setup.dialog import SetupDialog
 from app.features.setup.scene import BoardForm, Step
 from app.shell.application import borrowed_window, wait_until
@@ -73,11 +73,11 @@ def shoot_steps(window: MainWindow, videos: list[Path], place: Callable[[str], P
     shot("1-cameras")
     dialog.go_to(Step.CALIBRATION)
     shot("2-file")
-    editor.change(with_way(editor.state, "board"))
+    editor.change(with_method(editor.state, "board"))
     editor.change(with_board(editor.state, BoardForm(left="left*.png", right="right*.png")))
     dialog.calibration.calibrate_board()
     shot("2-board")
-    editor.change(with_way(editor.state, "rough"))
+    editor.change(with_method(editor.state, "rough"))
     editor.change(with_rough(editor.state, 64.0, 120.0))
     dialog.calibration.calibrate_rough()
     shot("2-rough")
@@ -86,7 +86,7 @@ def shoot_steps(window: MainWindow, videos: list[Path], place: Callable[[str], P
     dialog.go_to(Step.FLOOR)
     dialog.floor.measure.click()
     shot("3-floor")
-    dialog.floor.way.setCurrentIndex(2)
+    dialog.floor.method.setCurrentIndex(2)
     for u, v in ((120, 300), (500, 310), (560, 440), (60, 430)):
         editor.change(floor_presenter.with_point(editor.state, u, v))
     shot("3-points")

@@ -23,7 +23,7 @@ from tracking.session.session_reader import read_session
 from tracking.session.session_writer import UNLIMITED, file_state, find_backups, keep_damaged
 from tracking.session.store import Store
 from tracking.stamps import make_id, now, resolve_author, software
-from tracking.tracks import DetectionsInput, Run, TrackTable
+from tracking.tracks import DetectionsInput, Labels, Run, TrackTable
 from tracking.translation import msg
 
 if TYPE_CHECKING:
@@ -49,10 +49,12 @@ class Session(OnDisk):
         *,
         author: str | None = None,
         colours: Mapping[int, int] | None = None,
+        labels: Labels | None = None,
     ) -> Session:
         """A new session on a recording; with a path it is saved there at once.
 
         The corrected table begins as the first run's tracks, in these colours (see `Held`).
+        Labels that it begins with, such as occluders, are no edits: a run is still begun with.
         Without a path nothing is on disk until `save` names one.
         Raises OutputError where it cannot be saved, SessionError where another program has it.
         """
@@ -60,7 +62,7 @@ class Session(OnDisk):
         made = now()
         stamps = Stamps(make_id(), "", "", 0, made, made, software())
         empty = empty_snapshot(stamps, refer_to(recording, folder))
-        session = cls(empty, None, resolve_author(author))
+        session = cls(replace(empty, labels=labels or Labels()), None, resolve_author(author))
         for run in runs:
             session.add_run(run)
         session.colours = colours or {}

@@ -96,6 +96,11 @@ class SessionState:
         """
         return None if self._adopted is None else self._runs[self._adopted]
 
+    @property
+    def is_untouched(self) -> bool:
+        """Whether nothing was tracked or edited; it may have begun with labels."""
+        return not (len(self._runs) or len(self.history) or len(self.tracks))
+
     def covers_corrected(self, run: Run) -> bool:
         """Whether a run is of all frames of the one the corrected table began as."""
         if self._adopted is None:

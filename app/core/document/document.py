@@ -75,6 +75,11 @@ class Document:
         return self._track_source.session
 
     @property
+    def is_untouched(self) -> bool:
+        """Whether nothing was tracked or edited; a session may hold what was drawn at first."""
+        return self.session is None or self.session.is_untouched
+
+    @property
     def tracks(self) -> WholeTracks:
         """The tracks that are shown."""
         return self._track_source.tracks

@@ -29,7 +29,7 @@ from tracking.session.session_writer import (
     copy_file,
     free_name,
 )
-from tracking.tracks import Run
+from tracking.tracks import Labels, Run
 
 
 @dataclass(frozen=True, slots=True)
@@ -120,15 +120,16 @@ def keep_import(recording: Recording, found: Importable, origin: ImportOrigin) -
     return session
 
 
-def session_by_hand(recording: Recording) -> Session:
+def session_by_hand(recording: Recording, labels: Labels | None = None) -> Session:
     """A session nothing was tracked for, to be labelled by hand, on disk from its first moment.
 
-    It stands among the program's own files until the user gives it a place.
+    It stands among the program's own files until the user gives it a place; labels: what was
+    drawn before.
 
     Raises:
         OutputError, OSError: it cannot be written.
     """
-    session = Session.create(recording, [], _unsaved_path(recording))
+    session = Session.create(recording, [], _unsaved_path(recording), labels=labels)
     remember_place(session, recording)
     return session
 

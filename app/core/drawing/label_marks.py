@@ -53,7 +53,7 @@ def draw_outline(painter: QPainter, outline: Outline, viewport: Viewport, colour
         painter.setPen(pen)
         painter.drawPath(path)
     if len(outline.arrow):
-        _draw_arrow(painter, viewport.to_widget(outline.arrow), colour)
+        draw_arrow(painter, viewport.to_widget(outline.arrow), colour)
 
 
 def draw_corners(painter: QPainter, points: Points, colour: QColor, held: int = -1) -> None:
@@ -104,7 +104,8 @@ def _with_counts(name: str, said: str) -> str:
     return f"{name}: {said}" if said else name
 
 
-def _draw_arrow(painter: QPainter, ends: Points, colour: QColor) -> None:
+def draw_arrow(painter: QPainter, ends: Points, colour: QColor) -> None:
+    """An arrow from the first of two places on the widget, (2, 2), to the second."""
     shaft = QLineF(QPointF(*ends[0]), QPointF(*ends[1]))
     if shaft.length() < 2 * _TIP_PX:
         shaft.setLength(2 * _TIP_PX)

@@ -56,7 +56,8 @@ class TrackSource:
     @property
     def can_look_away(self) -> bool:
         """Whether the session's tracks can be shown while the tracker at work goes on."""
-        return self.at_work and self.session is not None and self._continues_at is None
+        shows_some = self.session is not None and not self.session.is_untouched
+        return self.at_work and shows_some and self._continues_at is None
 
     @property
     def unread(self) -> SessionError | None:

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from app.core.i18n import N_, count_text, joined, tr
+from app.core.i18n import N_, count_text, joined, sentence, strip_full_stop, tr
 from app.features.doctor.scene import DoctorScene, FindingScene, State
 from tracking.doctor import Examination, Finding, Mended, examine, mend_undoably, undo_mend
 from tracking.progress import Progress
@@ -126,6 +126,10 @@ def scene_of(examination: Examination, mended_last: str = "") -> DoctorScene:
         )
         return DoctorScene(State.FOUND, text, findings, unchecked, mended_last)
     text = tr("Nothing is wrong, as far as the images tell.")
+    if not examination.checked:
+        text = tr("Nothing could be checked.")
+    elif unchecked:
+        text = tr("Nothing is wrong in what could be checked.")
     if examination.checked:
         made = joined(", ", list(map(_check, examination.checked)))
         text += "\n" + tr("Checked: {checks}", checks=made)
@@ -135,10 +139,10 @@ def scene_of(examination: Examination, mended_last: str = "") -> DoctorScene:
 def _finding(found: Finding) -> FindingScene:
     return FindingScene(
         code=found.code,
-        title=_sentence(tr(found.title)),
+        title=strip_full_stop(sentence(found.title)),
         cost=_cost(found.cost_m),
         meaning=_meaning(found.cost_m),
-        fix=_sentence(tr(found.fix)),
+        fix=sentence(found.fix),
         figures=_figures(found.evidence),
         alike=joined(", ", list(found.alike)),
         picture=found.picture,
@@ -164,11 +168,6 @@ def _meaning(cost_m: float) -> str:
 
 def _check(code: str) -> str:
     return tr(_CHECKS[code]) if code in _CHECKS else code
-
-
-def _sentence(text: str) -> str:
-    """With a capital, as a line of its own begins."""
-    return text[:1].upper() + text[1:]
 
 
 def _figures(evidence: Mapping[str, float | int | str]) -> tuple[tuple[str, str], ...]:

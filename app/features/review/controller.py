@@ -94,7 +94,7 @@ class ReviewController(Controller):
         """Follow the document: look again where its tracks are others, list what is left."""
         self._follow_fix()
         session = self._document.session
-        if session is None:
+        if session is None or session.is_untouched:
             self._search.stop()
             self._play_until = None
             self._looked_at, self._labels = (None, 0, None), None
@@ -392,4 +392,5 @@ class ReviewController(Controller):
             return waiting_words(session)
         if self._search.doing:
             return "", ""
-        return empty_words(session, live=self._is_hidden, problem=self._problem)
+        known = None if self._document.is_untouched else session
+        return empty_words(known, live=self._is_hidden, problem=self._problem)

@@ -12,11 +12,11 @@ from app.core.jobs.latest_job import LatestJob
 from app.core.widgets.user_settings import UserSettings
 from app.features.setup import calibration_presenter
 from app.features.setup.board_form import BoardPanel
-from app.features.setup.calibration_presenter import Calibrated, rows_told, with_files
+from app.features.setup.calibration_presenter import MadeCalibration, rows_told, with_files
 from app.features.setup.controller import SetupEditor
 from app.features.setup.rough_form import RoughPanel
 from app.features.setup.scene import (
-    CalibrationWay,
+    CalibrationMethod,
     CameraImages,
     SetupPicture,
     SetupScene,
@@ -29,7 +29,7 @@ from tracking.calibration.rectified_preview import RectifiedPreview
 from tracking.geometry import StereoCalibration
 from tracking.progress import Progress
 
-_WAYS: tuple[CalibrationWay, ...] = ("file", "board", "rough")
+_METHODS: tuple[CalibrationMethod, ...] = ("file", "board", "rough")
 
 
 class CalibrationPage(StepPage):
@@ -49,13 +49,13 @@ class CalibrationPage(StepPage):
         self._previews.found.connect(self._take_preview)
         self._previews.failed.connect(lambda *_: self._take_preview(None))
         form = self.form()
-        ways = (
+        methods = (
             ("file", tr("From a file")),
             ("board", tr("From pictures of a board")),
             ("rough", tr("Rough, from the images")),
         )
-        self.way = self.choice(ways, self._choose_way)
-        form.addRow(tr("Way"), named(self.way, tr("Way to calibrate")))
+        self.method = self.choice(methods, self._choose_method)
+        form.addRow(tr("Method"), named(self.method, tr("Method of calibration")))
         self.rows.addLayout(form)
         self.pages = QStackedWidget(self.widget())
         self.board = BoardPanel(self, remembered)
@@ -86,7 +86,10 @@ class CalibrationPage(StepPage):
                 "one file, or the two of a pair"
             )
         )
-        self.without = self.button(tr("Without"), self._take_none, tr("Go on without calibration"))
+        self.without = self.button(
+            tr("Use none"), self._take_none, tr("Go on without a calibration")
+        )
+        self.without.setToolTip(tr("Without a calibration there are boxes, and no metres."))
         buttons.addWidget(self.read)
         buttons.addWidget(self.without)
         rows.addLayout(buttons)
@@ -101,13 +104,14 @@ class CalibrationPage(StepPage):
         )
         self.shown = self.choice(shown, lambda _: self.redrawn.emit())
         form.addRow(tr("Picture"), named(self.shown, tr("What the picture shows")))
+        self._shown_form = form
         self.rows.addLayout(form)
 
     def fill(self, scene: SetupScene) -> None:
-        """The form of the way that is chosen, and what is known of the calibration."""
+        """The form of the method that is chosen, and what is known of the calibration."""
         state, plan = scene.state, scene.state.plan
-        choose(self.way, state.calibration_way)
-        self.pages.setCurrentIndex(_WAYS.index(state.calibration_way))
+        choose(self.method, state.calibration_method)
+        self.pages.setCurrentIndex(_METHODS.index(state.calibration_method))
         files = plan.calibration if plan is not None else ()
         names = ", ".join(path.name for path in files)
         self.file.setText(names or tr("No calibration yet."))
@@ -123,6 +127,8 @@ class CalibrationPage(StepPage):
         self.missing.setText("\n".join(_bulleted(scene.checked.missing)) if current else "")
         self.missing.setVisible(bool(self.missing.text()))
         fit_stack(self.pages)
+        pair = scene.checked.calibration is not None and plan is not None and plan.is_stereo
+        self._shown_form.setRowVisible(self.shown, pair or scene.boards is not None)
         self._ask_preview(scene)
 
     def _ask_preview(self, scene: SetupScene) -> None:
@@ -142,7 +148,9 @@ class CalibrationPage(StepPage):
     def picture(self, scene: SetupScene) -> SetupPicture:
         """As recorded, rectified, or covered."""
         shown: Shown = self.shown.currentData()
-        return calibration_presenter.calibration_picture(scene, shown, self._rectified)
+        return calibration_presenter.calibration_picture(
+            scene, shown, self._rectified, self.pointer
+        )
 
     @property
     def busy(self) -> bool:
@@ -155,8 +163,9 @@ class CalibrationPage(StepPage):
 
     # gestures
 
-    def _choose_way(self, way: CalibrationWay) -> None:
-        self.editor.change(calibration_presenter.with_way(self.editor.state, way))
+    def _choose_method(self, method: CalibrationMethod) -> None:
+        self.editor.tell(self.step, "")
+        self.editor.change(calibration_presenter.with_method(self.editor.state, method))
 
     def _ask_file(self) -> None:
         dialog = QFileDialog(self, tr("The calibration file, or the two of a pair"))
@@ -189,7 +198,7 @@ class CalibrationPage(StepPage):
             return
         stereo = plan.is_stereo
 
-        def done(made: Calibrated) -> None:
+        def done(made: MadeCalibration) -> None:
             self._found = made.found
             self.editor.take_calibration(made)
 
@@ -206,7 +215,7 @@ class CalibrationPage(StepPage):
         if found is None:
             return
 
-        def done(made: Calibrated) -> None:
+        def done(made: MadeCalibration) -> None:
             self.editor.take_calibration(made)
 
         self.editor.run(

@@ -9,12 +9,12 @@ from pathlib import Path
 import cv2
 import numpy as np
 
-from app.core.i18n import tr
+from app.core.i18n import sentence, tr
 from app.features.setup.cameras_presenter import cameras_picture
 from app.features.setup.presenter import bare
 from app.features.setup.scene import (
     BoardForm,
-    CalibrationWay,
+    CalibrationMethod,
     CameraImages,
     RoughForm,
     SetupPicture,
@@ -51,7 +51,7 @@ _GOOD_PX, _GOOD_COVERED = 0.5, 0.6
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Calibrated:
+class MadeCalibration:
     """A calibration that was made. Attributes: told: how well, in words."""
 
     calibration: StereoCalibration
@@ -60,9 +60,9 @@ class Calibrated:
     found: FoundBoards | None = None
 
 
-def with_way(state: SetupState, way: CalibrationWay) -> SetupState:
+def with_method(state: SetupState, method: CalibrationMethod) -> SetupState:
     """The same with another form shown."""
-    return replace(state, calibration_way=way)
+    return replace(state, calibration_method=method)
 
 
 def with_board(state: SetupState, board: BoardForm) -> SetupState:
@@ -124,14 +124,14 @@ def board_request(form: BoardForm, stereo: bool) -> BoardRequest:
         raise CalibrationError("choose the pictures or the video of the board first")
     if stereo and form.square_mm <= 0:
         raise CalibrationError(
-            "the side of a square is 0 mm; measure it on the print, and enter it"
+            "the side of a square is not entered; measure it on the print, in mm"
         )
     square_m = form.square_mm / _MM if form.square_mm > 0 else None
     board = Board(form.kind, form.columns, form.rows, square_m)
     return BoardRequest(form.left, form.right if stereo else None, board, form.lens)
 
 
-def calibrate_board(form: BoardForm, stereo: bool, progress: Progress) -> Calibrated:
+def calibrate_board(form: BoardForm, stereo: bool, progress: Progress) -> MadeCalibration:
     """Look for the board and fit the cameras; slow.
 
     Raises:
@@ -141,12 +141,12 @@ def calibrate_board(form: BoardForm, stereo: bool, progress: Progress) -> Calibr
     return _calibrated(found, fit_boards(found))
 
 
-def fit_again(found: FoundBoards, left_out: frozenset[str] | None) -> Calibrated:
+def fit_again(found: FoundBoards, left_out: frozenset[str] | None) -> MadeCalibration:
     """Fit with other pictures left out; slow. Raises CalibrationError where too few are left."""
     return _calibrated(found, fit_boards(found, left_out))
 
 
-def _calibrated(found: FoundBoards, made: BoardCalibration) -> Calibrated:
+def _calibrated(found: FoundBoards, made: BoardCalibration) -> MadeCalibration:
     lines = [
         tr(
             "Error {rms:.2f} px in {used} pictures; {share:.0%} of the image covered.",
@@ -161,17 +161,13 @@ def _calibrated(found: FoundBoards, made: BoardCalibration) -> Calibrated:
         lines.append(tr("The error is large: leave out blurred pictures, or try another lens."))
     if made.covered < _GOOD_COVERED:
         lines.append(tr("Corners of the image are not covered: take pictures there, too."))
-    lines += [_sentence(tr(note)) for note in made.notes]
-    return Calibrated(made.calibration, " ".join(lines), made, found)
-
-
-def _sentence(text: str) -> str:
-    return text[:1].upper() + text[1:] + ("" if text.endswith(".") else ".")
+    lines += map(sentence, made.notes)
+    return MadeCalibration(made.calibration, " ".join(lines), made, found)
 
 
 def calibrate_rough(
     plan: SetupPlan, fov_deg: float, baseline_mm: float, progress: Progress
-) -> Calibrated:
+) -> MadeCalibration:
     """A rough calibration from the cameras' own images; slow.
 
     Raises:
@@ -180,14 +176,14 @@ def calibrate_rough(
     """
     if plan.is_stereo and baseline_mm <= 0:
         raise CalibrationError(
-            "the cameras are 0 mm apart; measure from lens to lens, and enter it"
+            "the distance of the cameras is not entered; measure it from lens to lens, in mm"
         )
     plan = bare(plan)
     with open_recording(plan.folder, options_of_plan(plan)) as recording:
         if not recording.is_stereo:
             camera = rough_camera(recording.size, fov_deg)
             told = tr("Rough: a field of view of {fov:.0f} degrees, no distortion.", fov=fov_deg)
-            return Calibrated(StereoCalibration.of_one(camera, rough=True), told)
+            return MadeCalibration(StereoCalibration.of_one(camera, rough=True), told)
         last, lag = recording.frame_count - 1, plan.lag or 0
         numbers = np.unique(np.linspace(max(0, -lag), last - max(0, lag), _INSTANTS).astype(int))
         views = []
@@ -202,7 +198,7 @@ def calibrate_rough(
         count=made.matches,
         px=made.row_error_px,
     )
-    return Calibrated(made.calibration, told)
+    return MadeCalibration(made.calibration, told)
 
 
 def preview(calibration: StereoCalibration, images: CameraImages) -> RectifiedPreview | None:
@@ -225,7 +221,10 @@ def rows_told(found: RectifiedPreview) -> str:
 
 
 def calibration_picture(
-    scene: SetupScene, shown: Shown, rectified: RectifiedPreview | None
+    scene: SetupScene,
+    shown: Shown,
+    rectified: RectifiedPreview | None,
+    pointer: tuple[float, float] | None = None,
 ) -> SetupPicture:
     """The cameras as recorded, rectified with level lines, or covered by boards."""
     if shown == "rectified" and rectified is not None:
@@ -236,7 +235,7 @@ def calibration_picture(
         image = _coverage(scene)
         told = tr("{share:.0%} of the image covered by boards", share=scene.boards.covered)
         return SetupPicture(image, ((0.0, told),), said=told)
-    return cameras_picture(scene)
+    return cameras_picture(scene, pointer)
 
 
 def _coverage(scene: SetupScene) -> Image:

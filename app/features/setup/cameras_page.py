@@ -13,7 +13,7 @@ from app.core.widgets.user_settings import UserSettings
 from app.features.setup import cameras_presenter
 from app.features.setup.cameras_presenter import arrangement_of, arrangements, lag_told
 from app.features.setup.controller import SetupEditor
-from app.features.setup.scene import Arrangement, SetupPicture, SetupScene, SetupState, Step
+from app.features.setup.scene import Arrangement, SetupScene, SetupState, Step
 from app.features.setup.step_page import StepPage, choose, named, plain
 from tracking.recording.image_pairs import MOST_LAG
 
@@ -122,12 +122,14 @@ class CamerasPage(StepPage):
         other = self._interrupted
         if self.editor.resumed:
             self.resume_told.setText(
-                tr("This set-up was interrupted. All that was entered is here.")
+                tr("You began this set-up earlier and did not write it. What you entered is here.")
             )
             self.resume_button.setText(tr("Begin anew"))
         elif state.plan is None and other is not None and other.plan is not None:
             name = other.plan.name or other.plan.left.name
-            self.resume_told.setText(tr("The set-up of {name} was interrupted.", name=name))
+            self.resume_told.setText(
+                tr("You began to set up {name} earlier, and did not write it.", name=name)
+            )
             self.resume_button.setText(tr("Continue"))
         self.resume.setVisible(self.editor.resumed or (state.plan is None and other is not None))
 
@@ -143,10 +145,6 @@ class CamerasPage(StepPage):
         self.arrangement.setEnabled(plan is not None)
         told = tr("Set by hand.") if "arrangement" in state.by_hand else tr("Found from the files.")
         self.arrangement_told.setText(told if plan is not None else "")
-
-    def picture(self, scene: SetupScene) -> SetupPicture:
-        """Both cameras."""
-        return cameras_presenter.cameras_picture(scene)
 
     def _ask_files(self) -> None:
         dialog = QFileDialog(self, tr("Videos of one camera, or of a pair"))

@@ -8,7 +8,8 @@ from pathlib import Path
 
 import numpy as np
 
-from app.core.i18n import tr
+from app.core.i18n import sentence, tr
+from app.features.setup.floor_marks import with_floor
 from app.features.setup.presenter import bare
 from app.features.setup.scene import Arrangement, SetupPicture, SetupScene, SetupState
 from tracking.errors import RecordingError, TrackwrightError
@@ -17,8 +18,8 @@ from tracking.progress import Progress
 from tracking.recording import MANIFEST_NAME, open_recording
 from tracking.recording.frame import Image
 from tracking.recording.limits import checked_fps
-from tracking.setup import CameraFindings, SetupPlan, find_cameras, pair_by_name, plan_of
-from tracking.setup.files import calibration_beside, sources_in
+from tracking.setup import SetupPlan, find_cameras, pair_by_name, plan_of
+from tracking.setup.files import calibration_beside, may_be_camera, sources_in
 from tracking.setup.plan import options_of_plan
 
 _BETWEEN_PX = 8
@@ -37,6 +38,7 @@ def plan_of_paths(paths: Sequence[Path]) -> SetupPlan:
         return plan_of(paths[0])
     if len(paths) == 1 and paths[0].is_dir():
         paths = sources_in(paths[0])
+    paths = [path for path in paths if may_be_camera(path)] or paths
     pair = pair_by_name(paths)
     if pair is not None:
         return SetupPlan(pair.left, pair.right)
@@ -69,7 +71,7 @@ def look(plan: SetupPlan, progress: Progress) -> SetupState:
     )
     lag = find_lag(plan) if found.same_scene and not found.doubts else None
     progress(_STEPS, _STEPS)
-    notes, doubts = (tuple(_sentence(tr(line)) for line in lines) for lines in _lines(found))
+    notes, doubts = (tuple(map(sentence, lines)) for lines in (found.notes, found.doubts))
     return SetupState(replace(plan, lag=lag or None), found=notes, doubts=doubts, found_lag=lag)
 
 
@@ -77,15 +79,7 @@ def state_of_plan(plan: SetupPlan) -> SetupState:
     """What a recording that is there begins with; of bare videos a calibration beside them too."""
     if plan.at is None and not plan.calibration:
         plan = replace(plan, calibration=calibration_beside(plan.left))
-    return SetupState(plan, floor_way="typed" if plan.ground else "measured")
-
-
-def _lines(found: CameraFindings) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    return found.notes, found.doubts
-
-
-def _sentence(text: str) -> str:
-    return text[:1].upper() + text[1:] + ("" if text.endswith(".") else ".")
+    return SetupState(plan, floor_method="typed" if plan.ground else "measured")
 
 
 def find_lag(plan: SetupPlan) -> int | None:
@@ -175,18 +169,20 @@ def lag_told(state: SetupState) -> str:
     return tr("Found from what moves.")
 
 
-def cameras_picture(scene: SetupScene) -> SetupPicture:
-    """Left and right beside each other."""
+def cameras_picture(scene: SetupScene, pointer: tuple[float, float] | None = None) -> SetupPicture:
+    """Left and right beside each other, the left one over its floor where that is known."""
     images, plan = scene.images, scene.state.plan
     if images is None or plan is None:
         return SetupPicture(said=tr("Drop one or two videos, or a folder, here."))
     if images.right is None:
-        return SetupPicture(images.left, ((0.0, tr("The only camera")),))
-    return side_by_side(images.left, images.right)
+        picture = SetupPicture(images.left, ((0.0, tr("The only camera")),), said=tr("The camera"))
+    else:
+        picture = side_by_side(images.left, images.right)
+    return with_floor(picture, scene, pointer)
 
 
 def side_by_side(left: Image, right: Image) -> SetupPicture:
-    """Two images beside each other, or above each other where they are wide, with their titles."""
+    """Two images beside each other, with their titles."""
     gap = np.zeros((left.shape[0], _BETWEEN_PX, 3), np.uint8)
     image = np.concatenate((left, gap, right), axis=1)
     titles = ((0.0, tr("Left camera")), (float(left.shape[1] + _BETWEEN_PX), tr("Right camera")))

@@ -11,11 +11,11 @@ from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 
-from app.core.error_messages import explain
+from app.core.error_messages import explain, explain_in_sentence
 from app.core.i18n import tr
 from app.core.jobs.jobs import Job
 from app.core.jobs.latest_job import LatestJob
-from app.features.setup import cameras_presenter, presenter
+from app.features.setup import cameras_presenter, presenter, trial
 from app.features.setup.drafts import Drafts
 from app.features.setup.presenter import SetupHistory
 from app.features.setup.scene import CameraImages, Checked, SetupScene, SetupState, Step
@@ -48,7 +48,7 @@ class SetupEditor(QObject):
         self._job: Job | None = None
         self.resumed = False
         self.scene = SetupScene(state)
-        self._checks = LatestJob("set-up check", lambda plan: lambda _: presenter.check(plan), self)
+        self._checks = LatestJob("set-up check", lambda plan: lambda _: trial.check(plan), self)
         self._checks.found.connect(self._take_check)
         self._reads = LatestJob("set-up images", _read, self)
         self._reads.found.connect(self._take_images)
@@ -91,7 +91,7 @@ class SetupEditor(QObject):
         try:
             state = change()
         except Exception as error:
-            self.tell(step, explain(error))
+            self.tell(step, explain_in_sentence(error))
             return
         self.tell(step, "")
         self.change(state)
@@ -153,7 +153,7 @@ class SetupEditor(QObject):
         self.take_paths([file for file in files if file is not None])
 
     def take_calibration(self, made: Any) -> None:
-        """Keep a calibration that was made (`Calibrated`) until it is written; use it."""
+        """Keep a calibration that was made (`MadeCalibration`) until it is written; use it."""
         plan = self.state.plan
         if plan is None:
             return
@@ -181,7 +181,9 @@ class SetupEditor(QObject):
         self._job = job = Job(title, work, self)
         job.progressed.connect(lambda at, all_: self.worked.emit(title, _share(at, all_)))
         job.done.connect(lambda result: self._end(lambda: done(result)))
-        job.failed.connect(lambda error: self._end(lambda: self.tell(step, explain(error))))
+        job.failed.connect(
+            lambda error: self._end(lambda: self.tell(step, explain_in_sentence(error)))
+        )
         job.cancelled.connect(lambda: self._end(lambda: self.tell(step, tr("Cancelled."))))
         self.tell(step, "")
         job.start()

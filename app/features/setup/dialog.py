@@ -42,8 +42,8 @@ from app.features.setup.scene import SetupState, Step
 from app.features.setup.step_list import StepList
 from app.features.setup.step_page import StepPage
 from app.features.setup.write_page import WritePage
+from tracking.recording.images import VIDEO_SUFFIXES
 from tracking.setup import SetupPlan
-from tracking.setup.files import may_be_camera
 
 _FORM_LETTERS = 50
 _SHARES = 1000
@@ -134,6 +134,7 @@ class SetupDialog(QDialog):
         self.close_button = self._button(tr("Close"), self.reject, tr("Close; nothing is lost"))
         self.close_button.setToolTip(tr("What was entered is kept, and offered again."))
         self.next = self._button(tr("Next"), self.go_on, tr("Next step"))
+        self.next.setProperty("primary", True)
         for button in (self.undo_button, self.redo_button):
             row.addWidget(button)
         row.addStretch(1)
@@ -268,12 +269,11 @@ class SetupDialog(QDialog):
     def take_dropped(self, urls: Sequence[QUrl]) -> None:
         """Take what was dropped."""
         paths = [Path(url.toLocalFile()) for url in urls]
-        if self.page is self.calibration and not any(map(may_be_camera, paths)):
+        if self.page is self.calibration and not any(map(_is_footage, paths)):
             self.calibration.take_files(tuple(sorted(paths)[:2]))
         elif paths:
             self.go_to(Step.CAMERAS)
-            cameras = [path for path in paths if may_be_camera(path)]
-            self.editor.take_paths(cameras or paths)
+            self.editor.take_paths(paths)
 
     def _write(self) -> None:
         if may_write(self.editor.scene):
@@ -295,6 +295,11 @@ class SetupDialog(QDialog):
         self.calibration.stop()
         self.editor.stop()
         super().closeEvent(event)
+
+
+def _is_footage(path: Path) -> bool:
+    """Whether a path is a folder or named as a video: it is not looked into here."""
+    return path.is_dir() or path.suffix.lower() in VIDEO_SUFFIXES
 
 
 def _take_typed(field: QLineEdit | QAbstractSpinBox) -> None:

@@ -13,8 +13,8 @@ from typing import Any, get_args
 from app.core.document.document_loader import own_folder
 from app.features.setup.scene import (
     BoardForm,
-    CalibrationWay,
-    FloorWay,
+    CalibrationMethod,
+    FloorMethod,
     RoughForm,
     SetupState,
 )
@@ -28,11 +28,12 @@ from tracking.owned_files import make_folder, read_file
 from tracking.recording.depth_pictures import checked_scale
 from tracking.recording.region_of_interest import RegionOfInterest, outlines_of
 from tracking.setup import SetupPlan
+from tracking.tracks import CountingLine, Occluder
 
 _MOST_BYTES = 512 * 1024
 _KEPT = 20
 _MOST_POINTS = 200
-_FORMAT = 1
+_FORMAT = 2
 
 
 class Drafts:
@@ -159,12 +160,12 @@ def _state(values: Mapping[str, Any]) -> SetupState:
         found=_texts(values["found"]),
         doubts=_texts(values["doubts"]),
         found_lag=None if values["found_lag"] is None else int(values["found_lag"]),
-        calibration_way=_one_of(values["calibration_way"], get_args(CalibrationWay)),
+        calibration_method=_one_of(values["calibration_method"], get_args(CalibrationMethod)),
         calibration_told=str(values["calibration_told"]),
         board=_board(values["board"]),
         rough=RoughForm(float(values["rough"]["fov_deg"]), float(values["rough"]["baseline_mm"])),
         left_out=None if left_out is None else frozenset(_texts(left_out)),
-        floor_way=_one_of(values["floor_way"], get_args(FloorWay)),
+        floor_method=_one_of(values["floor_method"], get_args(FloorMethod)),
         floor_told=str(values["floor_told"]),
         floor_doubt=str(values["floor_doubt"]),
         points=tuple(
@@ -176,6 +177,12 @@ def _state(values: Mapping[str, Any]) -> SetupState:
         ),
         pose_file=None if pose is None else Path(str(pose)),
         convention=str(values["convention"]),
+        occluders=tuple(
+            Occluder(str(one["name"]), _corners(one["polygon"])) for one in values["occluders"]
+        ),
+        lines=tuple(
+            CountingLine(str(one["name"]), *_ends(one), in_picture=True) for one in values["lines"]
+        ),
     )
 
 
@@ -215,6 +222,15 @@ def _board(values: Mapping[str, Any]) -> BoardForm:
         float(values["square_mm"]),
         _one_of(values["lens"], ("standard", "fisheye")),
     )
+
+
+def _corners(values: Any) -> tuple[tuple[float, float], ...]:
+    return tuple((float(x), float(y)) for x, y in values)
+
+
+def _ends(values: Any) -> tuple[tuple[float, float], tuple[float, float]]:
+    start, end = _corners((values["start"], values["end"]))
+    return start, end
 
 
 def _texts(values: Any) -> tuple[str, ...]:

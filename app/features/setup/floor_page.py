@@ -13,11 +13,11 @@ from app.core.widgets.user_settings import UserSettings
 from app.features.setup import floor_presenter
 from app.features.setup.controller import SetupEditor
 from app.features.setup.points_table import PointsTable
-from app.features.setup.scene import FloorWay, SetupPicture, SetupScene, Step
+from app.features.setup.scene import FloorMethod, SetupPicture, SetupScene, Step
 from app.features.setup.step_page import StepPage, choose, fit_stack, named, plain
 from tracking.calibration.floor import FloorEstimate
 
-_PAGES: dict[FloorWay, int] = {"measured": 0, "typed": 1, "points": 2, "distances": 2, "pose": 3}
+_PAGES: dict[FloorMethod, int] = {"measured": 0, "typed": 1, "points": 2, "distances": 2, "pose": 3}
 _DEGREE = "\N{DEGREE SIGN}"
 
 
@@ -30,17 +30,16 @@ class FloorPage(StepPage):
         said = tr("How high the left camera is, and how it looks down. The figure is 1.7 m tall.")
         super().__init__(editor, tr("Floor"), said, parent)
         self._remembered = remembered
-        self._pointer: tuple[float, float] | None = None
         form = self.form()
-        ways = (
+        methods = (
             ("measured", tr("Measure it")),
             ("typed", tr("Type it")),
             ("points", tr("Points with known places")),
             ("distances", tr("Points with known distances")),
             ("pose", tr("From a file with the pose")),
         )
-        self.way = self.choice(ways, self._choose_way)
-        form.addRow(tr("Way"), named(self.way, tr("Way to find the floor")))
+        self.method = self.choice(methods, self._choose_method)
+        form.addRow(tr("Method"), named(self.method, tr("Method of finding the floor")))
         self.rows.addLayout(form)
         self.pages = QStackedWidget(self.widget())
         self.points = PointsTable(self)
@@ -102,10 +101,10 @@ class FloorPage(StepPage):
         self.rows.addLayout(form)
 
     def fill(self, scene: SetupScene) -> None:
-        """The form of the way that is chosen, and the floor."""
+        """The form of the method that is chosen, and the floor."""
         state, plan = scene.state, scene.state.plan
-        choose(self.way, state.floor_way)
-        self.pages.setCurrentIndex(_PAGES[state.floor_way])
+        choose(self.method, state.floor_method)
+        self.pages.setCurrentIndex(_PAGES[state.floor_method])
         self.points.fill(scene)
         calibrated = scene.checked.calibration is not None
         stereo = calibrated and getattr(scene.checked.calibration, "right", None) is not None
@@ -122,23 +121,18 @@ class FloorPage(StepPage):
         self.told.setText(state.floor_told)
         self.doubt.setText(state.floor_doubt)
         self.doubt.setVisible(bool(state.floor_doubt))
-        fit_stack(self.pages, seen=state.floor_way != "typed")
+        fit_stack(self.pages, seen=state.floor_method != "typed")
 
     def picture(self, scene: SetupScene) -> SetupPicture:
         """The grid, the horizon and the figure."""
-        return floor_presenter.floor_picture(scene, self._pointer, self.points.chosen)
+        return floor_presenter.floor_picture(scene, self.pointer, self.points.chosen)
 
     # gestures
-
-    def hover(self, x: float, y: float) -> None:
-        """The figure follows the mouse."""
-        self._pointer = (x, y)
-        self.redrawn.emit()
 
     def click(self, x: float, y: float) -> None:
         """One more point of the floor."""
         state = self.editor.state
-        if state.floor_way in ("points", "distances"):
+        if state.floor_method in ("points", "distances"):
             self.points.chosen = len(state.points)
             self.editor.change(floor_presenter.with_point(state, x, y))
 
@@ -156,7 +150,7 @@ class FloorPage(StepPage):
     def delete(self) -> None:
         """Take the chosen point away."""
         state, row = self.editor.state, self.points.chosen
-        if state.floor_way in ("points", "distances") and 0 <= row < len(state.points):
+        if state.floor_method in ("points", "distances") and 0 <= row < len(state.points):
             self.points.chosen = -1
             self.editor.change(floor_presenter.without_point(state, row))
 
@@ -171,8 +165,9 @@ class FloorPage(StepPage):
 
         self.editor.try_change(self.step, change)  # type: ignore[arg-type]
 
-    def _choose_way(self, way: FloorWay) -> None:
-        self.editor.change(replace(self.editor.state, floor_way=way))
+    def _choose_method(self, method: FloorMethod) -> None:
+        self.editor.tell(self.step, "")
+        self.editor.change(replace(self.editor.state, floor_method=method))
 
     def _measure(self) -> None:
         state = self.editor.state

@@ -6,10 +6,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from app.core.i18n import tr
+from app.core.i18n import sentence, tr
 from app.features.setup.cameras_presenter import cameras_picture
+from app.features.setup.floor_marks import with_floor
 from app.features.setup.scene import SetupPicture, SetupScene, SetupState
-from tracking.arrays import Floats
 from tracking.calibration.floor import (
     FloorEstimate,
     FloorPoint,
@@ -20,32 +20,14 @@ from tracking.calibration.floor import (
     floor_by_stereo,
 )
 from tracking.errors import CalibrationError
-from tracking.geometry import Ground, View
+from tracking.geometry import Ground
 from tracking.progress import Progress
 from tracking.recording import open_recording
 from tracking.recording.region_of_interest import EVERYWHERE
 from tracking.setup.plan import options_of_plan
 
-FIGURE_M, _FIGURE_WIDTH_M = 1.7, 0.5
-_GRID_M, _FAR_M, _ASIDE_M = 1.0, 15.0, 6.0
-"""Of the grid that is drawn on the floor: its step, and how far it reaches."""
-_PIECE_M = 0.25
-"""Lines are drawn in pieces, which may be cut at the edge of what the lens shows."""
-_FARTHEST_PX = 4
-"""Of the image's larger side: pieces farther off are left out."""
 _UNSURE_HEIGHT, _UNSURE_TILT_DEG = 0.05, 2.0
 """Standard deviations (height: share) from which a floor is told to be unsure."""
-
-
-def view_of(scene: SetupScene) -> View | None:
-    """The left camera over its floor; None where calibration or floor are not known."""
-    plan, calibration = scene.state.plan, scene.checked.calibration
-    if plan is None or plan.ground is None or calibration is None or scene.images is None:
-        return None
-    height, width = scene.images.left.shape[:2]
-    if calibration.left.size != (width, height):
-        return None
-    return View(calibration.left, plan.ground)
 
 
 def measured(state: SetupState, progress: Progress) -> FloorEstimate:
@@ -74,9 +56,9 @@ def estimated(scene: SetupScene) -> FloorEstimate:
     if calibration is None:
         raise CalibrationError("floor: the camera is not calibrated; do the step before first")
     camera = calibration.left
-    if state.floor_way == "points":
+    if state.floor_method == "points":
         return floor_by_points(camera, state.points)
-    if state.floor_way == "distances":
+    if state.floor_method == "distances":
         pixels = np.array([(point.u, point.v) for point in state.points], float).reshape(-1, 2)
         return floor_by_distances(camera, pixels, state.distances)
     if state.pose_file is None:
@@ -117,7 +99,7 @@ def _told(found: FloorEstimate) -> str:
 
 
 def _doubt(found: FloorEstimate) -> str:
-    lines = [text[:1].upper() + text[1:] + "." for text in map(tr, found.notes)]
+    lines = list(map(sentence, found.notes))
     share = found.height_sigma_m / max(found.ground.height_m, 1e-3)
     if share > _UNSURE_HEIGHT or found.tilt_sigma_deg > _UNSURE_TILT_DEG:
         lines.append(tr("It is not sure: compare the figure with people in the picture."))
@@ -190,7 +172,7 @@ def floor_picture(
     if images is None:
         return cameras_picture(scene)
     points = np.array([(point.u, point.v) for point in scene.state.points], float).reshape(-1, 2)
-    if not with_points or scene.state.floor_way not in ("points", "distances"):
+    if not with_points or scene.state.floor_method not in ("points", "distances"):
         points = points[:0]
     picture = SetupPicture(
         images.left,
@@ -198,49 +180,4 @@ def floor_picture(
         handle=chosen,
         said=tr("Left camera with the floor's grid"),
     )
-    view = view_of(scene)
-    if view is None:
-        return picture
-    size = images.left.shape[1], images.left.shape[0]
-    grid = tuple(_drawable(view.pixel_from_world(line), size) for line in _grid_lines())
-    where = pointer or (size[0] * 0.5, size[1] * 0.75)
-    return replace(picture, grid=grid, horizon=_horizon(view, size), figure=_figure(view, where))
-
-
-def _drawable(pixels: Floats, size: tuple[int, int]) -> Floats:
-    """The pixels with NaN where they are far off the image: there lines are not drawn."""
-    far = _FARTHEST_PX * max(size)
-    near = np.asarray((np.abs(np.nan_to_num(pixels, nan=np.inf)) < far).all(axis=1))
-    return np.where(near[:, None], pixels, np.nan)
-
-
-def _grid_lines() -> list[Floats]:
-    """(n, 3) m: lines along and across the floor before the camera, and around below it."""
-    along = np.arange(-_ASIDE_M, _FAR_M + _PIECE_M, _PIECE_M)
-    across = np.arange(-_ASIDE_M, _ASIDE_M + _PIECE_M, _PIECE_M)
-    lines = [
-        np.column_stack((np.full(len(along), x), along, np.zeros(len(along))))
-        for x in np.arange(-_ASIDE_M, _ASIDE_M + _GRID_M, _GRID_M)
-    ]
-    return lines + [
-        np.column_stack((across, np.full(len(across), y), np.zeros(len(across))))
-        for y in np.arange(-_ASIDE_M, _FAR_M + _GRID_M, _GRID_M)
-    ]
-
-
-def _horizon(view: View, size: tuple[int, int]) -> Floats:
-    angle = np.deg2rad(np.arange(-80.0, 81.0, 2.0))
-    far = 1e5 * np.column_stack((np.sin(angle), np.cos(angle), np.zeros(len(angle))))
-    return _drawable(view.pixel_from_world(far), size)
-
-
-def _figure(view: View, where: tuple[float, float]) -> tuple[float, float, float, float] | None:
-    """Somebody of usual height who stands where a pixel shows the floor; None: above it."""
-    place = view.floor_from_pixel(np.array([where]))
-    if not np.isfinite(place).all():
-        return None
-    box = view.box_of_person(place, FIGURE_M, _FIGURE_WIDTH_M)[0]
-    if not np.isfinite(box).all() or np.abs(box).max() > 1e5:
-        return None
-    left, top, width, height = box.tolist()
-    return left, top, width, height
+    return with_floor(picture, scene, pointer)

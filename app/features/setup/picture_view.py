@@ -16,9 +16,11 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QWidget
 
 from app.core.drawing.canvas import Canvas
+from app.core.drawing.label_marks import draw_arrow
 from app.core.drawing.name_plates import draw_message
 from app.core.drawing.viewport import path_through, polygon
 from app.core.look.theme import Theme, faded
+from app.core.scenes.labels import LINE_COLOUR, OCCLUDER_COLOUR
 from app.features.setup.scene import SetupPicture, ShownOutline
 from tracking.arrays import Floats
 from tracking.recording.frame import Image
@@ -33,8 +35,15 @@ _ARROWS = {
 }
 _FAST = 10.0
 _SEEN = QColor(90, 220, 120)
+_GRID, _GRID_BEHIND = 0.75, 0.35
+"""How strong the grid is, and behind outlines, which may have its colour."""
 _HORIZON, _FIGURE = QColor(80, 190, 255), QColor(255, 200, 60)
-_LOOK, _MASK = QColor(90, 220, 120), QColor(255, 110, 90)
+_COLOURS = {
+    "look": _SEEN,
+    "mask": QColor(255, 110, 90),
+    "occluder": QColor(*OCCLUDER_COLOUR),
+    "line": QColor(*LINE_COLOUR),
+}
 
 
 class PictureView(Canvas):
@@ -194,7 +203,13 @@ class PictureView(Canvas):
         )
         painter.save()
         painter.setClipRect(self.viewport.rect(self.content()))
+        painter.save()
+        painter.setClipRect(
+            self.viewport.rect(QRectF(-0.5, -0.5, *picture.floor_size)),
+            Qt.ClipOperation.IntersectClip,
+        )
         self._draw_floor(painter, picture)
+        painter.restore()
         handles = self._handles_now()
         first = len(picture.points)
         for outline in picture.outlines:
@@ -213,7 +228,8 @@ class PictureView(Canvas):
         return handles
 
     def _draw_floor(self, painter: QPainter, picture: SetupPicture) -> None:
-        painter.setPen(QPen(faded(_SEEN, 0.75), 1.2))
+        strength = _GRID_BEHIND if picture.outlines else _GRID
+        painter.setPen(QPen(faded(_SEEN, strength), 1.2))
         for line in picture.grid:
             painter.drawPath(path_through(self.viewport.to_widget(line), False))
         if picture.horizon is not None:
@@ -225,14 +241,16 @@ class PictureView(Canvas):
             painter.drawRoundedRect(self.viewport.rect(QRectF(*picture.figure)), 6, 6)
 
     def _draw_outline(self, painter: QPainter, outline: ShownOutline, corners: Floats) -> None:
-        colour = _LOOK if outline.kind == "look" else _MASK
+        colour = _COLOURS[outline.kind]
         painter.setPen(QPen(colour, 3.0 if outline.chosen else 1.8))
         painter.setBrush(faded(colour, 0.18) if outline.closed else Qt.BrushStyle.NoBrush)
         shape = polygon(self.viewport.to_widget(corners))
-        if outline.closed:
+        if outline.closed and outline.kind != "line":
             painter.drawPolygon(shape)
         else:
             painter.drawPolyline(shape)
+        if len(outline.arrow):
+            draw_arrow(painter, self.viewport.to_widget(outline.arrow), colour)
 
     def _draw_handles(self, painter: QPainter, handles: Floats, theme: Theme) -> None:
         numbered = len(self._picture.points)

@@ -61,7 +61,7 @@ class PointsTable(QWidget):
     def fill(self, scene: SetupScene) -> None:
         """The points and what is known of them."""
         state = scene.state
-        self._distances = state.floor_way == "distances"
+        self._distances = state.floor_method == "distances"
         self.told.setText(
             tr("Click four or more points on the floor, then enter distances between them.")
             if self._distances
@@ -109,7 +109,7 @@ class PointsTable(QWidget):
 
     def is_complete(self, state: SetupState) -> bool:
         """Whether enough is entered for a floor."""
-        if state.floor_way == "distances":
+        if state.floor_method == "distances":
             return len(state.distances) >= _FEWEST
         placed = {(point.x_m, point.y_m) for point in state.points}
         return len(state.points) >= _FEWEST and len(placed) == len(state.points)

@@ -4,21 +4,17 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from app.core.error_messages import explain
 from app.core.i18n import tr
 from app.features.setup.scene import (
     CameraImages,
-    Checked,
     Mark,
     SetupScene,
     SetupState,
     Step,
 )
-from tracking.errors import TrackwrightError
 from tracking.recording import open_recording
 from tracking.recording.region_of_interest import EVERYWHERE
 from tracking.setup import SetupPlan
-from tracking.setup.calibration_facts import read_facts
 from tracking.setup.plan import options_of_plan
 
 STEPS = tuple(Step)
@@ -86,35 +82,6 @@ def bare(plan: SetupPlan) -> SetupPlan:
     return replace(plan, calibration=(), ground=None, region=EVERYWHERE, fps=fps)
 
 
-def check(plan: SetupPlan) -> Checked:
-    """Open a plan as a trial; slow. Problems are told, not raised."""
-    step, checked = Step.CAMERAS, Checked(plan)
-    try:
-        alone = replace(plan, calibration=(), ground=None, region=EVERYWHERE)
-        with open_recording(plan.folder, options_of_plan(alone)) as recording:
-            size, stereo = recording.size, recording.is_stereo
-        if plan.calibration:
-            step = Step.CALIBRATION
-            facts = read_facts(plan.calibration, size, stereo)
-            read, missing = (tuple(map(tr, lines)) for lines in (facts.read, facts.missing))
-            checked = replace(checked, calibration=facts.calibration, read=read, missing=missing)
-            _open(replace(plan, ground=None, region=EVERYWHERE))
-        step = Step.FLOOR
-        _open(replace(plan, region=EVERYWHERE))
-        step = Step.REGION
-        _open(plan)
-    except TrackwrightError as error:
-        return replace(checked, problem=explain(error), step=step)
-    except OSError as error:
-        return replace(checked, problem=explain(error), step=step)
-    return checked
-
-
-def _open(plan: SetupPlan) -> None:
-    with open_recording(plan.folder, options_of_plan(plan)):
-        pass
-
-
 def read_images(plan: SetupPlan, share: float) -> CameraImages:
     """Both cameras at one instant, a share (0 to 1) of the footage from its start; slow.
 
@@ -130,8 +97,8 @@ def read_images(plan: SetupPlan, share: float) -> CameraImages:
 
 
 def mark_of(step: Step, scene: SetupScene) -> tuple[Mark, str]:
-    """How a step stands, and why, in a few words."""
-    state, plan, problem = scene.state, scene.state.plan, problem_of(step, scene)
+    """How a step stands, and why, in a few words; a try that failed changes nothing of it."""
+    state, plan, problem = scene.state, scene.state.plan, fault_of(step, scene)
     if plan is None:
         return Mark.OPEN, tr("not begun")
     if problem:
@@ -150,7 +117,8 @@ def mark_of(step: Step, scene: SetupScene) -> tuple[Mark, str]:
             return Mark.OPEN, tr("no metres yet")
         return (Mark.WARNING, tr("unsure")) if state.floor_doubt else (Mark.DONE, tr("done"))
     if step is Step.REGION:
-        return (Mark.DONE, tr("done")) if plan.region else (Mark.OPEN, tr("whole image"))
+        drawn = plan.region or state.occluders or state.lines
+        return (Mark.DONE, tr("done")) if drawn else (Mark.OPEN, tr("whole image"))
     return Mark.OPEN, tr("not written")
 
 
@@ -161,9 +129,12 @@ def _mark_of_cameras(state: SetupState) -> tuple[Mark, str]:
 
 
 def problem_of(step: Step, scene: SetupScene) -> str:
-    """What is wrong at a step, in words; "" where nothing is."""
-    if told := scene.problems.get(step, ""):
-        return told
+    """What is told beside a step: why the last try failed, or its fault; "": nothing."""
+    return scene.problems.get(step, "") or fault_of(step, scene)
+
+
+def fault_of(step: Step, scene: SetupScene) -> str:
+    """Why what counts at a step cannot be used, in words; "" where it can."""
     checked = scene.checked
     if checked.plan is not None and checked.plan == scene.state.plan and checked.step is step:
         return checked.problem

@@ -2,19 +2,24 @@
 
 from __future__ import annotations
 
+import numpy as np
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QHBoxLayout, QListWidget, QWidget
+from PySide6.QtWidgets import QGridLayout, QListWidget, QWidget
 
 from app.core.i18n import tr
 from app.features.setup import region_presenter
 from app.features.setup.controller import SetupEditor
-from app.features.setup.region_presenter import outline_title, outlines_of_plan, region_told
-from app.features.setup.scene import OutlineKind, SetupPicture, SetupScene, Step
+from app.features.setup.region_presenter import (
+    fewest_corners,
+    outlines_of,
+    region_told,
+    titles_of,
+)
+from app.features.setup.scene import OutlineKind, SetupPicture, SetupScene, ShownOutline, Step
 from app.features.setup.step_page import StepPage, plain
 from tracking.recording.region_of_interest import Outline
 
 _ROWS_SEEN = 5
-_FEWEST = 3
 
 
 class RegionPage(StepPage):
@@ -27,17 +32,15 @@ class RegionPage(StepPage):
     picture_wanted = Signal()
 
     def __init__(self, editor: SetupEditor, parent: QWidget) -> None:
-        said = tr("Draw where people are looked for, and what is left out. It can stay open.")
+        said = tr(
+            "Draw where people are looked for, what is left out, what hides people, and lines to "
+            "count at. All of it can stay open."
+        )
         super().__init__(editor, tr("Region"), said, parent)
         self._kind: OutlineKind = "look"
         self._drawn: Outline | None = None
         self._chosen, self._corner = -1, -1
-        row = QHBoxLayout()
-        self.look_here = self.button(tr("Look only here"), lambda: self._begin("look"))
-        self.leave_out = self.button(tr("Leave this out"), lambda: self._begin("mask"))
-        row.addWidget(self.look_here)
-        row.addWidget(self.leave_out)
-        self.rows.addLayout(row)
+        self.rows.addLayout(self._buttons())
         self.how = plain("", self, "")
         self.rows.addWidget(self.how)
         self.list = QListWidget(self.widget())
@@ -45,47 +48,63 @@ class RegionPage(StepPage):
         self.list.setFixedHeight(_ROWS_SEEN * (self.list.fontMetrics().height() + 12))
         self.list.currentRowChanged.connect(self._choose_row)
         self.rows.addWidget(self.list)
-        self.remove = self.button(tr("Delete outline"), self._delete_outline)
+        self.remove = self.button(tr("Delete"), self._delete_outline, tr("Delete what is chosen"))
         self.rows.addWidget(self.remove, 0, Qt.AlignmentFlag.AlignLeft)
         self.told = plain("", self)
         self.rows.addWidget(self.problem)
         self.rows.addWidget(self.told)
-        later = tr(
-            "Occluders, counting lines and regions to count in are drawn in the window once the "
-            "recording is open: they are kept in the session."
-        )
-        self.rows.addWidget(plain(later, self))
+        self.kept = plain("", self)
+        self.rows.addWidget(self.kept)
         self.rows.addStretch(1)
+
+    def _buttons(self) -> QGridLayout:
+        """What can be drawn."""
+        self.look_here = self.button(tr("Look only here"), lambda: self._begin("look"))
+        self.leave_out = self.button(tr("Leave this out"), lambda: self._begin("mask"))
+        self.occluder = self.button(tr("Occluder"), lambda: self._begin("occluder"))
+        self.line = self.button(tr("Counting line"), lambda: self._begin("line"))
+        self.leave_out.setToolTip(tr("A clock, a screen, a mirror: nobody is looked for there."))
+        self.occluder.setToolTip(tr("A pillar, a desk: people pass behind it."))
+        self.line.setToolTip(tr("Passages over it are counted, both ways."))
+        grid = QGridLayout()
+        for number, button in enumerate((self.look_here, self.leave_out, self.occluder, self.line)):
+            grid.addWidget(button, number // 2, number % 2)
+        return grid
 
     def fill(self, scene: SetupScene) -> None:
         """The outlines."""
-        outlines = outlines_of_plan(scene.state)
+        outlines = outlines_of(scene.state)
         if self._chosen >= len(outlines):
             self._chosen, self._corner = -1, -1
-        titles = [outline_title(kind, row) for row, kind in _numbered(outlines)]
+        titles = titles_of(scene.state)
         if [self.list.item(row).text() for row in range(self.list.count())] != titles:
             self.list.clear()
             self.list.addItems(titles)
         self.list.setCurrentRow(self._chosen)
         ready = scene.images is not None
-        for button in (self.look_here, self.leave_out):
+        for button in (self.look_here, self.leave_out, self.occluder, self.line):
             button.setEnabled(ready)
         self.remove.setEnabled(self._chosen >= 0)
         self.told.setText(region_told(scene))
+        self.kept.setText(region_presenter.kept_told(scene.state))
         self._tell_how()
 
     def picture(self, scene: SetupScene) -> SetupPicture:
         """The outlines on the left image."""
         state = scene.state
         handle = region_presenter.handle_of_corner(state, self._chosen, max(self._corner, 0))
-        drawn = self._drawn or ()
+        drawn = None
+        if self._drawn:
+            drawn = ShownOutline(np.array(self._drawn), self._kind, True, closed=False)
         if self._drawn is not None or self._corner < 0:
             handle = -1
-        return region_presenter.region_picture(scene, self._chosen, handle, drawn, self._kind)
+        return region_presenter.region_picture(scene, self._chosen, handle, drawn, self.pointer)
 
     def _tell_how(self) -> None:
         if self._drawn is None:
             said = tr("Drag corners; arrow keys move the chosen one, Page Down takes the next.")
+        elif self._kind == "line":
+            said = tr("Click both ends of the line. Enter makes a line in the middle.")
         elif self._drawn:
             said = tr("Click the corners. Enter or the first corner ends it, Escape gives it up.")
         else:
@@ -104,7 +123,10 @@ class RegionPage(StepPage):
         """One more corner of what is drawn, else the outline there is chosen."""
         if self._drawn is not None:
             self._drawn = (*self._drawn, (x, y))
-            self._redraw()
+            if self._kind == "line" and len(self._drawn) == fewest_corners("line"):
+                self.end()
+            else:
+                self._redraw()
             return
         self._chosen, self._corner = self._outline_at(x, y), -1
         self._redraw()
@@ -133,9 +155,13 @@ class RegionPage(StepPage):
         if drawn is None or images is None:
             return
         if not drawn:
-            drawn = region_presenter.middle_rectangle((images.left.shape[1], images.left.shape[0]))
-        if len(drawn) < _FEWEST:
-            self.editor.tell(self.step, tr("An outline has three corners or more: click further."))
+            size = images.left.shape[1], images.left.shape[0]
+            drawn = region_presenter.middle_outline(self._kind, size)
+        if len(drawn) < fewest_corners(self._kind):
+            told = tr("An outline has three corners or more: click further.")
+            if self._kind == "line":
+                told = tr("A line has two ends: click the other one.")
+            self.editor.tell(self.step, told)
             return
         self._drawn = None
         self.editor.tell(self.step, "")
@@ -146,7 +172,7 @@ class RegionPage(StepPage):
 
     def leave(self) -> None:
         """What has corners enough is an outline, though nobody ended it."""
-        if self._drawn is not None and len(self._drawn) >= _FEWEST:
+        if self._drawn is not None and len(self._drawn) >= fewest_corners(self._kind):
             self.end()
 
     def give_up(self) -> None:
@@ -182,15 +208,3 @@ class RegionPage(StepPage):
     def _redraw(self) -> None:
         self.show_scene(self.editor.scene)
         self.redrawn.emit()
-
-
-def _numbered(
-    outlines: tuple[tuple[OutlineKind, Outline], ...],
-) -> list[tuple[int, OutlineKind]]:
-    """Each outline's number among those of its kind, from 1."""
-    counts: dict[OutlineKind, int] = {"look": 0, "mask": 0}
-    numbered = []
-    for kind, _ in outlines:
-        counts[kind] += 1
-        numbered.append((counts[kind], kind))
-    return numbered

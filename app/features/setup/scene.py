@@ -14,13 +14,16 @@ from tracking.calibration.boards import BoardCalibration, BoardKind, LensKind
 from tracking.calibration.floor import FloorPoint
 from tracking.geometry import StereoCalibration
 from tracking.recording.frame import Image
+from tracking.recording.region_of_interest import Outline
 from tracking.setup import SetupPlan
+from tracking.tracks import CountingLine, Occluder
 
 Arrangement = Literal["pair", "one", "side-by-side", "top-bottom"]
-CalibrationWay = Literal["file", "board", "rough"]
-FloorWay = Literal["measured", "typed", "points", "distances", "pose"]
+CalibrationMethod = Literal["file", "board", "rough"]
+FloorMethod = Literal["measured", "typed", "points", "distances", "pose"]
 Shown = Literal["cameras", "rectified", "coverage"]
-OutlineKind = Literal["look", "mask"]
+OutlineKind = Literal["look", "mask", "occluder", "line"]
+"""Of the first two recording.toml tells, of the others the session."""
 Distance = tuple[int, int, float]
 """Numbers of two points, from 0, and metres between them."""
 
@@ -73,12 +76,13 @@ class SetupState:
         by_hand: of "files", "left", "arrangement", "lag", those that a person set.
         found, doubts: what the images tell of the cameras, in words.
         found_lag: frames by which the right camera is late; None: not told by the images.
-        calibration_way, floor_way: the form that is shown.
+        calibration_method, floor_method: the form that is shown.
         calibration_told: how the calibration was made, in words; "" for a file.
         left_out: names of pictures of boards that a person left out; None: the program chose.
         floor_told: how the floor was found; floor_doubt: what is odd about it.
         points: clicked on the floor; distances: between them.
         pose_file, convention: of a pose.
+        occluders, lines: drawn on the left image, in px, to be kept in a session.
     """
 
     plan: SetupPlan | None = None
@@ -86,18 +90,29 @@ class SetupState:
     found: tuple[str, ...] = ()
     doubts: tuple[str, ...] = ()
     found_lag: int | None = None
-    calibration_way: CalibrationWay = "file"
+    calibration_method: CalibrationMethod = "file"
     calibration_told: str = ""
     board: BoardForm = BoardForm()
     rough: RoughForm = RoughForm()
     left_out: frozenset[str] | None = None
-    floor_way: FloorWay = "measured"
+    floor_method: FloorMethod = "measured"
     floor_told: str = ""
     floor_doubt: str = ""
     points: tuple[FloorPoint, ...] = ()
     distances: tuple[Distance, ...] = ()
     pose_file: Path | None = None
     convention: str = ""
+    occluders: tuple[Occluder, ...] = ()
+    lines: tuple[CountingLine, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class DrawnOutline:
+    """What was drawn. Attributes: corners: px; of a line its ends. name: "" where it has none."""
+
+    kind: OutlineKind
+    corners: Outline
+    name: str = ""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -118,6 +133,8 @@ class Checked:
         plan: the one. problem: why it cannot be used; "" where it can. step: where the problem is.
         calibration: as read, in the size of the images; None: none, or not readable.
         read, missing: what the calibration holds and lacks, in words.
+        text: recording.toml as it would be. places: which files would be written, in words.
+        replaces: a recording.toml is there already.
     """
 
     plan: SetupPlan | None = None
@@ -126,6 +143,9 @@ class Checked:
     calibration: StereoCalibration | None = None
     read: tuple[str, ...] = ()
     missing: tuple[str, ...] = ()
+    text: str = ""
+    places: str = ""
+    replaces: bool = False
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -147,12 +167,18 @@ class SetupScene:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ShownOutline:
-    """A polygon on the picture, (n, 2) px. Attributes: closed: it is whole, and not being drawn."""
+    """A polygon or a line on the picture, (n, 2) px.
+
+    Attributes:
+        closed: it is whole, and not being drawn.
+        arrow: (2, 2) px, which way over a line is forward; (0, 2): none.
+    """
 
     corners: Floats
     kind: OutlineKind
     chosen: bool = False
     closed: bool = True
+    arrow: Floats = field(default_factory=lambda: np.zeros((0, 2)))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -162,6 +188,7 @@ class SetupPicture:
     Attributes:
         image: (height, width, 3) BGR; None: nothing yet. titles: (x, text) along the upper edge.
         grid, horizon: lines (n, 2) px on it. figure: (left, top, width, height) of somebody.
+        floor_size: (width, height) px of the image's part, from its corner, that they are of.
         points: (n, 2) px, numbered. outlines: polygons. handle: the chosen one of `handles`.
         said: for screen readers, and where there is no image.
     """
@@ -171,6 +198,7 @@ class SetupPicture:
     grid: tuple[Floats, ...] = ()
     horizon: Floats | None = None
     figure: tuple[float, float, float, float] | None = None
+    floor_size: tuple[float, float] = (0.0, 0.0)
     points: Floats = field(default_factory=lambda: np.zeros((0, 2)))
     outlines: tuple[ShownOutline, ...] = ()
     handle: int = -1

@@ -22,11 +22,14 @@ from PySide6.QtWidgets import (
 
 from app.core.widgets.number_boxes import NumberBox, WholeBox, tell_beside
 from app.core.widgets.parts import quiet
+from app.features.setup.cameras_presenter import cameras_picture
 from app.features.setup.controller import SetupEditor
+from app.features.setup.floor_marks import view_of
 from app.features.setup.presenter import problem_of
 from app.features.setup.scene import SetupPicture, SetupScene, Step
 
 _LEAST_LABEL_PX = 20
+_AROUND_TEXT_PX = 10
 _Box = TypeVar("_Box", NumberBox, WholeBox)
 
 
@@ -34,6 +37,9 @@ class StepPage(QScrollArea):
     """A step's form, which scrolls where it is too high; its picture is drawn beside it.
 
     Signals: redrawn(), the picture is another one though nothing was entered.
+
+    Attributes:
+        pointer: where the mouse is on the picture, px of the image; None: it was not there yet.
     """
 
     step = Step.CAMERAS
@@ -43,6 +49,7 @@ class StepPage(QScrollArea):
         super().__init__(parent)
         self.editor = editor
         self._filling = False
+        self.pointer: tuple[float, float] | None = None
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
@@ -92,14 +99,17 @@ class StepPage(QScrollArea):
         """Put the scene into the fields."""
 
     def picture(self, scene: SetupScene) -> SetupPicture:
-        """What stands beside the form."""
-        raise NotImplementedError
+        """What stands beside the form: the cameras, where a step has nothing else to show."""
+        return cameras_picture(scene, self.pointer)
 
     def click(self, x: float, y: float) -> None:
         """The picture was clicked, px of the image."""
 
     def hover(self, x: float, y: float) -> None:
-        """The mouse is over the picture."""
+        """The mouse is over the picture: the figure on the floor follows it."""
+        self.pointer = (x, y)
+        if view_of(self.editor.scene) is not None:
+            self.redrawn.emit()
 
     def move_handle(self, number: int, x: float, y: float) -> None:
         """A handle was moved."""
@@ -148,8 +158,14 @@ class StepPage(QScrollArea):
         box.setRange(low, high)
         return self._field(box, changed)
 
+    @property
+    def _field_height(self) -> int:
+        """As high as fields for text are."""
+        return self.fontMetrics().height() + _AROUND_TEXT_PX
+
     def _field(self, box: _Box, changed: Callable[[], object]) -> _Box:
         box.setKeyboardTracking(False)
+        box.setMinimumHeight(self._field_height)
         tell_beside(box)
         box.valueChanged.connect(lambda: None if self._filling else changed())
         return box
@@ -159,6 +175,7 @@ class StepPage(QScrollArea):
     ) -> QComboBox:
         """A list to choose one of: (value, text) each."""
         box = QComboBox(self.widget())
+        box.setMinimumHeight(self._field_height)
         for value, text in options:
             box.addItem(text, value)
         box.currentIndexChanged.connect(

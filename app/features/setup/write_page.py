@@ -52,6 +52,7 @@ class WritePage(StepPage):
         self.places = plain("", self)
         self.rows.addWidget(self.places)
         self.write = self.button(tr("Write and open"), self.write_asked.emit)
+        self.write.setProperty("primary", True)
         self.rows.addWidget(self.write)
 
     def fill(self, scene: SetupScene) -> None:
@@ -62,13 +63,13 @@ class WritePage(StepPage):
             self.name.setPlaceholderText(write_presenter.default_name(plan))
         if not self.isVisible():
             return
-        text = write_presenter.text_to_write(scene)
+        text = scene.checked.text if plan is not None else tr("# Choose the cameras first.")
         if text != self.text.toPlainText():
             self.text.setPlainText(text)
         remarks = write_presenter.remarks(scene)
         self.remarks.setText("\n".join(remarks))
         self.remarks.setVisible(bool(remarks))
-        self.places.setText(write_presenter.places_told(scene))
+        self.places.setText(scene.checked.places if plan is not None else "")
         self.write.setEnabled(may_write(scene))
 
     def picture(self, scene: SetupScene) -> SetupPicture:
@@ -76,7 +77,7 @@ class WritePage(StepPage):
         plan = scene.state.plan
         if plan is None or plan.ground is None:
             return cameras_picture(scene)
-        return floor_picture(scene, None, with_points=False)
+        return floor_picture(scene, self.pointer, with_points=False)
 
     def _type(self) -> None:
         state, name = self.editor.state, self.name.text().strip()

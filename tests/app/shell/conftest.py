@@ -10,6 +10,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
+from setup_fixtures import begin, card, user, with_calibration  # noqa: F401 - fixtures
 from shifted_runs import AGAIN_AT, SHIFTED
 
 from app.core.document import document_loader

@@ -5,6 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from PySide6.QtCore import QMargins, QRect, QSize
 from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QAbstractButton
 
 from app.shell.main_window import MainWindow
 from app.shell.screen_fit import fitted, keep_on_screen
@@ -44,3 +45,19 @@ def test_one_that_was_made_larger_than_the_screen_comes_back_inside_it(fresh):
     fresh.setGeometry(100, 100, 1600, 1000)
     keep_on_screen(fresh)
     assert room.contains(fresh.geometry())
+
+
+def test_the_panels_at_the_right_are_not_cut_in_a_small_window_once_there_are_tracks(
+    window, controller, qtbot
+):
+    window.resize(1000, 640)
+    window.show()
+    column = window.workspace._panels
+    controller.editing.pick(controller.document.tracks.ids[0])
+    window.workspace.card.setMinimumWidth(column.width() + 40)  # as larger letters would
+    qtbot.waitUntil(lambda: column.horizontalScrollBar().maximum() == 0)
+    assert column.widget().width() <= column.viewport().width()
+    for button in column.widget().findChildren(QAbstractButton):
+        if button.isVisible():
+            right = button.mapTo(column.viewport(), button.rect().topRight()).x()
+            assert right <= column.viewport().width()

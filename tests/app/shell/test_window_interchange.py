@@ -178,6 +178,7 @@ def test_a_file_is_not_imported_by_dropping_it_while_other_work_is_going_on(
     window.files.importing.said.connect(told.append)
     window.work.run("waiting", lambda _: over.wait(PATIENCE_S), lambda _: None)
     window.files.open_dropped([QUrl.fromLocalFile(str(tiny_recording / "truth.txt"))])
+    qtbot.waitUntil(lambda: bool(told))
     over.set()
     at_rest(window, qtbot)
     assert told == ["wait until the work in progress is done"]

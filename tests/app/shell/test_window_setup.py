@@ -1,7 +1,7 @@
 """From two files to a recording with metres, in the real window, with mouse and keys."""
 
 import shutil
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
@@ -12,6 +12,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QLabel, QMessageBox, QWidget
 from pytestqt.qtbot import QtBot
+from setup_fixtures import Begin
 
 from app.features.setup.scene import Step
 from app.shell.main_window import MainWindow
@@ -23,53 +24,6 @@ from tracking.recording import open_recording, read_manifest
 from tracking.setup.calibration_facts import field_of_view_deg
 
 CTRL = Qt.KeyboardModifier.ControlModifier
-PATIENCE_MS = 60_000
-
-
-@pytest.fixture
-def card(tiny_recording: Path, tmp_path: Path) -> Path:
-    """The cameras' files as a camera names them, the right one first."""
-    folder = tmp_path / "card"
-    folder.mkdir()
-    for side, name in (("left", "GX010035"), ("right", "GX010034")):
-        source = next(tiny_recording.glob(f"{side}*"))
-        shutil.copyfile(source, folder / (name + source.suffix))
-    return folder
-
-
-@pytest.fixture
-def with_calibration(card: Path, tiny_recording: Path) -> Path:
-    """The same with the calibration beside them."""
-    shutil.copyfile(tiny_recording / "calibration.yaml", card / "calibration.yaml")
-    return card
-
-
-@pytest.fixture
-def user(window: MainWindow, qtbot: QtBot) -> Iterator[SetupUser]:
-    """Who sits before the window."""
-    window.resize(1000, 640)
-    window.show()
-    user = SetupUser(window, lambda ready: qtbot.waitUntil(ready, timeout=PATIENCE_MS))
-    yield user
-    if window.files.setup.dialog is not None:
-        user.wait_for_rest()
-        window.files.setup.dialog.reject()
-
-
-Begin = Callable[[Path], SetupUser]
-
-
-@pytest.fixture
-def begin(user: SetupUser) -> Begin:
-    """Drops the videos of a folder and waits until they were looked at."""
-
-    def begin(folder: Path) -> SetupUser:
-        user.drop(sorted(folder.glob("GX*")))
-        user.wait(lambda: user.window.files.setup.dialog is not None)
-        user.wait_for_rest()
-        return user
-
-    return begin
 
 
 def test_two_bare_videos_reach_live_tracking_with_metres_in_fifteen_actions(
@@ -180,7 +134,7 @@ def test_an_interrupted_set_up_is_offered_again(
     assert not (with_calibration / "recording.toml").exists()
     window.menus.actions["file.setup"].trigger()
     dialog = user.dialog
-    assert "interrupted" in dialog.cameras.resume_told.text()
+    assert "did not write it" in dialog.cameras.resume_told.text()
     user.press(dialog.cameras.resume_button)
     user.wait_for_rest()
     assert dialog.plan is not None
@@ -244,7 +198,7 @@ def test_points_are_clicked_and_their_places_typed(
     user = begin(with_calibration)
     dialog = user.dialog
     dialog.go_to(Step.FLOOR)
-    user.choose(dialog.floor.way, "points")
+    user.choose(dialog.floor.method, "points")
     for pixel in pixels:
         user.click_image(*pixel)
     table = dialog.floor.points.table
@@ -347,13 +301,13 @@ def test_a_square_of_no_size_and_boards_never_found_are_told(begin: Begin, card:
     user = begin(card)
     dialog = user.dialog
     dialog.go_to(Step.CALIBRATION)
-    user.choose(dialog.calibration.way, "board")
+    user.choose(dialog.calibration.method, "board")
     board = dialog.calibration.board
     user.type(board.left, str(card / "GX010035.mp4"))
     assert board.right.text().endswith("GX010034.mp4")
     user.press(board.calibrate)
     user.wait_for_rest()
-    assert "0 mm" in dialog.calibration.problem.text()
+    assert "is not entered" in dialog.calibration.problem.text()
     user.type(board.square, "25")
     user.press(board.calibrate)
     user.wait_for_rest()
@@ -372,7 +326,7 @@ def test_pictures_of_a_board_are_left_out_and_taken_in_again(
     user = begin(card)
     dialog = user.dialog
     dialog.go_to(Step.CALIBRATION)
-    user.choose(dialog.calibration.way, "board")
+    user.choose(dialog.calibration.method, "board")
     form = dialog.calibration.board
     user.type(form.left, str(pictures / "left*.png"))
     assert form.right.text() == str(pictures / "right*.png")

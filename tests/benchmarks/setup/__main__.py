@@ -21,7 +21,13 @@ from tracking.geometry import Ground
 from tracking.recording import open_recording, read_manifest
 from tracking.setup.calibration_facts import field_of_view_deg
 
-_REAL = ("overhead-real", "pets-s2l1-real", "towncentre-real", "office-camera0-real")
+_REAL = (
+    "overhead-real",
+    "pets-s2l1-real",
+    "towncentre-real",
+    "office-camera0-real",
+    "office-camera2-real",
+)
 _ROUGHLY = "roughly-"
 _RENDERED = "rendered-lobby"
 _NAMES = (_ROUGHLY + _RENDERED, _RENDERED, *_REAL)

@@ -158,7 +158,7 @@ def set_up_roughly(
     user.wait_for_rest()
     dialog = user.dialog
     user.press(dialog.next)
-    user.choose(dialog.calibration.way, "rough")
+    user.choose(dialog.calibration.method, "rough")
     user.type(dialog.calibration.rough.fov, f"{fov_deg:.1f}")
     user.type(dialog.calibration.rough.baseline, f"{baseline_mm:.1f}")
     user.press(dialog.calibration.rough.calibrate)

@@ -9,7 +9,7 @@ import cv2
 import numpy as np
 import pytest
 
-from app.features.setup import cameras_presenter, floor_presenter, presenter
+from app.features.setup import cameras_presenter, floor_presenter, trial
 from app.features.setup.drafts import Drafts
 from app.features.setup.scene import SetupState
 from tracking.geometry import Camera, StereoCalibration, write_calibration
@@ -47,7 +47,7 @@ def plan(tmp_path: Path) -> SetupPlan:
 
 def test_a_plan_with_depth_opens_with_it_and_is_written(plan: SetupPlan) -> None:
     assert plan.folder == plan.left.parents[1]
-    assert presenter.check(plan).problem == ""
+    assert trial.check(plan).problem == ""
     with open_recording(plan.folder, options_of_plan(plan)) as recording:
         depth = recording.read(0).depth
         assert depth is not None

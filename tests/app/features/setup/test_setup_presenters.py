@@ -11,11 +11,14 @@ import pytest
 from app.features.setup import (
     calibration_presenter,
     cameras_presenter,
+    drawn_labels,
     floor_presenter,
     presenter,
     region_presenter,
+    trial,
 )
 from app.features.setup.drafts import Drafts
+from app.features.setup.drawn_labels import with_labels
 from app.features.setup.presenter import SetupHistory, mark_of
 from app.features.setup.scene import (
     BoardForm,
@@ -32,6 +35,7 @@ from tracking.geometry import Ground, StereoCalibration, View, read_calibration,
 from tracking.progress import no_progress
 from tracking.recording.region_of_interest import RegionOfInterest
 from tracking.setup import SetupPlan, plan_of
+from tracking.tracks import CountingLine, Labels, Occluder
 
 SIZE = (320, 240)
 
@@ -100,7 +104,7 @@ def test_one_picture_of_a_series_stands_for_the_series(tmp_path: Path) -> None:
     ("form", "words"),
     [
         (BoardForm(), "choose the pictures"),
-        (BoardForm("l*.png", "r*.png"), "a square is 0 mm"),
+        (BoardForm("l*.png", "r*.png"), "a square is not entered"),
         (BoardForm("l*.png", "r*.png", columns=2, square_mm=25.0), "2 x 6"),
     ],
 )
@@ -117,21 +121,21 @@ def test_a_calibration_of_another_size_is_scaled_and_one_of_another_shape_refuse
     write_calibration(larger, calibration.scaled_to((640, 480)))
     left = replace(calibration.left, width=400)
     write_calibration(other, replace(calibration, left=left, right=left))
-    checked = presenter.check(replace(plan, calibration=(larger,)))
+    checked = trial.check(replace(plan, calibration=(larger,)))
     assert checked.problem == ""
     assert any("scaled to" in line for line in checked.read)
-    refused = presenter.check(replace(plan, calibration=(other,)))
+    refused = trial.check(replace(plan, calibration=(other,)))
     assert refused.step is Step.CALIBRATION
     assert "another shape" in refused.problem
 
 
 def test_a_problem_is_told_at_the_step_it_is_of(tiny_recording: Path) -> None:
     plan = plan_of(tiny_recording)
-    assert presenter.check(plan).problem == ""
-    gone = presenter.check(replace(plan, calibration=(tiny_recording / "gone.yaml",)))
+    assert trial.check(plan).problem == ""
+    gone = trial.check(replace(plan, calibration=(tiny_recording / "gone.yaml",)))
     assert (gone.step, bool(gone.problem)) == (Step.CALIBRATION, True)
     outside = RegionOfInterest(look=(((900.0, 900.0), (950.0, 900.0), (950.0, 950.0)),))
-    beyond = presenter.check(replace(plan, region=outside))
+    beyond = trial.check(replace(plan, region=outside))
     assert beyond.step is Step.REGION
     scene = SetupScene(SetupState(replace(plan, region=outside)), beyond)
     assert mark_of(Step.REGION, scene)[0] is Mark.WARNING
@@ -164,14 +168,14 @@ def test_clicked_points_with_places_and_with_distances_give_the_floor(
         FloorPoint(*pixel, *place)
         for pixel, place in zip(pixels.tolist(), places.tolist(), strict=True)
     )
-    state = replace(state, floor_way="points", points=points)
+    state = replace(state, floor_method="points", points=points)
     found = floor_presenter.estimated(_scene(state, calibration))
     assert found.ground.height_m == pytest.approx(2.0, abs=0.01)
     pairs = floor_presenter.pairs_of_points(state)
     known = {
         (one, other): float(np.linalg.norm(places[one] - places[other])) for one, other in pairs
     }
-    state = floor_presenter.with_distances(replace(state, floor_way="distances"), known)
+    state = floor_presenter.with_distances(replace(state, floor_method="distances"), known)
     found = floor_presenter.estimated(_scene(state, calibration))
     assert found.ground.tilt_deg == pytest.approx(30.0, abs=0.5)
     fewer = floor_presenter.without_point(state, 1)
@@ -183,7 +187,7 @@ def test_outlines_are_added_changed_and_taken_away(state: SetupState) -> None:
     state = region_presenter.with_outline(state, "mask", square)
     state = region_presenter.with_outline(state, "look", square[:3])
     assert region_presenter.with_outline(state, "look", square[:2]) == state
-    assert [kind for kind, _ in region_presenter.outlines_of_plan(state)] == ["look", "mask"]
+    assert [one.kind for one in region_presenter.outlines_of(state)] == ["look", "mask"]
     row, corner = region_presenter.corner_of_handle(state, 4)
     assert (row, corner) == (1, 1)
     moved = region_presenter.with_corner(state, row, corner, 20.0, 3.0)
@@ -210,13 +214,15 @@ def test_what_was_entered_is_read_back_and_a_damaged_draft_begins_anew(
         board=BoardForm("l*.png", "r*.png", square_mm=24.5),
         points=(FloorPoint(1.0, 2.0, 3.0, 4.0),),
         distances=((0, 1, 2.5),),
-        floor_way="points",
+        floor_method="points",
         pose_file=Path("pose.json"),
+        occluders=(Occluder("pillar", mask[0]),),
+        lines=(CountingLine("door", (1.0, 2.0), (3.0, 4.0), in_picture=True),),
     )
     drafts.save(full)
     assert drafts.find(state.plan) == full
     (file,) = (tmp_path / "drafts").glob("*.json")
-    for text in ("{", "[]", '{"format": 1}', file.read_text().replace('"chessboard"', '"x"')):
+    for text in ("{", "[]", '{"format": 2}', file.read_text().replace('"chessboard"', '"x"')):
         file.write_text(text)
         assert drafts.find(state.plan) is None
     drafts.forget(state.plan)
@@ -238,3 +244,37 @@ def test_two_videos_of_different_scenes_are_told(tiny_recording: Path, tmp_path:
     state = cameras_presenter.look(SetupPlan(left, folder), no_progress)
     assert any("do not show the same place" in doubt for doubt in state.doubts)
     assert mark_of(Step.CAMERAS, SetupScene(state))[0] is Mark.WARNING
+
+
+def test_lines_and_occluders_are_drawn_named_and_cut_to_what_they_need(state: SetupState) -> None:
+    square = ((0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (0.0, 10.0))
+    for _ in range(2):
+        state = region_presenter.with_outline(state, "occluder", square)
+        state = region_presenter.with_outline(state, "line", square[:2])
+    assert [one.name for one in state.occluders] == ["occluder 1", "occluder 2"]
+    state = region_presenter.without_outline(state, 0)
+    state = region_presenter.with_outline(state, "occluder", square)
+    assert {one.name for one in state.occluders} == {"occluder 1", "occluder 2"}
+    assert region_presenter.titles_of(state)[2:] == [
+        "Counting line: line 1",
+        "Counting line: line 2",
+    ]
+    assert region_presenter.kept_told(state).endswith("2 occluders, 2 counting lines.")
+    moved = region_presenter.with_corner(state, 3, 1, 20.0, 3.0)
+    assert moved.lines[1].end == (20.0, 3.0)
+    assert region_presenter.without_corner(moved, 3, 1).lines == state.lines[:1]
+
+
+def test_lines_on_the_floor_are_seen_in_the_picture_and_go_back_to_it(
+    state: SetupState, calibration: StereoCalibration
+) -> None:
+    view = View(calibration.left, Ground(2.4, 30.0))
+    line = CountingLine("door", (-1.0, 4.0), (1.0, 4.5))
+    behind = CountingLine("behind", (0.0, -9.0), (1.0, -9.0))
+    seen = with_labels(state, Labels(lines=(behind, line)), view)
+    assert [one.name for one in seen.lines] == ["door"]
+    assert seen.lines[0].in_picture
+    back = drawn_labels._on_floor(seen.lines[0], view)
+    assert np.allclose((back.start, back.end), (line.start, line.end), atol=0.02)
+    sky = CountingLine("sky", (10.0, -4000.0), (20.0, -4000.0), in_picture=True)
+    assert drawn_labels._on_floor(sky, view) == sky
