@@ -7,7 +7,7 @@ import sys
 import textwrap
 from typing import Any
 
-from app.cli.output import print_json, print_line, print_lines
+from app.cli.output import print_json, print_line, print_lines, say
 from tracking.trackers import TRACKERS, SettingField, TrackerSpec, settings_fields, tracker_named
 from tracking.translation import Message, count_msg, joined, msg, tr
 
@@ -22,6 +22,8 @@ def run_trackers(name: str | None, *, expert: bool, as_json: bool) -> None:
         expert: with the expert settings, which JSON always has.
     """
     shown = list(TRACKERS.values()) if name is None else [tracker_named(name)]
+    for fault in TRACKERS.faults if name is None else ():
+        say(msg("note: {error}", error=fault.error))
     if as_json:
         print_json({"trackers": [_as_json(spec) for spec in shown]})
         return
