@@ -205,6 +205,7 @@ class BatchRun:
         self._run = make_id()
         self._waiting: deque[Planned] = deque()
         self._in_work: dict[str, _InWork] = {}
+        self._by_name: dict[str, _InWork] = {}
         self._tries: dict[str, int] = {}
         self._outcomes: dict[str, Outcome] = {}
         self._pace = _Pace()
@@ -234,6 +235,7 @@ class BatchRun:
             while self._waiting or self._in_work:
                 self._hand_out(workers)
                 self._take(workers.events(_WAIT_S))
+                self._look_ahead()
                 self._listener.moved(self.state)
         finally:
             workers.stop()
@@ -251,7 +253,7 @@ class BatchRun:
                 *(self._planner.asked, planned.signature, planned.known),
                 self._limits.memory_bytes,
             )
-            self._in_work[token] = _InWork(planned, task)
+            self._in_work[token] = self._by_name[entry.name] = _InWork(planned, task)
             workers.start(task)
 
     def _take(self, events: Sequence[Event]) -> None:
@@ -265,6 +267,7 @@ class BatchRun:
             work = self._in_work.pop(each.token, None)
             if work is None:
                 continue
+            self._by_name.pop(work.task.name, None)
             if each.outcome is None:  # stopped
                 self._end_attempt(work, each.worker, _STOPPED)
                 continue
@@ -320,17 +323,19 @@ class BatchRun:
     def _note(self, doing: Doing) -> None:
         """Note what a worker does; that it began is in the ledger with the next commit."""
         self.state.doing[doing.worker] = doing
-        for work in self._in_work.values():
-            if work.task.name == doing.name:
-                work.share = doing.done / doing.total if doing.total else 0.0
-                if work.attempt == 0:
-                    work.attempt = self._ledger.begin_attempt(
-                        doing.name, self._run, work.task.token, doing.worker
-                    )
-        begun = sum(
-            each.share * self._pace.weight(each.planned.size_bytes)
-            for each in self._in_work.values()
-        )
+        work = self._by_name.get(doing.name)
+        if work is None:
+            return
+        work.share = doing.done / doing.total if doing.total else work.share
+        if work.attempt == 0:
+            token = work.task.token
+            work.attempt = self._ledger.begin_attempt(doing.name, self._run, token, doing.worker)
+
+    def _look_ahead(self) -> None:
+        """Tell how long the rest may take."""
+        weight = self._pace.weight
+        works = self._in_work.values()
+        begun = sum(each.share * weight(each.planned.size_bytes) for each in works)
         self.state.seconds_left = self._pace.seconds_left(begun)
 
     def _count(self, outcome: Outcome) -> None:
