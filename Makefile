@@ -5,7 +5,7 @@ BIN := $(VENV)/bin
 STAMP := $(VENV)/.ready
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
-.PHONY: help demo test format bench footage ablation results results-parts results-stereo results-spheroid results-flow results-doctor detector kills power-cuts failed-calls two-programs mutants networks containers hostile soak long memory model peers scorers interchange pictures messages lock clean
+.PHONY: help demo test format bench footage ablation results results-parts results-stereo results-spheroid results-flow results-doctor detector kills batch-kills batch-cost power-cuts failed-calls two-programs mutants networks containers hostile soak long memory model peers scorers interchange pictures messages lock clean
 .DEFAULT_GOAL := help
 
 help: ## what can be made
@@ -69,6 +69,14 @@ detector: $(STAMP) ## the built-in failure detector: rendered, tracked, labelled
 
 kills: $(STAMP) ## kill programs that correct a session 2,000 times: nothing may be lost (half an hour)
 	$(BIN)/python -m tests.sweeps.kills
+
+batch-kills: $(STAMP) ## kill a batch and its workers 200 times: equal to one worker that nobody kills (three quarters of an hour)
+	$(BIN)/python -m tests.sweeps.batches
+
+batch-cost: $(STAMP) ## what batches cost: beginning again, two workers, 64 workers and 100,000 recordings (ten minutes)
+	$(BIN)/python -m tests.benchmarks.batch resume
+	$(BIN)/python -m tests.benchmarks.batch speed-up
+	$(BIN)/python -m tests.benchmarks.batch simulate
 
 power-cuts: $(STAMP) ## 500 power cuts replayed from recorded writes: nothing may be lost (ten minutes, needs strace)
 	$(BIN)/python -m tests.sweeps.power_cuts

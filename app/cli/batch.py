@@ -39,7 +39,7 @@ from tracking.batch import (
     shard_of,
     write_batch_report,
 )
-from tracking.errors import RecordingError
+from tracking.errors import RecordingError, SettingsError
 from tracking.translation import Message, count_msg, joined, msg
 
 SOME_FAILED = 3
@@ -163,7 +163,9 @@ def _check_order(request: BatchRequest) -> None:
 
     if request.order.tracker is not None:
         spec = tracker_named(request.order.tracker)
-        read_settings(spec, settings_texts(spec, request.order))
+        read_settings(spec, (*settings_texts(spec, request.order), *_boxes(request)))
+    else:
+        _check_known((*(request.order.setting or ()), *_boxes(request)))
     for name in request.exports:
         if name not in FORMATS or FORMATS[name].write is None:
             known = joined(", ", [one.name for one in FORMATS.values() if one.write is not None])
@@ -171,6 +173,30 @@ def _check_order(request: BatchRequest) -> None:
                 "format {name!r} is unknown; choose one of: {known}", name=name, known=known
             )
             raise typer.BadParameter(reason, param_hint="--export")
+
+
+def _boxes(request: BatchRequest) -> tuple[str, ...]:
+    """Files of boxes as settings, as far as they are known before a recording is."""
+    patterns = {
+        "detections.file": request.detections,
+        "detections.file_right": request.detections_right,
+    }
+    return tuple(f"{name}={pattern}" for name, pattern in patterns.items() if pattern)
+
+
+def _check_known(texts: Sequence[str]) -> None:
+    """Refuse settings that no tracker takes, where each recording gets the best one for it."""
+    from tracking.trackers import TRACKERS, parse_settings
+
+    refusals: list[SettingsError] = []
+    for spec in TRACKERS.values():
+        try:
+            parse_settings(spec, pairs_of(texts))
+        except SettingsError as error:
+            refusals.append(error)
+        else:
+            return
+    raise refusals[0]
 
 
 def _found(request: BatchRequest, out: Path) -> Found:

@@ -5,6 +5,8 @@ from tracking.batch.cluster import ClusterWorkers
 from tracking.batch.ledger import Ledger, Row, read_rows
 from tracking.batch.order import BatchOrder, Limits
 from tracking.batch.outcome import Cause, Outcome, State
+from tracking.batch.output_folder import Shard, batch_folder, ledger_path, merge_shard
+from tracking.batch.progress import BatchState, Listener
 from tracking.batch.recordings import (
     Entry,
     Found,
@@ -13,14 +15,6 @@ from tracking.batch.recordings import (
     shard_of,
 )
 from tracking.batch.report import report_path, write_batch_report
-from tracking.batch.runner import (
-    BatchRun,
-    BatchState,
-    Listener,
-    Shard,
-    batch_folder,
-    ledger_path,
-    merge_shard,
-)
+from tracking.batch.runner import BatchRun
 from tracking.batch.worker_process import Doing
 from tracking.batch.workers import LocalWorkers, Workers

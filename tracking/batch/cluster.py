@@ -26,7 +26,7 @@ from tracking.batch.workers import Collected, Ended, Event
 from tracking.errors import OutputError
 from tracking.translation import msg
 
-_CONNECT_S = 20
+_CONNECT_S = 10
 _TOPIC = "trackwright-batch"
 _BEAT_S = 2.0
 _SILENT_S = 60.0

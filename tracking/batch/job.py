@@ -37,7 +37,7 @@ from tracking.settings import settings_values
 from tracking.stamps import software
 from tracking.trackers import TrackerSpec, best_tracker, parse_settings, tracker_named
 from tracking.tracks import Run
-from tracking.translation import Message, joined, msg
+from tracking.translation import N_, Message, joined, msg
 
 Tell = Callable[[str, int, int], None]
 """Told the stage, and the steps done of how many."""
@@ -49,6 +49,11 @@ _DISK = frozenset(
     }
 )
 """What disks say that may pass."""
+READING, TRACKING, FINISHING, SAVING = (
+    *(N_("reading"), N_("tracking"), N_("finishing"), N_("saving")),
+)
+LOOKING, SCORING, EXPORTING = N_("looking through"), N_("scoring"), N_("exporting")
+"""What is told of the work on a recording."""
 _OPENCV_MEMORY = -4
 """Its code of an error for want of memory."""
 
@@ -89,7 +94,7 @@ class _Job:
         task = self._task
         order = task.order
         boxes = boxes_of_entry(Entry(task.name, task.path), order)
-        self._tell("reading", 0, 0)
+        self._tell(READING, 0, 0)
         options = OpenOptions(allow_outside=order.allow_outside)
         before = signature_of(task.path, boxes, (), task.out)
         with open_recording(task.path, options) as recording:
@@ -197,10 +202,11 @@ class _Job:
         with track(*asked, spool=task.out) as work:
             start, stop = work.frames
             for result in work:
-                self._tell("tracking", result.frame + 1 - start, stop - start)
+                self._tell(TRACKING, result.frame + 1 - start, stop - start)
+            self._tell(FINISHING, 0, 0)
             notes = (*recording.notes, *work.notes)
             run = replace(work.run(), notes=tuple(dict.fromkeys(notes)))
-        self._tell("saving", 0, 0)
+        self._tell(SAVING, 0, 0)
         place = task.workplace.session
         Session.create(recording, [run], place).close()
         return _Made(place, content_digest([place]), tracked=True)
@@ -231,13 +237,13 @@ class _Job:
                     **{name: getattr(known, name) for name in ("people", "review_rows", "notes")},
                 )
             else:
-                self._tell("looking through", 0, 0)
+                self._tell(LOOKING, 0, 0)
                 outcome = look_through(outcome, session)
                 replace_with(task.workplace.thumbnail, thumbnail_of(recording, session))
-            self._tell("scoring", 0, 0)
+            self._tell(SCORING, 0, 0)
             outcome = score_result(outcome, task, recording, session, known if same else None)
             if order.exports:
-                self._tell("exporting", 0, 0)
+                self._tell(EXPORTING, 0, 0)
             outcome = export_result(outcome, task, recording, session, known if same else None)
             return replace(outcome, notes=tuple(dict.fromkeys(outcome.notes)))
 

@@ -9,7 +9,7 @@ from enum import StrEnum
 from typing import Any, Self
 
 from tracking.message_data import message_data, message_from
-from tracking.translation import Message
+from tracking.translation import N_, Message
 
 _NOTHING = Message()
 
@@ -17,9 +17,9 @@ _NOTHING = Message()
 class State(StrEnum):
     """How it ended."""
 
-    DONE = "done"
-    FAILED = "failed"
-    SKIPPED = "skipped"
+    DONE = N_("done")
+    FAILED = N_("failed")
+    SKIPPED = N_("skipped")
 
 
 class Cause(StrEnum):

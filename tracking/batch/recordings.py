@@ -29,6 +29,8 @@ _DEEPEST = 6
 """Folders within folders that are searched for recordings."""
 _LONGEST_NAME = 120
 _SAID_DIGITS = 8
+_RESERVED = ("index.html",)
+"""What stands beside the folders of recordings in a report."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,7 +94,7 @@ def named_entries(paths: Sequence[Path], known: Mapping[Path, str] | None = None
         known: names that recordings have already; these stay, and no other one gets them.
     """
     known = known or {}
-    taken = {name.casefold() for name in known.values()}
+    taken = {name.casefold() for name in (*known.values(), *_RESERVED)}
     new = [path for path in paths if path not in known]
     names = dict(zip(new, _short_names(new), strict=True))
     for path, name in names.items():

@@ -13,14 +13,13 @@ from tracking.batch.ledger import Ledger, Row
 from tracking.batch.outcome import Outcome, State
 from tracking.batch.publication import REPORT, SCORE_PAGE
 from tracking.errors import OutputError
-from tracking.translation import Message, msg
+from tracking.translation import Message, count_msg, msg
 
 PAGE = "index.html"
 KIND = "trackwright batch"
 MOST_PICTURED = 400
 """So many images a page has; they are in it, and a browser has to hold them."""
 _SHOWN = ("MOTA", "IDF1", "HOTA")
-_LEAST_NUMBER = 10
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,11 +74,20 @@ def write_batch_report(
         groups=_groups(lines),
         cards=_cards(lines, rows),
         columns=_columns(),
-        unpictured=max(0, len(rows) - MOST_PICTURED),
+        unpictured=_unpictured(len(rows) - MOST_PICTURED),
     )
     with replacing(page) as stream:
         stream.write(text)
     return page
+
+
+def _unpictured(count: int) -> Message:
+    """What is told where not all have an image."""
+    if count <= 0:
+        return Message()
+    return count_msg(
+        count, "{n} more recording has no image here.", "{n} more recordings have no image here."
+    )
 
 
 def report_path(out: Path) -> Path:
@@ -139,12 +147,8 @@ def _cells(outcome: Outcome) -> tuple[str, ...]:
     return (
         *(str(outcome.people), length, outcome.tracker),
         *(_share(score.get(name)) for name in _SHOWN),
-        *(wrong, f"{outcome.seconds:.0f}" if outcome.seconds >= _LEAST_NUMBER else _short(outcome)),
+        *(wrong, f"{outcome.seconds:.1f}"),
     )
-
-
-def _short(outcome: Outcome) -> str:
-    return f"{outcome.seconds:.1f}"
 
 
 def _share(value: object) -> str:

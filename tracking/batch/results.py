@@ -14,7 +14,7 @@ import numpy as np
 
 from tracking.batch.outcome import Outcome
 from tracking.batch.task import Task
-from tracking.errors import FormatError, TrackwrightError
+from tracking.errors import FormatError, OutputError, TrackwrightError
 from tracking.formats import FORMATS, Exported, Filmed, measurable
 from tracking.recording import Image, Recording
 from tracking.review import find_review_items
@@ -92,7 +92,8 @@ def score_result(
 ) -> Outcome:
     """The outcome with its score where there is ground truth; the page on it is written.
 
-    A truth that cannot be read is told in a note: the tracks are done all the same.
+    A truth that cannot be read is told in a note: the tracks are done all the same. Raises
+    OutputError where the page cannot be written.
 
     Args:
         known: what became of the same session before; a score against the same truth holds.
@@ -105,6 +106,8 @@ def score_result(
         return replace(outcome, truth=truth, score=known.score, page=known.page)
     try:
         score, page = _scored(task, recording, session)
+    except OutputError:  # of the disk, not of the truth
+        raise
     except TrackwrightError as error:
         note = msg("it is not scored: {why}", why=error)
         return replace(outcome, truth=truth, notes=(*outcome.notes, note))
@@ -191,6 +194,8 @@ def export_result(
             continue
         try:
             exports[name] = _exported(name, task, recording, session)
+        except OutputError:
+            raise
         except TrackwrightError as error:
             problems[name] = error.message
     notes = (

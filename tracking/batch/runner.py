@@ -1,24 +1,25 @@
 """A batch from its first recording to its last: hand out, take in, write down, try again.
 
-One program at a time works in an output folder (or on a shard of it). The ledger and the results
-in the folder are all there is to know: whoever begins again goes on from them.
+The ledger and the results in the output folder are all there is to know: whoever begins again goes
+on from them.
 """
 
 from __future__ import annotations
 
 import contextlib
 import secrets
-import time
 from collections import deque
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Final
 
-from tracking.batch.ledger import NAME, Ledger, Row, limits_text
+from tracking.batch.ledger import Ledger, Row, limits_text
 from tracking.batch.order import BatchOrder, Limits
 from tracking.batch.outcome import Cause, Outcome, State, failure
+from tracking.batch.output_folder import Shard
 from tracking.batch.plan import Plan, Planned, Planner
+from tracking.batch.progress import BatchState, Listener, Pace
 from tracking.batch.publication import (
     clear,
     clear_parts,
@@ -29,158 +30,16 @@ from tracking.batch.publication import (
     workplaces,
 )
 from tracking.batch.recordings import Entry
-from tracking.batch.report import write_batch_report
 from tracking.batch.task import Finished, Task, Workplace
 from tracking.batch.worker_process import Doing
 from tracking.batch.workers import Ended, Event, Workers
-from tracking.errors import OutputError
-from tracking.file_lock import SessionLock
 from tracking.stamps import make_id
 from tracking.translation import msg
 
 TRIES: Final = 3
 """The first one, and two more where what went wrong may pass."""
 _WAIT_S = 0.25
-_MERGE_S = 120.0
-_LOCK = ".batch.lock"
-_SHARDS = "shards"
 _STOPPED = failure(Cause.WORKER, msg("stopped"))
-
-
-@dataclass(frozen=True, slots=True)
-class Shard:
-    """A part of a batch that is worked on by itself.
-
-    Attributes:
-        number: from 1 on. count: how many parts there are.
-    """
-
-    number: int
-    count: int
-
-    @property
-    def name(self) -> str:
-        """Of its ledger."""
-        return f"{self.number}-of-{self.count}"
-
-
-@dataclass(slots=True)
-class BatchState:
-    """How far a batch is, for whoever shows it.
-
-    Attributes:
-        total: recordings. done, failed, skipped: how many of them so far.
-        finished: how many of these were so when the batch began.
-        doing: by worker. seconds_left: None while it cannot be told.
-    """
-
-    total: int = 0
-    done: int = 0
-    failed: int = 0
-    skipped: int = 0
-    finished: int = 0
-    doing: dict[str, Doing] = field(default_factory=dict)
-    seconds_left: float | None = None
-
-
-class Listener:
-    """Told what happens; a batch that nobody listens to has this one."""
-
-    def began(self, state: BatchState) -> None:
-        """What is finished is known, and the rest begins."""
-
-    def ended(self, name: str, outcome: Outcome) -> None:
-        """A recording came to its end; the ledger says so on disk."""
-
-    def again(self, name: str, outcome: Outcome) -> None:
-        """A recording failed, and is tried once more."""
-
-    def moved(self, state: BatchState) -> None:
-        """Called a few times each second."""
-
-
-def ledger_path(out: Path, shard: Shard | None = None) -> Path:
-    """Where the ledger of a batch, or of a shard of it, stands."""
-    return out / NAME if shard is None else out / _SHARDS / f"{shard.name}.sqlite"
-
-
-@contextlib.contextmanager
-def batch_folder(out: Path, shard: Shard | None = None) -> Iterator[Ledger]:
-    """The ledger of an output folder, which this program alone works in while the block runs.
-
-    What shards found out is in it, once no shard works any more.
-    Raises OutputError where another program works there, or the folder cannot be used.
-    """
-    folder = out if shard is None else out / _SHARDS
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise OutputError(
-            "cannot make folder {folder}: {reason}; choose another",
-            folder=folder,
-            reason=error.strerror,
-        ) from error
-    lock = _locked(out / _LOCK if shard is None else folder / f".{shard.name}.lock", out)
-    try:
-        others = [out / _LOCK] if shard is not None else sorted((out / _SHARDS).glob(".*.lock"))
-        for other in others:
-            if SessionLock(other).is_held:
-                raise _busy(out, SessionLock(other))
-        with Ledger(ledger_path(out, shard)) as ledger:
-            if shard is None:
-                _take_over_shards(ledger, out)
-            yield ledger
-    finally:
-        lock.release()
-
-
-def merge_shard(ledger: Ledger, out: Path) -> Path:
-    """Put what a shard found out into the ledger of the whole, and write the report on that.
-
-    Gives the page's path. Other shards may be at work. Raises OutputError.
-    """
-    lock = SessionLock(out / _SHARDS / ".merge")
-    until_s = time.monotonic() + _MERGE_S
-    while not lock.acquire():
-        if time.monotonic() > until_s:
-            raise _busy(out, lock)
-        time.sleep(_WAIT_S)
-    try:
-        with Ledger(ledger_path(out)) as whole:
-            whole.take_over(ledger)
-            whole.commit()
-            return write_batch_report(whole, out)
-    finally:
-        lock.release()
-
-
-def _take_over_shards(ledger: Ledger, out: Path) -> None:
-    for path in sorted((out / _SHARDS).glob("*.sqlite")):
-        with Ledger(path) as other:
-            ledger.take_over(other)
-    ledger.commit()
-
-
-def _locked(path: Path, out: Path) -> SessionLock:
-    lock = SessionLock(path)
-    try:
-        if lock.acquire():
-            return lock
-    except OSError as error:
-        raise OutputError(
-            "cannot work in {out}: {reason}; choose another folder",
-            out=out,
-            reason=error.strerror or str(error),
-        ) from error
-    raise _busy(out, lock)
-
-
-def _busy(out: Path, lock: SessionLock) -> OutputError:
-    return OutputError(
-        "another batch works in {out} ({holder}); wait for it, or choose another folder",
-        out=out,
-        holder=lock.holder(),
-    )
 
 
 class BatchRun:
@@ -205,9 +64,10 @@ class BatchRun:
         self._run = make_id()
         self._waiting: deque[Planned] = deque()
         self._in_work: dict[str, _InWork] = {}
+        self._by_name: dict[str, _InWork] = {}
         self._tries: dict[str, int] = {}
         self._outcomes: dict[str, Outcome] = {}
-        self._pace = _Pace()
+        self._pace = Pace()
         self.state = BatchState()
 
     def plan(self, entries: Sequence[Entry]) -> Plan:
@@ -234,6 +94,7 @@ class BatchRun:
             while self._waiting or self._in_work:
                 self._hand_out(workers)
                 self._take(workers.events(_WAIT_S))
+                self._look_ahead()
                 self._listener.moved(self.state)
         finally:
             workers.stop()
@@ -251,7 +112,7 @@ class BatchRun:
                 *(self._planner.asked, planned.signature, planned.known),
                 self._limits.memory_bytes,
             )
-            self._in_work[token] = _InWork(planned, task)
+            self._in_work[token] = self._by_name[entry.name] = _InWork(planned, task)
             workers.start(task)
 
     def _take(self, events: Sequence[Event]) -> None:
@@ -265,6 +126,7 @@ class BatchRun:
             work = self._in_work.pop(each.token, None)
             if work is None:
                 continue
+            self._by_name.pop(work.task.name, None)
             if each.outcome is None:  # stopped
                 self._end_attempt(work, each.worker, _STOPPED)
                 continue
@@ -320,17 +182,19 @@ class BatchRun:
     def _note(self, doing: Doing) -> None:
         """Note what a worker does; that it began is in the ledger with the next commit."""
         self.state.doing[doing.worker] = doing
-        for work in self._in_work.values():
-            if work.task.name == doing.name:
-                work.share = doing.done / doing.total if doing.total else 0.0
-                if work.attempt == 0:
-                    work.attempt = self._ledger.begin_attempt(
-                        doing.name, self._run, work.task.token, doing.worker
-                    )
-        begun = sum(
-            each.share * self._pace.weight(each.planned.size_bytes)
-            for each in self._in_work.values()
-        )
+        work = self._by_name.get(doing.name)
+        if work is None:
+            return
+        work.share = doing.done / doing.total if doing.total else work.share
+        if work.attempt == 0:
+            token = work.task.token
+            work.attempt = self._ledger.begin_attempt(doing.name, self._run, token, doing.worker)
+
+    def _look_ahead(self) -> None:
+        """Tell how long the rest may take."""
+        weight = self._pace.weight
+        works = self._in_work.values()
+        begun = sum(each.share * weight(each.planned.size_bytes) for each in works)
         self.state.seconds_left = self._pace.seconds_left(begun)
 
     def _count(self, outcome: Outcome) -> None:
@@ -374,33 +238,3 @@ class _InWork:
     task: Task
     attempt: int = 0
     share: float = 0.0
-
-
-class _Pace:
-    """How long the rest will take, by what was worked through so far.
-
-    A recording counts half as one and half by its bytes, as some take long whatever their size.
-    """
-
-    def __init__(self) -> None:
-        self._total = self._done = 0.0
-        self._mean_bytes = 1.0
-        self._began_s = time.monotonic()
-
-    def begin(self, sizes_bytes: Sequence[int]) -> None:
-        self._mean_bytes = max(1.0, sum(sizes_bytes) / max(1, len(sizes_bytes)))
-        self._total, self._done = sum(map(self.weight, sizes_bytes)), 0.0
-        self._began_s = time.monotonic()
-
-    def weight(self, size_bytes: int) -> float:
-        return 0.5 + 0.5 * size_bytes / self._mean_bytes
-
-    def end(self, size_bytes: int) -> None:
-        self._done += self.weight(size_bytes)
-
-    def seconds_left(self, begun: float) -> float | None:
-        done = self._done + begun
-        spent_s = time.monotonic() - self._began_s
-        if done <= 0:
-            return None
-        return max(0.0, spent_s * (self._total - done) / done)

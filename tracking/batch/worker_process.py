@@ -18,10 +18,11 @@ from typing import IO, Any
 from tracking.batch.order import Limits
 from tracking.batch.outcome import Cause, Outcome, failure
 from tracking.batch.task import Task
-from tracking.translation import Message, msg
+from tracking.translation import N_, Message, msg
 
 WORKER: tuple[str, ...] = ("-m", "tracking.batch.worker")
 """What Python is given to be a worker."""
+STARTING = N_("starting")
 _LOOK_EVERY_S = 0.1
 _BORN_WITHIN_S = 120.0
 """Machines are busy, and disks of clusters slow."""
@@ -87,7 +88,7 @@ class WorkerProcess:
         from tracking.untrusted.pipe import send  # its room brings h5py
 
         began_s = time.monotonic()
-        doing = Doing(self.name, task.name, "starting", since_s=began_s)
+        doing = Doing(self.name, task.name, STARTING, since_s=began_s)
         tell(doing)
         if not self._begin():
             return self._died()
@@ -177,13 +178,13 @@ class WorkerProcess:
             return msg(
                 "it took longer than {limit:g} s ({stage}); allow more with --time-limit",
                 limit=limits.time_s,
-                stage=doing.stage,
+                stage=msg(doing.stage),
             )
         if limits.stall_s is not None and now_s - heard_s > limits.stall_s:
             return msg(
                 "nothing went on for {limit:g} s ({stage}); allow more with --stall-limit",
                 limit=limits.stall_s,
-                stage=doing.stage,
+                stage=msg(doing.stage),
             )
         if limits.memory_bytes is not None:
             used = _used_bytes(self.pid) - base_bytes

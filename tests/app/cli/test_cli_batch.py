@@ -84,6 +84,7 @@ def test_exit_statuses_tell_all_some_and_none(
         ("--tracker", "nosuch"),
         ("--tracker", "three-part", "--set", "nosuch=3"),
         ("--set", "nonsense"),
+        ("--set", "nosuch=3"),
         ("--export", "nosuch"),
         ("--shard", "3/2"),
         ("--workers", "0"),
