@@ -147,6 +147,7 @@ class TrackPanel(Panel):
         self._range.addWidget(self._last)
         self._range.addStretch(1)
         self._seen, self._confidence = QLabel(self), QLabel(self)
+        self._seen.setWordWrap(True)
         grid.addWidget(quiet(tr("Frames"), self), 0, 0)
         grid.addLayout(self._range, 0, 1)
         for line, name, value in (

@@ -75,9 +75,11 @@ class FloorPage(StepPage):
         rows.addLayout(across)
         self.convention = QLineEdit(panel)
         self.convention.setAccessibleName(tr("Convention of the pose"))
-        self.convention.setPlaceholderText(tr("convention, if known: world-from-camera mm"))
+        self.convention.setPlaceholderText(tr("e.g. world-from-camera mm"))
         self.convention.editingFinished.connect(self._type_convention)
-        rows.addWidget(self.convention)
+        form = self.form()
+        form.addRow(tr("Convention"), self.convention)
+        rows.addLayout(form)
         return panel
 
     def _build_fields(self) -> None:

@@ -65,3 +65,50 @@ def test_nothing_to_set_up_is_told(trackwright: Trackwright, tmp_path: Path) -> 
     assert (status, "no such file" in said) == (1, True)
     status, _, said = trackwright("setup", tmp_path)
     assert (status, "no videos or images" in said) == (1, True)
+
+
+def test_the_floor_is_printed_with_its_uncertainty_and_the_next_command(
+    trackwright: Trackwright, files: Path
+) -> None:
+    status, printed, said = trackwright("setup", files)
+    assert status == 0
+    assert f"next: trackwright floor {files} --write" in said
+    status, printed, said = trackwright("setup", files, "--floor", "stereo", "--force")
+    assert status == 0
+    assert "give or take" in printed
+    assert f"next: trackwright open {files}" in said
+    assert said.count("next:") == 1
+
+
+def test_without_a_calibration_the_next_command_makes_one(
+    trackwright: Trackwright, files: Path
+) -> None:
+    (files / "calibration.yaml").unlink()
+    status, _, said = trackwright("setup", files)
+    assert (status, "next: trackwright calibrate --help" in said) == (0, True)
+
+
+def test_two_videos_in_place_of_a_recording_are_told_how_they_become_one(
+    trackwright: Trackwright, files: Path
+) -> None:
+    left, right = sorted(files.glob("GX*"))
+    for command in ("info", "open", "track"):
+        status, printed, said = trackwright(command, left, right)
+        assert (status, printed) == (2, "")
+        assert f"trackwright setup {left} {right}" in said
+        assert len(said.splitlines()) == 1
+    status, _, said = trackwright("info", files)
+    assert (status, f"make one: trackwright setup {files}" in said) == (1, True)
+    status, _, said = trackwright("info", left, files / "calibration.yaml")
+    assert (status, "unexpected extra argument" in said) == (2, True)
+
+
+def test_doctor_says_what_it_checked_where_there_is_no_calibration(
+    trackwright: Trackwright, files: Path
+) -> None:
+    (files / "calibration.yaml").unlink()
+    assert trackwright("setup", files)[0] == 0
+    status, printed, said = trackwright("doctor", files)
+    assert status == 0
+    assert "nothing is wrong in what could be checked: camera-moved" in printed
+    assert "not checked: floor" in said

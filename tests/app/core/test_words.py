@@ -1,6 +1,7 @@
 import pytest
 
 from app.core import i18n
+from tracking.translation import joined, msg
 
 
 def test_places_in_a_text_are_filled():
@@ -20,3 +21,20 @@ def test_a_stretch_is_said_by_both_its_ends_and_one_frame_by_its_time():
 @pytest.mark.parametrize(("count", "said"), [(0, "0 frames"), (1, "1 frame"), (2, "2 frames")])
 def test_one_is_not_said_in_the_plural(count, said):
     assert i18n.count_text(count, "{n} frame", "{n} frames") == said
+
+
+@pytest.mark.parametrize(
+    ("message", "said"),
+    [
+        (msg("floor: {count} points", count=3), "Floor: 3 points."),
+        (msg("{path}: no video", path="a.mp4"), "a.mp4: no video."),
+        (joined("; ", (msg("{path}: no video", path="a.mp4"), "look")), "a.mp4: no video; look."),
+        (joined("; ", (msg("the board is blurred"), msg("go on"))), "The board is blurred; go on."),
+        (msg("already a sentence."), "Already a sentence."),
+        (msg("with {braces}", braces="{x}"), "With {x}."),
+        ("plain words", "Plain words."),
+        (msg(""), ""),
+    ],
+)
+def test_a_sentence_begins_with_a_capital_but_a_name_stays_as_it_is(message, said):
+    assert i18n.sentence(message) == said

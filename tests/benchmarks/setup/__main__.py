@@ -3,7 +3,8 @@
 Each recording's videos are copied without recording.toml and set up with mouse and keys in the
 real window (offscreen), until a tracker tracks in metres. Their lenses are kept as a file beside
 them, but for `roughly-rendered-lobby`, where there is none. Said are minutes of the whole way
-(and of the processor), actions, and how far the floor is from the one given.
+(and of the processor), actions, how far the floor is from the one given, and what the window says
+of a floor that is not sure.
 """
 
 from __future__ import annotations
@@ -113,7 +114,7 @@ def _measured(name: str, case: _Case) -> str:
         spent_s = time.process_time() - began_s
         line = _line(name, (user.seconds, spent_s), user.actions, ground, case.truth)
         controller.tracking.stop()
-        return line
+        return f"{line}  told: {user.doubt}" if user.doubt else line
 
 
 def _line(

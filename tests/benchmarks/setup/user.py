@@ -23,12 +23,15 @@ class SetupUser:
     """Presses, types and drops.
 
     A click, a drop, a field typed into, a key are an action each; a choice from a list is two.
+
+    Attributes: actions: so far. doubt: what was said of a floor that is not sure.
     """
 
     def __init__(self, window: MainWindow, wait: Wait) -> None:
         self.window = window
         self._wait = wait
         self.actions = 0
+        self.doubt = ""
         self._began_s = time.monotonic()
 
     @property
@@ -173,6 +176,7 @@ def measure_write_and_track(user: SetupUser) -> None:
     user.wait_for_rest()
     user.press(dialog.floor.measure)
     user.wait_for_rest()
+    user.doubt = dialog.floor.doubt.text()
     user.press(dialog.next)
     user.press(dialog.next)
     user.wait_for_rest()
