@@ -11,9 +11,11 @@ import typer
 from app.cli.option_groups import Bare
 from app.cli.output import print_json, print_table, progress, say
 from app.cli.recordings import open_with_options
+from tracking.calibration.boards import Board
 from tracking.calibration.floor import (
     FloorEstimate,
     FloorPoint,
+    floor_by_board,
     floor_by_people,
     floor_by_points,
     floor_by_pose,
@@ -31,21 +33,25 @@ class FloorRequest:
 
     Attributes:
         points: as typed, u,v:x,y. pose: a file; convention: words. heights: by people.
+        board: that lies on the floor.
     """
 
     points: tuple[str, ...]
     pose: Path | None
     convention: str
     heights: bool
+    board: Board | None = None
 
 
 def run_floor(
     path: Path | None, bare: Bare, request: FloorRequest, *, write: bool, as_json: bool
 ) -> None:
     """Find the floor, print it, and write it where that is asked for."""
-    ways = sum((bool(request.points), request.pose is not None, request.heights))
-    if ways > 1:
-        raise typer.BadParameter(msg("give one of them"), param_hint="--points, --pose, --heights")
+    ways = bool(request.points), request.pose is not None, request.heights
+    if sum((*ways, request.board is not None)) > 1:
+        raise typer.BadParameter(
+            msg("give one of them"), param_hint="--points, --pose, --heights, --board"
+        )
     clicked = tuple(map(_point, request.points))
     with open_with_options(path, bare) as recording:
         if write:
@@ -91,6 +97,9 @@ def _found(
                 path=recording.path,
             )
         return floor_by_points(calibration.left, clicked)
+    if request.board is not None:
+        with progress(msg("looking for the board")) as tell:
+            return floor_by_board(recording, request.board, tell)
     two = recording.is_stereo and calibration is not None and calibration.right is not None
     two = two or (recording.has_depth and calibration is not None)
     by_people = request.heights or not two

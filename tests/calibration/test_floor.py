@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
+import cv2
 import numpy as np
 import pytest
 
@@ -17,7 +19,8 @@ from tracking.calibration.floor import (
     floor_by_stereo,
 )
 from tracking.calibration.floor.estimate import estimate_of
-from tracking.calibration.floor.people import PeopleSeen, floor_of_people
+from tracking.calibration.floor.people import floor_of_people
+from tracking.calibration.floor.walkers import PeopleSeen, axes_of_regions
 from tracking.errors import CalibrationError
 from tracking.geometry import Camera, Ground, View, ground_of_plane, ground_of_pose
 from tracking.recording import open_recording
@@ -137,19 +140,59 @@ def test_a_file_without_a_pose_is_refused_in_one_line(text: str, tmp_path: Path)
     assert "\n" not in str(error.value)
 
 
-def test_people_of_usual_height_give_the_floor() -> None:
+def walkers(people: int = 20) -> PeopleSeen:
+    """Boxes and leans of people who walk through the room."""
     random = np.random.default_rng(2)
-    boxes, frames, people = [], [], []
-    for person in range(20):
+    boxes, frames, numbers, leans = [], [], [], []
+    for person in range(people):
         begin, end = random.uniform((-2.5, 4.5), (2.5, 9.0), (2, 2))
         way = begin + np.linspace(0, 1, 20)[:, None] * (end - begin)
         box = VIEW.box_of_person(way, random.normal(1.73, 0.08), 0.5)
+        foot, head = (
+            VIEW.pixel_from_world(np.column_stack((way, np.full(20, z)))) for z in (0.3, 1.6)
+        )
         inside = (box[:, :2] > 4).all(axis=1) & (box[:, :2] + box[:, 2:] < (636, 476)).all(axis=1)
         boxes.append(box[inside] + random.normal(0, 1.0, (inside.sum(), 4)))
         frames.append(np.flatnonzero(inside) + 30 * person)
-        people.append(np.full(inside.sum(), person))
-    seen = PeopleSeen(np.concatenate(boxes), np.concatenate(frames), np.concatenate(people))
-    assert_near(floor_of_people(CAMERA, seen).ground, 0.06, 2.0)
+        numbers.append(np.full(inside.sum(), person))
+        leans.append(np.arctan2(*(foot - head)[inside].T) + random.normal(0, 0.02, inside.sum()))
+    box, frame, number, lean = map(np.concatenate, (boxes, frames, numbers, leans))
+    return PeopleSeen(box, frame, number, lean, np.full(len(box), 0.85)).select(np.arange(len(box)))
+
+
+def test_people_of_usual_height_give_the_floor() -> None:
+    found = floor_of_people(CAMERA, walkers())
+    assert_near(found.ground, 0.06, 2.0)
+    assert not found.notes
+
+
+def test_people_without_known_leans_give_the_floor() -> None:
+    seen = walkers()
+    unknown = replace(seen, lean=np.full(len(seen.lean), np.nan))
+    assert_near(floor_of_people(CAMERA, unknown).ground, 0.08, 3.0)
+
+
+def test_boxes_of_groups_and_of_people_without_feet_are_no_people() -> None:
+    seen, random = walkers(), np.random.default_rng(5)
+    box = seen.box.copy()
+    footless, doubled = np.array_split(random.permutation(len(box))[: len(box) // 3], 2)
+    box[footless, 3] *= random.uniform(0.5, 0.85, len(footless))
+    box[doubled, 2:] *= random.uniform(1.1, 1.5, (len(doubled), 1))
+    assert_near(floor_of_people(CAMERA, replace(seen, box=box)).ground, 0.06, 2.0)
+
+
+def test_few_people_make_a_doubtful_floor() -> None:
+    found = floor_of_people(CAMERA, walkers(8))
+    assert any("people are seen to walk alone" in str(note) for note in found.notes)
+
+
+def test_a_silhouette_s_axis_is_how_it_leans() -> None:
+    regions = np.zeros((80, 80), np.uint8)
+    cv2.line(regions, (10, 10), (30, 70), 1, 5)
+    cv2.circle(regions, (60, 40), 10, 2, -1)
+    lean, slimness = axes_of_regions(regions, 2)
+    assert lean[0] == pytest.approx(np.arctan2(20, 60), abs=0.02)
+    assert slimness[0] > 0.9 > 0.1 > slimness[1]
 
 
 def test_footage_of_nobody_says_that_people_are_missing(tmp_path: Path) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Literal
 
 import typer
 
@@ -11,6 +11,8 @@ from app.cli import options
 from app.cli.commands.program import program
 from app.cli.help_pages import HelpCommand
 from app.cli.option_groups import Bare, expand_groups
+
+_BOARD = "A board on the floor"
 
 
 @program.command(cls=HelpCommand)
@@ -41,11 +43,48 @@ def floor(
     heights: Annotated[
         bool, typer.Option("--heights", help="Find it by people's heights, with one camera.")
     ] = False,
+    board: Annotated[
+        str | None,
+        typer.Option(
+            help="Size of a board that lies on the floor: inner corners of a chessboard, squares "
+            "of a ChArUco board, circles of a grid, as 9x6.",
+            rich_help_panel=_BOARD,
+            show_default="no board",
+        ),
+    ] = None,
+    square: Annotated[
+        float | None,
+        typer.Option(
+            help="Side of a square, or distance of two circles, m.", rich_help_panel=_BOARD
+        ),
+    ] = None,
+    kind: Annotated[
+        Literal["chessboard", "charuco", "circles", "asymmetric-circles"],
+        typer.Option(help="What is on the board.", rich_help_panel=_BOARD),
+    ] = "chessboard",
+    marker: Annotated[
+        float | None,
+        typer.Option(
+            help="Side of a ChArUco marker, m.",
+            show_default="three quarters of a square",
+            rich_help_panel=_BOARD,
+        ),
+    ] = None,
+    dictionary: Annotated[
+        str,
+        typer.Option(
+            help="Dictionary of the ChArUco markers, as 5X5_100.",
+            show_default="found",
+            rich_help_panel=_BOARD,
+        ),
+    ] = "",
     write: Annotated[bool, typer.Option("--write", help="Write it into recording.toml.")] = False,
     json: options.Json = False,
 ) -> None:
-    """Find where the floor is: by stereo, clicked points, a pose, or people's heights."""
+    """Find where the floor is: by stereo, clicked points, a board, a pose, or people."""
+    from app.cli.calibrate import board_of
     from app.cli.floor import FloorRequest, run_floor
 
-    request = FloorRequest(tuple(points or ()), pose, convention, heights)
+    lying = None if board is None else board_of(board, kind, square, marker, dictionary)
+    request = FloorRequest(tuple(points or ()), pose, convention, heights, lying)
     run_floor(recording, bare, request, write=write, as_json=json)

@@ -12,7 +12,7 @@ from tracking.errors import CalibrationError
 from tracking.geometry import Ground, ground_of_plane
 from tracking.translation import Message, msg
 
-FloorMethod = Literal["stereo", "points", "pose", "people", "typed"]
+FloorMethod = Literal["stereo", "points", "board", "pose", "people", "typed"]
 _STRAIGHT_DOWN_SIGMAS = 2.0
 """A camera that looks straight down within so many standard deviations is taken to look so: it has
 no roll, and the overhead view would be turned by what is noise."""

@@ -11,7 +11,12 @@ import numpy as np
 from scipy.optimize import least_squares
 
 from tracking.arrays import Floats
-from tracking.calibration.floor.estimate import FloorEstimate, check_above, estimate_of
+from tracking.calibration.floor.estimate import (
+    FloorEstimate,
+    FloorMethod,
+    check_above,
+    estimate_of,
+)
 from tracking.errors import CalibrationError
 from tracking.geometry import Camera
 from tracking.translation import Message, msg
@@ -48,6 +53,20 @@ def floor_by_points(camera: Camera, points: Sequence[FloorPoint]) -> FloorEstima
     """
     pixels = np.array([(point.u, point.v) for point in points], float).reshape(-1, 2)
     places = np.array([(point.x_m, point.y_m) for point in points], float).reshape(-1, 2)
+    return floor_of_places(camera, pixels, places, "points", _CLICK_PX)
+
+
+def floor_of_places(
+    camera: Camera, pixels: Floats, places: Floats, method: FloorMethod, least_px: float
+) -> FloorEstimate:
+    """The floor through pixels (n, 2) whose places (n, 2) in metres on it are known.
+
+    Args:
+        method: how they were found. least_px: they are no surer, however well they agree.
+
+    Raises:
+        CalibrationError: fewer than four points, points on a line, or no pose sees them so.
+    """
     _check(pixels, places)
     rays = _rays(camera, pixels)
     focal_px = float(camera.matrix[0, 0])
@@ -59,20 +78,25 @@ def floor_by_points(camera: Camera, points: Sequence[FloorPoint]) -> FloorEstima
     found = _LEAST_SQUARES(misses, state)
     up, height_m = _floor_of(found.x)
     check_above(height_m)
-    rms_px = float(np.sqrt((found.fun**2).reshape(-1, 2).sum(axis=1).mean()))
-    free = max(2 * len(points) - 6, 1)
-    error_px = max(_CLICK_PX, float(np.sqrt((found.fun**2).sum() / free)))
+    free = max(2 * len(pixels) - 6, 1)
+    error_px = max(least_px, float(np.sqrt((found.fun**2).sum() / free)))
     sigmas = _sigmas(found.x, np.linalg.pinv(found.jac.T @ found.jac) * error_px**2)
-    notes: tuple[Message, ...] = ()
-    if rms_px > _LARGE_PX:
-        worst = int((found.fun**2).reshape(-1, 2).sum(axis=1).argmax())
-        note = msg(
+    return estimate_of(up, height_m, method, *sigmas, _far_off(found.fun.reshape(-1, 2)))
+
+
+def _far_off(misses: Floats) -> tuple[Message, ...]:
+    """What is said where points (n, 2) px are far from where they should be."""
+    squares = (misses**2).sum(axis=1)
+    rms_px = float(np.sqrt(squares.mean()))
+    if rms_px <= _LARGE_PX:
+        return ()
+    return (
+        msg(
             "the points are off by {px:.0f} px, point {number} by most; check its place",
             px=rms_px,
-            number=worst + 1,
-        )
-        notes = (note,)
-    return estimate_of(up, height_m, "points", *sigmas, notes)
+            number=int(squares.argmax()) + 1,
+        ),
+    )
 
 
 def floor_by_distances(

@@ -1,0 +1,77 @@
+"""The floor found by a board that lies on it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import cv2
+import numpy as np
+import pytest
+from rendered_boards import CAMERA, FISHEYE, image_of
+
+from tracking.calibration.boards import Board
+from tracking.calibration.floor import floor_of_board
+from tracking.errors import CalibrationError
+from tracking.geometry import Camera, Ground
+
+GROUND = Ground(1.6, 35.0, 4.0)
+BOARDS = {
+    "chessboard": Board("chessboard", 9, 6, 0.1),
+    "charuco": Board("charuco", 8, 6, 0.12, dictionary="5X5_100"),
+    "circles": Board("circles", 9, 6, 0.1),
+    "asymmetric-circles": Board("asymmetric-circles", 4, 9, 0.07),
+}
+
+
+def lying(
+    board: Board, camera: Camera = CAMERA, place: tuple[float, float] = (0.1, 2.0)
+) -> np.ndarray:
+    """What a camera sees of a board on the floor, turned by 20 degrees."""
+    rotation, centre = GROUND.world_from_camera
+    turn, _ = cv2.Rodrigues(np.array([0.0, 0.0, np.deg2rad(20.0)]))
+    # On the board x is right and y towards the camera, so that its z is down.
+    world_from_board = turn @ np.diag([1.0, -1.0, -1.0])
+    shift = rotation.T @ (np.array([*place, 0.0]) - centre)
+    return image_of(board, camera, rotation.T @ world_from_board, shift)
+
+
+def assert_near(ground: Ground) -> None:
+    """Within 1 % and half a degree."""
+    assert ground.height_m == pytest.approx(GROUND.height_m, rel=0.01)
+    assert ground.tilt_deg == pytest.approx(GROUND.tilt_deg, abs=0.5)
+    assert ground.roll_deg == pytest.approx(GROUND.roll_deg, abs=0.5)
+
+
+@pytest.mark.parametrize("kind", BOARDS)
+def test_a_board_of_any_kind_on_the_floor_gives_the_floor(kind: str) -> None:
+    found = floor_of_board(CAMERA, [lying(BOARDS[kind])], BOARDS[kind])
+    assert_near(found.ground)
+    assert found.method == "board"
+    assert abs(found.ground.height_m - GROUND.height_m) < 4 * found.height_sigma_m
+
+
+def test_a_fisheye_sees_the_floor_by_a_board() -> None:
+    board = BOARDS["chessboard"]
+    assert_near(floor_of_board(FISHEYE, [lying(board, FISHEYE)], board).ground)
+
+
+def test_the_dictionary_of_a_charuco_board_is_found() -> None:
+    board = BOARDS["charuco"]
+    assert_near(floor_of_board(CAMERA, [lying(board)], replace(board, dictionary="")).ground)
+
+
+def test_a_board_carried_about_counts_where_it_lies_longest() -> None:
+    board = BOARDS["chessboard"]
+    there = [lying(board)] * 2
+    carried = image_of(board, CAMERA, np.eye(3), np.array([0.0, 0.0, 1.8]))
+    found = floor_of_board(CAMERA, [carried, *there], board)
+    assert_near(found.ground)
+    assert any("2 places" in str(note) for note in found.notes)
+
+
+def test_a_board_that_is_not_there_and_one_of_no_size_are_refused() -> None:
+    empty = np.full((480, 640), 120, np.uint8)
+    with pytest.raises(CalibrationError, match="found in none of 1 images"):
+        floor_of_board(CAMERA, [empty], BOARDS["chessboard"])
+    with pytest.raises(CalibrationError, match="square in metres"):
+        floor_of_board(CAMERA, [empty], Board("chessboard", 9, 6))
