@@ -5,7 +5,6 @@ from __future__ import annotations
 import difflib
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from functools import partial
 from types import MappingProxyType
 from typing import Any, Protocol
 
@@ -45,6 +44,7 @@ from tracking.trackers.three_part import (
     build_three_part_joint,
     build_whole_body,
     detector_fingerprint,
+    link_refined,
 )
 from tracking.translation import count_msg, joined, msg
 
@@ -104,10 +104,8 @@ _TWO_CAMERAS = TrackerOverlays(subtraction=True)
 _FLOW_PATH_MEMORY_S = 0.25
 """Places seen by one camera err for longer than those of two do: more of them make a path."""
 _LIVE_IF_PAPER = Finisher(published=Published((("paper", True),), smoothed=False))
-_SURE_BY_PARTS_S = 0.4
-"""So long it is known about where somebody walks unseen whose place one camera tells by a box."""
 _THREE_PART = Finisher(
-    relabel=partial(link_tracks, longest_gap_s=_SURE_BY_PARTS_S),
+    relabel=link_refined,
     extend_in_pixels=extend_ends_in_pixels,
     published=Published((("adjust", False), ("reidentify", False)), smoothed=False),
 )
