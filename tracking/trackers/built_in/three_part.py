@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from functools import partial
-
 from tracking.trackers.linking import (
     Finisher,
     Published,
     extend_ends_in_pixels,
-    link_tracks,
 )
 from tracking.trackers.three_part import (
     ThreePartSettings,
@@ -17,13 +14,12 @@ from tracking.trackers.three_part import (
     build_three_part_joint,
     build_whole_body,
     detector_fingerprint,
+    link_refined,
 )
 from tracking.trackers.tracker_spec import TrackerSpec
 
-_SURE_BY_PARTS_S = 0.4
-"""So long it is known about where somebody walks unseen whose place one camera tells by a box."""
 _THREE_PART = Finisher(
-    relabel=partial(link_tracks, longest_gap_s=_SURE_BY_PARTS_S),
+    relabel=link_refined,
     extend_in_pixels=extend_ends_in_pixels,
     published=Published((("adjust", False), ("reidentify", False)), smoothed=False),
 )

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from tracking.geometry import View
 from tracking.trackers.linking.gap_rows import fill_gaps
+from tracking.trackers.linking.part_gaps import fill_part_gaps
 from tracking.trackers.linking.seen_rows import Integers, keys
 from tracking.tracks.columns import Columns
 from tracking.tracks.run import ParticleColumn, Particles, Run
@@ -24,8 +25,9 @@ def rename_tracks(
     """The run with one id for each person.
 
     Rows without a detection go with those before them until the person is seen again; where the
-    tracker has none in a short gap, predicted ones are added. Those of nobody, and those after
-    somebody was seen last, are left out with their parts, and their particles are of track 0.
+    tracker has none in a short gap, predicted ones are added, with body parts if there were any.
+    Those of nobody, and those after somebody was seen last, are left out with their parts, and
+    their particles are of track 0.
 
     Args:
         row: (k,) of the run's tracks, those that were seen, by track and frame.
@@ -42,7 +44,7 @@ def rename_tracks(
         detections=names.rename(run.detections),
         associations=_sort(names.rename(run.associations)),
         particles=names.rename_particles(run.particles),
-        parts=_sort(names.rename(run.parts), "part"),
+        parts=fill_part_gaps(_sort(names.rename(run.parts), "part"), tracks),
         part_particles=names.rename_particles(run.part_particles),
         tracklets=names.rename_particles(run.tracklets),
     )
