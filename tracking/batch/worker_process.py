@@ -23,7 +23,7 @@ from tracking.translation import N_, Message, msg
 WORKER: tuple[str, ...] = ("-m", "tracking.batch.worker")
 """What Python is given to be a worker."""
 STARTING = N_("starting")
-_LOOK_EVERY_S = 0.1
+_LOOK_EVERY_S = 0.2
 _BORN_WITHIN_S = 120.0
 """Machines are busy, and disks of clusters slow."""
 _ENVIRONMENT = {
