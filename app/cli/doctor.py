@@ -16,7 +16,7 @@ from app.cli.recordings import open_with_options
 from tracking.atomic_output import replace_with
 from tracking.doctor import Examination, examine, mend
 from tracking.recording import Recording
-from tracking.translation import Message, joined, msg, tr
+from tracking.translation import joined, msg, tr
 
 
 def run_doctor(
@@ -77,7 +77,7 @@ def as_document(examination: Examination) -> dict[str, Any]:
 
 def _print(examination: Examination) -> None:
     if not examination.findings:
-        print_line(_all_clear(examination))
+        print_line(msg("nothing is wrong, as far as the pictures tell"))
     for one in examination.findings:
         print_line(joined(": ", (one.code, one.title)))
         rows: list[tuple[str, object]] = [
@@ -92,15 +92,6 @@ def _print(examination: Examination) -> None:
         print_table([(f"  {tr(name)}", value) for name, value in rows])
     for code, why in examination.unchecked.items():
         say(msg("not checked: {code}: {why}", code=code, why=why))
-
-
-def _all_clear(examination: Examination) -> Message:
-    if not examination.unchecked:
-        return msg("nothing is wrong, as far as the pictures tell")
-    if not examination.checked:
-        return msg("nothing could be checked")
-    checked = joined(", ", examination.checked)
-    return msg("nothing is wrong in what could be checked: {checked}", checked=checked)
 
 
 def _figure(value: float | int | str) -> str:

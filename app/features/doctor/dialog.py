@@ -26,6 +26,8 @@ from app.features.doctor.scene import DoctorScene, FindingScene, State
 _SIZE_PX = (960, 600)
 _LIST_LETTERS = 44
 _PICTURE_HEIGHT_PX = 180
+_MIDDLE_ROW, _MIDDLE_STRETCH = 1, 100
+"""Findings take all the room there is; without any the words stand in the middle of it."""
 
 
 class DoctorDialog(QDialog):
@@ -61,11 +63,11 @@ class DoctorDialog(QDialog):
         middle.setSpacing(16)
         middle.addWidget(self.list)
         middle.addWidget(self.detail, 1)
-        rows = QVBoxLayout(self)
+        self._rows = rows = QVBoxLayout(self)
         rows.setContentsMargins(16, 12, 16, 12)
         rows.setSpacing(10)
         rows.addWidget(self.text, 1)
-        rows.addLayout(middle, 100)
+        rows.addLayout(middle)
         rows.addWidget(self.unchecked)
         rows.addWidget(self.progress)
         rows.addLayout(self._buttons())
@@ -113,6 +115,7 @@ class DoctorDialog(QDialog):
             self.list.addItem(QListWidgetItem(f"{finding.title}\n{finding.cost}"))
         for widget in (self.list, self.detail):
             widget.setVisible(bool(findings))
+        self._rows.setStretch(_MIDDLE_ROW, _MIDDLE_STRETCH if findings else 0)
         centre, left = Qt.AlignmentFlag.AlignCenter, Qt.AlignmentFlag.AlignLeft
         self.text.setAlignment(left if findings else centre)
         if findings:

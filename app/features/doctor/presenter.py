@@ -126,10 +126,6 @@ def scene_of(examination: Examination, mended_last: str = "") -> DoctorScene:
         )
         return DoctorScene(State.FOUND, text, findings, unchecked, mended_last)
     text = tr("Nothing is wrong, as far as the images tell.")
-    if not examination.checked:
-        text = tr("Nothing could be checked.")
-    elif unchecked:
-        text = tr("Nothing is wrong in what could be checked.")
     if examination.checked:
         made = joined(", ", list(map(_check, examination.checked)))
         text += "\n" + tr("Checked: {checks}", checks=made)

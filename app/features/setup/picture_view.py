@@ -35,7 +35,7 @@ _ARROWS = {
 }
 _FAST = 10.0
 _SEEN = QColor(90, 220, 120)
-_GRID, _GRID_BEHIND = 0.75, 0.35
+_GRID, _GRID_BEHIND = 0.75, 0.45
 """How strong the grid is, and behind outlines, which may have its colour."""
 _HORIZON, _FIGURE = QColor(80, 190, 255), QColor(255, 200, 60)
 _COLOURS = {

@@ -9,7 +9,7 @@ from itertools import count
 import cv2
 import numpy as np
 
-from app.core.i18n import count_text, tr
+from app.core.i18n import count_text, joined, tr
 from app.features.setup.cameras_presenter import cameras_picture
 from app.features.setup.floor_marks import with_floor
 from app.features.setup.scene import (
@@ -172,11 +172,12 @@ def titles_of(state: SetupState) -> list[str]:
 
 def kept_told(state: SetupState) -> str:
     """What of the drawings goes into the session, in words; "" where nothing does."""
-    if not state.occluders and not state.lines:
-        return ""
-    occluders = count_text(len(state.occluders), "{n} occluder", "{n} occluders")
-    lines = count_text(len(state.lines), "{n} counting line", "{n} counting lines")
-    return tr("Kept in the session: {occluders}, {lines}.", occluders=occluders, lines=lines)
+    drawn = []
+    if state.occluders:
+        drawn.append(count_text(len(state.occluders), "{n} occluder", "{n} occluders"))
+    if state.lines:
+        drawn.append(count_text(len(state.lines), "{n} counting line", "{n} counting lines"))
+    return tr("Kept in the session: {drawn}.", drawn=joined(", ", drawn)) if drawn else ""
 
 
 def region_told(scene: SetupScene) -> str:

@@ -14,6 +14,7 @@ from app.features.setup.cameras_presenter import cameras_picture
 from app.features.setup.controller import SetupEditor
 from app.features.setup.floor_presenter import floor_picture
 from app.features.setup.presenter import may_write
+from app.features.setup.region_presenter import kept_told
 from app.features.setup.scene import SetupPicture, SetupScene, Step
 from app.features.setup.step_page import StepPage, plain
 
@@ -69,7 +70,8 @@ class WritePage(StepPage):
         remarks = write_presenter.remarks(scene)
         self.remarks.setText("\n".join(remarks))
         self.remarks.setVisible(bool(remarks))
-        self.places.setText(scene.checked.places if plan is not None else "")
+        places = scene.checked.places if plan is not None else ""
+        self.places.setText("\n".join(filter(None, (places, kept_told(scene.state)))))
         self.write.setEnabled(may_write(scene))
 
     def picture(self, scene: SetupScene) -> SetupPicture:

@@ -101,14 +101,3 @@ def test_two_videos_in_place_of_a_recording_are_told_how_they_become_one(
     assert (status, f"make one: trackwright setup {files}" in said) == (1, True)
     status, _, said = trackwright("info", left, files / "calibration.yaml")
     assert (status, "unexpected extra argument" in said) == (2, True)
-
-
-def test_doctor_says_what_it_checked_where_there_is_no_calibration(
-    trackwright: Trackwright, files: Path
-) -> None:
-    (files / "calibration.yaml").unlink()
-    assert trackwright("setup", files)[0] == 0
-    status, printed, said = trackwright("doctor", files)
-    assert status == 0
-    assert "nothing is wrong in what could be checked: camera-moved" in printed
-    assert "not checked: floor" in said
