@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -21,6 +22,8 @@ from tracking.geometry.opencv_calibration import calibration_of_opencv
 from tracking.geometry.ros_calibration import calibration_of_ros, is_ros
 from tracking.geometry.stereo_calibration import StereoCalibration
 from tracking.geometry.zed_calibration import calibration_of_zed, is_zed
+
+_ROUGH = re.compile(r"^rough:\s*1\s*$", re.MULTILINE)
 
 
 def read_calibration(
@@ -87,6 +90,11 @@ def _values(path: Path, text: str) -> dict[str, Any]:
 def calibration_text(paths: Sequence[Path]) -> str:
     """The text of calibration files, one after the other, to be kept beside what used them."""
     return "\n".join(read_text(path) for path in paths)
+
+
+def says_rough(text: str) -> bool:
+    """Whether a calibration file's text says that it is rough: metres may be off by a tenth."""
+    return _ROUGH.search(text) is not None
 
 
 def calibration_kind(paths: Sequence[Path]) -> str:

@@ -16,7 +16,9 @@ from tracking.geometry import StereoCalibration
 from tracking.recording.frame import Image
 from tracking.setup import SetupPlan
 
-Arrangement = Literal["pair", "one", "side-by-side", "top-bottom"]
+Arrangement = Literal[
+    "pair", "one", "side-by-side", "top-bottom", "row-interleaved", "frame-sequential"
+]
 CalibrationWay = Literal["file", "board", "rough"]
 FloorWay = Literal["measured", "typed", "points", "distances", "pose"]
 Shown = Literal["cameras", "rectified", "coverage"]
