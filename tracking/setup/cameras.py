@@ -10,11 +10,13 @@ import numpy as np
 
 from tracking.calibration.rough import MatchedViews, RelativePose, match_images, pose_of_matches
 from tracking.errors import RecordingError
+from tracking.recording import open_recording
 from tracking.recording.frame import Image
 from tracking.recording.image_pairs import Layout
 from tracking.recording.interleaved import field_of
 from tracking.recording.pictures import PictureSource
 from tracking.recording.places import open_pictures
+from tracking.setup.files import is_container
 from tracking.translation import N_, Message, msg
 
 _LOOKS = 5
@@ -81,6 +83,8 @@ def find_cameras(left: Path, right: Path | None) -> CameraFindings:
     Raises:
         RecordingError: a file cannot be read.
     """
+    if right is None and is_container(left):
+        return _of_container(left)
     source = open_pictures(left, left.name)
     try:
         if right is None:
@@ -92,6 +96,21 @@ def find_cameras(left: Path, right: Path | None) -> CameraFindings:
             other.close()
     finally:
         source.close()
+
+
+def _of_container(path: Path) -> CameraFindings:
+    """The cameras that a bag or a tar says it holds."""
+    with open_recording(path) as recording:
+        note = (
+            msg("{name} holds both cameras", name=path.name)
+            if recording.is_stereo
+            else msg("{name} holds one camera and depth", name=path.name)
+            if recording.has_depth
+            else msg("{name} is of one camera", name=path.name)
+        )
+        right = path if recording.is_stereo else None
+        same_scene = True if recording.is_stereo else None
+        return CameraFindings(path, right, same_scene=same_scene, notes=(note,))
 
 
 def _two_files(
@@ -259,7 +278,9 @@ def _one_file(path: Path, source: PictureSource) -> CameraFindings:
         note = msg("{name} is of one camera", name=source.name)
         return CameraFindings(path, notes=(note, *_black(source)))
     layout = views[0]
-    left_first = not _is_swapped(pose)[0] if layout in _BY_TURNS else bool(pose.direction[0] < 0)
+    # Cameras of one device look the same way: everything is farther right in the left one's image.
+    is_left = pose.shift_px[0] > 0 if layout in _BY_TURNS else pose.direction[0] < 0
+    left_first = bool(is_left)
     note = msg(
         "{name} holds both cameras, {layout} ({count} points agree); the left camera is {place}",
         name=source.name,
