@@ -22,6 +22,7 @@ from app.cli.output import (
 )
 from app.cli.sessions import open_session
 from app.cli.shape_options import line_of, refuse_repeated, region_of
+from app.cli.tracks import rough_note
 from app.features.files.export import select_exported
 from tracking.counting import (
     Counts,
@@ -71,7 +72,10 @@ def run_count(
     with closing(open_session(path)) as session:
         places = _places(session, named)
         counts = _counted(session, places, settings, run)
+        rough = session.recording.is_rough
     _say_what(places, run)
+    if rough:
+        say(rough_note())
     if csv is not None:
         with text_at(csv) as place:
             write_counts(place, counts)

@@ -76,7 +76,15 @@ def as_document(examination: Examination) -> dict[str, Any]:
 
 
 def _print(examination: Examination) -> None:
-    if not examination.findings:
+    if not examination.findings and examination.is_partial:
+        print_line(
+            msg(
+                "nothing was found, but {count} of {all} checks could not be made",
+                count=len(examination.unchecked),
+                all=len(examination.unchecked) + len(examination.checked),
+            )
+        )
+    elif not examination.findings:
         print_line(msg("nothing is wrong, as far as the pictures tell"))
     for one in examination.findings:
         print_line(joined(": ", (one.code, one.title)))

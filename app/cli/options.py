@@ -107,7 +107,7 @@ Fps = Annotated[
     ),
 ]
 Layout = Annotated[
-    Literal["side-by-side", "top-bottom"] | None,
+    Literal["side-by-side", "top-bottom", "row-interleaved", "frame-sequential"] | None,
     typer.Option("--layout", help="How one video holds both cameras.", rich_help_panel=_BARE),
 ]
 First = Annotated[

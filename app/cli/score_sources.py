@@ -23,7 +23,7 @@ def source_of(tracks: Tracks) -> Source:
     if tracks.is_text and recording is None:
         recording, told = _manifest_beside(tracks)
         fps = fps or told
-    of_tracker = tracks.tracker, tracks.detections
+    of_tracker = tracks.tracker, tracks.detections, tracks.rough
     return Source(str(tracks.path), recording, tracks.frames or None, fps, *of_tracker)
 
 

@@ -20,8 +20,8 @@ from tracking.people.first_lag import first_lag
 from tracking.recording import MANIFEST_NAME, OpenOptions, open_recording
 from tracking.recording.image_pairs import Side
 from tracking.setup import CameraFindings, SetupPlan, find_cameras, pair_by_name, write_setup
-from tracking.setup.files import calibration_beside, sources_in
-from tracking.setup.plan import options_of_plan, plan_of, setup_text, with_lag
+from tracking.setup.files import calibration_beside, is_container, sources_in
+from tracking.setup.plan import options_of_plan, plan_of, plan_of_container, setup_text, with_lag
 from tracking.translation import Message, msg, tr
 
 
@@ -52,7 +52,7 @@ def run_setup(request: SetupRequest, bare: Bare, *, as_json: bool) -> None:
         raise RecordingError(
             "{path} exists; open that recording, or replace it", option="--force", path=target
         )
-    for note in (*found.notes, *found.doubts):
+    for note in (*found.notes, *found.doubts, *plan.notes):
         say(note)
     if found.same_scene is False:
         raise RecordingError(
@@ -96,6 +96,9 @@ def _cameras(request: SetupRequest, given: OpenOptions) -> tuple[SetupPlan, Came
         plan = plan_of(old)
         return plan, CameraFindings(plan.left, plan.right)
     left, right = _files(request, given)
+    if right is None and is_container(left):
+        plan = plan_of_container(left, OpenOptions(fps=given.fps))
+        return plan, find_cameras(left, None)
     if request.as_given or given.layout is not None:
         found = CameraFindings(left, right, given.layout)
     else:

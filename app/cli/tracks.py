@@ -11,7 +11,7 @@ from app.cli.sessions import open_session
 from tracking.errors import FormatError
 from tracking.formats import FORMATS, Filmed, TrackFormat, format_of, measurable
 from tracking.tracks import Columns, CountingLine
-from tracking.translation import Message
+from tracking.translation import Message, msg
 from tracking.truth import TRUE_PARTS
 
 _TRUTH = "truth.txt"
@@ -34,6 +34,7 @@ class Tracks:
         dont_cares: in a truth, rows of confidence 0 are not counted.
         recording, tracker: names a session has them by.
         detections: the files of another program's detections that a session's tracker was given.
+        rough: metres come from a rough calibration.
     """
 
     columns: Columns
@@ -50,6 +51,7 @@ class Tracks:
     recording: str | None = None
     tracker: str | None = None
     detections: tuple[str, ...] = ()
+    rough: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -161,7 +163,14 @@ def _of_session(path: Path) -> Tracks:
             recording=footage.name,
             tracker=None if run is None else run.tracker,
             detections=tuple(given.file for given in session.detections_input),
+            rough=footage.is_rough,
+            notes=(rough_note(),) if footage.is_rough else (),
         )
+
+
+def rough_note() -> Message:
+    """What is said wherever metres of a rough calibration are shown."""
+    return msg("rough calibration: metres may be off by a tenth and more")
 
 
 def part_truth_beside(path: Path) -> Path | None:

@@ -50,7 +50,8 @@ if TYPE_CHECKING:
     from app.shell.main_window import MainWindow
 
 _OPENABLE = N_(
-    "Recordings and sessions (recording.toml *.h5 *.mp4 *.avi *.mkv *.mov *.ts *.m4v *.bag *.mcap)"
+    "Recordings and sessions (recording.toml *.h5 *.mp4 *.avi *.mkv *.mov *.ts *.m4v *.bag *.mcap "
+    "*.db3 *.tar)"
 )
 GIVE_BACK_MS = 500
 """After a recording is closed: by then jobs that were stopped have let their arrays go."""

@@ -183,6 +183,7 @@ def test_one_camera_is_checked_for_having_moved_only(copied: Path) -> None:
     examination = examined(copied)
     assert examination.checked == ("camera-moved",)
     assert "floor" in examination.unchecked
+    assert examination.is_partial
 
 
 def test_a_mend_of_cameras_keeps_the_text_and_is_taken_back(copied: Path) -> None:

@@ -20,6 +20,7 @@ from tracking.recording import (
     read_manifest,
     write_manifest,
 )
+from tracking.recording.image_pairs import LAYOUTS
 from tracking.recording.region_of_interest import RegionOfInterest
 
 SOURCES = st.text(string.ascii_letters + "/*.é", min_size=1, max_size=12)
@@ -44,7 +45,7 @@ MANIFESTS = st.one_of(
     st.builds(
         Manifest,
         right_lag=LAGS,
-        layout=st.sampled_from(["side-by-side", "top-bottom"]),
+        layout=st.sampled_from(LAYOUTS),
         first=st.sampled_from(["left", "right"]),
         **COMMON,
     ),
@@ -115,7 +116,10 @@ LEFT = '[left]\nsource = "a.mp4"\n'
         ("[left]\n", r"\[left\] source is missing"),
         ("[left]\nsource = 3\n", r"\[left\] source must be a text"),
         (LEFT + '[stereo]\nsource = "b.mp4"\n', "keep one"),
-        ('[stereo]\nsource = "b.mp4"\nlayout = "diagonal"\n', "side-by-side, top-bottom"),
+        (
+            '[stereo]\nsource = "b.mp4"\nlayout = "diagonal"\n',
+            "side-by-side, top-bottom, row-interleaved, frame-sequential",
+        ),
         ('[stereo]\nsource = "b.mp4"\nfirst = "middle"\n', "left, right"),
         (LEFT + "[calibration]\nfile = []\n", "one file name"),
         (LEFT + '[calibration]\nfile = ["a", "b", "c"]\n', "one file name"),

@@ -6,6 +6,7 @@ import shutil
 from math import inf, nan
 from pathlib import Path
 
+import cv2
 import numpy as np
 import pytest
 from numbered_videos import number_in, numbered_picture, write_video
@@ -72,6 +73,44 @@ def test_one_video_with_both_cameras(tmp_path: Path, layout: str, first: str, ax
         assert recording.size == (128, 96)
         assert numbers_of(recording) == pairs()
         assert number_in(recording.read(5).left) == 5
+
+
+def by_turns(layout: str, left: np.ndarray, right: np.ndarray) -> list[np.ndarray]:
+    """The images of one instant in a video that holds both cameras."""
+    if layout == "frame-sequential":
+        return [left, right]
+    both = left.copy()
+    both[1::2] = right[1::2]
+    return [both]
+
+
+@pytest.mark.parametrize("first", ["left", "right"])
+@pytest.mark.parametrize("layout", ["row-interleaved", "frame-sequential"])
+def test_one_video_with_both_cameras_by_turns(tmp_path: Path, layout: str, first: str) -> None:
+    both: list[np.ndarray] = []
+    for number in range(COUNT):
+        cameras = [numbered_picture(number), numbered_picture(number + RIGHT_OFFSET)]
+        both += by_turns(layout, *(cameras if first == "left" else cameras[::-1]))
+    for number, image in enumerate(both):
+        cv2.imwrite(str(tmp_path / f"{number:03}.png"), image)
+    (tmp_path / "recording.toml").write_text(
+        f'fps = 10\n[stereo]\nsource = "*.png"\nlayout = "{layout}"\nfirst = "{first}"\n'
+    )
+    with open_recording(tmp_path) as recording:
+        assert recording.size == (128, 96)
+        assert recording.frame_count == COUNT
+        assert numbers_of(recording) == pairs()
+        assert number_in(recording.read(5).left) == 5
+        late = [frame.right for frame in recording.frames(2, 6, lag=1)]
+        assert [number_in(right) - RIGHT_OFFSET for right in late] == [3, 4, 5, 6]
+
+
+def test_frames_by_turns_come_half_as_often(tmp_path: Path) -> None:
+    video = write_video(tmp_path / "v.mp4", range(COUNT), fps=20)
+    with open_recording(video, OpenOptions(layout="frame-sequential")) as recording:
+        assert recording.fps == pytest.approx(10.0)
+        assert recording.read(2).time_s == pytest.approx(0.2)
+        assert len(recording.sources) == 1
 
 
 def test_a_bare_video_and_one_with_both_cameras_by_option(tmp_path: Path) -> None:

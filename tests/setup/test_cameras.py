@@ -90,6 +90,23 @@ def test_both_cameras_in_one_image_are_found(
     assert (found.layout, found.left_first) == (layout, first == "left")
 
 
+@pytest.mark.parametrize("first", ["left", "right"])
+@pytest.mark.parametrize("layout", ["row-interleaved", "frame-sequential"])
+def test_both_cameras_by_turns_are_found(
+    layout: str, first: str, views: tuple[Images, Images], write: Callable[[str, Images], Path]
+) -> None:
+    both: list[np.ndarray] = []
+    for one, other in zip(*(views if first == "left" else views[::-1]), strict=True):
+        if layout == "frame-sequential":
+            both += [one, other]
+        else:
+            rows = one.copy()
+            rows[1::2] = other[1::2]
+            both.append(rows)
+    found = find_cameras(write("both", both), None)
+    assert (found.layout, found.left_first) == (layout, first == "left")
+
+
 def test_one_camera_is_one(
     views: tuple[Images, Images], write: Callable[[str, Images], Path]
 ) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from tracking.doctor import camera_moved, geometry_check, pairing_checks
+from tracking.doctor import camera_moved, depth_check, geometry_check, pairing_checks
 from tracking.doctor.evidence import SAMPLES, Samples, read_samples, still_pair
 from tracking.doctor.finding import Examination, Finding
 from tracking.doctor.residuals import focal_px
@@ -55,7 +55,13 @@ def examine(recording: Recording, tell: Progress = no_progress) -> Examination:
     moved, before = camera_moved.check_moved(samples, focal, baseline)
     findings.add(camera_moved.CODE, moved)
     tell(_STEPS - 3, _STEPS)
-    if calibration is None:
+    if recording.has_depth:
+        found, why = depth_check.check_depth_floor(recording)
+        if why is None:
+            findings.add(depth_check.DEPTH_FLOOR, found)
+        else:
+            findings.leave(why, depth_check.DEPTH_FLOOR)
+    elif calibration is None:
         findings.leave(
             msg("needs two calibrated cameras"),
             pairing_checks.LAG, pairing_checks.SWAPPED, geometry_check.ROWS, geometry_check.FLOOR,

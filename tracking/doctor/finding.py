@@ -63,3 +63,8 @@ class Examination:
     findings: tuple[Finding, ...]
     checked: tuple[str, ...]
     unchecked: Mapping[str, Message]
+
+    @property
+    def is_partial(self) -> bool:
+        """Whether most checks could not be made, so that nothing found means little."""
+        return len(self.unchecked) > len(self.checked)

@@ -1,6 +1,6 @@
 """Cameras, the floor and calibration files."""
 
-from tracking.geometry.calibration_reader import calibration_text, read_calibration
+from tracking.geometry.calibration_reader import calibration_text, read_calibration, says_rough
 from tracking.geometry.calibration_writer import write_calibration
 from tracking.geometry.camera import Camera
 from tracking.geometry.flat_view import FlatView

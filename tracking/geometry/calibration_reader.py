@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
@@ -20,7 +21,10 @@ from tracking.geometry.kitti_calibration import calibration_of_kitti, is_kitti
 from tracking.geometry.opencv_calibration import calibration_of_opencv
 from tracking.geometry.ros_calibration import calibration_of_ros, is_ros
 from tracking.geometry.stereo_calibration import StereoCalibration
+from tracking.geometry.tsai_calibration import calibration_of_tsai, is_tsai
 from tracking.geometry.zed_calibration import calibration_of_zed, is_zed
+
+_ROUGH = re.compile(r"^rough:\s*1\s*$", re.MULTILINE)
 
 
 def read_calibration(
@@ -30,9 +34,9 @@ def read_calibration(
 
     Known are OpenCV FileStorage YAML and XML (one file, or intrinsics and extrinsics), KITTI's
     calib.txt, ROS camera_info YAML (left, right), EuRoC's sensor.yaml (left, right), Kalibr's
-    camchain, COLMAP's cameras.txt, a ZED's SN*.conf, an OAK's calib.json, MATLAB's stereoParams as
-    JSON, and JSON or TOML with K, D, R and t; they are told by their contents. Lengths are metres
-    where the kind has no unit of its own. Nothing in the files is trusted: sizes, depth and numbers
+    camchain, COLMAP's cameras.txt, a ZED's SN*.conf, an OAK's calib.json, Tsai's XML of PETS and
+    TUD, MATLAB's stereoParams as JSON, and JSON or TOML with K, D, R and t; they are told by their
+    contents. Lengths are metres where the kind has no unit of its own. Nothing in the files is trusted: sizes, depth and numbers
     are capped and checked.
 
     Args:
@@ -74,6 +78,8 @@ def _of_text(text: str, path: Path, size: tuple[int, int] | None) -> StereoCalib
         return calibration_of_zed(text, path, size)
     if is_colmap(text):
         return calibration_of_colmap(text, path)
+    if is_tsai(text):
+        return calibration_of_tsai(text, path, size)
     values = parsed(text)
     return None if values is None else calibration_of_json(values, path, size)
 
@@ -89,6 +95,11 @@ def calibration_text(paths: Sequence[Path]) -> str:
     return "\n".join(read_text(path) for path in paths)
 
 
+def says_rough(text: str) -> bool:
+    """Whether a calibration file's text says that it is rough: metres may be off by a tenth."""
+    return _ROUGH.search(text) is not None
+
+
 def calibration_kind(paths: Sequence[Path]) -> str:
     """The program or format that a calibration file is of, by its contents; to be shown.
 
@@ -96,7 +107,8 @@ def calibration_kind(paths: Sequence[Path]) -> str:
         CalibrationError: it cannot be read.
     """
     text = read_text(paths[0])
-    for kind, is_kind in (("KITTI", is_kitti), ("ZED", is_zed), ("COLMAP", is_colmap)):
+    by_text = (("KITTI", is_kitti), ("ZED", is_zed), ("COLMAP", is_colmap), ("Tsai", is_tsai))
+    for kind, is_kind in by_text:
         if is_kind(text):
             return kind
     values = parsed(text)

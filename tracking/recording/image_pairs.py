@@ -12,10 +12,14 @@ from numpy.typing import NDArray
 from tracking.errors import RecordingError
 from tracking.recording.frame import Image
 from tracking.recording.frame_pairs import pair_frames
+from tracking.recording.interleaved import ImagesByTurns, check_rows, field_of
 from tracking.recording.pictures import PictureSource
 from tracking.translation import Message
 
-Layout = Literal["side-by-side", "top-bottom"]
+Layout = Literal["side-by-side", "top-bottom", "row-interleaved", "frame-sequential"]
+LAYOUTS: tuple[Layout, ...] = ("side-by-side", "top-bottom", "row-interleaved", "frame-sequential")
+"""How one source holds both cameras: beside each other, one above the other, rows by turns in each
+image, or images by turns."""
 Side = Literal["left", "right"]
 ImagePair = tuple[Image, Image | None]
 MOST_LAG = 60
@@ -124,8 +128,19 @@ class TwoSources:
             yield left, right
 
 
+def both_cameras(source: PictureSource, layout: Layout, first: Side) -> ImagePairs:
+    """The pairs of one source that holds both cameras.
+
+    Raises:
+        RecordingError: its pictures cannot hold two.
+    """
+    if layout == "frame-sequential":
+        return ImagesByTurns(source, left_first=first == "left")
+    return SplitSource(source, layout, first)
+
+
 class SplitSource:
-    """One source whose pictures hold both cameras; see `ImagePairs`.
+    """One source each of whose pictures holds both cameras; see `ImagePairs`.
 
     Raises:
         RecordingError: the picture cannot be halved.
@@ -134,6 +149,7 @@ class SplitSource:
     def __init__(self, source: PictureSource, layout: Layout, first: Side) -> None:
         width, height = source.size
         self._beside = layout == "side-by-side"
+        self._rows = layout == "row-interleaved"
         self._left_first = first == "left"
         if (width if self._beside else height) < 2:
             raise RecordingError(
@@ -146,6 +162,9 @@ class SplitSource:
         self.is_stereo = True
         self.frame_count = source.frame_count
         self.size = (width // 2, height) if self._beside else (width, height // 2)
+        if self._rows:
+            check_rows(source)
+            self.size = width, height
         self.notes: tuple[Message, ...] = ()
 
     def read(self, number: int, right_number: int) -> ImagePair:
@@ -179,6 +198,9 @@ class SplitSource:
             )
 
     def _cut(self, image: Image) -> tuple[Image, Image]:
+        if self._rows:
+            one, two = field_of(image, 0), field_of(image, 1)
+            return (one, two) if self._left_first else (two, one)
         width, height = self.size
         one = image[:height, :width]
         two = image[:height, width : 2 * width] if self._beside else image[height : 2 * height]

@@ -14,7 +14,7 @@ from tracking.atomic_output import replace_with
 from tracking.errors import CalibrationError, OutputError, RecordingError
 from tracking.geometry import Ground, ground_of_pose
 from tracking.recording.depth_pictures import USUAL_SCALE_M, checked_scale
-from tracking.recording.image_pairs import MOST_LAG, Layout, Side
+from tracking.recording.image_pairs import LAYOUTS, MOST_LAG, Layout, Side
 from tracking.recording.limits import checked_fps, checked_ground
 from tracking.recording.region_of_interest import EVERYWHERE, Outline, RegionOfInterest, outlines_of
 from tracking.translation import joined, msg
@@ -29,7 +29,6 @@ _LARGEST_WHOLE = 10**15
 _LONGEST_NAME_BYTES, _LONGEST_PATH_BYTES = 255, 2048
 """Of one file or folder, as common file systems have it; of a path in a recording's folder, which
 leaves as much of the 4096 that Linux takes to the folder itself."""
-_LAYOUTS: tuple[Layout, ...] = ("side-by-side", "top-bottom")
 _SIDES: tuple[Side, ...] = ("left", "right")
 _KNOWN: Mapping[str, frozenset[str]] = {
     "": frozenset(
@@ -272,7 +271,7 @@ def _sources(table: _Table) -> tuple[str, str | None, Layout | None, Side]:
         if "left" in table or "right" in table:
             raise table.error("stereo", msg("stands beside [left] or [right]; keep one of the two"))
         stereo = table.section("stereo")
-        layout = _choice(stereo, "layout", _LAYOUTS, _LAYOUTS[0])
+        layout = _choice(stereo, "layout", LAYOUTS, LAYOUTS[0])
         return _source(stereo), None, layout, _choice(stereo, "first", _SIDES, "left")
     if "left" not in table:
         raise table.error("left", msg("is missing; say where the images are: [left] source = ..."))

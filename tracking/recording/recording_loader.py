@@ -8,7 +8,7 @@ from pathlib import Path
 from tracking.errors import RecordingError
 from tracking.recording.bags.bag_pictures import BagDepth, BagPictures, is_bag, open_bag
 from tracking.recording.depth_pictures import DepthSource, check_fits
-from tracking.recording.image_pairs import ImagePairs, OneCamera, Side, SplitSource, TwoSources
+from tracking.recording.image_pairs import ImagePairs, OneCamera, Side, TwoSources, both_cameras
 from tracking.recording.locate import Located, from_manifest, locate
 from tracking.recording.manifest import MANIFEST_NAME
 from tracking.recording.options import OpenOptions
@@ -95,7 +95,7 @@ def _open_sources(located: Located, allow_outside: bool) -> ImagePairs:
     manifest = located.manifest
     left = _opened(located, manifest.left, "left", allow_outside)
     if manifest.layout is not None:
-        return SplitSource(left, manifest.layout, manifest.first)
+        return both_cameras(left, manifest.layout, manifest.first)
     if manifest.right is None:
         return OneCamera(left)
     return TwoSources(left, _opened(located, manifest.right, "right", allow_outside))

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path, PurePosixPath, PureWindowsPath
 from typing import TYPE_CHECKING
 
+from tracking.geometry import says_rough
 from tracking.recording import Fingerprint
 
 if TYPE_CHECKING:
@@ -43,6 +44,11 @@ class RecordingReference:
     def is_inside(self) -> bool:
         """Whether the path stays in the session's folder: only then it is followed unasked."""
         return stays_inside(self.path)
+
+    @property
+    def is_rough(self) -> bool:
+        """Whether its metres come from a rough calibration, and may be off by a tenth."""
+        return says_rough(self.calibration)
 
     @property
     def key(self) -> str:

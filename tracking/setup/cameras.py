@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -9,11 +10,14 @@ import numpy as np
 
 from tracking.calibration.rough import MatchedViews, RelativePose, match_images, pose_of_matches
 from tracking.errors import RecordingError
+from tracking.recording import open_recording
 from tracking.recording.frame import Image
 from tracking.recording.image_pairs import Layout
+from tracking.recording.interleaved import field_of
 from tracking.recording.pictures import PictureSource
 from tracking.recording.places import open_pictures
-from tracking.translation import Message, msg
+from tracking.setup.files import is_container
+from tracking.translation import N_, Message, msg
 
 _LOOKS = 5
 """Instants at which the cameras' images are compared."""
@@ -33,6 +37,18 @@ _DARK = 12
 _DARK_LOOKS = (1, 2, 5, 10, 20, 50, 100, 200)
 """Frames at which it is looked whether the image is still black."""
 _LENGTHS_DIFFER = 0.02
+_BY_TURNS: tuple[Layout, ...] = ("row-interleaved", "frame-sequential")
+_BY_TURNS_RATIO, _LEAST_APART_PX = 1.15, 1.0
+"""Neighbours of two cameras differ so much more than those of one, which differ less the nearer
+they are; and two cameras see the scene so far apart. Lamps that flicker do not."""
+_NOISE = 0.5
+"""Grey levels by which still images differ."""
+_LAYOUT_WORDS: Mapping[Layout, str] = {
+    "side-by-side": N_("side by side"),
+    "top-bottom": N_("one above the other"),
+    "row-interleaved": N_("rows by turns"),
+    "frame-sequential": N_("images by turns"),
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,6 +83,8 @@ def find_cameras(left: Path, right: Path | None) -> CameraFindings:
     Raises:
         RecordingError: a file cannot be read.
     """
+    if right is None and is_container(left):
+        return _of_container(left)
     source = open_pictures(left, left.name)
     try:
         if right is None:
@@ -78,6 +96,21 @@ def find_cameras(left: Path, right: Path | None) -> CameraFindings:
             other.close()
     finally:
         source.close()
+
+
+def _of_container(path: Path) -> CameraFindings:
+    """The cameras that a bag or a tar says it holds."""
+    with open_recording(path) as recording:
+        note = (
+            msg("{name} holds both cameras", name=path.name)
+            if recording.is_stereo
+            else msg("{name} holds one camera and depth", name=path.name)
+            if recording.has_depth
+            else msg("{name} is of one camera", name=path.name)
+        )
+        right = path if recording.is_stereo else None
+        same_scene = True if recording.is_stereo else None
+        return CameraFindings(path, right, same_scene=same_scene, notes=(note,))
 
 
 def _two_files(
@@ -238,25 +271,20 @@ def _unlike(
 
 
 def _one_file(path: Path, source: PictureSource) -> CameraFindings:
-    """One camera, or both cameras in one image."""
-    images = [source.read(number) for number in _numbers(source.frame_count)]
-    height, width = images[0].shape[:2]
-    halves: dict[Layout, MatchedViews] = {
-        "side-by-side": match_images([(i[:, : width // 2], i[:, width // 2 :]) for i in images]),
-        "top-bottom": match_images([(i[: height // 2], i[height // 2 :]) for i in images]),
-    }
-    poses = {layout: pose_of_matches(views) for layout, views in halves.items()}
-    agreeing = {layout: pose.agreeing if pose else 0 for layout, pose in poses.items()}
-    layout = max(agreeing, key=lambda one: agreeing[one])
-    pose = poses[layout]
-    if pose is None or agreeing[layout] < _SAME_SCENE or not _alike(halves[layout]):
+    """One camera, or both cameras in one image, or in images by turns."""
+    views, agreeing = _most_alike(source)
+    pose = None if views is None else pose_of_matches(views[1])
+    if views is None or pose is None or agreeing < _SAME_SCENE:
         note = msg("{name} is of one camera", name=source.name)
         return CameraFindings(path, notes=(note, *_black(source)))
-    left_first = bool(pose.direction[0] < 0)
+    layout = views[0]
+    # Cameras of one device look the same way: everything is farther right in the left one's image.
+    is_left = pose.shift_px[0] > 0 if layout in _BY_TURNS else pose.direction[0] < 0
+    left_first = bool(is_left)
     note = msg(
         "{name} holds both cameras, {layout} ({count} points agree); the left camera is {place}",
         name=source.name,
-        layout=msg("side by side") if layout == "side-by-side" else msg("one above the other"),
+        layout=msg(_LAYOUT_WORDS[layout]),
         count=pose.agreeing,
         place=msg("first") if left_first else msg("second"),
     )
@@ -264,8 +292,63 @@ def _one_file(path: Path, source: PictureSource) -> CameraFindings:
     return CameraFindings(path, None, layout, left_first, same_scene=True, notes=notes)
 
 
+def _most_alike(source: PictureSource) -> tuple[tuple[Layout, MatchedViews] | None, int]:
+    """How a source holds both cameras, as far as it does, and the points that agree on it."""
+    numbers = _numbers(source.frame_count)
+    images = [source.read(number) for number in numbers]
+    if _has_other_rows(images):
+        fields = [(field_of(image, 0), field_of(image, 1)) for image in images]
+        return _agreeing("row-interleaved", match_images(fields))
+    triples = [
+        [source.read(2 * (number // 2) + after) for after in range(3)]
+        for number in numbers
+        if 2 * (number // 2) + 2 < source.frame_count
+    ]
+    if _has_other_images(triples):
+        return _agreeing("frame-sequential", match_images([(one[0], one[1]) for one in triples]))
+    height, width = images[0].shape[:2]
+    halves: dict[Layout, MatchedViews] = {
+        "side-by-side": match_images([(i[:, : width // 2], i[:, width // 2 :]) for i in images]),
+        "top-bottom": match_images([(i[: height // 2], i[height // 2 :]) for i in images]),
+    }
+    found = [_agreeing(layout, views) for layout, views in halves.items() if _alike(views)]
+    return max(found, key=lambda one: one[1], default=(None, 0))
+
+
+def _agreeing(layout: Layout, views: MatchedViews) -> tuple[tuple[Layout, MatchedViews], int]:
+    pose = pose_of_matches(views)
+    if pose is None:
+        return (layout, views), 0
+    offset = np.abs(views.points[:, 0] - views.points[:, 1]).max(axis=1)
+    is_one = float(np.median(offset)) < _LEAST_APART_PX
+    return (layout, views), 0 if is_one else pose.agreeing
+
+
+def _has_other_rows(images: Sequence[Image]) -> bool:
+    """Whether rows resemble those after the next more than the next ones, all over the image."""
+    shares = []
+    for image in images:
+        rows = image.astype(np.int16)
+        next_one = np.abs(rows[1:-1] - rows[:-2]).mean()
+        after_next = np.abs(rows[2:] - rows[:-2]).mean()
+        shares.append(next_one / max(float(after_next), 1e-6))
+    return float(np.median(shares)) > _BY_TURNS_RATIO
+
+
+def _has_other_images(triples: Sequence[Sequence[Image]]) -> bool:
+    """Whether images resemble those after the next more than the next ones."""
+    shares = []
+    for first, second, third in triples:
+        one, two, three = (image.astype(np.int16) for image in (first, second, third))
+        next_one, after_next = np.abs(two - one).mean(), np.abs(three - one).mean()
+        shares.append((next_one + _NOISE) / (float(after_next) + _NOISE))
+    return bool(shares) and float(np.median(shares)) > _BY_TURNS_RATIO
+
+
 def _alike(views: MatchedViews) -> bool:
     """Whether matches lie at about the same places of both halves, as views of a pair have it."""
+    if not len(views.points):
+        return False
     offset = views.points[:, 0] - views.points[:, 1]
     near = np.abs(offset - np.median(offset, axis=0)) < 0.25 * np.array(views.size)
     return float(near.all(axis=1).mean()) > _SAME_SIZE

@@ -9,6 +9,7 @@ from tracking.recording.bags.bag_pictures import bag_files, is_bag
 from tracking.recording.images import IMAGE_SUFFIXES, VIDEO_SUFFIXES
 from tracking.recording.locate import locate
 from tracking.recording.options import OpenOptions
+from tracking.recording.tar_pictures import is_tar
 
 _CALIBRATIONS = ("calibration.yaml", "calibration.yml", "calib.txt", "calib.json", "camchain.yaml")
 
@@ -50,6 +51,11 @@ def may_be_camera(path: Path) -> bool:
         return is_video or (path.is_dir() and _holds_images(path))
     except OSError:
         return False
+
+
+def is_container(path: Path) -> bool:
+    """Whether a path is a bag or a tar, which says itself what its cameras are."""
+    return is_bag(path) or is_tar(path)
 
 
 def needs_setup(path: Path) -> bool:

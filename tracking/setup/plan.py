@@ -23,9 +23,11 @@ from tracking.recording.options import OpenOptions
 from tracking.recording.recording_loader import open_recording
 from tracking.recording.region_of_interest import EVERYWHERE, RegionOfInterest
 from tracking.setup.kept_text import with_old_text
+from tracking.translation import Message, msg
 
 CALIBRATION_NAME = "calibration.yaml"
 _MOST_NAMES = 100
+_BACKUP = ".bak"
 _HEADINGS = {
     "[left]": "# The left camera, or the only one.",
     "[right]": "# The right camera. lag: frames by which it is late.",
@@ -92,6 +94,22 @@ class SetupPlan:
         return common
 
     @property
+    def notes(self) -> tuple[Message, ...]:
+        """What is odd about where the files lie, in words."""
+        files = (self.left, self.right, self.depth)
+        parents = {_absolute(file).parent for file in files if file is not None}
+        if self.at is not None or len(parents) == 1:
+            return ()
+        return (
+            msg(
+                "the files lie in {count} folders: recording.toml stands in {folder}, which holds "
+                "them all",
+                count=len(parents),
+                folder=self.folder,
+            ),
+        )
+
+    @property
     def calibration_file(self) -> Path | None:
         """Where a calibration from elsewhere is to be written; None: it lies in the folder.
 
@@ -116,6 +134,16 @@ class SetupPlan:
 def plan_of(folder: Path) -> SetupPlan:
     """The plan of a recording that has a recording.toml; RecordingError where it cannot be read."""
     return plan_from_manifest(folder, manifest_text(folder), own=True)
+
+
+def plan_of_container(path: Path, options: OpenOptions | None = None) -> SetupPlan:
+    """The plan of a bag or a tar as it says itself what its cameras and their topics are.
+
+    Raises:
+        RecordingError: it cannot be opened.
+    """
+    with open_recording(path, options) as recording:
+        return plan_from_manifest(recording.folder, recording.manifest_text, own=False)
 
 
 def plan_from_manifest(folder: Path, text: str, *, own: bool) -> SetupPlan:
@@ -229,7 +257,8 @@ def _says_the_same(text: str, other: str) -> bool:
 def write_setup(plan: SetupPlan, *, replace_old: bool = False) -> Path:
     """Write recording.toml beside the sources, whole or not at all; its path.
 
-    A calibration from elsewhere is written beside it as OpenCV's YAML.
+    A calibration from elsewhere is written beside it as OpenCV's YAML; a recording.toml that is
+    replaced is kept as recording.toml.bak.
 
     Raises:
         RecordingError: there is one already, and it is not to be replaced.
@@ -246,6 +275,8 @@ def write_setup(plan: SetupPlan, *, replace_old: bool = False) -> Path:
     text = setup_text(plan)
     copied = plan.calibration_file
     try:
+        if path.exists():
+            replace_with(path.with_name(path.name + _BACKUP), path.read_bytes())
         if copied is not None:
             calibration = read_calibration(plan.calibration, image_size(plan))
             replace_with(copied, format_calibration(calibration).encode())

@@ -18,6 +18,7 @@ _SMALL_M = 0.005
 _CHECKS: Mapping[str, str] = {
     "camera-moved": N_("whether a camera moved"),
     "cameras-out-of-step": N_("whether one camera is late"),
+    "depth-floor": N_("the floor, by depth"),
     "cameras-swapped": N_("whether left and right are swapped"),
     "rows": N_("the calibration of the pair"),
     "floor": N_("where the floor is"),
@@ -126,6 +127,12 @@ def scene_of(examination: Examination, mended_last: str = "") -> DoctorScene:
         )
         return DoctorScene(State.FOUND, text, findings, unchecked, mended_last)
     text = tr("Nothing is wrong, as far as the images tell.")
+    if examination.is_partial:
+        text = tr(
+            "Nothing was found, but {count} of {all} checks could not be made.",
+            count=len(examination.unchecked),
+            all=len(examination.unchecked) + len(examination.checked),
+        )
     if examination.checked:
         made = joined(", ", list(map(_check, examination.checked)))
         text += "\n" + tr("Checked: {checks}", checks=made)

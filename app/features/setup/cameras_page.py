@@ -203,4 +203,6 @@ def _arrangement_text(value: Arrangement) -> str:
         "one": tr("One camera"),
         "side-by-side": tr("Both in one image, side by side"),
         "top-bottom": tr("Both in one image, one above the other"),
+        "row-interleaved": tr("Both in one image, rows by turns"),
+        "frame-sequential": tr("Both in one video, images by turns"),
     }[value]

@@ -17,6 +17,7 @@ from tracking.people.first_lag import first_lag
 from tracking.progress import Progress
 from tracking.recording import MANIFEST_NAME, open_recording
 from tracking.recording.frame import Image
+from tracking.recording.image_pairs import LAYOUTS
 from tracking.recording.limits import checked_fps
 from tracking.setup import SetupPlan, find_cameras, pair_by_name, plan_of
 from tracking.setup.files import calibration_beside, may_be_camera, sources_in
@@ -127,7 +128,7 @@ def arrangement_of(plan: SetupPlan) -> Arrangement:
 def arrangements(plan: SetupPlan) -> tuple[Arrangement, ...]:
     """Those that the files allow."""
     two = plan.right is not None
-    return ("pair", "one") if two else ("one", "side-by-side", "top-bottom")
+    return ("pair", "one") if two else ("one", *LAYOUTS)
 
 
 def with_arrangement(state: SetupState, wanted: Arrangement) -> SetupState:

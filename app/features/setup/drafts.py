@@ -26,6 +26,7 @@ from tracking.geometry import Ground, StereoCalibration
 from tracking.geometry.calibration_writer import format_calibration
 from tracking.owned_files import make_folder, read_file
 from tracking.recording.depth_pictures import checked_scale
+from tracking.recording.image_pairs import LAYOUTS
 from tracking.recording.region_of_interest import RegionOfInterest, outlines_of
 from tracking.setup import SetupPlan
 from tracking.tracks import CountingLine, Occluder
@@ -196,7 +197,7 @@ def _plan(values: Mapping[str, Any]) -> SetupPlan:
         left=Path(values["left"]),
         right=None if values["right"] is None else Path(values["right"]),
         name=str(values["name"]),
-        layout=None if layout is None else _one_of(layout, ("side-by-side", "top-bottom")),
+        layout=None if layout is None else _one_of(layout, LAYOUTS),
         first=_one_of(values["first"], ("left", "right")),
         lag=None if values["lag"] is None else int(values["lag"]),
         fps=None if values["fps"] is None else float(values["fps"]),

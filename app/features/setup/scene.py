@@ -18,7 +18,9 @@ from tracking.recording.region_of_interest import Outline
 from tracking.setup import SetupPlan
 from tracking.tracks import CountingLine, Occluder
 
-Arrangement = Literal["pair", "one", "side-by-side", "top-bottom"]
+Arrangement = Literal[
+    "pair", "one", "side-by-side", "top-bottom", "row-interleaved", "frame-sequential"
+]
 CalibrationMethod = Literal["file", "board", "rough"]
 FloorMethod = Literal["measured", "typed", "points", "distances", "pose"]
 Shown = Literal["cameras", "rectified", "coverage"]

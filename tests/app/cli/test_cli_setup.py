@@ -59,6 +59,27 @@ def test_a_recording_that_is_there_is_not_replaced(trackwright: Trackwright, fil
     assert (files / "recording.toml").read_text() == "mine"
 
 
+def test_a_recording_that_is_replaced_is_kept_beside(trackwright: Trackwright, files: Path) -> None:
+    (files / "recording.toml").write_text("mine")
+    left, right = sorted(files.glob("GX*"), reverse=True)
+    status, _, said = trackwright("setup", "--left", left, "--right", right, "--force")
+    assert status == 0, said
+    assert (files / "recording.toml.bak").read_text() == "mine"
+    assert "GX010035" in (files / "recording.toml").read_text()
+
+
+def test_files_in_two_folders_are_told_where_the_recording_stands(
+    trackwright: Trackwright, files: Path
+) -> None:
+    left, right = sorted(files.glob("GX*"), reverse=True)
+    (files / "other").mkdir()
+    moved = right.rename(files / "other" / right.name)
+    status, _, said = trackwright("setup", "--left", left, "--right", moved)
+    assert status == 0, said
+    assert "the files lie in 2 folders" in said
+    assert (files / "recording.toml").is_file()
+
+
 def test_nothing_to_set_up_is_told(trackwright: Trackwright, tmp_path: Path) -> None:
     assert trackwright("setup")[0] == 2
     status, _, said = trackwright("setup", tmp_path / "none.mp4")

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from scipy.optimize import least_squares
 
-from tracking.arrays import Floats
+from tracking.arrays import Flags, Floats
 from tracking.calibration.floor.estimate import FloorEstimate, check_above, estimate_of
 from tracking.calibration.floor.walkers import PeopleSeen, people_seen
 from tracking.errors import CalibrationError
@@ -153,7 +153,7 @@ def _check(camera: Camera, seen: PeopleSeen) -> None:
         )
 
 
-def _notes(agree: Floats, people: int) -> tuple[Message, ...]:
+def _notes(agree: Flags, people: int) -> tuple[Message, ...]:
     """What makes a floor doubtful: few people, or many boxes that it does not explain."""
     if agree.mean() < _MOST_AGREE:
         return (
@@ -355,4 +355,4 @@ def _upright(view: View, xy: Floats) -> Floats:
         view.pixel_from_world(np.column_stack((xy, np.full(len(xy), z_m))))
         for z_m in (_LOW_M, _HIGH_M)
     )
-    return np.arctan2(*(low - high).T)
+    return np.asarray(np.arctan2(*(low - high).T))

@@ -19,6 +19,7 @@ from tracking.calibration.floor.estimate import FloorEstimate, check_above, esti
 from tracking.errors import CalibrationError
 from tracking.geometry import Camera
 from tracking.geometry.calibration_file_text import parse_yaml, read_text
+from tracking.geometry.tsai_calibration import is_tsai, pose_of_tsai
 from tracking.translation import msg
 
 Direction = Literal["camera-from-world", "world-from-camera"]
@@ -29,6 +30,7 @@ _VECTOR = ("rvec", "rotation_vector")
 _SHIFT = ("t", "T", "tvec", "translation", "position")
 _WHOLE = ("pose", "matrix", "extrinsic", "extrinsics", "transform", "T_cw", "T_wc")
 _NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
+_TSAI = "camera-from-world opencv z mm"
 _TALLEST_M = 60.0
 _MM = 1000.0
 _ORTHOGONAL = 0.02
@@ -92,6 +94,8 @@ def floor_by_pose(path: Path, camera: Camera | None = None, convention: str = ""
         CalibrationError: no pose is in the file, or by no convention the camera is above a floor.
     """
     rotation, shift = _read(path)
+    if not convention and is_tsai(read_text(path)):
+        convention = _TSAI
     found = [
         (one, floor)
         for one in _named(convention)
@@ -170,6 +174,8 @@ def _differs(one: tuple[Floats, float], other: tuple[Floats, float]) -> bool:
 
 def _read(path: Path) -> tuple[Floats, Floats]:
     text = read_text(path)
+    if is_tsai(text):
+        return pose_of_tsai(text, path)
     values = _values(text, path)
     found = _from_mapping(values) if isinstance(values, Mapping) else _matrix_of(values)
     if found is None:

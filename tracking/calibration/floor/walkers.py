@@ -95,7 +95,7 @@ class _Walker:
 
     def expected(self) -> Floats:
         """(4,) where the box is now."""
-        return self.box + np.append(self.step * (self.missed + 1), (0.0, 0.0))
+        return np.asarray(self.box + np.append(self.step * (self.missed + 1), (0.0, 0.0)))
 
     def seen_as(self, box: Floats) -> None:
         """Follow on to this box."""
@@ -127,7 +127,7 @@ def axes_of_regions(regions: NDArray[Any], count: int) -> tuple[Floats, Floats]:
     v, u = np.nonzero(regions)
     number = regions[v, u].astype(np.intp)
 
-    def mean(values: Floats) -> Floats:
+    def mean(values: Any) -> Floats:
         total = np.bincount(number, values, count + 1)
         return np.asarray(total / np.maximum(np.bincount(number, minlength=count + 1), 1))
 
@@ -159,7 +159,7 @@ class Passages:
             if walker.person not in person:
                 walker.missed += _MERGED_COUNTS if merged else 1
         self._walkers = [each for each in self._walkers if each.missed <= _LONGEST_GAP]
-        for column in np.flatnonzero((person < 0) & ~crowded & look.whole):
+        for column in np.flatnonzero((person < 0) & ~crowded & look.whole).tolist():
             person[column] = self._count
             self._walkers.append(_Walker(self._count, look.box[column], np.zeros(2)))
             self._count += 1

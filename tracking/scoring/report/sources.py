@@ -38,6 +38,7 @@ def _said(source: Source) -> Message:
         source.fps and msg("{fps:g} frames per second", fps=source.fps),
         source.tracker and msg("tracker {tracker}", tracker=source.tracker),
         source.detections and msg("detections {names}", names=joined(", ", source.detections)),
+        source.rough and msg("rough calibration: metres may be off by a tenth and more"),
     )
     known = list(filter(None, parts))
     return joined(", ", ("", *known)) if known else Message()
@@ -50,5 +51,6 @@ def _data(source: Source) -> dict[str, Any]:
         "frames": source.frames,
         "fps": source.fps,
         "tracker": source.tracker,
+        **({"rough": True} if source.rough else {}),
         **({"detections": list(source.detections)} if source.detections else {}),
     }

@@ -37,6 +37,7 @@ class Source:
         place: of the file, as people named it.
         recording: its name. frames: its length. fps: frames a second.
         tracker: who found them. detections: files of another program's that it was given.
+        rough: metres come from a rough calibration.
     """
 
     place: str
@@ -45,6 +46,7 @@ class Source:
     fps: float | None = None
     tracker: str | None = None
     detections: tuple[str, ...] = ()
+    rough: bool = False
 
 
 @dataclass(frozen=True, slots=True, eq=False)

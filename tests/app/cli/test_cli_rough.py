@@ -1,0 +1,50 @@
+"""Metres of a rough calibration are told to be rough wherever they are shown."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+from command_line import Trackwright
+
+from tracking.recording import open_recording
+from tracking.session import Session
+from tracking.tracks import Run
+
+WORDS = "rough calibration"
+
+
+@pytest.fixture
+def rough_session(recording: Path, tiny_run: Run, tmp_path: Path) -> Path:
+    calibration = next(recording.glob("calib*.y*ml"))
+    calibration.write_text(calibration.read_text() + "rough: 1\n")
+    path = tmp_path / "rough.h5"
+    with open_recording(recording) as opened:
+        Session.create(opened, [tiny_run], path).close()
+    return path
+
+
+def test_counts_say_that_metres_are_rough(trackwright: Trackwright, rough_session: Path) -> None:
+    status, _, said = trackwright("count", rough_session, "--line", "gate:0,4:0,6")
+    assert status == 0
+    assert WORDS in said
+
+
+def test_counts_of_a_sound_calibration_say_nothing(trackwright: Trackwright, session: Path) -> None:
+    assert WORDS not in trackwright("count", session, "--line", "gate:0,4:0,6")[2]
+
+
+def test_scores_and_their_report_say_that_metres_are_rough(
+    trackwright: Trackwright, rough_session: Path, tmp_path: Path
+) -> None:
+    status, _, said = trackwright(
+        "score", rough_session, "--truth", rough_session, "--match", "floor",
+        "--report", tmp_path / "report",
+    )  # fmt: skip
+    assert status == 0, said
+    assert WORDS in said
+    pages = [path for path in (tmp_path / "report").rglob("*") if path.is_file()]
+    assert any(WORDS in path.read_text(errors="ignore") for path in pages)
+    documents = [json.loads(path.read_text()) for path in pages if path.suffix == ".json"]
+    assert any('"rough": true' in json.dumps(document) for document in documents)
