@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 from tracking.errors import CancelledError, TrackwrightError
 from tracking.formats import FORMATS, Exported, Filmed, Imported, TrackFormat
 from tracking.formats.read_result import with_all_columns
-from tracking.formats.track_format import HEAD_BYTES, Content, Write
+from tracking.formats.track_format import HEAD_BYTES, Content
+from tracking.geometry import Camera, Ground, View
 from tracking.progress import no_progress
 from tracking.testing.rules import (
     at_the_door,
@@ -24,6 +25,12 @@ from tracking.testing.rules import (
 from tracking.tracks import TrackTable
 
 _FRAMES, _TRACKS = 12, (1, 7, 300)
+_SIZE = (640, 480)
+_VIEW = View(
+    Camera(np.array([[500.0, 0, 320], [0, 500.0, 240], [0, 0, 1]]), np.zeros(0), *_SIZE),
+    Ground(2.4, 20.0),
+)
+"""For formats that tell places as the camera sees them."""
 _NEAR = 0.01
 """Pixels and metres: texts round."""
 _COLUMNS = {
@@ -51,7 +58,7 @@ def check_format(kind: TrackFormat, folder: Path, sample: Path | None = None) ->
             with leaving_nothing_open("write"):
                 made = known.write(sample, exported(), no_progress)
             require(sample in made and sample.exists(), "write must make the file it is asked for")
-            _check_failing(known.write, folder, known.extensions[0])
+            _check_failing(known, folder)
         if known.read is None:
             return
         require(sample is not None, "give a sample: the format is read and not written")
@@ -78,7 +85,7 @@ def exported() -> Exported:
         "vy": np.full(len(frame), 2.0),
     }
     table = TrackTable(with_all_columns(columns))
-    return Exported.of_table(table, frames=_FRAMES, fps=8.0, size_px=(640, 480))
+    return Exported.of_table(table, frames=_FRAMES, fps=8.0, size_px=_SIZE, view=_VIEW)
 
 
 def _check_recognition(kind: TrackFormat, folder: Path) -> None:
@@ -91,8 +98,10 @@ def _check_recognition(kind: TrackFormat, folder: Path) -> None:
     require(not kind.recognises(folder / "hostile", b""), "it takes an empty file for its own")
 
 
-def _check_failing(write: Write, folder: Path, ending: str) -> None:
+def _check_failing(kind: TrackFormat, folder: Path) -> None:
     """A file appears whole or not at all."""
+    write, ending = kind.write, kind.extensions[0]
+    assert write is not None
     place = folder / f"cancelled{ending}"
 
     def cancel(_done: int, _total: int) -> None:
@@ -102,6 +111,8 @@ def _check_failing(write: Write, folder: Path, ending: str) -> None:
         write(place, exported(), cancel)
     except CancelledError:
         require(not place.exists(), "a write that was cancelled left a file: use replacing_bytes")
+    if kind.is_folder:
+        return
     nowhere = folder / "no" / "such" / f"folder{ending}"
     made = raises_ours_alone(lambda: write(nowhere, exported(), no_progress), "write")
     require(made is None, "write made a folder that nobody asked for")
@@ -118,7 +129,7 @@ def _check_reading(kind: TrackFormat, sample: Path) -> None:
         head = sample.read_bytes()[:HEAD_BYTES]
         require(kind.recognises(sample, head), "it does not recognise its own file")
     with leaving_nothing_open("read"):
-        found = kind.read(sample, Filmed(frames=_FRAMES, fps=8.0, size_px=(640, 480)))
+        found = kind.read(sample, Filmed(frames=_FRAMES, fps=8.0, size_px=_SIZE, view=_VIEW))
     require(len(found.columns["frame"]) > 0, "no row of its own file was read")
     if kind.write is not None:
         _check_same(kind, found)

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from tracking.pipeline import track
-from tracking.recording import Recording, open_recording
+from tracking.recording import open_recording
 from tracking.session import Session
 from tracking.settings import settings_fields, settings_from, settings_from_text, settings_values
 from tracking.synthesis import render_recording
@@ -17,10 +17,9 @@ from tracking.testing.rules import at_the_door, leaving_nothing_open, obeying, r
 from tracking.trackers import TRACKERS, Bodies, Resume, TrackerSpec
 from tracking.tracks import Run, TrackTable
 
-_SIZE, _FPS, _SECONDS, _PEOPLE = (320, 240), 8.0, 4.0, 3
-_RESUMED = 16
+_SCENE, _SIZE, _FPS, _SECONDS, _PEOPLE = "lobby", (320, 240), 10.0, 6.0, 3
+_RESUMED = 45
 _MOST_OFFERED = 20
-_MOST_GROWTH_BYTES = 64 << 20
 
 
 def check_tracker(spec: TrackerSpec, folder: Path) -> None:
@@ -35,14 +34,13 @@ def check_tracker(spec: TrackerSpec, folder: Path) -> None:
         known = TRACKERS[spec.name]
         check_settings(known)
         clip = render_recording(
-            folder / "clip", "plaza", _SECONDS, _PEOPLE, 5, size=_SIZE, fps=_FPS,
+            folder / "clip", _SCENE, _SECONDS, _PEOPLE, 5, size=_SIZE, fps=_FPS,
             cameras=2 if spec.needs_stereo else 1,
         )  # fmt: skip
         with leaving_nothing_open("the tracker"):
             run = _tracked(clip, known)
         _check_people(run)
         _check_repeatable(run, _tracked(clip, known))
-        _check_pictures(clip, known)
         _check_range(clip, known)
         _check_resumption(clip, known, run)
         _check_session(clip, run, folder / "session.h5")
@@ -101,24 +99,6 @@ def _check_repeatable(run: Run, again: Run) -> None:
             "generator made of the seed, and order nothing by sets",
             name=name,
         )
-
-
-def _check_pictures(clip: Path, spec: TrackerSpec) -> None:
-    """The frames are everybody's."""
-    with open_recording(clip) as recording, open_recording(clip) as untouched:
-        with track(recording, spec.name, frames=(0, 6)) as work:
-            for _ in work:
-                pass
-        for number in range(6):
-            require(
-                _same_picture(recording, untouched, number),
-                "the picture of frame {number} was changed: work on a copy",
-                number=number,
-            )
-
-
-def _same_picture(one: Recording, other: Recording, number: int) -> bool:
-    return np.array_equal(one.read(number).left, other.read(number).left)
 
 
 def _check_range(clip: Path, spec: TrackerSpec) -> None:
