@@ -12,7 +12,7 @@ from tracking.translation import msg
 
 BUILT_IN_DETECTORS = ("paper", "evidence")
 """Names of built-in detectors: by the features of [ZhaoLee2009] alone, and with evidence. Parts
-that evidence finds lost are not put back better yet, so the paper's is used unless told."""
+are right about as often with either on footage of others, so the paper's is used unless told."""
 NO_DETECTOR = msg(
     "no part-failure detector: lost parts are neither found nor put back; "
     "name one with --detector or the setting detector"
