@@ -15,10 +15,8 @@ _ACROSS_M = 0.22
 """Distance between places side by side."""
 _ALONG = 0.11
 """Distance between places behind each other, in body heights as they are seen."""
-_LEAST_TALL = 0.035
+_LEAST_TALL = 0.075
 """Of the picture's height: smaller people are not looked for."""
-_COARSEST_M = 0.2
-"""Of the floor that one pixel's row is: farther away nobody's place could be told."""
 _FARTHEST_M = 120.0
 _LEAST_INSIDE = 0.3
 _MOST = 20_000
@@ -31,16 +29,18 @@ class FloorCells:
         flat: the camera. height_m, radius_m: of a usual body.
 
     Attributes:
-        xy: (cells, 2) m. outlines: (cells) in flat px. area: (cells,) px² of them.
-        inside: (cells,) px² of that, about, in the picture.
+        xy: (cells, 2) m. step_m: (cells,) to the next one behind each.
+        outlines: (cells) in flat px. area: (cells,) px² of them. inside: (cells,) px² of that,
+            about, in the picture.
         feet: (cells) of the people there. steep: (cells,) who is there is seen steeply.
     """
 
     def __init__(self, flat: FlatView, height_m: float, radius_m: float) -> None:
-        xy = _net(flat, height_m)
+        xy, step_m = _net(flat, height_m)
         outlines = standing_ellipses(flat.projection, xy, np.full(len(xy), height_m), radius_m)
         kept, share = _worth_looking(outlines, flat.size)
         self.xy: Floats = xy[kept]
+        self.step_m: Floats = step_m[kept]
         self.outlines: Ellipses = outlines[kept]
         self.area: Floats = self.outlines.areas()
         self.inside: Floats = self.area * share
@@ -52,21 +52,22 @@ class FloorCells:
         return len(self.xy)
 
 
-def _net(flat: FlatView, height_m: float) -> Floats:
-    """(n, 2) m, rings round the point below the camera."""
+def _net(flat: FlatView, height_m: float) -> tuple[Floats, Floats]:
+    """(n, 2) m, rings round the point below the camera, and (n,) m to the next ring."""
     camera_m = float(flat.camera_position[2])
     reach = [0.0]
     focal_px = float(np.linalg.norm(np.cross(flat.projection[0, :3], flat.projection[2, :3])))
-    farthest = min(_FARTHEST_M, float(np.sqrt(_COARSEST_M * camera_m * focal_px)))
+    farthest = min(_FARTHEST_M, focal_px * height_m / (_LEAST_TALL * flat.size[1]))
     while reach[-1] < farthest:
         reach.append(reach[-1] + max(_ACROSS_M, _ALONG * height_m * reach[-1] / camera_m))
     bearing = _bearings(flat)
-    rings = []
-    for radius in reach:
+    rings, steps = [], []
+    for radius, step in zip(reach, np.diff(reach, append=reach[-1] + _ACROSS_M), strict=True):
         count = max(1, int(np.ceil((bearing[1] - bearing[0]) * radius / _ACROSS_M)))
         angle = bearing[0] + (np.arange(count) + 0.5) / count * (bearing[1] - bearing[0])
         rings.append(np.column_stack((radius * np.sin(angle), radius * np.cos(angle))))
-    return np.concatenate(rings)
+        steps.append(np.full(count, step))
+    return np.concatenate(rings), np.concatenate(steps)
 
 
 def _bearings(flat: FlatView) -> tuple[float, float]:

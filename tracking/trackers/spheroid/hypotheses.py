@@ -109,16 +109,20 @@ def begin_people(
     count: int,
     spreads: tuple[float, float],
     random: np.random.Generator,
+    places: Floats | None = None,
 ) -> SpheroidPeople:
     """People at their start.
 
     Args:
         mean: (people, 4) m and m/s. height: (people,) m, and how surely it is known.
         count: hypotheses of each. spreads: m and m/s of them. random: where the noise comes from.
+        places: (people, count, 2) m about which the hypotheses spread; None: about the mean.
     """
     people = len(track)
     noise = random.standard_normal((people, count, 4), dtype=np.float32)
     noise *= np.repeat(np.array(spreads, np.float32), 2)
+    if places is not None:
+        noise[..., :2] += (places - mean[:, None, :2]).astype(np.float32)
     zero = np.zeros(people)
     return SpheroidPeople(
         track=track,

@@ -83,8 +83,9 @@ class SpheroidTracker(TrackerBase[SpheroidSettings]):
         - colours of the body, looked up at a few places, weigh hypotheses too, so that people who
           meet keep their identities; little of those who are seen steeply;
         - shadows are weighed down by what was learnt of them beside people (`foreground`);
-        - tracks are initiated at places on the floor whose silhouettes the blobs fill, taken one
-          by one, so that a group that comes in together is taken apart;
+        - tracks are initiated at places on the floor whose silhouettes explain most of the blobs,
+          taken one by one, so that a group that comes in together is taken apart; their hypotheses
+          begin at all places that the blobs hardly tell from that;
         - who has left the picture or is not where he would be seen is let go before hypotheses
           spread, and who is re-identified near by, in the same colours, keeps the track;
         - boxes are drawn from the foreground round the silhouettes, not from spheroids;
@@ -209,15 +210,14 @@ class SpheroidTracker(TrackerBase[SpheroidSettings]):
         if seen.time_s < self._next_look_s:
             return people
         self._next_look_s = seen.time_s + settings.birth_interval_s - 1e-3
-        states = self._search(people, seen)
-        new = self._begin(states)
+        new = self._begin(self._search(people, seen))
         if len(new) == 0:
             return people
         new = new.select(~self._are_ghosts(new, seen))
         return self._add(people, new, look, seen.time_s, seen.embed)
 
-    def _search(self, people: SpheroidPeople, seen: FlatObservation) -> NDArray[np.float64]:
-        """(n, 4) states of whom the foreground shows, for some searches now, and nobody follows."""
+    def _search(self, people: SpheroidPeople, seen: FlatObservation) -> births.SpheroidCandidates:
+        """Whom the foreground shows, for some searches now, and nobody follows."""
         settings = self._settings
         modest = people.replace(height=np.minimum(people.height, self._usual_m + births.TALLER_M))
         explained = silhouettes(modest, self._flat, settings, births.ENLARGED)
@@ -226,19 +226,21 @@ class SpheroidTracker(TrackerBase[SpheroidSettings]):
         zones = count_covering(seen.ramp.shape, foot_zones(self._flat, axes))
         footless = None if settings.paper else zones == 0
         places = births.find_candidates(seen.ramp, free, self._cells, axes, footless)
-        self._candidates = births.update_candidates(self._candidates, places, seen.time_s)
-        ready = self._candidates.searches >= settings.birth_frames
-        states = np.concatenate((self._candidates.xy, self._candidates.velocity), axis=1)
-        return states[ready]
+        camera = np.asarray(self._flat.camera_position)
+        candidates = births.update_candidates(self._candidates, places, seen.time_s, camera)
+        self._candidates = candidates
+        return candidates.select(candidates.searches >= settings.birth_frames)
 
-    def _begin(self, mean: NDArray[np.float64]) -> SpheroidPeople:
-        """People without ids at these states (n, 4)."""
+    def _begin(self, found: births.SpheroidCandidates) -> SpheroidPeople:
+        """People without ids where candidates are."""
         settings = self._settings
+        mean = np.concatenate((found.xy, found.velocity), axis=1)
         height = np.full(len(mean), self._usual_m)
         track = np.zeros(len(mean), np.int32)
-        spreads = _START_SPREADS
+        count, random = settings.particles, self._random
+        places = None if settings.paper else found.draw(count, random)
         return begin_people(
-            track, mean, height, _HEIGHT_SD_M, settings.particles, spreads, self._random
+            track, mean, height, _HEIGHT_SD_M, count, _START_SPREADS, random, places
         )
 
     def _add(

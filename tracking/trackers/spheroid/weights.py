@@ -20,7 +20,7 @@ Flags = NDArray[np.bool_]
 _BALANCE, _CUT_BALANCE = 0.45, 0.3
 """B from which on a pixel speaks for a hypothesis, below against; and of people whose heads are out
 of the picture: legs fill but half of a spheroid's width."""
-_LEGS_BALANCE, _LEGS_WEIGHT = 0.22, 0.57
+LEGS_BALANCE, LEGS_WEIGHT = 0.22, 0.57
 """The same of the lower half of people seen from the side, and how much a pixel counts there beside
 one of the upper half. Bodies fill 0.9 of their upper half, legs half of the lower one, and 0.05 of
 what is empty is foreground: the logarithms of the likelihood ratios of a pixel, log(p / q) where it
@@ -37,9 +37,9 @@ every frame, so from the side, where head and feet tell the height, little; seen
 not."""
 _LEAN_S = 0.05
 """Who walks leans ahead: seconds of walking by which the body's axis is before where he stands."""
-_SHARPNESS = 40.0
+SHARPNESS = 40.0
 """Logarithm of the weight of a hypothesis that explains everything, over one of nothing."""
-_FEET = 4.0
+FEET = 4.0
 """The same of one whose legs end where legs are seen to end, over one without legs."""
 _BOXES_TELL = 0.08
 """What pixels tell where people are seen by boxes alone, beside those of the foreground: a box is
@@ -149,10 +149,10 @@ def _gains(
     area = np.maximum(np.nan_to_num(own.areas(), nan=1.0), 1.0)
     level = balance[:, None]
     gain = inside.ramp - level * inside.area
-    legs = _LEGS_WEIGHT * (inside.low_ramp - _LEGS_BALANCE * inside.low_area)
+    legs = LEGS_WEIGHT * (inside.low_ramp - LEGS_BALANCE * inside.low_area)
     as_body = inside.low_ramp - level * inside.low_area
     gain += np.where(with_legs[:, None], legs - as_body, 0.0)
-    return _SHARPNESS * gain / area[:, None]
+    return SHARPNESS * gain / area[:, None]
 
 
 def _feet_gains(
@@ -169,7 +169,7 @@ def _feet_gains(
         return np.zeros((0, axes.shape[1]))
     feet = feet_of(flat, axes[rows])
     parts = feet_parts(judged, flat, own, axes_of(people, settings), feet, rows)
-    return _FEET * feet_scores(parts, feet)
+    return FEET * feet_scores(parts, feet)
 
 
 def _balances(
