@@ -36,8 +36,8 @@ def read_calibration(
     calib.txt, ROS camera_info YAML (left, right), EuRoC's sensor.yaml (left, right), Kalibr's
     camchain, COLMAP's cameras.txt, a ZED's SN*.conf, an OAK's calib.json, Tsai's XML of PETS and
     TUD, MATLAB's stereoParams as JSON, and JSON or TOML with K, D, R and t; they are told by their
-    contents. Lengths are metres where the kind has no unit of its own. Nothing in the files is trusted: sizes, depth and numbers
-    are capped and checked.
+    contents. Lengths are metres where the kind has no unit of its own. Nothing in the files is
+    trusted: sizes, depth and numbers are capped and checked.
 
     Args:
         paths: one or two files.
