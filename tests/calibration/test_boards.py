@@ -69,6 +69,13 @@ def test_a_fisheye_is_found_as_it_was_rendered_and_read_back(tmp_path: Path) -> 
     )
 
 
+def test_a_fisheye_pair_that_sees_parts_of_a_charuco_board_is_found(tmp_path: Path) -> None:
+    board = Board("charuco", 7, 5, 0.05, dictionary="4X4_50")
+    found = calibrated(tmp_path, board, FISHEYE, "fisheye", count=12, seed=7)
+    assert found.rms_px < 0.3
+    assert found.calibration.left.matrix[0, 0] == pytest.approx(330, rel=0.02)
+
+
 def test_one_camera_needs_no_size_of_the_square(tmp_path: Path) -> None:
     left, _ = write_pairs(tmp_path, CHESSBOARD, pair_of(CAMERA))
     found = calibrate_boards(BoardRequest(left, None, Board("chessboard", 8, 5)))
@@ -123,6 +130,18 @@ def test_sharp_frames_of_a_video_are_chosen(tmp_path: Path) -> None:
     found = calibrate_boards(BoardRequest(str(video), None, CHESSBOARD))
     assert not {"1", "5", "9", "13"} & set(found.used)
     assert found.calibration.left.matrix[0, 0] == pytest.approx(520, rel=0.02)
+
+
+def test_of_50_pictures_40_of_them_blurred_the_sharp_ones_are_used(tmp_path: Path) -> None:
+    kernel = np.full((1, 11), 1 / 11)
+    for number, (rotation, shift) in enumerate(poses(50, 3)):
+        image = image_of(CHESSBOARD, CAMERA, rotation, shift)
+        moved = image if number % 5 == 0 else cv2.filter2D(image, -1, kernel)
+        cv2.imwrite(str(tmp_path / f"left{number:02}.png"), moved)
+    found = calibrate_boards(BoardRequest(str(tmp_path / "left*.png"), None, CHESSBOARD))
+    assert set(found.used) <= {f"left{number:02}.png" for number in range(0, 50, 5)}
+    assert any("are blurred, and left out" in str(note) for note in found.notes)
+    assert found.calibration.left.matrix[0, 0] == pytest.approx(520, rel=0.01)
 
 
 def test_no_board_is_told_in_one_line_with_what_to_do(tmp_path: Path) -> None:

@@ -35,6 +35,8 @@ _ROUNDS = 3
 _LEAST_TILT_DEG = 8.0
 """Views whose boards are turned less than this to each other do not tell the focal length."""
 _LONGEST_LIST = 5
+_ENOUGH_SHARP = 10
+"""Views that make a good calibration without the blurred ones."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -124,6 +126,7 @@ def find_boards(request: BoardRequest, progress: Progress = no_progress) -> Foun
     request = _with_dictionary(request)
     board, views = _found(request, progress)
     notes = (*views.notes, *_notes(request, board, views))
+    views = _sharp(views)
     return FoundBoards(board, views, request.lens, notes)
 
 
@@ -222,17 +225,32 @@ def _notes(request: BoardRequest, board: Board, views: Views) -> list[Message]:
         )
     blurred = blurred_views(views.views)
     if blurred:
+        count, names = len(blurred), _some(blurred)
         notes.append(
             msg(
-                "{count} of {all} pictures of the board are blurred, and cost accuracy: {names}",
-                count=len(blurred),
+                "{count} of {all} pictures of the board are blurred, and left out: {names}",
+                count=count,
                 all=len(views.views),
-                names=_some(blurred),
+                names=names,
+            )
+            if len(_sharp(views).views) < len(views.views)
+            else msg(
+                "{count} of {all} pictures of the board are blurred, and cost accuracy: {names}",
+                count=count,
+                all=len(views.views),
+                names=names,
             )
         )
     if views.unpaired:
         notes.append(msg("pictures without a partner: {names}", names=_some(views.unpaired)))
     return notes
+
+
+def _sharp(views: Views) -> Views:
+    """Without the blurred views, where enough are left."""
+    blurred = blurred_views(views.views)
+    sharp = tuple(view for view in views.views if view.name not in blurred)
+    return replace(views, views=sharp) if len(sharp) >= _ENOUGH_SHARP else views
 
 
 def _some(names: Sequence[str]) -> Message:

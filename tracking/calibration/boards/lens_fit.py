@@ -184,10 +184,8 @@ def _fit_fisheye_pair(
     one, other = fits
     flags = cv2.CALIB_USE_INTRINSIC_GUESS | cv2.CALIB_FIX_SKEW
     flags |= 0 if one.distortion[2:].any() else _FEW_FISHEYE_TERMS
-    objects = [np.asarray(part, np.float64).reshape(1, -1, 3) for part in world]
-    seen = [
-        [np.asarray(part, np.float64).reshape(1, -1, 2) for part in side] for side in (left, right)
-    ]
+    objects = [part.reshape(1, -1, 3) for part in _as_many(world)]
+    seen = [[part.reshape(1, -1, 2) for part in _as_many(side)] for side in (left, right)]
     found = _CV.fisheye.stereoCalibrate(
         objects,
         *seen,
@@ -209,6 +207,15 @@ def _fit_fisheye_pair(
         float(rms),
         per_pair,
     )
+
+
+def _as_many(views: list[Floats]) -> list[Floats]:
+    """The points of each view, some of them twice, so that all views have as many.
+
+    OpenCV's fisheye pairs take no views of different lengths, as parts of a ChArUco board are.
+    """
+    most = max(map(len, views))
+    return [np.asarray(view, np.float64)[np.arange(most) % len(view)] for view in views]
 
 
 def _rms(miss: Floats) -> float:

@@ -262,12 +262,16 @@ def _view(instant: _Instant, board: Board, thorough: bool) -> PairedView | None:
 
 
 def _sharpness(image: GrayImage, view: BoardView) -> float:
-    """How much neighbouring pixels differ on the board, relative to its contrast."""
+    """How much edges change on the board, relative to its contrast, across or down.
+
+    The lesser of the two counts: motion blurs in one direction, and leaves edges along it as sharp.
+    """
     (left, top), (right, bottom) = view.pixel.min(axis=0), view.pixel.max(axis=0)
     part = image[max(int(top), 0) : int(bottom) + 1, max(int(left), 0) : int(right) + 1]
     if part.size < 2:
         return 0.0
-    return float(cv2.Laplacian(part, cv2.CV_32F).std() / max(float(part.std()), 1.0))
+    ways = (cv2.Sobel(part, cv2.CV_32F, *way, ksize=1) for way in ((2, 0), (0, 2)))
+    return min(float(way.std()) for way in ways) / max(float(part.std()), 1.0)
 
 
 def blurred_views(views: Sequence[PairedView]) -> tuple[str, ...]:
