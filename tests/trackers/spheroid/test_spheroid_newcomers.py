@@ -17,7 +17,7 @@ from tracking.trackers.spheroid.births import (
 from tracking.trackers.spheroid.floor_cells import FloorCells
 
 EYE_LEVEL = FlatView(view(1.2, 0.0, focal=300.0))
-STREET = FlatView(view(1.66, 2.0, focal=400.0))
+STREET = FlatView(view(1.66, 2.0, focal=800.0))
 CAMERA = np.array([0.0, 0.0, 1.2])
 NOBODY = np.zeros((0, 2))
 
@@ -92,5 +92,5 @@ def test_people_are_looked_for_as_far_as_the_image_shows_them_large_enough() -> 
     cells = FloorCells(STREET, 1.72, 0.25)
     away_m, height_px = np.hypot(*cells.xy.T), np.subtract(*cells.outlines.rows()[::-1])
     assert away_m.max() > 28.0
-    assert height_px.min() >= 0.075 * STREET.size[1]
+    assert height_px.min() >= 40.0
     assert np.hypot(*_first(_walker(30.0, STREET), STREET).xy) == pytest.approx(30.0, rel=0.15)

@@ -15,8 +15,8 @@ _ACROSS_M = 0.22
 """Distance between places side by side."""
 _ALONG = 0.11
 """Distance between places behind each other, in body heights as they are seen."""
-_LEAST_TALL = 0.075
-"""Of the picture's height: smaller people are not looked for."""
+_LEAST_TALL_PX = 42.0
+"""Smaller people are not looked for: their legs are as wide as what smooths the picture."""
 _FARTHEST_M = 120.0
 _LEAST_INSIDE = 0.3
 _MOST = 20_000
@@ -57,7 +57,7 @@ def _net(flat: FlatView, height_m: float) -> tuple[Floats, Floats]:
     camera_m = float(flat.camera_position[2])
     reach = [0.0]
     focal_px = float(np.linalg.norm(np.cross(flat.projection[0, :3], flat.projection[2, :3])))
-    farthest = min(_FARTHEST_M, focal_px * height_m / (_LEAST_TALL * flat.size[1]))
+    farthest = min(_FARTHEST_M, focal_px * height_m / _LEAST_TALL_PX)
     while reach[-1] < farthest:
         reach.append(reach[-1] + max(_ACROSS_M, _ALONG * height_m * reach[-1] / camera_m))
     bearing = _bearings(flat)
@@ -86,7 +86,7 @@ def _worth_looking(outlines: Ellipses, size: tuple[int, int]) -> tuple[NDArray[n
     wide = np.minimum(right, size[0]) - np.maximum(left, 0)
     tall = np.minimum(bottom, size[1]) - np.maximum(top, 0)
     inside = np.maximum(wide, 0) * np.maximum(tall, 0) / ((right - left) * (bottom - top))
-    large = np.maximum(bottom - top, right - left) >= _LEAST_TALL * size[1]
+    large = np.maximum(tall, wide) >= _LEAST_TALL_PX
     good = np.flatnonzero(np.isfinite(inside) & (inside >= _LEAST_INSIDE) & large)
     if len(good) <= _MOST:
         return good, inside[good]
