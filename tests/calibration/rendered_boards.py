@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tracking.calibration.boards import Board
-from tracking.geometry import Camera, StereoCalibration
+from tracking.geometry import Camera, Ground, StereoCalibration
 
 SIZE = (640, 480)
 PX_PER_UNIT = 60
@@ -24,6 +24,8 @@ CAMERA = Camera(
     np.array([-0.12, 0.05, 0.001, -0.0005, 0.0]),
     *SIZE,
 )
+GROUND = Ground(1.6, 35.0, 4.0)
+"""Below the cameras that see a board lie on the floor."""
 FISHEYE = Camera(
     np.array([[330.0, 0, 318.0], [0, 331.0, 241.0], [0, 0, 1]]),
     np.array([0.02, -0.005, 0.001, 0.0]),
@@ -113,3 +115,15 @@ def write_pairs(
         cv2.imwrite(str(folder / f"left{number:02}.png"), left)
         cv2.imwrite(str(folder / f"right{number:02}.png"), right)
     return str(folder / "left*.png"), str(folder / "right*.png")
+
+
+def lying(
+    board: Board, camera: Camera = CAMERA, place: tuple[float, float] = (0.1, 2.0)
+) -> NDArray[np.uint8]:
+    """What a camera sees of a board on the floor, turned by 20 degrees."""
+    rotation, centre = GROUND.world_from_camera
+    turn, _ = cv2.Rodrigues(np.array([0.0, 0.0, np.deg2rad(20.0)]))
+    # On the board x is right and y towards the camera, so that its z is down.
+    world_from_board = turn @ np.diag([1.0, -1.0, -1.0])
+    shift = rotation.T @ (np.array([*place, 0.0]) - centre)
+    return image_of(board, camera, rotation.T @ world_from_board, shift)

@@ -4,35 +4,21 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-import cv2
 import numpy as np
 import pytest
-from rendered_boards import CAMERA, FISHEYE, image_of
+from rendered_boards import CAMERA, FISHEYE, GROUND, image_of, lying
 
 from tracking.calibration.boards import Board
 from tracking.calibration.floor import floor_of_board
 from tracking.errors import CalibrationError
-from tracking.geometry import Camera, Ground
+from tracking.geometry import Ground
 
-GROUND = Ground(1.6, 35.0, 4.0)
 BOARDS = {
     "chessboard": Board("chessboard", 9, 6, 0.1),
     "charuco": Board("charuco", 8, 6, 0.12, dictionary="5X5_100"),
     "circles": Board("circles", 9, 6, 0.1),
     "asymmetric-circles": Board("asymmetric-circles", 4, 9, 0.07),
 }
-
-
-def lying(
-    board: Board, camera: Camera = CAMERA, place: tuple[float, float] = (0.1, 2.0)
-) -> np.ndarray:
-    """What a camera sees of a board on the floor, turned by 20 degrees."""
-    rotation, centre = GROUND.world_from_camera
-    turn, _ = cv2.Rodrigues(np.array([0.0, 0.0, np.deg2rad(20.0)]))
-    # On the board x is right and y towards the camera, so that its z is down.
-    world_from_board = turn @ np.diag([1.0, -1.0, -1.0])
-    shift = rotation.T @ (np.array([*place, 0.0]) - centre)
-    return image_of(board, camera, rotation.T @ world_from_board, shift)
 
 
 def assert_near(ground: Ground) -> None:

@@ -22,9 +22,10 @@ from PySide6.QtWidgets import (
 from app.core.i18n import tr
 from app.core.widgets.questions import choose_file
 from app.core.widgets.user_settings import UserSettings
+from app.features.setup.board_fields import BoardFields
 from app.features.setup.calibration_presenter import other_source, source_of_board, with_board
-from app.features.setup.scene import BoardForm, SetupScene
-from app.features.setup.step_page import choose, named, plain
+from app.features.setup.scene import SetupScene
+from app.features.setup.step_page import choose, named
 from tracking.calibration.boards import BoardCalibration
 
 if TYPE_CHECKING:
@@ -48,28 +49,7 @@ class BoardPanel(QWidget):
         self.right, self._right_row = self._source(tr("Pictures of the right camera"), "right")
         form.addRow(tr("Left"), left)
         form.addRow(tr("Right"), self._right_row)
-        kinds = (
-            ("chessboard", tr("Chessboard")),
-            ("charuco", tr("ChArUco board")),
-            ("circles", tr("Circles")),
-            ("asymmetric-circles", tr("Circles, asymmetric")),
-        )
-        self.kind = page.choice(kinds, self._change)
-        form.addRow(tr("Kind"), named(self.kind, tr("Kind of board")))
-        self.columns, self.rows = (page.whole(3, 60, self._change) for _ in range(2))
-        size = QHBoxLayout()
-        size.addWidget(named(self.columns, tr("Columns of the board")))
-        size.addWidget(plain("\N{MULTIPLICATION SIGN}", self))
-        size.addWidget(named(self.rows, tr("Rows of the board")))
-        size.setStretch(0, 4)
-        size.setStretch(1, 1)
-        size.setStretch(2, 4)
-        form.addRow(tr("Size"), size)
-        self.size_told = plain("", self)
-        form.addRow(self.size_told)
-        self.square = page.number(" mm", 0.0, 5000.0, 2, self._change)
-        self.square.setSpecialValueText(tr("not measured"))
-        form.addRow(tr("Square"), named(self.square, tr("Side of a square")))
+        self.fields = BoardFields(page, form, self._change)
         lenses = (("standard", tr("Standard")), ("fisheye", tr("Fisheye")))
         self.lens = page.choice(lenses, self._change)
         form.addRow(tr("Lens"), named(self.lens, tr("Kind of lens")))
@@ -123,12 +103,8 @@ class BoardPanel(QWidget):
                 field.setText(text)
                 field.setToolTip(text)
         self._form.setRowVisible(self._right_row, stereo)
-        choose(self.kind, board.kind)
+        self.fields.fill(board)
         choose(self.lens, board.lens)
-        self.columns.setValue(board.columns)
-        self.rows.setValue(board.rows)
-        self.square.setValue(board.square_mm)
-        self.size_told.setText(_size_told(board))
         self.calibrate.setEnabled(plan is not None and not scene.busy)
         self.table.setEnabled(not scene.busy)
         if scene.boards is not self._shown:
@@ -171,14 +147,7 @@ class BoardPanel(QWidget):
 
     def _change(self, *_: Any) -> None:
         editor = self._page.editor
-        form = replace(
-            editor.state.board,
-            kind=self.kind.currentData(),
-            columns=self.columns.value(),
-            rows=self.rows.value(),
-            square_mm=self.square.value(),
-            lens=self.lens.currentData(),
-        )
+        form = replace(self.fields.read(editor.state.board), lens=self.lens.currentData())
         editor.change(with_board(editor.state, form))
 
     def _type(self, side: str, text: str) -> None:
@@ -196,10 +165,3 @@ class BoardPanel(QWidget):
             self._type(side, source_of_board(path))
 
         choose_file(self, name, "", take, self._remembered.last_folder("calibration"))
-
-
-def _size_told(board: BoardForm) -> str:
-    return {
-        "chessboard": tr("inner corners, not squares"),
-        "charuco": tr("squares"),
-    }.get(board.kind, tr("circles"))

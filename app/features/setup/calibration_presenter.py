@@ -126,9 +126,13 @@ def board_request(form: BoardForm, stereo: bool) -> BoardRequest:
         raise CalibrationError(
             "the side of a square is not entered; measure it on the print, in mm"
         )
+    return BoardRequest(form.left, form.right if stereo else None, board_of(form), form.lens)
+
+
+def board_of(form: BoardForm) -> Board:
+    """The board that was entered. Raises CalibrationError: there is none like that."""
     square_m = form.square_mm / _MM if form.square_mm > 0 else None
-    board = Board(form.kind, form.columns, form.rows, square_m)
-    return BoardRequest(form.left, form.right if stereo else None, board, form.lens)
+    return Board(form.kind, form.columns, form.rows, square_m)
 
 
 def calibrate_board(form: BoardForm, stereo: bool, progress: Progress) -> MadeCalibration:

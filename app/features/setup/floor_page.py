@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
@@ -11,18 +12,28 @@ from app.core.i18n import tr
 from app.core.widgets.questions import choose_file
 from app.core.widgets.user_settings import UserSettings
 from app.features.setup import floor_presenter
+from app.features.setup.board_fields import BoardFields
+from app.features.setup.calibration_presenter import with_board
 from app.features.setup.controller import SetupEditor
 from app.features.setup.points_table import PointsTable
-from app.features.setup.scene import FloorMethod, SetupPicture, SetupScene, Step
+from app.features.setup.scene import FloorMethod, SetupPicture, SetupScene, SetupState, Step
 from app.features.setup.step_page import StepPage, choose, fit_stack, named, plain
 from tracking.calibration.floor import FloorEstimate
+from tracking.progress import Progress
 
-_PAGES: dict[FloorMethod, int] = {"measured": 0, "typed": 1, "points": 2, "distances": 2, "pose": 3}
+_PAGES: dict[FloorMethod, int] = {
+    "measured": 0,
+    "typed": 1,
+    "points": 2,
+    "distances": 2,
+    "pose": 3,
+    "board": 4,
+}
 _DEGREE = "\N{DEGREE SIGN}"
 
 
 class FloorPage(StepPage):
-    """Where the floor is: measured, typed, clicked, or from a file with the camera's pose."""
+    """Where the floor is: measured, typed, clicked, by a board, or from a file with the pose."""
 
     step = Step.FLOOR
 
@@ -36,6 +47,7 @@ class FloorPage(StepPage):
             ("typed", tr("Type it")),
             ("points", tr("Points with known places")),
             ("distances", tr("Points with known distances")),
+            ("board", tr("A board that lies on it")),
             ("pose", tr("From a file with the pose")),
         )
         self.method = self.choice(methods, self._choose_method)
@@ -43,7 +55,8 @@ class FloorPage(StepPage):
         self.rows.addLayout(form)
         self.pages = QStackedWidget(self.widget())
         self.points = PointsTable(self)
-        for page in (self._measure_panel(), QWidget(self), self.points, self._pose_panel()):
+        self.pages.addWidget(self._measure_panel())
+        for page in (QWidget(self), self.points, self._pose_panel(), self._board_panel()):
             self.pages.addWidget(page)
         self.rows.addWidget(self.pages)
         self._build_fields()
@@ -82,6 +95,18 @@ class FloorPage(StepPage):
         rows.addLayout(form)
         return panel
 
+    def _board_panel(self) -> QWidget:
+        panel = QWidget(self)
+        rows = QVBoxLayout(panel)
+        rows.setContentsMargins(0, 0, 0, 0)
+        rows.addWidget(plain(tr("Seen by the left camera in some images, and still."), panel))
+        form = self.form()
+        self.board = BoardFields(self, form, self._change_board)
+        rows.addLayout(form)
+        self.find_board = self.button(tr("Find the board"), self._find_board)
+        rows.addWidget(self.find_board)
+        return panel
+
     def _build_fields(self) -> None:
         form = self.form()
         self.height_m = self.number(" m", 0.0, 60.0, 3, self._type)
@@ -112,6 +137,8 @@ class FloorPage(StepPage):
         stereo = calibrated and getattr(scene.checked.calibration, "right", None) is not None
         self.measure_told.setText(_measure_told(calibrated, stereo))
         self.measure.setEnabled(calibrated and not scene.busy)
+        self.board.fill(state.board)
+        self.find_board.setEnabled(calibrated and not scene.busy)
         self.pose.setText(state.pose_file.name if state.pose_file else tr("No file yet."))
         if not self.convention.hasFocus():
             self.convention.setText(state.convention)
@@ -172,13 +199,23 @@ class FloorPage(StepPage):
         self.editor.change(replace(self.editor.state, floor_method=method))
 
     def _measure(self) -> None:
+        self._run(tr("Measuring the floor"), floor_presenter.measured)
+
+    def _change_board(self, *_: object) -> None:
+        state = self.editor.state
+        self.editor.change(with_board(state, self.board.read(state.board)))
+
+    def _find_board(self) -> None:
+        self._run(tr("Looking for the board"), floor_presenter.measured_by_board)
+
+    def _run(self, what: str, find: Callable[[SetupState, Progress], FloorEstimate]) -> None:
+        """Find the floor beside the window's thread."""
         state = self.editor.state
 
         def done(found: FloorEstimate) -> None:
             self.editor.change(floor_presenter.with_estimate(self.editor.state, found))
 
-        work = lambda progress: floor_presenter.measured(state, progress)  # noqa: E731
-        self.editor.run(self.step, tr("Measuring the floor"), work, done)
+        self.editor.run(self.step, what, lambda progress: find(state, progress), done)
 
     def _type(self) -> None:
         values = self.height_m.value(), self.tilt_deg.value(), self.roll_deg.value()

@@ -7,12 +7,14 @@ from dataclasses import replace
 import numpy as np
 
 from app.core.i18n import sentence, tr
+from app.features.setup.calibration_presenter import board_of
 from app.features.setup.cameras_presenter import cameras_picture
 from app.features.setup.floor_marks import with_floor
 from app.features.setup.scene import SetupPicture, SetupScene, SetupState
 from tracking.calibration.floor import (
     FloorEstimate,
     FloorPoint,
+    floor_by_board,
     floor_by_distances,
     floor_by_people,
     floor_by_points,
@@ -22,7 +24,7 @@ from tracking.calibration.floor import (
 from tracking.errors import CalibrationError
 from tracking.geometry import Ground
 from tracking.progress import Progress
-from tracking.recording import open_recording
+from tracking.recording import Recording, open_recording
 from tracking.recording.region_of_interest import EVERYWHERE
 from tracking.setup.plan import options_of_plan
 
@@ -36,14 +38,30 @@ def measured(state: SetupState, progress: Progress) -> FloorEstimate:
     Raises:
         CalibrationError, RecordingError: it is not found, or the plan cannot be opened.
     """
-    assert state.plan is not None, "there are cameras"
-    plan = replace(state.plan, ground=None, region=EVERYWHERE)
-    with open_recording(plan.folder, options_of_plan(plan)) as recording:
+    with _opened(state) as recording:
         calibration = recording.calibration
         pair = recording.is_stereo and calibration is not None and calibration.right is not None
         deep = recording.has_depth and recording.rectification is not None
         find = floor_by_stereo if pair or deep else floor_by_people
         return find(recording, progress)
+
+
+def measured_by_board(state: SetupState, progress: Progress) -> FloorEstimate:
+    """The floor by the board that lies on it; slow.
+
+    Raises:
+        CalibrationError, RecordingError: it is not found, or the plan cannot be opened.
+    """
+    board = board_of(state.board)
+    with _opened(state) as recording:
+        return floor_by_board(recording, board, progress)
+
+
+def _opened(state: SetupState) -> Recording:
+    """What was entered so far, without a floor and a region."""
+    assert state.plan is not None, "there are cameras"
+    plan = replace(state.plan, ground=None, region=EVERYWHERE)
+    return open_recording(plan.folder, options_of_plan(plan))
 
 
 def estimated(scene: SetupScene) -> FloorEstimate:
@@ -89,6 +107,7 @@ def _told(found: FloorEstimate) -> str:
         "stereo": tr("Measured by stereo"),
         "people": tr("Measured by people's heights"),
         "points": tr("From the points"),
+        "board": tr("By the board"),
     }.get(found.method, "")
     return tr(
         "{how}: height within {height:.2f} m, tilt within {tilt:.1f} degrees.",

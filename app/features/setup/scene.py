@@ -22,7 +22,7 @@ Arrangement = Literal[
     "pair", "one", "side-by-side", "top-bottom", "row-interleaved", "frame-sequential"
 ]
 CalibrationMethod = Literal["file", "board", "rough"]
-FloorMethod = Literal["measured", "typed", "points", "distances", "pose"]
+FloorMethod = Literal["measured", "typed", "points", "distances", "board", "pose"]
 Shown = Literal["cameras", "rectified", "coverage"]
 OutlineKind = Literal["look", "mask", "occluder", "line"]
 """Of the first two recording.toml tells, of the others the session."""

@@ -5,9 +5,13 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+import cv2
 import pytest
 from command_line import Trackwright
 
+from tests.calibration.rendered_boards import CAMERA, GROUND, lying, pair_of
+from tracking.calibration.boards import Board
+from tracking.geometry import write_calibration
 from tracking.recording import open_recording, read_manifest
 
 
@@ -52,3 +56,20 @@ def test_a_bare_video_has_nothing_to_write_into(trackwright: Trackwright, record
     status, _, said = trackwright("floor", video, "--heights", "--write")
     assert status == 1
     assert "recording.toml" in said
+
+
+def test_a_board_on_the_floor_gives_it(trackwright: Trackwright, tmp_path: Path) -> None:
+    images = tmp_path / "left"
+    images.mkdir()
+    for number in range(2):
+        cv2.imwrite(str(images / f"{number}.png"), lying(Board("chessboard", 9, 6, 0.1)))
+    write_calibration(tmp_path / "rig.yaml", pair_of(CAMERA))
+    given = (images, "--calibration", tmp_path / "rig.yaml", "--fps", "5", "--board", "9x6")
+    status, printed, _ = trackwright("floor", *given, "--square", "0.1", "--json")
+    document = json.loads(printed)
+    assert (status, document["method"]) == (0, "board")
+    assert document["height"] == pytest.approx(GROUND.height_m, rel=0.01)
+    assert document["tilt"] == pytest.approx(GROUND.tilt_deg, abs=0.5)
+    status, _, said = trackwright("floor", *given)
+    assert status == 1
+    assert "--square" in said

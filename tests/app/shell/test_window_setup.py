@@ -308,7 +308,7 @@ def test_a_square_of_no_size_and_boards_never_found_are_told(begin: Begin, card:
     user.press(board.calibrate)
     user.wait_for_rest()
     assert "is not entered" in dialog.calibration.problem.text()
-    user.type(board.square, "25")
+    user.type(board.fields.square, "25")
     user.press(board.calibrate)
     user.wait_for_rest()
     assert "is found in 0 of" in dialog.calibration.problem.text()

@@ -16,7 +16,7 @@ from app.features.setup import trial
 from app.features.setup.scene import Step
 from app.shell.main_window import MainWindow
 from tests.benchmarks.setup.user import SetupUser
-from tests.calibration.rendered_boards import CAMERA, pair_of, write_pairs
+from tests.calibration.rendered_boards import CAMERA, GROUND, lying, pair_of, write_pairs
 from tracking.calibration.boards import Board
 from tracking.geometry import Camera, read_calibration, write_calibration
 from tracking.recording import open_recording
@@ -135,9 +135,9 @@ def test_of_pictures_of_a_board_the_blurred_ones_are_told(
     user.choose(dialog.calibration.method, "board")
     form = dialog.calibration.board
     user.type(form.left, str(pictures / "left*.png"))
-    user.type(form.columns, "7")
-    user.type(form.rows, "5")
-    user.type(form.square, "30")
+    user.type(form.fields.columns, "7")
+    user.type(form.fields.rows, "5")
+    user.type(form.fields.square, "30")
     user.press(form.calibrate)
     user.wait_for_rest()
     told = dialog.calibration.told.text() + dialog.calibration.problem.text()
@@ -248,3 +248,30 @@ def test_methods_of_a_draft_that_are_not_known_any_more_begin_anew(
     file.write_text(file.read_text().replace('"measured"', '"guessed"'))
     assert drafts.find(plan) is None
     assert drafts.find(replace(plan, name="other")) is None
+
+
+def test_the_floor_is_found_by_a_board_that_lies_on_it(user: SetupUser, tmp_path: Path) -> None:
+    board = Board("chessboard", 9, 6, 0.1)
+    for side in ("left", "right"):
+        (tmp_path / side).mkdir()
+        for number in range(3):
+            cv2.imwrite(str(tmp_path / side / f"{number}.png"), lying(board))
+    write_calibration(tmp_path / "rig.yaml", pair_of(CAMERA))
+    user.drop([tmp_path / "left", tmp_path / "right"])
+    user.wait(lambda: user.window.files.setup.dialog is not None)
+    user.wait_for_rest()
+    dialog = user.dialog
+    user.type(dialog.cameras.fps, "10")
+    dialog.calibration.take_files((tmp_path / "rig.yaml",))
+    user.wait_for_rest()
+    dialog.go_to(Step.FLOOR)
+    user.choose(dialog.floor.method, "board")
+    user.press(dialog.floor.find_board)
+    user.wait_for_rest()
+    assert "square in metres" in dialog.floor.problem.text()
+    user.type(dialog.floor.board.square, "100")
+    user.press(dialog.floor.find_board)
+    user.wait_for_rest()
+    assert dialog.floor.told.text().startswith("By the board")
+    assert dialog.floor.height_m.value() == pytest.approx(GROUND.height_m, rel=0.01)
+    assert dialog.floor.tilt_deg.value() == pytest.approx(GROUND.tilt_deg, abs=0.5)
