@@ -80,3 +80,8 @@ def test_a_format_that_breaks_a_rule_is_told_which(kind, said: str, tmp_path: Pa
 def test_what_is_not_installed_is_told_with_what_to_write() -> None:
     with pytest.raises(BrokenRule, match=r'project.entry-points."trackwright.trackers"'):
         check_installed("tracker", "nowhere")
+
+
+def test_a_name_that_is_taken_is_told(tmp_path: Path) -> None:
+    with pytest.raises(BrokenRule, match="the name csv is that of one that is built in"):
+        check_format(replace(FORMATS["csv"], recognises=lambda *_: True), tmp_path)

@@ -64,8 +64,17 @@ def _catalogue(kind: PluginKind) -> Catalogue[Any]:
 
 
 def at_the_door(catalogue: Catalogue[Any], thing: Any) -> AbstractContextManager[object]:
-    """Offer a thing while it is checked, unless it is installed or built in already."""
-    if thing.name in catalogue.names:
+    """Offer a thing while it is checked, unless it is installed or built in already.
+
+    Raises BrokenRule: its name is that of one that is built in, and it is another.
+    """
+    offer = catalogue.offer(thing.name)
+    if offer is not None:
+        require(
+            not offer.built_in or catalogue[thing.name] is thing,
+            "the name {name} is that of one that is built in; choose another",
+            name=thing.name,
+        )
         return nullcontext()
     return offered_for_a_while(catalogue.kind, thing.name, thing, type(thing).__module__)
 
