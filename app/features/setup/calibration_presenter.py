@@ -77,16 +77,27 @@ def with_rough(state: SetupState, fov_deg: float, baseline_mm: float) -> SetupSt
 
 def with_files(state: SetupState, files: tuple[Path, ...]) -> SetupState:
     """The same with a calibration that was read from files, or with none."""
-    if state.plan is None:
-        return state
-    return replace(state, plan=replace(state.plan, calibration=files), calibration_told="")
+    return _with_calibration(state, files, "")
 
 
 def with_made(state: SetupState, file: Path, told: str) -> SetupState:
     """The same with a calibration that was made and put into a file."""
+    return _with_calibration(state, (file,), told)
+
+
+def _with_calibration(state: SetupState, files: tuple[Path, ...], told: str) -> SetupState:
+    """With another calibration; a floor that was found by the one before is doubtful now."""
     if state.plan is None:
         return state
-    return replace(state, plan=replace(state.plan, calibration=(file,)), calibration_told=told)
+    doubt = state.floor_doubt
+    if state.plan.ground is not None and state.floor_told not in ("", tr("Set by hand.")):
+        doubt = tr("The calibration has changed since: find the floor again.")
+    return replace(
+        state,
+        plan=replace(state.plan, calibration=files),
+        calibration_told=told,
+        floor_doubt=doubt,
+    )
 
 
 def source_of_board(path: Path) -> str:

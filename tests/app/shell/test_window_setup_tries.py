@@ -275,3 +275,8 @@ def test_the_floor_is_found_by_a_board_that_lies_on_it(user: SetupUser, tmp_path
     assert dialog.floor.told.text().startswith("By the board")
     assert dialog.floor.height_m.value() == pytest.approx(GROUND.height_m, rel=0.01)
     assert dialog.floor.tilt_deg.value() == pytest.approx(GROUND.tilt_deg, abs=0.5)
+    assert dialog.floor.doubt.text() == ""
+    dialog.calibration.take_files((tmp_path / "rig.yaml",))
+    user.wait_for_rest()
+    assert "calibration has changed since" in dialog.floor.doubt.text()
+    assert _mark(user, Step.FLOOR) == "unsure"
