@@ -76,6 +76,25 @@ def test_nothing_is_said_of_a_sound_recording(lobby: Path) -> None:
     assert not examination.unchecked
 
 
+@pytest.mark.parametrize("times", [0.1, 10.0])
+def test_a_height_in_other_units_is_told_with_the_floor_that_is_seen(
+    copied: Path, times: float
+) -> None:
+    truth = read_manifest(copied).ground
+    assert truth is not None
+    rewrite_manifest(copied, ground=replace(truth, height_m=truth.height_m * times))
+    examination = examined(copied)
+    (finding,) = examination.findings
+    assert finding.code == "other-floor"
+    assert "floor" in examination.checked
+    with open_recording(copied) as recording:
+        mend(recording, finding)
+    mended_ground = read_manifest(copied).ground
+    assert mended_ground is not None
+    assert mended_ground.height_m == pytest.approx(truth.height_m, rel=0.02)
+    assert mended_ground.tilt_deg == pytest.approx(truth.tilt_deg, abs=0.5)
+
+
 AXES = list(enumerate(("right-tilted", "right-turned", "right-rolled")))
 
 

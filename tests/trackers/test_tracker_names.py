@@ -14,7 +14,10 @@ from tracking.trackers import TRACKERS, TrackerSpec, body_part_tracker, tracker_
 
 ROOT = Path(__file__).parents[2]
 TRACKER_FOLDERS = ROOT / "tracking" / "trackers"
-CATALOGUE = TRACKER_FOLDERS / "catalogue.py"
+CATALOGUE = {
+    TRACKER_FOLDERS / "catalogue.py",
+    *(TRACKER_FOLDERS / "built_in").glob("*.py"),
+}
 TEXTS = {".py", ".html", ".j2", ".toml", ".json"}
 _OTHER_WORDS = re.compile(r"docs/[\w/-]+|[Ff]low map|https?://\S+")
 """Pages of the documents, and other things that are called like a tracker."""
@@ -33,7 +36,7 @@ def _sources() -> dict[Path, tuple[str, ...]]:
         path
         for room in ("app", "tracking")
         for path in sorted((ROOT / room).rglob("*"))
-        if path.suffix in TEXTS and path != CATALOGUE
+        if path.suffix in TEXTS and path not in CATALOGUE
     ]
     assert len(files) > 500
     return {path: tuple(_texts(path)) for path in files}

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from tracking.doctor import camera_moved, depth_check, geometry_check, pairing_checks
+from tracking.doctor import camera_moved, floor_check, geometry_check, pairing_checks
 from tracking.doctor.evidence import SAMPLES, Samples, read_samples, still_pair
 from tracking.doctor.finding import Examination, Finding
+from tracking.doctor.floor_points import floor_points
 from tracking.doctor.residuals import focal_px
 from tracking.geometry import StereoCalibration
 from tracking.progress import Progress, no_progress
@@ -56,11 +57,11 @@ def examine(recording: Recording, tell: Progress = no_progress) -> Examination:
     findings.add(camera_moved.CODE, moved)
     tell(_STEPS - 3, _STEPS)
     if recording.has_depth:
-        found, why = depth_check.check_depth_floor(recording)
+        found, why = floor_check.check_depth_floor(recording)
         if why is None:
-            findings.add(depth_check.DEPTH_FLOOR, found)
+            findings.add(floor_check.DEPTH_FLOOR, found)
         else:
-            findings.leave(why, depth_check.DEPTH_FLOOR)
+            findings.leave(why, floor_check.DEPTH_FLOOR)
     elif calibration is None:
         findings.leave(
             msg("needs two calibrated cameras"),
@@ -97,9 +98,18 @@ def _check_rig(
         # Everything else would be told about cameras that are not these.
         findings.leave(msg("needs cameras that are not swapped"), *geometry)
         return
-    findings.found += geometry_check.check_geometry(pair, (calibration, recording.ground))
-    findings.checked.append(geometry_check.ROWS)
-    if recording.ground is None:
+    ground = recording.ground
+    if ground is None:
         findings.leave(msg("the recording does not say where the floor is"), geometry_check.FLOOR)
+    elif floor_points(calibration, ground, pair.matches) is None:
+        # What is seen is too far from the floor that is given to say how far that is off.
+        ground = None
+        other, unknown = floor_check.check_other_floor(recording)
+        if unknown is None:
+            findings.add(geometry_check.FLOOR, other)
+        else:
+            findings.leave(unknown, geometry_check.FLOOR)
     else:
         findings.checked.append(geometry_check.FLOOR)
+    findings.found += geometry_check.check_geometry(pair, (calibration, ground))
+    findings.checked.append(geometry_check.ROWS)
