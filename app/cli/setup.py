@@ -81,7 +81,8 @@ def _next_step(plan: SetupPlan, folder: Path) -> Message:
     quoted = shlex.quote(str(folder))
     if not plan.calibration:
         return msg(
-            "next: trackwright calibrate --help, for metres; or trackwright open {folder}",
+            "next, for metres: trackwright setup {folder} --calibration FILE --floor stereo "
+            "--force (trackwright calibrate makes a FILE); or trackwright open {folder}",
             folder=quoted,
         )
     if plan.ground is None:

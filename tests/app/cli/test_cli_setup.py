@@ -106,7 +106,7 @@ def test_without_a_calibration_the_next_command_makes_one(
 ) -> None:
     (files / "calibration.yaml").unlink()
     status, _, said = trackwright("setup", files)
-    assert (status, "next: trackwright calibrate --help" in said) == (0, True)
+    assert (status, "next, for metres: trackwright setup" in said) == (0, True)
 
 
 def test_two_videos_in_place_of_a_recording_are_told_how_they_become_one(
