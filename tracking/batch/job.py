@@ -18,6 +18,7 @@ from typing import Any
 from tracking.atomic_output import replace_with
 from tracking.batch.order import content_digest, digest_of, files_in
 from tracking.batch.outcome import Cause, Outcome, State, failure
+from tracking.batch.protection import state_of, why_protected
 from tracking.batch.recordings import Entry, boxes_of_entry, reason_of
 from tracking.batch.results import export_result, look_through, score_result, thumbnail_of
 from tracking.batch.signature import signature_of
@@ -88,6 +89,8 @@ class _Made:
 class _Job:
     def __init__(self, task: Task, tell: Tell) -> None:
         self._task, self._tell = task, tell
+        self._seen = state_of(task.session)
+        """As the work begins: whoever changes the session later must not lose that."""
 
     def work(self) -> Outcome:
         """The outcome. Raises whatever goes wrong."""
@@ -172,29 +175,9 @@ class _Job:
 
     def _protected(self) -> Message | None:
         """Why the session that is there must not be replaced; None: it may."""
-        place = self._task.session
-        if self._task.order.force or not place.exists():
+        if self._task.order.force:
             return None
-        if place.is_symlink() or not place.is_file():
-            return msg("{place} is no regular file", place=place.name)
-        try:
-            with closing(Session.look_into(place)) as session:
-                if len(session.history):
-                    return msg(
-                        "{place} was corrected, and is of other files or settings; move it away, "
-                        "or replace it with --force",
-                        place=place.name,
-                    )
-                if len(session.runs) > 1:
-                    return msg(
-                        "{place} has several runs; move it away, or replace it with --force",
-                        place=place.name,
-                    )
-        except SessionError as error:
-            if self._task.known is not None:  # ours: damaged, and made again
-                return None
-            return msg("{place} is there and cannot be read: {why}", place=place.name, why=error)
-        return None
+        return why_protected(self._task.session, own=self._task.known is not None)
 
     def _tracked(self, recording: Recording, spec: TrackerSpec, settings: Any) -> _Made:
         task = self._task
@@ -223,6 +206,7 @@ class _Job:
                 tracked=made.tracked,
                 fingerprint=fingerprint,
                 session=made.digest,
+                session_state=() if made.tracked and order.force else self._seen,
                 reference=session.recording.key,
                 folder=str(recording.folder.resolve()),
                 corrected=made.corrected,
