@@ -103,6 +103,12 @@ def named_entries(paths: Sequence[Path], known: Mapping[Path, str] | None = None
     return [Entry(known.get(path) or names[path], path) for path in paths]
 
 
+def is_name(text: str) -> bool:
+    """Whether a text can be a recording's name: what is read from a file may be anything."""
+    longest = _LONGEST_NAME + len("-") + _SAID_DIGITS
+    return _file_name(text) == text and len(text) <= longest and text.casefold() not in _RESERVED
+
+
 def is_recording(path: Path) -> bool:
     """Whether something at a path would be opened as one recording; nothing of it is read."""
     try:
@@ -313,7 +319,7 @@ def _parts(path: Path) -> list[str]:
 
 
 def _joined(parts: Sequence[str], taken: int) -> str:
-    return "-".join(parts[-taken:])[-_LONGEST_NAME:]
+    return "-".join(parts[-taken:])[-_LONGEST_NAME:].lstrip(". ")  # where it is cut
 
 
 def _file_name(name: str) -> str:
