@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 from collections.abc import Callable
 from contextlib import ExitStack, closing
 from dataclasses import replace
@@ -9,12 +10,14 @@ from pathlib import Path
 
 import pytest
 
-from tests.batch.batches import QUICK, batch, do_here, leftovers
+from tests.batch.batches import QUICK, Counting, batch, do_here, ledger_of, leftovers
 from tests.batch.walks import make_walk
 from tracking.batch import Cause, Outcome, State
-from tracking.batch.task import Task
+from tracking.batch.outcome import failure
+from tracking.batch.task import Finished, Task, Workplace
 from tracking.editing import plan_delete
 from tracking.session import Session
+from tracking.translation import msg
 
 OTHER = replace(QUICK, seed=7)
 
@@ -109,3 +112,40 @@ def test_a_correction_while_scores_are_made_is_seen_by_the_next_run(walk: Path) 
     do = after(correct_and_save, ExitStack())
     assert not batch(out, [walk], do=do)["walk"].corrected
     assert batch(out, [walk])["walk"].corrected
+
+
+def test_what_is_skipped_stays_skipped(walk: Path) -> None:
+    correct_and_save(walk.parent / "out" / "walk.h5", ExitStack())
+    shutil.copy(walk / "left" / "0000.png", walk / "left" / "0005.png")
+    for _ in range(3):
+        outcome = batch(walk.parent / "out", [walk])["walk"]
+        assert outcome.state is State.SKIPPED
+
+
+@pytest.mark.parametrize("is_corrected", [False, True])
+def test_a_failure_takes_nothing_from_what_is_known(walk: Path, is_corrected: bool) -> None:
+    out = walk.parent / "out"
+    if is_corrected:
+        correct_and_save(out / "walk.h5", ExitStack())
+        assert batch(out, [walk])["walk"].corrected
+    (walk / "notes.txt").write_text("of no account")
+    bad = Counting(lambda _: failure(Cause.WORKER, msg("it died")))
+    outcome = batch(out, [walk], do=bad)["walk"]
+    assert (outcome.state, outcome.cause) == (State.FAILED, Cause.WORKER)
+    again = Counting()
+    outcome = batch(out, [walk], do=again)["walk"]
+    assert outcome.is_done
+    assert outcome.corrected == is_corrected
+    assert (again.names, again.tracked) == (["walk"], [])
+
+
+def test_a_failure_that_nobody_saw_takes_nothing_either(walk: Path) -> None:
+    out = walk.parent / "out"
+    row = ledger_of(out)[0]["walk"]
+    place = Workplace(out, "00ff")
+    place.folder.mkdir()
+    unseen = Finished("walk", walk, row.asked, failure(Cause.INPUT, msg("it was away")))
+    place.outcome.write_bytes(unseen.as_bytes())
+    again = Counting()
+    assert batch(out, [walk], do=again)["walk"].is_done
+    assert again.tracked == []

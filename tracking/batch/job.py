@@ -36,7 +36,7 @@ from tracking.session import Session
 from tracking.session.reference import refer_to
 from tracking.settings import settings_values
 from tracking.stamps import software
-from tracking.trackers import TrackerSpec, best_tracker, parse_settings, tracker_named
+from tracking.trackers import TrackerSpec, best_tracker, detector_of, parse_settings, tracker_named
 from tracking.tracks import Run
 from tracking.translation import N_, Message, joined, msg
 
@@ -119,7 +119,7 @@ class _Job:
         spec, settings = self._asked(recording, boxes)
         found = self._kept(fingerprint) or self._found(recording, spec, settings)
         if found is None and (why := self._protected()):
-            return Outcome(State.SKIPPED, Cause.PROTECTED, why, fingerprint=fingerprint)
+            return Outcome(State.SKIPPED, Cause.PROTECTED, why)
         made = found or self._tracked(recording, spec, settings)
         return self._outcome(recording, made, fingerprint)
 
@@ -141,22 +141,26 @@ class _Job:
 
         So a ledger that was lost costs no tracking.
         """
-        known, place = self._task.known, self._task.session
-        if known is not None and known.state is not State.SKIPPED:
+        known, place, order = self._task.known, self._task.session, self._task.order
+        if known is not None and (known.session or known.state is not State.SKIPPED):
             return None
-        if place.is_symlink() or not place.is_file() or self._task.order.detections:
+        if place.is_symlink() or not place.is_file():
             return None
+        if order.detections or order.detections_right:
+            return None
+        reference = refer_to(recording, self._task.out)
+        of = (reference.key, reference.manifest, reference.calibration)
         wanted = settings_values(with_relative_paths(recording, settings))
-        key = refer_to(recording, self._task.out).key
+        asked = (spec.name, wanted, order.seed, software(), detector_of(spec.name, wanted))
         try:
             with closing(Session.look_into(place)) as session:
-                run = session.corrected_run
-                if run is None or session.damage or session.recording.key != key:
+                run, there = session.corrected_run, session.recording
+                if run is None or session.damage:
                     return None
-                asked = (spec.name, wanted, self._task.order.seed, software())
-                if (run.tracker, dict(run.settings), run.seed, run.software) != asked:
+                if (there.key, there.manifest, there.calibration) != of:
                     return None
-                if run.frames != (0, recording.frame_count):
+                made = (run.tracker, dict(run.settings), run.seed, run.software, run.detector)
+                if made != asked or run.frames != (0, recording.frame_count):
                     return None
                 corrected = len(session.history) > 0
         except SessionError:

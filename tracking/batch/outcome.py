@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from enum import StrEnum
 from typing import Any, Self
 
@@ -136,6 +136,24 @@ class Outcome:
             signature=self.signature,
             outside=self.outside,
             seconds=self.seconds,
+        )
+
+    def failed(self, cause: Cause, why: Message) -> Outcome:
+        """The same whose session is in place, but not all that was made of it."""
+        return replace(self, state=State.FAILED, cause=cause, why=why, page=False, exports=None)
+
+    def on_top_of(self, known: Outcome) -> Outcome:
+        """What was known before, with what this failure tells: it changed no result."""
+        return replace(
+            known,
+            state=self.state,
+            cause=self.cause,
+            why=self.why,
+            tracked=self.tracked,
+            signature=self.signature,
+            outside=self.outside or known.outside,
+            seconds=self.seconds,
+            trace=self.trace,
         )
 
 

@@ -55,7 +55,9 @@ def publish(place: Workplace, name: str, outcome: Outcome) -> Outcome:
     except (OSError, OutputError) as error:
         why = told_by_system(error) or message_of(error)
         why = error.message if isinstance(error, TrackwrightError) else why
-        return outcome.set_back(State.FAILED, Cause.DISK, why)
+        if outcome.tracked and (place.session.exists() or not session.exists()):
+            return outcome.set_back(State.FAILED, Cause.DISK, why)
+        return outcome.failed(Cause.DISK, why)
 
 
 def is_whole(place: Workplace, name: str, outcome: Outcome) -> bool:
