@@ -95,10 +95,9 @@ def named_entries(paths: Sequence[Path], known: Mapping[Path, str] | None = None
     """
     known = known or {}
     taken = {name.casefold() for name in (*known.values(), *_RESERVED)}
-    new = [path for path in paths if path not in known]
-    names = dict(zip(new, _short_names(new), strict=True))
+    names = dict(zip(paths, _short_names(paths), strict=True))
     for path, name in names.items():
-        if name.casefold() in taken:
+        if path not in known and name.casefold() in taken:
             names[path] = f"{name}-{_said(path)}"
     return [Entry(known.get(path) or names[path], path) for path in paths]
 
