@@ -102,7 +102,7 @@ class _Job:
         before = signature_of(task.path, boxes, (), task.out)
         with open_recording(task.path, options) as recording:
             files = _files_of(recording)
-            outside = _outside(task.path, files)
+            outside = _outside(task.path, (*files, *recording.calibration_files))
             if before != signature_of(task.path, boxes, (), task.out):
                 raise _changed(task.path)
             before = signature_of(task.path, boxes, outside, task.out)
@@ -241,9 +241,12 @@ def _changed(path: Path) -> OSError:
 
 
 def _outside(path: Path, files: tuple[Path, ...]) -> tuple[Path, ...]:
-    """Those of the files that are not in the recording's folder."""
-    folder = path.absolute()
-    return tuple(each for each in files if not each.absolute().is_relative_to(folder))
+    """Those of the files that are not in the recording's folder, also through ".." or a link."""
+    folder = path.resolve()
+    parents = {each.parent for each in files}
+    inside = {parent: parent.resolve().is_relative_to(folder) for parent in parents}
+    outside = (each for each in files if each != path and not inside[each.parent])
+    return tuple(each.absolute() for each in outside)
 
 
 def _is_corrected(place: Path) -> bool:
