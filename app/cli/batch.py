@@ -35,6 +35,7 @@ from tracking.batch import (
     ledger_path,
     merge_shard,
     named_entries,
+    read_rows,
     report_path,
     shard_of,
     write_batch_report,
@@ -106,7 +107,7 @@ def run_batch(request: BatchRequest, *, as_json: bool) -> None:
     if not ledger_path(out, shard).exists():
         _check_order(request)  # nothing is left behind of what is wrongly asked for
     with batch_folder(out, shard) as ledger:
-        entries = _entries(found, ledger)
+        entries = _entries(found, ledger, out, shard)
         entries = entries if shard is None else shard_of(entries, shard.number, shard.count)
         outcomes, worked = _worked(request, order, ledger, out, entries, shard)
         missing = _missing(found)
@@ -209,10 +210,17 @@ def _found(request: BatchRequest, out: Path) -> Found:
     return found
 
 
-def _entries(found: Found, ledger: Ledger) -> list[Entry]:
-    """The recordings with the names they have; one that was moved keeps its name."""
+def _entries(found: Found, ledger: Ledger, out: Path, shard: Shard | None) -> list[Entry]:
+    """The recordings with the names they have; one that was moved keeps its name.
+
+    For shards the ledger of the whole counts before their own, so that all call one recording one
+    name.
+    """
     rows = {row.path: row.name for row in ledger.rows()}
-    named = {path: name for path, name in rows.items() if path in found.paths or path.exists()}
+    if shard is not None:
+        rows |= {row.path: row.name for row in read_rows(ledger_path(out))}
+    wanted = set(found.paths)
+    named = {path: name for path, name in rows.items() if path in wanted or path.exists()}
     return named_entries(found.paths, named)
 
 

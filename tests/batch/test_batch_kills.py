@@ -13,7 +13,7 @@ from tests.batch.walks import make_walk
 from tracking.batch import BatchRun, Limits, Listener, Outcome, batch_folder
 from tracking.batch.plan import Planner
 from tracking.batch.publication import publish
-from tracking.batch.task import Task, Workplace
+from tracking.batch.task import Finished, Task, Workplace
 
 
 class Interrupting(Listener):
@@ -136,3 +136,13 @@ def test_attempts_whose_end_nobody_saw_are_told_as_lost(walk: Path, tmp_path: Pa
         ledger.commit()
         BatchRun(ledger, out, QUICK, Limits()).plan([])
         assert [attempt.result for attempt in ledger.attempts()] == ["lost"]
+
+
+def test_work_under_a_name_that_leads_elsewhere_is_not_taken_in(walk: Path, tmp_path: Path) -> None:
+    out = tmp_path / "top" / "out"
+    out.parent.mkdir()
+    task, made = finished_unseen(walk, out)
+    crafted = Finished("../../victim", walk, task.asked, made)
+    task.workplace.outcome.write_bytes(crafted.as_bytes())
+    assert batch(out, [walk])["walk"].is_done
+    assert not (tmp_path / "victim.h5").exists()

@@ -55,13 +55,14 @@ def test_names_and_reasons_never_become_markup(tmp_path: Path) -> None:
     page = page_of(
         tmp_path,
         {
-            hostile: failure(Cause.INPUT, msg("{name} is bad", name=hostile)),
-            '"a&b': done(page=True),
+            "&lt;b&gt;": failure(Cause.INPUT, msg("{name} is bad", name=hostile)),
+            "'a&b": done(page=True),
         },
     )
     assert "<script" not in page
-    assert hostile in Reader(page).said
-    assert 'href="%22a%26b/report.html"' in page
+    assert f"{hostile} is bad" in Reader(page).said
+    assert "&lt;b&gt;" in Reader(page).said
+    assert 'href="%27a%26b/report.html"' in page
 
 
 @pytest.mark.parametrize(

@@ -9,14 +9,16 @@ from contextlib import closing
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from tests.batch.batches import QUICK, Counting, batch, ledger_of, leftovers
-from tests.batch.walks import make_damaged, make_walk
+from tests.batch.walks import HEIGHT_PX, WIDTH_PX, make_damaged, make_walk, write_manifest
 from tracking.batch import Cause, Limits, State
 from tracking.batch.outcome import failure
 from tracking.batch.task import Task
 from tracking.editing import plan_delete
+from tracking.geometry import Camera, StereoCalibration, write_calibration
 from tracking.session import Session
 from tracking.translation import msg
 
@@ -273,6 +275,32 @@ def test_a_recording_that_changes_while_it_is_tracked_is_tried_again(tmp_path: P
     assert batch(tmp_path / "out", [walk], do=count)["walk"].is_done
     assert count.names == ["walk"] * 2
     assert leftovers(tmp_path / "out") == []
+
+
+def test_files_outside_of_the_recording_are_watched(tmp_path: Path) -> None:
+    walk = make_walk(tmp_path / "walk")
+    shutil.move(walk / "left", tmp_path / "left")
+    write_manifest(walk, "../left/*.png")
+    with (walk / "recording.toml").open("a") as manifest:
+        manifest.write('\n[calibration]\nfile = "../camera.yaml"\n')
+    calibrate(tmp_path / "camera.yaml", 200.0)
+    order = replace(QUICK, allow_outside=True)
+    assert batch(tmp_path / "out", [walk], order)["walk"].is_done
+    count = Counting()
+    batch(tmp_path / "out", [walk], order, count)
+    assert count.names == []
+    calibrate(tmp_path / "camera.yaml", 210.0)
+    batch(tmp_path / "out", [walk], order, count)
+    assert count.tracked == ["walk"]
+    shutil.copy(tmp_path / "left" / "0012.png", tmp_path / "left" / "0011.png")
+    batch(tmp_path / "out", [walk], order, count)
+    assert count.tracked == ["walk"] * 2
+
+
+def calibrate(path: Path, focal_px: float) -> None:
+    matrix = np.array([[focal_px, 0, WIDTH_PX / 2], [0, focal_px, HEIGHT_PX / 2], [0, 0, 1]])
+    camera = Camera(matrix, np.zeros(5), WIDTH_PX, HEIGHT_PX)
+    write_calibration(path, StereoCalibration.of_one(camera))
 
 
 def correct(path: Path) -> None:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import os
+import shutil
 import sqlite3
 from contextlib import closing
 from pathlib import Path
@@ -122,3 +124,74 @@ def test_a_link_is_no_ledger(tmp_path: Path) -> None:
     (tmp_path / "batch.sqlite").symlink_to(tmp_path / "elsewhere")
     with pytest.raises(Exception, match="link"):
         Ledger(tmp_path / "batch.sqlite")
+
+
+@pytest.mark.parametrize("name", ["../../victim", "/etc/x", "..", "", "a/b", ".h", "index.html"])
+def test_a_name_that_leads_elsewhere_is_damage(tmp_path: Path, name: str) -> None:
+    path = tmp_path / "batch.sqlite"
+    with Ledger(path) as ledger, Ledger(tmp_path / "whole") as whole:
+        ledger.put(row("a"))
+        ledger.commit()
+        ledger._base.execute("UPDATE recordings SET name = ?", (name,))
+        with pytest.raises(OutputError, match="is damaged"):
+            whole.take_over(ledger)
+    with pytest.raises(OutputError, match="is damaged"):
+        read_rows(path)
+
+
+def test_a_journal_that_would_delete_a_file_is_refused(tmp_path: Path) -> None:
+    path, victim = tmp_path / "batch.sqlite", tmp_path / "victim"
+    Ledger(path).close()
+    victim.write_bytes(b"precious")
+    journal = tmp_path / "batch.sqlite-journal"
+    journal.write_bytes(_journal_naming(victim, path.read_bytes()))
+    with pytest.raises(OutputError, match="of another program"):
+        Ledger(path)
+    assert victim.exists()
+
+
+def _journal_naming(victim: Path, base: bytes) -> bytes:
+    """A rollback journal of one page that names a super-journal."""
+    magic = bytes.fromhex("d9d505f920a163d7")
+    pages = len(base) // 4096
+    numbers = (1, 0, pages, 512, 4096)
+    head = (magic + b"".join(n.to_bytes(4, "big") for n in numbers)).ljust(512, b"\0")
+    page = base[:4096]
+    check = sum(page[i] for i in range(4096 - 200, 0, -200)) & 0xFFFFFFFF
+    record = (1).to_bytes(4, "big") + page + check.to_bytes(4, "big")
+    name = os.fsencode(victim)
+    lock_page = ((1 << 30) // 4096 + 1).to_bytes(4, "big")
+    sums = len(name).to_bytes(4, "big") + sum(name).to_bytes(4, "big")
+    return head + record + lock_page + name + sums + magic
+
+
+@pytest.mark.parametrize("ending", ["-wal", "-shm"])
+def test_what_no_ledger_leaves_beside_it_is_refused(tmp_path: Path, ending: str) -> None:
+    path = tmp_path / "batch.sqlite"
+    Ledger(path).close()
+    (tmp_path / f"batch.sqlite{ending}").write_bytes(b"")
+    with pytest.raises(OutputError, match="of another program"):
+        Ledger(path)
+
+
+def test_a_transaction_that_was_cut_short_is_taken_back(tmp_path: Path) -> None:
+    path, other = tmp_path / "batch.sqlite", tmp_path / "cut" / "batch.sqlite"
+    other.parent.mkdir()
+    with Ledger(path) as ledger:
+        ledger.put(row("a"))
+        ledger.commit()
+        ledger._base.execute("PRAGMA cache_size = 2")
+        for number in range(200):
+            ledger.put(row(f"b{number}"), bytes(2000))
+        for end in ("", "-journal"):
+            shutil.copy(f"{path}{end}", f"{other}{end}")
+    assert [each.name for each in read_rows(other)] == ["a"]
+
+
+def test_a_full_disk_is_told_in_one_line(tmp_path: Path) -> None:
+    with Ledger(tmp_path / "batch.sqlite") as ledger:
+        ledger._base.execute("PRAGMA max_page_count = 10")
+        with pytest.raises(OutputError, match="make room"):
+            ledger.put(row("a"), bytes(100_000))
+        with pytest.raises(OutputError, match="make room"):
+            ledger.begin_attempt("a", "run", "token", "1" * 100_000)

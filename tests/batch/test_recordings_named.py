@@ -98,6 +98,14 @@ def test_a_name_that_is_taken_stays_its_own() -> None:
     assert name.startswith("one-")
 
 
+def test_a_new_name_does_not_hang_on_what_is_known() -> None:
+    paths = ("/a/x", "/b/x", "/c/y")
+    for known in ({Path("/b/x"): "x"}, {Path("/b/x"): "x", Path("/c/y"): "y"}):
+        assert entry_names(*paths, known=known) == ["a-x", "x", "y"]
+    (taken,) = entry_names("/a/x", known={Path("/b/x"): "x"})
+    assert taken.startswith("x-")
+
+
 def test_no_name_leaves_the_folder() -> None:
     (name,) = entry_names("/d/..hid\x1b[1mden")
     assert "/" not in name

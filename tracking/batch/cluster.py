@@ -7,6 +7,7 @@ All machines share the disk with recordings and results, and have the same track
 
 from __future__ import annotations
 
+import asyncio
 import atexit
 import contextlib
 import json
@@ -110,19 +111,36 @@ class ClusterWorkers:
             self._events.put(Doing(*(said[name] for name in fields)))
 
     def _done(self, token: str, future: Any) -> None:
+        """Collect what became of a task, whatever the cluster says: each ends once."""
         self._futures.pop(token, None)
         worker = ""
-        if future.status == "cancelled":
-            outcome = None
-        elif future.status == "error":
-            why = msg("its worker died ({how})", how=type(future.exception()).__name__)
-            outcome = failure(Cause.WORKER, why)
-        else:
-            worker, text = future.result()
-            outcome = Outcome.from_text(text) if text else None
+        try:
+            worker, outcome = _answer_of(future)
+        except (
+            Exception,
+            asyncio.CancelledError,
+        ) as error:  # of the cluster's, or of an answer that is damaged
+            outcome = failure(
+                Cause.WORKER, msg("its worker died ({how})", how=type(error).__name__)
+            )
+        if outcome is None and not self._ended.is_set():  # not by us
+            outcome = failure(Cause.WORKER, msg("the cluster gave it up"))
         self._events.put(Ended(token, worker, outcome))
         if worker:
             self._events.put(Doing(worker))
+
+
+def _answer_of(future: Any) -> tuple[str, Outcome | None]:
+    """Which worker did a task, and the outcome; None: it was given up.
+
+    Raises what the task raised, ValueError where the answer is none.
+    """
+    if future.status in ("cancelled", "lost"):
+        return "", None
+    if future.status == "error":
+        raise future.exception()
+    worker, text = future.result()
+    return str(worker), Outcome.from_text(text) if text else None
 
 
 def do_on_cluster(said: str) -> tuple[str, str]:

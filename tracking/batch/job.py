@@ -18,6 +18,7 @@ from typing import Any
 from tracking.atomic_output import replace_with
 from tracking.batch.order import content_digest, digest_of, files_in
 from tracking.batch.outcome import Cause, Outcome, State, failure
+from tracking.batch.protection import state_of, why_protected
 from tracking.batch.recordings import Entry, boxes_of_entry, reason_of
 from tracking.batch.results import export_result, look_through, score_result, thumbnail_of
 from tracking.batch.signature import signature_of
@@ -35,7 +36,7 @@ from tracking.session import Session
 from tracking.session.reference import refer_to
 from tracking.settings import settings_values
 from tracking.stamps import software
-from tracking.trackers import TrackerSpec, best_tracker, parse_settings, tracker_named
+from tracking.trackers import TrackerSpec, best_tracker, detector_of, parse_settings, tracker_named
 from tracking.tracks import Run
 from tracking.translation import N_, Message, joined, msg
 
@@ -88,6 +89,8 @@ class _Made:
 class _Job:
     def __init__(self, task: Task, tell: Tell) -> None:
         self._task, self._tell = task, tell
+        self._seen = state_of(task.session)
+        """As the work begins: whoever changes the session later must not lose that."""
 
     def work(self) -> Outcome:
         """The outcome. Raises whatever goes wrong."""
@@ -99,7 +102,7 @@ class _Job:
         before = signature_of(task.path, boxes, (), task.out)
         with open_recording(task.path, options) as recording:
             files = _files_of(recording)
-            outside = _outside(task.path, files)
+            outside = _outside(task.path, (*files, *recording.calibration_files))
             if before != signature_of(task.path, boxes, (), task.out):
                 raise _changed(task.path)
             before = signature_of(task.path, boxes, outside, task.out)
@@ -116,7 +119,7 @@ class _Job:
         spec, settings = self._asked(recording, boxes)
         found = self._kept(fingerprint) or self._found(recording, spec, settings)
         if found is None and (why := self._protected()):
-            return Outcome(State.SKIPPED, Cause.PROTECTED, why, fingerprint=fingerprint)
+            return Outcome(State.SKIPPED, Cause.PROTECTED, why)
         made = found or self._tracked(recording, spec, settings)
         return self._outcome(recording, made, fingerprint)
 
@@ -138,22 +141,26 @@ class _Job:
 
         So a ledger that was lost costs no tracking.
         """
-        known, place = self._task.known, self._task.session
-        if known is not None and known.state is not State.SKIPPED:
+        known, place, order = self._task.known, self._task.session, self._task.order
+        if known is not None and (known.session or known.state is not State.SKIPPED):
             return None
-        if place.is_symlink() or not place.is_file() or self._task.order.detections:
+        if place.is_symlink() or not place.is_file():
             return None
+        if order.detections or order.detections_right:
+            return None
+        reference = refer_to(recording, self._task.out)
+        of = (reference.key, reference.manifest, reference.calibration)
         wanted = settings_values(with_relative_paths(recording, settings))
-        key = refer_to(recording, self._task.out).key
+        asked = (spec.name, wanted, order.seed, software(), detector_of(spec.name, wanted))
         try:
             with closing(Session.look_into(place)) as session:
-                run = session.corrected_run
-                if run is None or session.damage or session.recording.key != key:
+                run, there = session.corrected_run, session.recording
+                if run is None or session.damage:
                     return None
-                asked = (spec.name, wanted, self._task.order.seed, software())
-                if (run.tracker, dict(run.settings), run.seed, run.software) != asked:
+                if (there.key, there.manifest, there.calibration) != of:
                     return None
-                if run.frames != (0, recording.frame_count):
+                made = (run.tracker, dict(run.settings), run.seed, run.software, run.detector)
+                if made != asked or run.frames != (0, recording.frame_count):
                     return None
                 corrected = len(session.history) > 0
         except SessionError:
@@ -172,29 +179,9 @@ class _Job:
 
     def _protected(self) -> Message | None:
         """Why the session that is there must not be replaced; None: it may."""
-        place = self._task.session
-        if self._task.order.force or not place.exists():
+        if self._task.order.force:
             return None
-        if place.is_symlink() or not place.is_file():
-            return msg("{place} is no regular file", place=place.name)
-        try:
-            with closing(Session.look_into(place)) as session:
-                if len(session.history):
-                    return msg(
-                        "{place} was corrected, and is of other files or settings; move it away, "
-                        "or replace it with --force",
-                        place=place.name,
-                    )
-                if len(session.runs) > 1:
-                    return msg(
-                        "{place} has several runs; move it away, or replace it with --force",
-                        place=place.name,
-                    )
-        except SessionError as error:
-            if self._task.known is not None:  # ours: damaged, and made again
-                return None
-            return msg("{place} is there and cannot be read: {why}", place=place.name, why=error)
-        return None
+        return why_protected(self._task.session, own=self._task.known is not None)
 
     def _tracked(self, recording: Recording, spec: TrackerSpec, settings: Any) -> _Made:
         task = self._task
@@ -223,6 +210,7 @@ class _Job:
                 tracked=made.tracked,
                 fingerprint=fingerprint,
                 session=made.digest,
+                session_state=() if made.tracked and order.force else self._seen,
                 reference=session.recording.key,
                 folder=str(recording.folder.resolve()),
                 corrected=made.corrected,
@@ -253,9 +241,12 @@ def _changed(path: Path) -> OSError:
 
 
 def _outside(path: Path, files: tuple[Path, ...]) -> tuple[Path, ...]:
-    """Those of the files that are not in the recording's folder."""
-    folder = path.absolute()
-    return tuple(each for each in files if not each.absolute().is_relative_to(folder))
+    """Those of the files that are not in the recording's folder, also through ".." or a link."""
+    folder = path.resolve()
+    parents = {each.parent for each in files}
+    inside = {parent: parent.resolve().is_relative_to(folder) for parent in parents}
+    outside = (each for each in files if each != path and not inside[each.parent])
+    return tuple(each.absolute() for each in outside)
 
 
 def _is_corrected(place: Path) -> bool:

@@ -17,7 +17,9 @@ from pathlib import Path
 from types import TracebackType
 from typing import Self
 
+from tracking.batch.ledger_files import check_ledger_files
 from tracking.batch.outcome import Outcome
+from tracking.batch.recordings import is_name
 from tracking.errors import OutputError
 from tracking.owned_files import check_file
 from tracking.stamps import now, software
@@ -111,7 +113,7 @@ class Ledger:
         """
         self.path = path
         with _told(path):
-            check_file(path)
+            check_ledger_files(path)
             self._base = sqlite3.connect(path, isolation_level=None, check_same_thread=False)
             try:
                 self._open()
@@ -154,53 +156,55 @@ class Ledger:
 
         thumbnail: a JPEG image; None: the one that is there stays.
         """
-        self._begin()
-        outcome = row.outcome
-        self._base.execute(
-            "INSERT INTO recordings VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?) "
-            "ON CONFLICT (name) DO UPDATE SET path=excluded.path, state=excluded.state, "
-            "why=excluded.why, asked=excluded.asked, signature=excluded.signature, "
-            "limits=excluded.limits, outcome=excluded.outcome, updated=excluded.updated, "
-            "thumbnail=coalesce(excluded.thumbnail, thumbnail)",
-            (
-                *(row.name, _text(row.path), str(outcome.state), _text(outcome.why)),
-                *(row.asked, row.signature, row.limits, outcome.as_text(), thumbnail, now()),
-            ),
-        )
+        with self._writing():
+            outcome = row.outcome
+            self._base.execute(
+                "INSERT INTO recordings VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?) "
+                "ON CONFLICT (name) DO UPDATE SET path=excluded.path, state=excluded.state, "
+                "why=excluded.why, asked=excluded.asked, signature=excluded.signature, "
+                "limits=excluded.limits, outcome=excluded.outcome, updated=excluded.updated, "
+                "thumbnail=coalesce(excluded.thumbnail, thumbnail)",
+                (
+                    *(row.name, _text(row.path), str(outcome.state), _text(outcome.why)),
+                    *(row.asked, row.signature, row.limits, outcome.as_text(), thumbnail, now()),
+                ),
+            )
 
     def begin_attempt(self, name: str, run: str, token: str, worker: str) -> int:
         """Note that a worker begins with a recording; the number of the attempt."""
-        self._begin()
-        found = self._base.execute(
-            "INSERT INTO attempts (name, run, token, worker, began) VALUES (?, ?, ?, ?, ?)",
-            (name, run, token, worker, now()),
-        )
-        return found.lastrowid or 0
+        with self._writing():
+            found = self._base.execute(
+                "INSERT INTO attempts (name, run, token, worker, began) VALUES (?, ?, ?, ?, ?)",
+                (name, run, token, worker, now()),
+            )
+            return found.lastrowid or 0
 
     def end_attempt(self, number: int, outcome: Outcome) -> None:
         """Note how an attempt ended."""
-        self._begin()
-        self._base.execute(
-            "UPDATE attempts SET ended = ?, result = ?, tracked = ?, why = ? WHERE id = ?",
-            (
-                *(now(), str(outcome.state), int(outcome.tracked)),
-                *(_text(outcome.why), number),
-            ),
-        )
+        with self._writing():
+            self._base.execute(
+                "UPDATE attempts SET ended = ?, result = ?, tracked = ?, why = ? WHERE id = ?",
+                (
+                    *(now(), str(outcome.state), int(outcome.tracked)),
+                    *(_text(outcome.why), number),
+                ),
+            )
 
     def end_attempt_of(self, token: str, outcome: Outcome) -> None:
         """The same of an attempt whose end nobody saw, by the token of its task."""
-        self._begin()
-        found = self._base.execute("SELECT id FROM attempts WHERE token = ?", (token,)).fetchone()
-        if found is not None:
-            self.end_attempt(found[0], outcome)
+        with self._writing():
+            found = self._base.execute(
+                "SELECT id FROM attempts WHERE token = ?", (token,)
+            ).fetchone()
+            if found is not None:
+                self.end_attempt(found[0], outcome)
 
     def end_open_attempts(self) -> None:
         """Note of attempts whose end nobody saw that they came to nothing."""
-        self._begin()
-        self._base.execute(
-            "UPDATE attempts SET ended = ?, result = 'lost' WHERE result = ''", (now(),)
-        )
+        with self._writing():
+            self._base.execute(
+                "UPDATE attempts SET ended = ?, result = 'lost' WHERE result = ''", (now(),)
+            )
 
     def attempts(self) -> list[Attempt]:
         """All attempts, in order."""
@@ -218,27 +222,33 @@ class Ledger:
 
     def take_over(self, other: Ledger) -> None:
         """Take over what another ledger knows, where that was found out later."""
-        self._begin()
-        known = dict(self._base.execute("SELECT name, updated FROM recordings"))
-        rows = other._base.execute("SELECT * FROM recordings")
-        for row in rows:
-            if known.get(row[0], "") < row[-1]:
-                self._base.execute("DELETE FROM recordings WHERE name = ?", (row[0],))
-                self._base.execute(
-                    "INSERT INTO recordings VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)", row
-                )
-        there = {token for (token,) in self._base.execute("SELECT token FROM attempts")}
-        for attempt in other._base.execute(f"SELECT {_OF_ATTEMPT} FROM attempts"):
-            if attempt[2] not in there:
-                self._base.execute(
-                    f"INSERT INTO attempts ({_OF_ATTEMPT}) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)",
-                    attempt,
-                )
+        with self._writing():
+            known = dict(self._base.execute("SELECT name, updated FROM recordings"))
+            with _told(other.path):
+                rows = other._base.execute("SELECT * FROM recordings").fetchall()
+                for row in rows:
+                    _check_name(row[0])
+            for row in rows:
+                if known.get(row[0], "") < row[-1]:
+                    self._base.execute("DELETE FROM recordings WHERE name = ?", (row[0],))
+                    self._base.execute(
+                        "INSERT INTO recordings VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)", row
+                    )
+            there = {token for (token,) in self._base.execute("SELECT token FROM attempts")}
+            for attempt in other._base.execute(f"SELECT {_OF_ATTEMPT} FROM attempts"):
+                if attempt[2] not in there:
+                    self._base.execute(
+                        f"INSERT INTO attempts ({_OF_ATTEMPT}) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)",
+                        attempt,
+                    )
 
-    def _begin(self) -> None:
-        if not self._base.in_transaction:
-            with _told(self.path):
+    @contextmanager
+    def _writing(self) -> Iterator[None]:
+        """Run a block within a transaction. Raises OutputError, as where the disk is full."""
+        with _told(self.path):
+            if not self._base.in_transaction:
                 self._base.execute("BEGIN IMMEDIATE")
+            yield
 
     def _open(self) -> None:
         for line in _PREPARE:
@@ -292,7 +302,14 @@ def read_rows(path: Path) -> list[Row]:
 
 def _row(cells: tuple[str, str, str, str, str, str]) -> Row:
     name, path, asked, seen, limits, outcome = cells
+    _check_name(name)
     return Row(name, Path(path), asked, seen, limits, Outcome.from_text(outcome))
+
+
+def _check_name(name: str) -> None:
+    """Refuse a name that would lead out of the folder. Raises ValueError."""
+    if not is_name(name):
+        raise ValueError("no name of a recording")
 
 
 def _attempt(

@@ -9,10 +9,11 @@ from dataclasses import asdict, dataclass, fields
 from pathlib import Path
 from typing import Any, Self
 
+from tracking.errors import FormatError
 from tracking.stamps import software
 
 _CHUNK_BYTES = 1 << 20
-_FILES = ("detector", "detections.model", "detections.appearance")
+_DETECTOR, _NETWORKS = "detector", ("detections.model", "detections.appearance")
 """Settings whose value may be a file or a folder: what it holds counts, not where it is."""
 
 
@@ -101,6 +102,18 @@ def files_in(place: Path) -> Iterator[Path]:
 
 def _value_digest(name: str, text: str) -> str:
     place = Path(text)
-    if name in _FILES and text and place.exists():
-        return content_digest(files_in(place.parent if place.suffix == ".toml" else place))
+    if text and name in (_DETECTOR, *_NETWORKS) and place.exists():
+        return content_digest(files_in(place)) if name == _DETECTOR else _network_digest(place)
     return text
+
+
+def _network_digest(place: Path) -> str:
+    """A digest of the TOML and the ONNX files that a network is read from, and of no others."""
+    from tracking.networks.model_file import read_model  # takes long to import
+
+    try:
+        model = read_model(place)
+    except FormatError:  # whoever tracks with it will tell; any file may be what mends it
+        return content_digest(files_in(place.parent if place.suffix == ".toml" else place))
+    beside = model.appearance
+    return digest_of([model.fingerprint, "" if beside is None else beside.fingerprint])

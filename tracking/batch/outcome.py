@@ -54,7 +54,8 @@ class Outcome:
         signature: of the files, before the work began; see `signature_of`.
         outside: files it was made from outside of the recording's folder.
         session: digest of the session's bytes; "": none was made.
-        session_state: size and times of the session's file, as `file_state`, once it is in place.
+        session_state: size and times of the session's file, as `file_state`, as the work began;
+            once it is in place, of that; (): it is replaced whatever became of it.
         reference: by which the session knows the recording again.
         folder: of the recording, what its manifest's paths are relative to.
         tracker: its name. frames, people: how many there are. fps: frames per second.
@@ -128,9 +129,32 @@ class Outcome:
         except (LookupError, TypeError, AttributeError, RecursionError) as error:
             raise ValueError("no outcome of a recording") from error
 
+    def set_back(self, state: State, cause: Cause, why: Message) -> Outcome:
+        """What is left of it where it came to nothing after all: nothing that was made."""
+        return Outcome(
+            *(state, cause, why, self.tracked),
+            signature=self.signature,
+            outside=self.outside,
+            seconds=self.seconds,
+        )
+
     def failed(self, cause: Cause, why: Message) -> Outcome:
-        """The same that came to nothing after all."""
-        return replace(self, state=State.FAILED, cause=cause, why=why)
+        """The same whose session is in place, but not all that was made of it."""
+        return replace(self, state=State.FAILED, cause=cause, why=why, page=False, exports=None)
+
+    def on_top_of(self, known: Outcome) -> Outcome:
+        """What was known before, with what this failure tells: it changed no result."""
+        return replace(
+            known,
+            state=self.state,
+            cause=self.cause,
+            why=self.why,
+            tracked=self.tracked,
+            signature=self.signature,
+            outside=self.outside or known.outside,
+            seconds=self.seconds,
+            trace=self.trace,
+        )
 
 
 def failure(cause: Cause, why: Message, **known: Any) -> Outcome:

@@ -15,7 +15,8 @@ from pathlib import Path
 
 from tracking.atomic_output import check_target
 from tracking.batch.order import content_digest
-from tracking.batch.outcome import Cause, Outcome
+from tracking.batch.outcome import Cause, Outcome, State
+from tracking.batch.protection import why_changed
 from tracking.batch.signature import file_state
 from tracking.batch.task import HIDDEN, Workplace
 from tracking.errors import OutputError, TrackwrightError, told_by_system
@@ -31,6 +32,8 @@ SCORE_PAGE = "report.html"
 def publish(place: Workplace, name: str, outcome: Outcome) -> Outcome:
     """Put what an attempt made in its place; the outcome, failed where that is not possible.
 
+    A session that somebody changed, or has open, since the attempt began is not replaced.
+
     What is there already, from a try before the power failed, stays. The names are synced by
     `sync_published`.
     """
@@ -39,6 +42,8 @@ def publish(place: Workplace, name: str, outcome: Outcome) -> Outcome:
     session = place.out / f"{name}.h5"
     try:
         if place.session.exists():
+            if (why := why_changed(session, outcome.session_state)) is not None:
+                return outcome.set_back(State.SKIPPED, Cause.PROTECTED, why)
             check_target(session)
             place.session.replace(session)
         _put_page(place, name)
@@ -46,12 +51,13 @@ def publish(place: Workplace, name: str, outcome: Outcome) -> Outcome:
         state = file_state(session)
         if state is None:
             raise OutputError("{path} has gone", path=session)
-        return replace(outcome, session_state=state)
+        return replace(outcome, session_state=state) if outcome.tracked else outcome
     except (OSError, OutputError) as error:
         why = told_by_system(error) or message_of(error)
-        return outcome.failed(
-            Cause.DISK, error.message if isinstance(error, TrackwrightError) else why
-        )
+        why = error.message if isinstance(error, TrackwrightError) else why
+        if outcome.tracked and (place.session.exists() or not session.exists()):
+            return outcome.set_back(State.FAILED, Cause.DISK, why)
+        return outcome.failed(Cause.DISK, why)
 
 
 def is_whole(place: Workplace, name: str, outcome: Outcome) -> bool:

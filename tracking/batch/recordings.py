@@ -95,12 +95,17 @@ def named_entries(paths: Sequence[Path], known: Mapping[Path, str] | None = None
     """
     known = known or {}
     taken = {name.casefold() for name in (*known.values(), *_RESERVED)}
-    new = [path for path in paths if path not in known]
-    names = dict(zip(new, _short_names(new), strict=True))
+    names = dict(zip(paths, _short_names(paths), strict=True))
     for path, name in names.items():
-        if name.casefold() in taken:
+        if path not in known and name.casefold() in taken:
             names[path] = f"{name}-{_said(path)}"
     return [Entry(known.get(path) or names[path], path) for path in paths]
+
+
+def is_name(text: str) -> bool:
+    """Whether a text can be a recording's name: what is read from a file may be anything."""
+    longest = _LONGEST_NAME + len("-") + _SAID_DIGITS
+    return _file_name(text) == text and len(text) <= longest and text.casefold() not in _RESERVED
 
 
 def is_recording(path: Path) -> bool:
@@ -313,7 +318,7 @@ def _parts(path: Path) -> list[str]:
 
 
 def _joined(parts: Sequence[str], taken: int) -> str:
-    return "-".join(parts[-taken:])[-_LONGEST_NAME:]
+    return "-".join(parts[-taken:])[-_LONGEST_NAME:].lstrip(". ")  # where it is cut
 
 
 def _file_name(name: str) -> str:

@@ -118,12 +118,13 @@ def _missing_lines(missing: Mapping[str, tuple[State, Message]]) -> list[Line]:
 
 def _line(row: Row, image: bytes | None) -> Line:
     outcome = row.outcome
-    page = f"{quote(row.name)}/{SCORE_PAGE}" if outcome.page else ""
+    page = f"{quote(row.name)}/{SCORE_PAGE}" if outcome.is_done and outcome.page else ""
+    notes = (*outcome.notes, *((msg("corrected since"),) if outcome.corrected else ()))
     return Line(
         row.name,
         str(outcome.state),
         outcome.why,
-        (*outcome.notes, *((msg("corrected since"),) if outcome.corrected else ())),
+        notes if outcome.is_done else (),  # else they are of the time before
         image,
         page,
         _cells(outcome),

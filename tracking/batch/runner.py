@@ -10,7 +10,7 @@ import contextlib
 import secrets
 from collections import deque
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
@@ -145,8 +145,7 @@ class BatchRun:
         outcome = publish(place, task.name, ended.outcome)
         self._end_attempt(work, ended.worker, outcome)
         signature = outcome.signature or task.signature
-        if not outcome.is_done and work.planned.known is not None:
-            outcome = replace(outcome, outside=outcome.outside or work.planned.known.outside)
+        outcome = _with_known(outcome, work.planned.known)
         self._put(task.name, task.path, task.asked, signature, outcome, place)
         return outcome
 
@@ -204,6 +203,7 @@ class BatchRun:
     def _take_in(self) -> None:
         """Publish what workers finished for a program that was killed; remove all else."""
         places = list(workplaces(self._out, self._prefix))
+        known = {row.name: row.outcome for row in self._ledger.rows()} if places else {}
         taken = False
         for place in places:
             finished = Finished.read(place)
@@ -214,6 +214,7 @@ class BatchRun:
             outcome = publish(place, finished.name, finished.outcome)
             if outcome.is_done or not finished.outcome.is_done:
                 seen = outcome.signature
+                outcome = _with_known(outcome, known.get(finished.name))
                 self._put(finished.name, finished.path, finished.asked, seen, outcome, place)
                 taken = True
                 self._ledger.end_attempt_of(place.token, outcome)
@@ -228,6 +229,13 @@ class BatchRun:
     def _clear_all(self) -> None:
         for work in self._in_work.values():
             clear_unfinished(work.task.workplace)
+
+
+def _with_known(outcome: Outcome, known: Outcome | None) -> Outcome:
+    """An outcome for the ledger: one without a session tells nothing new of the one in place."""
+    if outcome.is_done or outcome.session or known is None:
+        return outcome
+    return outcome.on_top_of(known)
 
 
 @dataclass(slots=True)

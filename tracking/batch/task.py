@@ -10,6 +10,7 @@ from typing import Any, Self
 
 from tracking.batch.order import BatchOrder
 from tracking.batch.outcome import Outcome
+from tracking.batch.recordings import is_name
 from tracking.errors import UnsafeFileError
 from tracking.owned_files import read_file
 
@@ -148,6 +149,9 @@ class Finished:
         try:
             said = json.loads(read_file(place.outcome, MOST_OUTCOME_BYTES))
             outcome = Outcome.from_text(str(said["outcome"]))
-            return cls(str(said["name"]), Path(said["path"]), str(said["asked"]), outcome)
+            name = str(said["name"])
+            if not is_name(name):  # it would lead out of the folder
+                return None
+            return cls(name, Path(said["path"]), str(said["asked"]), outcome)
         except (OSError, UnsafeFileError, ValueError, LookupError, TypeError, RecursionError):
             return None

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Generator
+from collections.abc import Generator, Sequence
 from pathlib import Path
 from threading import Lock
 
@@ -54,6 +54,7 @@ class Recording:
             None: everywhere.
         manifest_text, calibration_text: as read; the manifest's is made up where there is none,
             or where options said otherwise.
+        calibration_files: that text is of; they may lie outside the folder.
         own_manifest: whether that text is the folder's recording.toml, as read.
         trusted: whether that text may name files outside the folder.
         truth_path: the truth.txt in the recording's folder; None without one.
@@ -65,6 +66,7 @@ class Recording:
         cameras: ImagePairs,
         calibrated: Calibrated,
         depth: DepthSource | None = None,
+        calibration_files: Sequence[Path] = (),
     ) -> None:
         self.path: Path = located.path
         self.folder: Path = located.folder
@@ -82,6 +84,7 @@ class Recording:
         self.own_manifest: bool = located.own
         self.trusted: bool = located.trusted
         self.calibration_text: str = calibrated.text
+        self.calibration_files: tuple[Path, ...] = tuple(calibration_files)
         truth = located.path / TRUTH_NAME
         self.truth_path: Path | None = truth if truth.is_file() else None
         self._cameras = cameras

@@ -74,7 +74,7 @@ def _open(located: Located, options: OpenOptions) -> Recording:
         depth=depth is not None,
         topics=located.manifest.topics,
     )
-    return Recording(replace(located, trusted=inside), cameras, calibrated, depth)
+    return Recording(replace(located, trusted=inside), cameras, calibrated, depth, files)
 
 
 def _open_depth(located: Located, left: PictureSource, allow_outside: bool) -> DepthSource | None:

@@ -118,6 +118,24 @@ def test_shards_make_the_same_as_one(trackwright: Trackwright, walks: Path, tmp_
         assert ledger.execute("SELECT count(*) FROM attempts").fetchone() == before
 
 
+def test_shards_call_a_recording_one_name_also_after_another_is_added(
+    trackwright: Trackwright, tmp_path: Path
+) -> None:
+    top, out = tmp_path / "walks", tmp_path / "out"
+    make_walk(top / "b" / "walk", 1)
+    make_walk(top / "c" / "other", 2)
+    asked = ("batch", top, "-o", out, "--workers", "1", "--no-pages", "--json")
+    for shard in ("1/2", "2/2"):
+        trackwright(*asked, "--shard", shard)
+    make_walk(top / "a" / "walk", 3)
+    for shard in ("1/2", "2/2"):
+        trackwright(*asked, "--shard", shard)
+    with sqlite3.connect(out / "batch.sqlite") as ledger:
+        named = ledger.execute("SELECT path, name FROM recordings ORDER BY path").fetchall()
+    places = [str(top / part) for part in ("a/walk", "b/walk", "c/other")]
+    assert named == list(zip(places, ("a-walk", "walk", "other"), strict=True))
+
+
 def test_the_script_of_an_array_job_is_one_that_a_shell_reads(walks: Path, tmp_path: Path) -> None:
     words = ("batch", str(walks), "-o", str(tmp_path / "a b"), "--job-array", "8")
     said = subprocess.run(
