@@ -48,7 +48,7 @@ NONE_DONE = 1
 _LEAST_MEMORY_BYTES = 1 << 30
 _MEMORY_SHARE = 0.8
 """Of the machine's, which all workers may have together."""
-_SCRIPT_MINUTES, _SCRIPT_MEMORY_MB = 24 * 60, 4096
+_SCRIPT_MINUTES, _SCRIPT_MEMORY_MB, _PROGRAM_MB = 24 * 60, 4096, 1024
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,9 +96,10 @@ def run_batch(request: BatchRequest, *, as_json: bool) -> None:
     order = _batch_order(request)
     if request.job_array is not None:
         words = _words_without(sys.argv[1:], "--job-array")
-        memory_mb = request.memory_limit_mb or _SCRIPT_MEMORY_MB
-        minutes = round((request.time_limit_s or 0) / 60) or _SCRIPT_MINUTES
-        script = array_script([sys.argv[0], *words], request.job_array, minutes, memory_mb)
+        limit_mb = request.memory_limit_mb
+        # The limit is of what a recording adds; the job also holds the program itself.
+        memory_mb = _SCRIPT_MEMORY_MB if not limit_mb else round(1.25 * limit_mb) + _PROGRAM_MB
+        script = array_script([sys.argv[0], *words], request.job_array, _SCRIPT_MINUTES, memory_mb)
         print_lines(script.rstrip("\n"))
         return
     shard = parse_shard(request.shard)
@@ -341,7 +342,7 @@ def _tell(
         )
         print_line(counts)
         print_line(page)
-    if not done:
+    if not done and (names or missing):  # a shard may have nothing to do
         raise SystemExit(NONE_DONE)
     if failed:
         raise SystemExit(SOME_FAILED)

@@ -50,6 +50,16 @@ def test_failed_ones_come_first_then_suspicious_ones(tmp_path: Path) -> None:
     assert page.count("data:image/jpeg;base64,") == 4
 
 
+def test_the_mean_score_is_of_all_that_are_scored(tmp_path: Path) -> None:
+    outcomes = {
+        "good": done(score={"IDF1": 0.9}),
+        "nobody": done(0, score={"IDF1": 0.0}),
+        "empty": done(score={"IDF1": None}, review_rows=0.3),
+        "free": done(),
+    }
+    assert "0.450" in Reader(page_of(tmp_path, outcomes)).said
+
+
 def test_names_and_reasons_never_become_markup(tmp_path: Path) -> None:
     hostile = "<script>alert(1)</script>"
     page = page_of(

@@ -169,7 +169,8 @@ def _groups(lines: Sequence[Line]) -> dict[str, list[Line]]:
 def _cards(lines: Sequence[Line], rows: Sequence[Row]) -> list[tuple[Message, str]]:
     counts = {state: sum(one.state == state for one in lines) for state in State}
     done = [row.outcome for row in rows if row.outcome.is_done]
-    scores = [suspicion(one) for one in done if one.score and one.people]
+    known = [one.score.get("IDF1") for one in done if one.score]
+    scores = [score for score in known if isinstance(score, (int, float))]
     cards = [
         (msg("recordings"), str(len(lines))),
         (msg("done"), str(counts[State.DONE])),
@@ -178,5 +179,5 @@ def _cards(lines: Sequence[Line], rows: Sequence[Row]) -> list[tuple[Message, st
         (msg("people"), str(sum(one.people for one in done))),
     ]
     if scores:
-        cards.append((msg("mean IDF1"), f"{1 - sum(scores) / len(scores):.3f}"))
+        cards.append((msg("mean IDF1"), f"{sum(scores) / len(scores):.3f}"))
     return cards
