@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 from made_up_sessions import edit
 
+from tracking import file_lock as lock_module
 from tracking.session import Session
-from tracking.session import lock as lock_module
 
 
 @pytest.fixture

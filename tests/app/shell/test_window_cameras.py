@@ -28,6 +28,8 @@ def test_nothing_is_empty_beside_both_pictures_at_any_size(space, window, qtbot)
 
 
 def test_one_camera_fills_the_height_where_two_fifths_are_left_for_the_floor(space, window, qtbot):
+    window.resize(1360, 700)
+    qtbot.waitUntil(lambda: _empty_px(space.left) < 4)
     fitted = space.left.width()
     window.run_command("view.left")
     filled = space.height() / 2
