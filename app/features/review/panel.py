@@ -80,6 +80,7 @@ class ReviewPanel(Panel):
         body.addLayout(self._decisions)
         for words in (self._title, self._text, self._ask, self._doing, self._meter):
             body.addWidget(words)
+        self._body = body
         self.layout_body(body)
         self.show_scene(ReviewScene())
 
@@ -148,6 +149,11 @@ class ReviewPanel(Panel):
             self._tools.append(tool)
             self._decisions.addWidget(tool, 1)
             tool.setVisible(bool(self._scene.items))
+        # As wide without decisions: nothing beside the panel moves when the first ones come.
+        for tool in self._tools:
+            tool.ensurePolished()
+        widths = [tool.minimumSizeHint().width() for tool in self._tools]
+        self._body.addStrut(sum(widths) + self._decisions.spacing() * max(len(widths) - 1, 0))
 
     def show_scene(self, scene: ReviewScene) -> None:
         """Show the queue as it stands."""
