@@ -9,14 +9,15 @@ _LEAST_FLOOR = 0.4
 """Least share of the width of images and floor that the floor keeps."""
 _IMAGES_END = 1
 """Number of the border between images and floor."""
+_PANELS = 2
+"""Number of the panels at the right."""
 
 
 class ImageRoom(QObject):
     """Gives pictures the width that their height fills, and the floor the rest.
 
     Both cameras stand one above the other. Where the user moves the border, it stays there,
-    whatever
-    is opened, until the cameras that are shown change: also from one start to the next.
+    whatever is opened, until the cameras that are shown change: also from one start to the next.
 
     Attributes:
         moved: beside how many cameras the user moved the border; 0: it is where it fits.
@@ -31,7 +32,8 @@ class ImageRoom(QObject):
         self.moved = 0
         self._soon = QTimer(self, singleShot=True, interval=0)
         self._soon.timeout.connect(self._fit)
-        top.installEventFilter(self)
+        for watched in (top, top.widget(_PANELS)):
+            watched.installEventFilter(self)
         top.splitterMoved.connect(self._leave_it)
 
     def begin(self, aspect: float, count: int) -> None:
@@ -43,7 +45,7 @@ class ImageRoom(QObject):
             self._fit()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:  # noqa: N802 - Qt's name
-        """Follow the height of the pictures."""
+        """Follow the height of the pictures, and the panels, which take from their width."""
         if event.type() is QEvent.Type.Resize and self._aspect:
             self._soon.start()
         return super().eventFilter(watched, event)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QObject, Qt
+from PySide6.QtCore import QEvent, QObject, QSize, Qt
 from PySide6.QtWidgets import QFrame, QScrollArea, QWidget
 
 
@@ -21,18 +21,15 @@ class PanelColumn(QScrollArea):
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # a click on a row leaves the keyboard there
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.setMinimumHeight(1)
         panels.installEventFilter(self)
-        self._fit_width()
 
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:  # noqa: N802
+    def minimumSizeHint(self) -> QSize:  # noqa: N802 - Qt's name
+        """As wide as the panels need; as low as there is room."""
+        bar_px = self.verticalScrollBar().sizeHint().width()
+        return QSize(max(self._panels.minimumSizeHint().width() + bar_px, self._least_px), 1)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:  # noqa: N802 - Qt's name
         """The panels need another width by now."""
         if watched is self._panels and event.type() == QEvent.Type.LayoutRequest:
-            self._fit_width()
+            self.updateGeometry()
         return super().eventFilter(watched, event)
-
-    def _fit_width(self) -> None:
-        needed = (
-            self._panels.minimumSizeHint().width() + self.verticalScrollBar().sizeHint().width()
-        )
-        self.setMinimumWidth(max(needed, self._least_px))

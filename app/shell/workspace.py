@@ -101,7 +101,7 @@ class Workspace(QWidget):
         An edit that waits takes room from the panels alone: the pictures stay as large as before.
         """
         self._panels = self._scrolled_panels()
-        self.differences.setMinimumWidth(self._panels.minimumWidth())
+        self.differences.setMinimumWidth(self._panels.minimumSizeHint().width())
         # As wide as the panels, and as high as its words need at that width.
         policy = QSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         policy.setHeightForWidth(True)

@@ -24,9 +24,11 @@ from tracking.session.store import Store
 def other_program(session: Session) -> Session:
     """The session opened once more, after its lock was taken away."""
     assert session.path is not None
+    if session._store is not None:
+        _ = session._store.journal  # waits for the thread that makes it: half a file locks others
     (companions(session.path) / "lock").unlink()
     other = Session.open(session.path)
-    assert not other.read_only
+    assert not other.read_only, other.why_read_only
     return other
 
 

@@ -330,9 +330,9 @@ def test_pictures_of_a_board_are_left_out_and_taken_in_again(
     form = dialog.calibration.board
     user.type(form.left, str(pictures / "left*.png"))
     assert form.right.text() == str(pictures / "right*.png")
-    user.type(form.columns, "7")
-    user.type(form.rows, "5")
-    user.type(form.square, "30")
+    user.type(form.fields.columns, "7")
+    user.type(form.fields.rows, "5")
+    user.type(form.fields.square, "30")
     user.press(form.calibrate)
     user.wait_for_rest()
     assert "Error 0." in dialog.calibration.told.text()
