@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QObject, QTimer
-from PySide6.QtWidgets import QSplitter
+from PySide6.QtWidgets import QSplitter, QWidget
 
 _LEAST_FLOOR = 0.4
 """Least share of the width of images and floor that the floor keeps."""
 _IMAGES_END = 1
 """Number of the border between images and floor."""
-_PANELS = 2
-"""Number of the panels at the right."""
 
 
 class ImageRoom(QObject):
@@ -23,8 +21,8 @@ class ImageRoom(QObject):
         moved: beside how many cameras the user moved the border; 0: it is where it fits.
     """
 
-    def __init__(self, top: QSplitter, cameras: QSplitter) -> None:
-        """`top` holds the images, the floor and the side panels; `cameras` the images."""
+    def __init__(self, top: QSplitter, cameras: QSplitter, panels: QWidget) -> None:
+        """`top` holds the images, the floor and the panels at the right; `cameras` the images."""
         super().__init__(top)
         self._top, self._cameras = top, cameras
         self._aspect = 0.0  # 0: the room is as the user left it
@@ -32,7 +30,7 @@ class ImageRoom(QObject):
         self.moved = 0
         self._soon = QTimer(self, singleShot=True, interval=0)
         self._soon.timeout.connect(self._fit)
-        for watched in (top, top.widget(_PANELS)):
+        for watched in (top, panels):
             watched.installEventFilter(self)
         top.splitterMoved.connect(self._leave_it)
 

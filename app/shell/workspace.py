@@ -85,7 +85,7 @@ class Workspace(QWidget):
         floor = self._split("floor and panels", Qt.Orientation.Vertical, parts, (5, 6))
         views = (cameras, floor, self._side())
         top = self._split("top", Qt.Orientation.Horizontal, views, (9, 10, 6))
-        self._image_room = ImageRoom(top, cameras)
+        self._image_room = ImageRoom(top, cameras, views[-1])
         upper = QWidget(self)
         column = _unspaced(upper)
         column.addWidget(top, 1)
