@@ -12,7 +12,7 @@ from typing import Any
 import typer
 
 from app.cli.batch_progress import BatchProgress
-from app.cli.option_groups import Order
+from app.cli.option_groups import Cost, EachRecording, Order, Sharing, TrackerChoice
 from app.cli.output import print_json, print_line, print_lines, say
 from app.cli.setting_texts import pairs_of
 from tracking.batch import (
@@ -56,33 +56,27 @@ class BatchRequest:
     """What is to be done, as typed.
 
     Attributes:
-        words: recordings, folders, patterns, lists. listed: a file with more of them; None: none.
-        out: the output folder. order: of the tracker.
-        detections, detections_right: patterns. exports: names of formats. report: see `BatchOrder`.
-        workers: None: one for each core. scheduler: of a cluster; None: this machine.
-        shard: "i/n"; None: all. job_array: print a script for so many shards instead; None: work.
-        time_limit_s, stall_limit_s, memory_limit_mb: of a recording; 0: none; None: the usual one.
+        words: recordings, folders, patterns, lists. out: the output folder.
+        listed: a file with more of them; None: none.
         retry, force, allow_outside: see `Planner` and `BatchOrder`.
     """
 
     words: tuple[str, ...]
     out: Path
-    order: Order
-    listed: Path | None = None
-    detections: str = ""
-    detections_right: str = ""
-    exports: tuple[str, ...] = ()
-    report: bool = True
-    workers: int | None = None
-    scheduler: str | None = None
-    shard: str | None = None
-    job_array: int | None = None
-    time_limit_s: float | None = None
-    stall_limit_s: float = 1800.0
-    memory_limit_mb: int | None = None
-    retry: bool = False
-    force: bool = False
-    allow_outside: bool = False
+    listed: Path | None
+    choice: TrackerChoice
+    each: EachRecording
+    sharing: Sharing
+    cost: Cost
+    retry: bool
+    force: bool
+    allow_outside: bool
+
+    @property
+    def order(self) -> Order:
+        """The tracker, for what asks for one recording's."""
+        typed = self.choice
+        return Order(typed.tracker, typed.setting, typed.seed, typed.detector, typed.model)
 
 
 def run_batch(request: BatchRequest, *, as_json: bool) -> None:
@@ -94,15 +88,17 @@ def run_batch(request: BatchRequest, *, as_json: bool) -> None:
         SystemExit: not all is done.
     """
     order = _batch_order(request)
-    if request.job_array is not None:
+    if request.sharing.job_array is not None:
         words = _words_without(sys.argv[1:], "--job-array")
-        limit_mb = request.memory_limit_mb
+        limit_mb = request.cost.memory_limit
         # The limit is of what a recording adds; the job also holds the program itself.
         memory_mb = _SCRIPT_MEMORY_MB if not limit_mb else round(1.25 * limit_mb) + _PROGRAM_MB
-        script = array_script([sys.argv[0], *words], request.job_array, _SCRIPT_MINUTES, memory_mb)
+        script = array_script(
+            [sys.argv[0], *words], request.sharing.job_array, _SCRIPT_MINUTES, memory_mb
+        )
         print_lines(script.rstrip("\n"))
         return
-    shard = parse_shard(request.shard)
+    shard = parse_shard(request.sharing.shard)
     out = Path(os.path.abspath(request.out))  # noqa: PTH100 - links stay
     found = _found(request, out)
     if not ledger_path(out, shard).exists():
@@ -144,10 +140,10 @@ def _batch_order(request: BatchRequest) -> BatchOrder:
         typed.tracker or "",
         tuple(pairs_of(texts).items()),
         typed.seed,
-        request.detections,
-        request.detections_right,
-        tuple(dict.fromkeys(request.exports)),
-        request.report,
+        request.each.detections or "",
+        request.each.detections_right or "",
+        tuple(dict.fromkeys(request.each.export or ())),
+        not request.each.no_pages,
         request.allow_outside,
         request.force,
     )
@@ -168,7 +164,7 @@ def _check_order(request: BatchRequest) -> None:
         read_settings(spec, (*settings_texts(spec, request.order), *_boxes(request)))
     else:
         _check_known((*(request.order.setting or ()), *_boxes(request)))
-    for name in request.exports:
+    for name in request.each.export or ():
         if name not in FORMATS or FORMATS[name].write is None:
             known = joined(", ", [one.name for one in FORMATS.values() if one.write is not None])
             reason = msg(
@@ -180,8 +176,8 @@ def _check_order(request: BatchRequest) -> None:
 def _boxes(request: BatchRequest) -> tuple[str, ...]:
     """Files of boxes as settings, as far as they are known before a recording is."""
     patterns = {
-        "detections.file": request.detections,
-        "detections.file_right": request.detections_right,
+        "detections.file": request.each.detections or "",
+        "detections.file_right": request.each.detections_right or "",
     }
     return tuple(f"{name}={pattern}" for name, pattern in patterns.items() if pattern)
 
@@ -234,7 +230,7 @@ def _worked(
     shard: Shard | None,
 ) -> tuple[Mapping[str, Outcome], bool]:
     """What became of the recordings, and whether anything was done for it now."""
-    count = request.workers or _cores()
+    count = request.sharing.workers or _cores()
     limits = _limits(request, count)
     with BatchProgress() as shown:
         run = BatchRun(
@@ -250,8 +246,8 @@ def _worked(
             _check_order(request)
             workers: Workers = (
                 LocalWorkers(min(count, len(plan.to_do)), limits)
-                if request.scheduler is None
-                else ClusterWorkers(request.scheduler, limits, out)
+                if request.sharing.scheduler is None
+                else ClusterWorkers(request.sharing.scheduler, limits, out)
             )
             return run.work(workers), True
         except KeyboardInterrupt:
@@ -281,11 +277,13 @@ def _tell_interrupted(state: BatchState) -> None:
 
 
 def _limits(request: BatchRequest, workers: int) -> Limits:
-    memory = request.memory_limit_mb
+    memory = request.cost.memory_limit
     memory_bytes = None if memory is None else memory << 20
-    if memory is None and request.scheduler is None:
+    if memory is None and request.sharing.scheduler is None:
         memory_bytes = _usual_memory(workers)
-    return Limits(request.time_limit_s or None, request.stall_limit_s or None, memory_bytes or None)
+    return Limits(
+        request.cost.time_limit or None, request.cost.stall_limit or None, memory_bytes or None
+    )
 
 
 def _usual_memory(workers: int) -> int | None:

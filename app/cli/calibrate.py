@@ -9,11 +9,11 @@ from typing import Any
 import typer
 
 from app.cli.destination import check_file, check_text_replaced
+from app.cli.option_groups import BoardSquares
 from app.cli.output import print_json, print_table, progress, say
 from tracking.calibration.boards import (
     Board,
     BoardCalibration,
-    BoardKind,
     BoardRequest,
     LensKind,
     calibrate_boards,
@@ -27,9 +27,7 @@ _SIZE = re.compile(r"(\d{1,3})[xX*](\d{1,3})")
 _USUAL_FOV_DEG = 65.0
 
 
-def board_of(
-    size: str, kind: BoardKind, square_m: float | None, marker_m: float | None, dictionary: str
-) -> Board:
+def board_of(size: str, squares: BoardSquares) -> Board:
     """The board that was typed. Raises BadParameter where there is none such."""
     found = _SIZE.fullmatch(size.strip())
     if found is None:
@@ -37,7 +35,10 @@ def board_of(
             msg("{size!r} is no size of a board; write it as 9x6", size=size), param_hint="--board"
         )
     try:
-        return Board(kind, int(found[1]), int(found[2]), square_m, marker_m, dictionary)
+        columns, rows = int(found[1]), int(found[2])
+        return Board(
+            squares.kind, columns, rows, squares.square, squares.marker, squares.dictionary
+        )
     except CalibrationError as error:
         raise typer.BadParameter(tr(error.message), param_hint="--board, --square") from error
 

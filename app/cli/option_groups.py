@@ -7,7 +7,7 @@ import inspect
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, fields
 from pathlib import Path
-from typing import Annotated, Any, get_type_hints
+from typing import Annotated, Any, Literal, get_type_hints
 
 import typer
 
@@ -41,15 +41,12 @@ class Bare:
 
 
 @dataclass(frozen=True, slots=True)
-class Order:
-    """What is to be tracked and how, as typed.
+class TrackerChoice:
+    """The tracker that is wanted, as typed.
 
     Attributes:
         tracker: name; None: the best one for the recording.
-        setting: KEY=VALUE each. frames: A:B; None: all. seed: of all random numbers.
-        detector: of part failures. occluders: a session in which they are drawn.
-        detections, detections_right: boxes of another program, of the left (or only) camera and of
-            the right one.
+        setting: KEY=VALUE each. seed: of all random numbers. detector: of part failures.
         model: a network that finds people.
     """
 
@@ -69,12 +66,31 @@ class Order:
             autocompletion=completions.complete_settings,
         ),
     ] = None
-    frames: Annotated[
-        str | None, typer.Option(help="Frames A:B, counted from 0, without B.", show_default="all")
-    ] = None
     seed: options.Seed = 0
     detector: Annotated[
         Path | None, typer.Option(help="A part-failure detector made by train.")
+    ] = None
+    model: Annotated[
+        Path | None,
+        typer.Option(
+            help="A network that finds people, of all cameras: the TOML beside an ONNX file, or "
+            "their folder."
+        ),
+    ] = None
+
+
+@dataclass(frozen=True, slots=True)
+class Order(TrackerChoice):
+    """What is to be tracked and how, as typed.
+
+    Attributes:
+        frames: A:B; None: all. occluders: a session in which they are drawn.
+        detections, detections_right: boxes of another program, of the left (or only) camera and of
+            the right one.
+    """
+
+    frames: Annotated[
+        str | None, typer.Option(help="Frames A:B, counted from 0, without B.", show_default="all")
     ] = None
     occluders: Annotated[Path | None, typer.Option(help="A session with drawn occluders.")] = None
     detections: Annotated[
@@ -87,12 +103,172 @@ class Order:
     detections_right: Annotated[Path | None, typer.Option(help="The same of the right camera.")] = (
         None
     )
-    model: Annotated[
-        Path | None,
+
+
+@dataclass(frozen=True, slots=True)
+class EachRecording:
+    """What is taken from and made of each recording of a batch, as typed.
+
+    Attributes:
+        detections, detections_right: patterns of files of boxes, of both cameras.
+        export: names of formats. no_pages: no page on each score.
+    """
+
+    detections: Annotated[
+        str | None,
         typer.Option(
-            help="A network that finds people, of all cameras: the TOML beside an ONNX file, or "
-            "their folder."
+            help="Boxes of another program: a file in each recording's folder, or a path with "
+            "{folder}, {name} or {stem}; * fits one file."
         ),
+    ] = None
+    detections_right: Annotated[str | None, typer.Option(help="The same of the right camera.")] = (
+        None
+    )
+    export: Annotated[
+        list[str] | None,
+        typer.Option(help="Write the tracks in this format, too; may be repeated."),
+    ] = None
+    no_pages: Annotated[
+        bool,
+        typer.Option("--no-pages", help="Score, but write no page on each score."),
+    ] = False
+
+
+_SHARING = "How the work is shared out"
+
+
+@dataclass(frozen=True, slots=True)
+class Sharing:
+    """Who works on a batch, as typed.
+
+    Attributes:
+        workers: None: one for each core. scheduler: of a cluster; None: this machine.
+        shard: "i/n"; None: all. job_array: print a script for so many shards instead; None: work.
+    """
+
+    workers: Annotated[
+        int | None,
+        typer.Option(
+            min=1,
+            help="Processes on this machine, of one thread each.",
+            show_default="one for each core",
+            rich_help_panel=_SHARING,
+        ),
+    ] = None
+    scheduler: Annotated[
+        str | None,
+        typer.Option(
+            help="Address of a Dask scheduler, such as tcp://host:8786.", rich_help_panel=_SHARING
+        ),
+    ] = None
+    shard: Annotated[
+        str | None,
+        typer.Option(
+            help="i/n: work on the i-th of n parts; others work on the other parts.",
+            rich_help_panel=_SHARING,
+        ),
+    ] = None
+    job_array: Annotated[
+        int | None,
+        typer.Option(
+            min=1,
+            help="Print a SLURM script that does this with so many shards, and do nothing else.",
+            rich_help_panel=_SHARING,
+        ),
+    ] = None
+
+
+_COST = "What one recording may cost"
+
+
+@dataclass(frozen=True, slots=True)
+class Cost:
+    """What one recording of a batch may cost, as typed; 0: no limit, None: the usual one."""
+
+    time_limit: Annotated[
+        float | None,
+        typer.Option(min=0, help="Longest time, s.", show_default="none", rich_help_panel=_COST),
+    ] = None
+    stall_limit: Annotated[
+        float,
+        typer.Option(
+            min=0, help="Longest time without progress, s; 0: any.", rich_help_panel=_COST
+        ),
+    ] = 1800.0
+    memory_limit: Annotated[
+        int | None,
+        typer.Option(
+            min=0,
+            help="Most memory, MB; 0: any.",
+            show_default="an equal part of the machine's",
+            rich_help_panel=_COST,
+        ),
+    ] = None
+
+
+_BOARD = "The board"
+
+
+@dataclass(frozen=True, slots=True)
+class BoardSquares:
+    """What is on a board, as typed: its kind, its square and its marker in m, its dictionary."""
+
+    square: Annotated[
+        float | None,
+        typer.Option(
+            help="Side of a square, or distance of two circles, m; needed for two cameras, and "
+            "for a floor.",
+            rich_help_panel=_BOARD,
+        ),
+    ] = None
+    kind: Annotated[
+        Literal["chessboard", "charuco", "circles", "asymmetric-circles"],
+        typer.Option(help="What is on the board.", rich_help_panel=_BOARD),
+    ] = "chessboard"
+    marker: Annotated[
+        float | None,
+        typer.Option(
+            help="Side of a ChArUco marker, m.",
+            show_default="three quarters of a square",
+            rich_help_panel=_BOARD,
+        ),
+    ] = None
+    dictionary: Annotated[
+        str,
+        typer.Option(
+            help="Dictionary of the ChArUco markers, as 5X5_100.",
+            show_default="found",
+            rich_help_panel=_BOARD,
+        ),
+    ] = ""
+
+
+_ROUGH = "Without a board"
+
+
+@dataclass(frozen=True, slots=True)
+class Roughly:
+    """How to calibrate without a board, as typed: field of view in degrees, distance in m."""
+
+    rough: Annotated[
+        bool,
+        typer.Option(
+            "--rough",
+            help="No board: find from matched points how the cameras stand. Metres are rough.",
+            rich_help_panel=_ROUGH,
+        ),
+    ] = False
+    fov: Annotated[
+        float | None,
+        typer.Option(
+            help="Horizontal field of view, degrees.",
+            show_default="65, as of most cameras",
+            rich_help_panel=_ROUGH,
+        ),
+    ] = None
+    baseline: Annotated[
+        float | None,
+        typer.Option(help="Distance of the two cameras, m.", rich_help_panel=_ROUGH),
     ] = None
 
 

@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated
 
 import typer
 
 from app.cli import options
 from app.cli.commands.program import program
 from app.cli.help_pages import HelpCommand
-from app.cli.option_groups import Bare, expand_groups
-
-_BOARD = "A board on the floor"
+from app.cli.option_groups import Bare, BoardSquares, expand_groups
 
 
 @program.command(cls=HelpCommand)
@@ -48,36 +46,10 @@ def floor(
         typer.Option(
             help="Size of a board that lies on the floor: inner corners of a chessboard, squares "
             "of a ChArUco board, circles of a grid, as 9x6.",
-            rich_help_panel=_BOARD,
             show_default="no board",
         ),
     ] = None,
-    square: Annotated[
-        float | None,
-        typer.Option(
-            help="Side of a square, or distance of two circles, m.", rich_help_panel=_BOARD
-        ),
-    ] = None,
-    kind: Annotated[
-        Literal["chessboard", "charuco", "circles", "asymmetric-circles"],
-        typer.Option(help="What is on the board.", rich_help_panel=_BOARD),
-    ] = "chessboard",
-    marker: Annotated[
-        float | None,
-        typer.Option(
-            help="Side of a ChArUco marker, m.",
-            show_default="three quarters of a square",
-            rich_help_panel=_BOARD,
-        ),
-    ] = None,
-    dictionary: Annotated[
-        str,
-        typer.Option(
-            help="Dictionary of the ChArUco markers, as 5X5_100.",
-            show_default="found",
-            rich_help_panel=_BOARD,
-        ),
-    ] = "",
+    squares: BoardSquares,
     write: Annotated[bool, typer.Option("--write", help="Write it into recording.toml.")] = False,
     json: options.Json = False,
 ) -> None:
@@ -85,6 +57,6 @@ def floor(
     from app.cli.calibrate import board_of
     from app.cli.floor import FloorRequest, run_floor
 
-    lying = None if board is None else board_of(board, kind, square, marker, dictionary)
+    lying = None if board is None else board_of(board, squares)
     request = FloorRequest(tuple(points or ()), pose, convention, heights, lying)
     run_floor(recording, bare, request, write=write, as_json=json)
