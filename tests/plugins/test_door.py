@@ -102,7 +102,7 @@ def test_a_plugin_that_hangs_as_it_is_imported_is_given_up_on(
     code = "import time\nfor _ in range(80): time.sleep(0.05)"
     install_module(site, "slow", code, {(GROUP, "slow"): "TRACKER"})
     offers.look_again()
-    monkeypatch.setattr("tracking.plugins.loading.LOAD_S", 0.1)
+    monkeypatch.setattr("tracking.plugins.loader.LOAD_S", 0.1)
     with pytest.raises(PluginError, match=r"slow 1.0\): it did not answer within 0.1 s"):
         tracker_named("slow")
 

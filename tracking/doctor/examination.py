@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from tracking.doctor import camera_moved, floor_check, geometry_check, pairing_checks
+from tracking.doctor import floor_check, geometry_check, moved_camera, pairing_checks
 from tracking.doctor.evidence import SAMPLES, Samples, read_samples, still_pair
-from tracking.doctor.finding import Examination, Finding
+from tracking.doctor.findings import Examination, Finding
 from tracking.doctor.floor_points import floor_points
 from tracking.doctor.residuals import focal_px
 from tracking.geometry import StereoCalibration
@@ -53,8 +53,8 @@ def examine(recording: Recording, tell: Progress = no_progress) -> Examination:
     findings = _Findings()
     focal = None if calibration is None else focal_px(calibration)
     baseline = None if calibration is None else calibration.baseline_m
-    moved, before = camera_moved.check_moved(samples, focal, baseline)
-    findings.add(camera_moved.CODE, moved)
+    moved, before = moved_camera.check_moved(samples, focal, baseline)
+    findings.add(moved_camera.CODE, moved)
     tell(_STEPS - 3, _STEPS)
     if recording.has_depth:
         found, why = floor_check.check_depth_floor(recording)

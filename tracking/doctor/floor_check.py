@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from tracking.calibration.floor import FloorEstimate, floor_by_stereo
 from tracking.doctor.faults import Rig
-from tracking.doctor.finding import Finding, Mend
+from tracking.doctor.findings import Finding, Mend
 from tracking.doctor.floor_cost import floor_cost_m
 from tracking.errors import CalibrationError
 from tracking.geometry import Ground, depth_pair

@@ -9,7 +9,7 @@ from tracking.doctor.drawings import draw_floor, draw_rows
 from tracking.doctor.evidence import StillPair
 from tracking.doctor.fault_fit import Explained, explain
 from tracking.doctor.faults import FAULTS, Rig
-from tracking.doctor.finding import Finding, Mend
+from tracking.doctor.findings import Finding, Mend
 from tracking.doctor.floor_cost import floor_cost_m
 from tracking.doctor.floor_points import floor_points
 from tracking.doctor.residuals import floor_residuals, row_residuals

@@ -6,7 +6,7 @@ import numpy as np
 
 from tracking.doctor.drawings import draw_pair
 from tracking.doctor.evidence import StillPair
-from tracking.doctor.finding import Finding, Mend
+from tracking.doctor.findings import Finding, Mend
 from tracking.doctor.floor_cost import DISTANCE_M
 from tracking.doctor.matches import Matches
 from tracking.doctor.residuals import disparities

@@ -10,7 +10,7 @@ from typing import Generic, TypeVar, overload
 from tracking.errors import PluginError
 from tracking.plugins.blame import accused
 from tracking.plugins.kind import PluginKind
-from tracking.plugins.loading import load
+from tracking.plugins.loader import load
 from tracking.plugins.offers import Offer, offers_of, offers_state
 
 T = TypeVar("T")

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from tracking.errors import RecordingError
 from tracking.recording.frame import Image
 from tracking.recording.frame_pairs import pair_frames
-from tracking.recording.interleaved import ImagesByTurns, check_rows, field_of
+from tracking.recording.interleaved_video import ImagesByTurns, check_rows, field_of
 from tracking.recording.pictures import PictureSource
 from tracking.translation import Message
 

@@ -13,7 +13,7 @@ from tracking.errors import RecordingError
 from tracking.recording import open_recording
 from tracking.recording.frame import Image
 from tracking.recording.image_pairs import Layout
-from tracking.recording.interleaved import field_of
+from tracking.recording.interleaved_video import field_of
 from tracking.recording.pictures import PictureSource
 from tracking.recording.places import open_pictures
 from tracking.setup.files import is_container

@@ -9,7 +9,7 @@ import numpy as np
 from tracking.arrays import Floats, Picture
 from tracking.doctor.drawings import draw_moves
 from tracking.doctor.evidence import Samples
-from tracking.doctor.finding import Finding
+from tracking.doctor.findings import Finding
 from tracking.doctor.floor_cost import DISTANCE_M
 from tracking.doctor.matches import Matches, match_points
 from tracking.translation import N_, msg

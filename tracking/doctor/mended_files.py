@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from tracking.atomic_output import replace_with
-from tracking.doctor.finding import Finding, Mend
+from tracking.doctor.findings import Finding, Mend
 from tracking.errors import RecordingError
 from tracking.geometry import StereoCalibration, write_calibration
 from tracking.recording import (
