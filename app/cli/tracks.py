@@ -121,15 +121,7 @@ def _format_of(path: Path) -> TrackFormat | None:
 
 def _of_file(path: Path, kind: TrackFormat, filmed: Filmed) -> Tracks:
     """The tracks of a file. Raises FormatError also where a single row is invalid."""
-    found = measurable(path, kind, filmed)
-    if found.bad_count:
-        first = found.bad_rows[0]
-        raise FormatError(
-            "{path}, {place}: {reason}; correct or remove the row",
-            path=path,
-            place=first.place,
-            reason=first.reason,
-        )
+    found = measurable(path, kind, filmed).all_of(path)
     return Tracks(
         found.columns,
         found.frames or 0,

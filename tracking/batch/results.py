@@ -14,7 +14,7 @@ import numpy as np
 
 from tracking.batch.outcome import Outcome
 from tracking.batch.task import Task
-from tracking.errors import FormatError, OutputError, TrackwrightError
+from tracking.errors import OutputError, TrackwrightError
 from tracking.formats import FORMATS, Exported, Filmed, measurable
 from tracking.recording import Image, Recording
 from tracking.review import find_review_items
@@ -134,15 +134,7 @@ def _scored(task: Task, recording: Recording, session: Session) -> tuple[Mapping
 def _subject(task: Task, recording: Recording, session: Session) -> Subject:
     place = recording.truth_path
     assert place is not None
-    truth = measurable(place, FORMATS["mot"], Filmed())
-    if truth.bad_count:
-        first = truth.bad_rows[0]
-        raise FormatError(
-            "{path}, {place}: {reason}; correct or remove the row",
-            path=place,
-            place=first.place,
-            reason=first.reason,
-        )
+    truth = measurable(place, FORMATS["mot"], Filmed()).all_of(place)
     true = ScoringTable.from_columns(truth.columns, dont_cares=truth.dont_cares)
     found = ScoringTable.from_columns(session.tracks.columns())
     last = max(int(table.frame.max(initial=-1)) for table in (true, found)) + 1

@@ -39,6 +39,18 @@ class Measurable:
     notes: tuple[Message, ...] = ()
     dont_cares: bool = False
 
+    def all_of(self, path: Path) -> Measurable:
+        """The same; raises FormatError where even one row of its file is invalid."""
+        if self.bad_count:
+            first = self.bad_rows[0]
+            raise FormatError(
+                "{path}, {place}: {reason}; correct or remove the row",
+                path=path,
+                place=first.place,
+                reason=first.reason,
+            )
+        return self
+
 
 def measurable(path: Path, kind: TrackFormat, filmed: Filmed) -> Measurable:
     """The tracks of a file of that format, to be measured.

@@ -83,13 +83,5 @@ def _of_session(path: Path) -> Table:
 
 
 def _of_file(path: Path) -> Table:
-    found = measurable(path, format_of(path), Filmed())
-    if found.bad_count:
-        first = found.bad_rows[0]
-        raise FormatError(
-            "{path}, {place}: {reason}; correct or remove the row",
-            path=path,
-            place=first.place,
-            reason=first.reason,
-        )
+    found = measurable(path, format_of(path), Filmed()).all_of(path)
     return Table(found.columns, found.frames or 0, found.dont_cares)

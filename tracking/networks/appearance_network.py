@@ -63,19 +63,7 @@ class AppearanceNetwork:
     @property
     def inputs(self) -> tuple[DetectionsInput, ...]:
         """Which network it is, as a run keeps it; the number of crops so far."""
-        model = self._model
-        return (
-            DetectionsInput(
-                camera="",
-                file=model.path.name,
-                format=APPEARANCE,
-                fingerprint=model.fingerprint,
-                count=self._crops,
-                network=model.name,
-                decoder=model.spec.decoder,
-                licence=model.licence,
-            ),
-        )
+        return (self._model.as_input(APPEARANCE, self._crops),)
 
     @property
     def notes(self) -> tuple[Message, ...]:

@@ -30,6 +30,7 @@ from tracking.networks.network_spec import (
 )
 from tracking.networks.toml_table import TomlTable
 from tracking.owned_files import SAFE_FLAGS
+from tracking.tracks import DetectionsInput
 
 _MOST_TEXT_BYTES = 64 << 10
 MOST_MODEL_BYTES = 1 << 30
@@ -101,6 +102,19 @@ class Model:
     def is_appearance(self) -> bool:
         """Whether it describes people, and finds none."""
         return self.spec.decoder == EMBEDDING
+
+    def as_input(self, file_format: str, count: int) -> DetectionsInput:
+        """What a run keeps of it. count: of the boxes or crops so far."""
+        return DetectionsInput(
+            camera="",
+            file=self.path.name,
+            format=file_format,
+            fingerprint=self.fingerprint,
+            count=count,
+            network=self.name,
+            decoder=self.spec.decoder,
+            licence=self.licence,
+        )
 
 
 def read_model(place: Path) -> Model:

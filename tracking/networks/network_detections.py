@@ -64,19 +64,7 @@ class NetworkDetections(LookedAt):
     @property
     def inputs(self) -> tuple[DetectionsInput, ...]:
         """Which network it is, as a run keeps it; the number of boxes so far."""
-        model = self._model
-        return (
-            DetectionsInput(
-                camera="",
-                file=model.path.name,
-                format=NETWORK,
-                fingerprint=model.fingerprint,
-                count=self.count,
-                network=model.name,
-                decoder=model.spec.decoder,
-                licence=model.licence,
-            ),
-        )
+        return (self._model.as_input(NETWORK, self.count),)
 
     @property
     def notes(self) -> tuple[Message, ...]:

@@ -24,6 +24,7 @@ from tracking.networks.embedder import LENGTHS
 from tracking.networks.letterbox import Picture
 from tracking.networks.model_file import Model
 from tracking.people.detection_source import FrameDetections
+from tracking.untrusted import child_program
 from tracking.untrusted.pipe import receive_bytes, receive_head, send
 
 _WORKER = Path(__file__).with_name("network_worker.py")
@@ -77,13 +78,13 @@ class NetworkProcess:
         environment = {"OPENBLAS_NUM_THREADS": "1", "MALLOC_ARENA_MAX": _ARENAS}
         self._child = subprocess.Popen(
             [sys.executable, "-P", str(_WORKER)],
-            env={**os.environ, **environment, "PYTHONPATH": _search_path()},
+            env={**os.environ, **environment, "PYTHONPATH": child_program.search_path()},
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL,
             creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
         )
-        self._end = weakref.finalize(self, _ended, self._child)
+        self._end = weakref.finalize(self, child_program.end, self._child)
         longest_s = max(self._limits.start_s, self._limits.frame_s)
         start = {
             "spec": model.spec.as_data(),
@@ -205,18 +206,3 @@ def _width_of(head: dict[str, Any], crops: int) -> int:
     if not isinstance(width, int) or not LENGTHS[0] <= width <= LENGTHS[1]:
         raise ValueError("no length of an embedding")
     return width
-
-
-def _ended(child: subprocess.Popen[bytes]) -> None:
-    child.kill()
-    for stream in (child.stdin, child.stdout):
-        with contextlib.suppress(OSError):  # bytes that nobody takes any more
-            if stream is not None:
-                stream.close()
-    child.wait()
-
-
-def _search_path() -> str:
-    """Where the other program finds this package, whatever folder it is started in."""
-    root = str(Path(__file__).parents[2])
-    return os.pathsep.join(filter(None, [root, os.environ.get("PYTHONPATH", "")]))

@@ -15,6 +15,7 @@ from tracking.errors import RecordingError
 from tracking.recording.frame import Image
 from tracking.recording.image_headers import looks_odd, why_not_decoded
 from tracking.recording.pace import pace_of
+from tracking.recording.pictures import broken_images, check_number
 from tracking.translation import Message, count_msg, msg
 
 IMAGE_SUFFIXES = frozenset(
@@ -110,26 +111,13 @@ class ImageSource:
                 )
             )
         if self._lost:
-            notes.append(
-                msg(
-                    "{name}: {images} broken or of another size, first {first}; the image "
-                    "before is shown",
-                    name=self.name,
-                    images=count_msg(len(self._lost), "{n} image", "{n} images"),
-                    first=self._files[min(self._lost)].name,
-                )
-            )
+            first = self._files[min(self._lost)].name
+            notes.append(broken_images(self.name, len(self._lost), first))
         return tuple(notes)
 
     def read(self, number: int) -> Image:
         """One image; a broken one is shown as the last good one before it."""
-        if not 0 <= number < self.frame_count:
-            raise RecordingError(
-                "{name}: frame {number} is not among 0 to {last}",
-                name=self.name,
-                number=number,
-                last=self.frame_count - 1,
-            )
+        check_number(self.name, number, self.frame_count)
         for candidate in (*range(number, -1, -1), *range(number + 1, self.frame_count)):
             image = self._good(candidate)
             if image is not None:

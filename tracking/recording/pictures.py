@@ -2,15 +2,47 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from pathlib import Path
 from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.errors import RecordingError
 from tracking.recording.frame import Image
-from tracking.translation import Message
+from tracking.translation import Message, count_msg, msg
+
+
+def check_number(name: str | Path, number: int, count: int) -> None:
+    """Raise RecordingError where a source of so many pictures has none of that number."""
+    if not 0 <= number < count:
+        raise RecordingError(
+            "{name}: frame {number} is not among 0 to {last}",
+            name=name,
+            number=number,
+            last=count - 1,
+        )
+
+
+def broken_frames(name: str, lost: Collection[int]) -> Message:
+    """Tells of the frames, at least one, that were found broken."""
+    return msg(
+        "{name}: {frames}, first {first}; the image before is shown",
+        name=name,
+        frames=count_msg(len(lost), "{n} broken frame", "{n} broken frames"),
+        first=min(lost),
+    )
+
+
+def broken_images(name: str, count: int, first: str) -> Message:
+    """Tells of so many image files, the first of that name, that were found broken."""
+    return msg(
+        "{name}: {images} broken or of another size, first {first}; the image before is shown",
+        name=name,
+        images=count_msg(count, "{n} image", "{n} images"),
+        first=first,
+    )
 
 
 class PictureSource(Protocol):

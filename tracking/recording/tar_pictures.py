@@ -24,8 +24,9 @@ from tracking.recording.frame import Image
 from tracking.recording.image_headers import MOST_PIXELS, size_in
 from tracking.recording.images import IMAGE_SUFFIXES, image_files
 from tracking.recording.pace import pace_of
+from tracking.recording.pictures import broken_images, check_number
 from tracking.recording.time_stamps import stamps_of_names
-from tracking.translation import Message, count_msg, msg
+from tracking.translation import Message, msg
 
 TAR_SUFFIX = ".tar"
 _MOST_MEMBERS = 1_000_000
@@ -133,26 +134,13 @@ class TarImages:
         """Oddities of the times, and images found broken up to now."""
         notes = [msg("{name}: {note}", name=self.name, note=note) for note in self._pace.notes]
         if self._lost:
-            notes.append(
-                msg(
-                    "{name}: {images} broken or of another size, first {first}; the image "
-                    "before is shown",
-                    name=self.name,
-                    images=count_msg(len(self._lost), "{n} image", "{n} images"),
-                    first=self._members[min(self._lost)].name.name,
-                )
-            )
+            first = self._members[min(self._lost)].name.name
+            notes.append(broken_images(self.name, len(self._lost), first))
         return tuple(notes)
 
     def read(self, number: int) -> Image:
         """One image; a broken one is shown as the last good one before it."""
-        if not 0 <= number < self.frame_count:
-            raise RecordingError(
-                "{name}: frame {number} is not among 0 to {last}",
-                name=self.name,
-                number=number,
-                last=self.frame_count - 1,
-            )
+        check_number(self.name, number, self.frame_count)
         for candidate in range(number, -1, -1):
             image = None if candidate in self._lost else self._decoded(candidate)
             if image is not None and image.shape[1::-1] == self.size:

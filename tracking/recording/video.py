@@ -16,6 +16,7 @@ from tracking.errors import RecordingError
 from tracking.recording.frame import Image
 from tracking.recording.pace import Pace, pace_of
 from tracking.recording.packet_index import PacketIndex, index_video, open_video
+from tracking.recording.pictures import broken_frames, check_number
 from tracking.recording.video_cursor import NumberedFrame, VideoCursor
 from tracking.translation import Message, count_msg, msg
 
@@ -116,25 +117,12 @@ class VideoSource:
                 )
             )
         if self._lost:
-            notes.append(
-                msg(
-                    "{name}: {frames}, first {first}; the image before is shown",
-                    name=self.name,
-                    frames=count_msg(len(self._lost), "{n} broken frame", "{n} broken frames"),
-                    first=min(self._lost),
-                )
-            )
+            notes.append(broken_frames(self.name, self._lost))
         return tuple(notes)
 
     def read(self, number: int) -> Image:
         """One frame; a broken one is shown as the last good one before it."""
-        if not 0 <= number < self.frame_count:
-            raise RecordingError(
-                "{path}: frame {number} is not among 0 to {last}",
-                path=self._path,
-                number=number,
-                last=self.frame_count - 1,
-            )
+        check_number(self._path, number, self.frame_count)
         with self._lock:
             if self._closed:
                 raise RecordingError("{path}: was closed; open it again", path=self._path)

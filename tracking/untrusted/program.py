@@ -20,6 +20,7 @@ from typing import Any
 
 from tracking.message_data import message_data, message_from
 from tracking.translation import joined, msg
+from tracking.untrusted.child_program import search_path
 from tracking.untrusted.patience import begin, memory_for
 from tracking.untrusted.walk import Refused
 
@@ -116,7 +117,7 @@ def _looked_over(program: str, paths: Sequence[Path]) -> tuple[list[dict[str, An
     try:
         done = subprocess.run(
             command,
-            env={**os.environ, "PYTHONPATH": _search_path(), "OPENBLAS_NUM_THREADS": "1"},
+            env={**os.environ, "PYTHONPATH": search_path(), "OPENBLAS_NUM_THREADS": "1"},
             stdin=subprocess.DEVNULL,
             capture_output=True,
             timeout=PATIENCE_S,
@@ -136,9 +137,3 @@ def _looked_over(program: str, paths: Sequence[Path]) -> tuple[list[dict[str, An
         except ValueError:  # it ended within the line
             break
     return verdicts, in_time
-
-
-def _search_path() -> str:
-    """Where the other program finds this package, whatever folder it is started in."""
-    root = str(Path(__file__).parents[2])
-    return os.pathsep.join(filter(None, [root, os.environ.get("PYTHONPATH", "")]))

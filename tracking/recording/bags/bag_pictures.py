@@ -17,6 +17,7 @@ from tracking.recording.bags.bag_process import BagProcess, BrokenMessageError
 from tracking.recording.depth_pictures import Depth, depth_of_units, lost_notes
 from tracking.recording.frame import Image
 from tracking.recording.pace import pace_of
+from tracking.recording.pictures import broken_frames, check_number
 from tracking.translation import Message, count_msg, msg
 
 BAG_SUFFIXES = frozenset((".bag", ".mcap", ".db3"))
@@ -123,25 +124,12 @@ class BagPictures:
                 msg("{name}: times are those of recording, not the camera's own", name=self.name)
             )
         if self._lost:
-            notes.append(
-                msg(
-                    "{name}: {frames}, first {first}; the image before is shown",
-                    name=self.name,
-                    frames=count_msg(len(self._lost), "{n} broken frame", "{n} broken frames"),
-                    first=min(self._lost),
-                )
-            )
+            notes.append(broken_frames(self.name, self._lost))
         return tuple(notes)
 
     def read(self, number: int) -> Image:
         """One picture; a broken one is shown as the last good one before it."""
-        if not 0 <= number < self.frame_count:
-            raise RecordingError(
-                "{name}: frame {number} is not among 0 to {last}",
-                name=self.name,
-                number=number,
-                last=self.frame_count - 1,
-            )
+        check_number(self.name, number, self.frame_count)
         back = range(number, max(-1, number - _MOST_STEPS_BACK), -1)
         on = range(number + 1, min(self.frame_count, number + _MOST_STEPS_BACK))
         for candidate in (*back, *on):

@@ -24,6 +24,7 @@ from tracking.recording.bags.bag_contents import (
     known_contents,
 )
 from tracking.translation import msg
+from tracking.untrusted import child_program
 from tracking.untrusted.pipe import receive_bytes, receive_head, send
 
 _WORKER = Path(__file__).with_name("bag_worker.py")
@@ -91,13 +92,13 @@ class BagProcess:
         environment = {"OPENBLAS_NUM_THREADS": "1", "MALLOC_ARENA_MAX": "4"}
         self._child = subprocess.Popen(
             [sys.executable, "-P", str(_WORKER)],
-            env={**os.environ, **environment, "PYTHONPATH": _search_path()},
+            env={**os.environ, **environment, "PYTHONPATH": child_program.search_path()},
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL,
             creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
         )
-        self._end = weakref.finalize(self, _ended, self._child)
+        self._end = weakref.finalize(self, child_program.end, self._child)
         try:
             with self._in_time():
                 self._open(known)
@@ -170,18 +171,3 @@ class BagProcess:
             raise ValueError("no picture")
         assert self._child.stdout is not None
         return np.frombuffer(receive_bytes(self._child.stdout, size), kind).reshape(shape)
-
-
-def _ended(child: subprocess.Popen[bytes]) -> None:
-    child.kill()
-    for stream in (child.stdin, child.stdout):
-        with contextlib.suppress(OSError):  # bytes that nobody takes any more
-            if stream is not None:
-                stream.close()
-    child.wait()
-
-
-def _search_path() -> str:
-    """Where the other program finds this package, whatever folder it is started in."""
-    root = str(Path(__file__).parents[3])
-    return os.pathsep.join(filter(None, [root, os.environ.get("PYTHONPATH", "")]))
