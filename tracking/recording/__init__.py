@@ -8,12 +8,11 @@ from tracking.recording.manifest import (
     MANIFEST_NAME,
     TRUTH_NAME,
     Manifest,
-    format_manifest,
     manifest_text,
     parse_manifest,
     read_manifest,
-    write_manifest,
 )
+from tracking.recording.manifest_writer import format_manifest, write_manifest
 from tracking.recording.options import OpenOptions
 from tracking.recording.recording import Recording
 from tracking.recording.recording_loader import open_from_manifest, open_recording

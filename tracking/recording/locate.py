@@ -15,11 +15,11 @@ from tracking.recording.kinds.kind import FoundSources
 from tracking.recording.manifest import (
     MANIFEST_NAME,
     Manifest,
-    format_manifest,
     manifest_text,
     names_sources,
     parse_manifest,
 )
+from tracking.recording.manifest_writer import format_manifest
 from tracking.recording.options import OpenOptions
 from tracking.recording.places import is_pattern, place_inside
 from tracking.translation import Message, msg

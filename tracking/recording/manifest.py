@@ -10,8 +10,7 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from tracking.atomic_output import replace_with
-from tracking.errors import CalibrationError, OutputError, RecordingError
+from tracking.errors import CalibrationError, RecordingError
 from tracking.geometry import Ground, ground_of_pose
 from tracking.recording.depth_pictures import USUAL_SCALE_M, checked_scale
 from tracking.recording.image_pairs import LAYOUTS, MOST_LAG, Layout, Side
@@ -179,51 +178,6 @@ def _content(text: str, where: str) -> dict[str, Any]:
         raise RecordingError(
             "{where}: not readable as TOML ({error}); correct it there", where=where, error=error
         ) from error
-
-
-def format_manifest(manifest: Manifest) -> str:
-    """The text of recording.toml; reading it gives the manifest again."""
-    lines = [f"format = {FORMAT}", f"name = {_quoted(manifest.name)}"]
-    if manifest.fps is not None:
-        lines.append(f"fps = {manifest.fps!r}")
-    if manifest.layout is not None:
-        lines += ["", "[stereo]", f"source = {_quoted(manifest.left)}"]
-        lines += [f"layout = {_quoted(manifest.layout)}", f"first = {_quoted(manifest.first)}"]
-    else:
-        lines += ["", "[left]", f"source = {_quoted(manifest.left)}", *_topic(manifest, 0)]
-    if manifest.right is not None:
-        lines += ["", "[right]", f"source = {_quoted(manifest.right)}", *_topic(manifest, 1)]
-    if manifest.right_lag is not None and (manifest.right or manifest.layout):
-        lines.append(f"lag = {manifest.right_lag}")
-    if manifest.depth is not None:
-        lines += ["", "[depth]", f"source = {_quoted(manifest.depth)}", *_topic(manifest, 2)]
-        lines.append(f"scale = {manifest.depth_scale_m!r}")
-    if manifest.calibration:
-        files = [_quoted(file) for file in manifest.calibration]
-        listed = files[0] if len(files) == 1 else f"[{', '.join(files)}]"
-        lines += ["", "[calibration]", f"file = {listed}"]
-    if manifest.ground is not None:
-        ground = manifest.ground
-        lines += ["", "[ground]", f"height = {float(ground.height_m)!r}"]
-        lines += [f"tilt = {float(ground.tilt_deg)!r}", f"roll = {float(ground.roll_deg)!r}"]
-    if manifest.region:
-        lines += ["", "[region]"]
-        lines += [f"look = {_listed(manifest.region.look)}"] if manifest.region.look else []
-        lines += [f"mask = {_listed(manifest.region.mask)}"] if manifest.region.mask else []
-    return "\n".join(lines) + "\n"
-
-
-def _topic(manifest: Manifest, place: int) -> list[str]:
-    topic = manifest.topics[place]
-    return [f"topic = {_quoted(topic)}"] if topic else []
-
-
-def write_manifest(folder: Path, manifest: Manifest) -> None:
-    """Write a folder's recording.toml, whole or not at all; OutputError where that fails."""
-    try:
-        replace_with(folder / MANIFEST_NAME, format_manifest(manifest).encode())
-    except OutputError as error:
-        raise error.advising("choose another folder") from error
 
 
 class _Table:
@@ -422,21 +376,9 @@ def _outlines(section: _Table, key: str) -> tuple[Outline, ...]:
     raise section.error(key, outlines)
 
 
-def _listed(outlines: tuple[Outline, ...]) -> str:
-    """A TOML list of polygons."""
-    return repr([[[float(x), float(y)] for x, y in outline] for outline in outlines])
-
-
 def _unknown(content: Mapping[str, Any]) -> tuple[str, ...]:
     unknown = [key for key in content if key not in _KNOWN[""]]
     for section, values in content.items():
         if section in _KNOWN and isinstance(values, dict):
             unknown += [f"{section}.{key}" for key in values if key not in _KNOWN[section]]
     return tuple(unknown)
-
-
-def _quoted(text: str) -> str:
-    """A TOML basic string."""
-    escaped = text.replace("\\", "\\\\").replace('"', '\\"')
-    plain = "".join(c if c.isprintable() else f"\\U{ord(c):08x}" for c in escaped)
-    return f'"{plain}"'

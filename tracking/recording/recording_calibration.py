@@ -68,37 +68,16 @@ def read_calibrated(
     """
     if not files:
         return Calibrated(None, None, None, "", ())
-    if is_tar(files[0]):
-        text = calibration_in_tar(files[0])
-        calibration = calibration_of_json(parsed(text) or {}, files[0], size)
-    elif is_bag(files[0]):
-        calibration, text = _of_bag(files[0], topics, size)
-    else:
-        calibration, text = read_calibration(files, size), calibration_text(files)
+    calibration, text = _read(files, size, topics)
     notes: tuple[Message, ...] = ()
     if calibration.left.size != size:
-        width, height = calibration.left.size
+        notes = (_scaled_note(files[0], calibration.left.size),)
         calibration = calibration.scaled_to(size)
-        notes = (
-            msg(
-                "{name}: made for {width} x {height} px, and scaled to the recording's images",
-                name=files[0].name,
-                width=width,
-                height=height,
-            ),
-        )
     calibration.check_size(size)
     beside = depth_pair(calibration) if depth else calibration
     if not stereo and calibration.right is not None:
         calibration = StereoCalibration.of_one(calibration.left, rough=calibration.rough)
-    if stereo and calibration.right is None:
-        notes += (
-            msg("{name}: calibrates the left camera only; there is no depth", name=files[0].name),
-        )
-    if calibration.rough:
-        notes += (
-            msg("{name}: a rough calibration; metres may be off by a tenth", name=files[0].name),
-        )
+    notes += _shortcomings(files[0], calibration, stereo)
     return Calibrated(
         calibration,
         View(calibration.left, ground) if ground is not None else None,
@@ -108,6 +87,40 @@ def read_calibrated(
         text,
         notes,
     )
+
+
+def _read(
+    files: Sequence[Path], size: tuple[int, int], topics: Sequence[str]
+) -> tuple[StereoCalibration, str]:
+    """The calibration as its files have it, and their text."""
+    if is_tar(files[0]):
+        text = calibration_in_tar(files[0])
+        return calibration_of_json(parsed(text) or {}, files[0], size), text
+    if is_bag(files[0]):
+        return _of_bag(files[0], topics, size)
+    return read_calibration(files, size), calibration_text(files)
+
+
+def _scaled_note(file: Path, made_for: tuple[int, int]) -> Message:
+    return msg(
+        "{name}: made for {width} x {height} px, and scaled to the recording's images",
+        name=file.name,
+        width=made_for[0],
+        height=made_for[1],
+    )
+
+
+def _shortcomings(file: Path, calibration: StereoCalibration, stereo: bool) -> tuple[Message, ...]:
+    """What a calibration that can be used lacks."""
+    notes: tuple[Message, ...] = ()
+    if stereo and calibration.right is None:
+        notes += (
+            msg("{name}: calibrates the left camera only; there is no depth", name=file.name),
+        )
+    if calibration.rough:
+        lack = msg("{name}: a rough calibration; metres may be off by a tenth", name=file.name)
+        notes += (lack,)
+    return notes
 
 
 def _of_bag(

@@ -15,10 +15,10 @@ from tracking.recording.image_pairs import Layout, Side
 from tracking.recording.manifest import (
     MANIFEST_NAME,
     Manifest,
-    format_manifest,
     manifest_text,
     parse_manifest,
 )
+from tracking.recording.manifest_writer import format_manifest
 from tracking.recording.options import OpenOptions
 from tracking.recording.recording_loader import open_recording
 from tracking.recording.region_of_interest import EVERYWHERE, RegionOfInterest

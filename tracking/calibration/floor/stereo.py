@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import cv2
 import numpy as np
 from numpy.typing import NDArray
 
 from tracking.arrays import Floats
+from tracking.calibration.floor.empty_scene import (
+    EmptyScene,
+    Gray,
+    empty_depth,
+    empty_scene,
+    pixel_grid,
+)
 from tracking.calibration.floor.estimate import FloorEstimate, check_above, estimate_of
 from tracking.errors import CalibrationError
 from tracking.geometry import Rectification
@@ -16,13 +21,6 @@ from tracking.progress import Progress, no_progress
 from tracking.recording import Recording
 from tracking.translation import Message, msg
 
-_FRAMES = 15
-"""Spread over the recording; their median has nobody in it who keeps moving."""
-_DISPARITIES_SHARE = 0.2
-"""Widest disparity looked for, of the image's width: nearer things are no floor."""
-_BLOCK_PX = 7
-_TEXTURE = 4.0
-"""Local standard deviation of grey levels below which a disparity is made up."""
 _RANSAC_ROUNDS = 400
 _INLIER_SHARE = 0.0006
 """Of the image's width (half a pixel of 640): what is farther off is not on the plane. A wall or a
@@ -52,17 +50,6 @@ _TUKEY, _TUKEY_ROUNDS, _LEAST_SCATTER_PX = 4.7, 15, 0.02
 _CALIBRATION_PX = 0.05
 """Disparities of a good calibration err by so much over the image."""
 
-Gray = NDArray[np.float32]
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class _Views:
-    """The empty scene: rectified grey images (h, w), and the disparity with NaN where unknown."""
-
-    left: Gray
-    right: Gray
-    disparity: Gray
-
 
 def floor_by_stereo(recording: Recording, progress: Progress = no_progress) -> FloorEstimate:
     """The floor of a recording with two calibrated cameras, or one with depth.
@@ -86,7 +73,7 @@ def floor_by_stereo(recording: Recording, progress: Progress = no_progress) -> F
             path=recording.path,
         )
     rectification = Rectification(calibration, None)
-    views = _empty_scene(recording, rectification, progress)
+    views = empty_scene(recording, rectification, progress)
     plane = _search(views, rectification)
     plane, blocks = _refined(views, plane)
     return _estimate(plane, blocks, rectification)
@@ -96,25 +83,7 @@ def _by_depth(
     recording: Recording, rectification: Rectification, progress: Progress
 ) -> FloorEstimate:
     """The floor in the median of depth, as disparities of the camera's imagined partner."""
-    numbers = np.linspace(0, recording.frame_count - 1, min(_FRAMES, recording.frame_count))
-    seen = []
-    for done, number in enumerate(np.unique(numbers.astype(int)).tolist()):
-        depth = recording.read(number).depth
-        assert depth is not None, "there is depth beside the camera"
-        seen.append(np.where(depth > 0, depth, np.inf))
-        progress(done + 1, len(numbers))
-    rows, columns = _grid(seen[0].shape)
-    recorded = rectification.recorded_from_rectified(
-        np.column_stack((columns.ravel(), rows.ravel())).astype(float)
-    )
-    u, v = np.nan_to_num(recorded, nan=-9.0).astype(np.float32).T.reshape(2, *rows.shape)
-    median = np.median(seen, axis=0).astype(np.float32)
-    away = np.asarray(cv2.remap(median, u.copy(), v.copy(), cv2.INTER_NEAREST), np.float32)
-    product = rectification.focal_px * rectification.baseline_m
-    known = np.isfinite(away) & (away > 0)
-    disparity = np.full(rows.shape, np.nan, np.float32)
-    disparity[known] = product / away[known] + rectification.disparity_offset_px
-    views = _Views(disparity, disparity, disparity)
+    views = empty_depth(recording, rectification, progress)
     plane = _search(views, rectification)
     blocks = np.zeros((0, 4))
     for _ in range(_REFINE_ROUNDS):
@@ -125,9 +94,9 @@ def _by_depth(
     return _estimate(plane, blocks, rectification)
 
 
-def _depth_offsets(views: _Views, plane: Floats) -> Floats:
+def _depth_offsets(views: EmptyScene, plane: Floats) -> Floats:
     """(k, 4) middle u, v of each block of the floor, by how much it is off (px), and its size."""
-    rows, columns = _grid(views.disparity.shape)
+    rows, columns = pixel_grid(views.disparity.shape)
     off = views.disparity - (plane[0] * columns + plane[1] * rows + plane[2])
     with np.errstate(invalid="ignore"):
         near = np.abs(off) < _INLIER_SHARE * off.shape[1]
@@ -143,49 +112,7 @@ def _depth_offsets(views: _Views, plane: Floats) -> Floats:
     return np.array(found).reshape(-1, 4)
 
 
-def _empty_scene(recording: Recording, rectification: Rectification, progress: Progress) -> _Views:
-    numbers = np.linspace(0, recording.frame_count - 1, min(_FRAMES, recording.frame_count))
-    lefts, rights = [], []
-    for done, number in enumerate(np.unique(numbers.astype(int)).tolist()):
-        frame = recording.read(number, _partner(recording, number))
-        assert frame.right is not None, "both cameras are there"
-        left, right = rectification.rectify(frame.left, frame.right)
-        lefts.append(cv2.cvtColor(left, cv2.COLOR_BGR2GRAY))
-        rights.append(cv2.cvtColor(right, cv2.COLOR_BGR2GRAY))
-        progress(done + 1, len(numbers))
-    left, right = (np.median(side, axis=0).astype(np.uint8) for side in (lefts, rights))
-    return _Views(left.astype(np.float32), right.astype(np.float32), _disparity(left, right))
-
-
-def _partner(recording: Recording, number: int) -> int:
-    """The right picture of the same instant, where the manifest tells of a lag."""
-    partner = number + (recording.right_lag or 0)
-    return int(np.clip(partner, 0, recording.frame_count - 1))
-
-
-def _disparity(left: NDArray[np.uint8], right: NDArray[np.uint8]) -> Gray:
-    width = left.shape[1]
-    count = max(16, int(width * _DISPARITIES_SHARE) // 16 * 16)
-    matcher = cv2.StereoSGBM.create(
-        minDisparity=-8,
-        numDisparities=count,
-        blockSize=_BLOCK_PX,
-        P1=8 * _BLOCK_PX**2,
-        P2=32 * _BLOCK_PX**2,
-        disp12MaxDiff=1,
-        uniquenessRatio=10,
-        speckleWindowSize=100,
-        speckleRange=2,
-        mode=cv2.STEREO_SGBM_MODE_HH,
-    )
-    found = np.asarray(matcher.compute(left, right), np.float32) / 16.0
-    mean = cv2.blur(left.astype(np.float32), (_BLOCK_PX, _BLOCK_PX))
-    square = cv2.blur(left.astype(np.float32) ** 2, (_BLOCK_PX, _BLOCK_PX))
-    textured = square - mean**2 > _TEXTURE**2
-    return np.where((found > -8) & textured, found, np.float32(np.nan))
-
-
-def _search(views: _Views, rectification: Rectification) -> Floats:
+def _search(views: EmptyScene, rectification: Rectification) -> Floats:
     """(3,) a, b, c of the floor's disparities."""
     v, u = np.nonzero(np.isfinite(views.disparity))
     if len(u) < 500:
@@ -263,7 +190,7 @@ def _plane_in_camera(plane: Floats, rectification: Rectification) -> tuple[Float
     return rectification.recorded_axes(-normal / length), height_m
 
 
-def _refined(views: _Views, plane: Floats) -> tuple[Floats, Floats]:
+def _refined(views: EmptyScene, plane: Floats) -> tuple[Floats, Floats]:
     """The plane over which the images agree best, and the blocks (k, 4) of it.
 
     Each block of the image says by how much it is off; the plane goes through what most say, as
@@ -283,10 +210,10 @@ def _refined(views: _Views, plane: Floats) -> tuple[Floats, Floats]:
     return plane, blocks
 
 
-def _block_offsets(views: _Views, images: tuple[Gray, Gray, Gray], plane: Floats) -> Floats:
+def _block_offsets(views: EmptyScene, images: tuple[Gray, Gray, Gray], plane: Floats) -> Floats:
     """(k, 4) middle u, v of each block of the floor, its own offset (px), and its weight."""
     left, right, slope = images
-    rows, columns = _grid(left.shape)
+    rows, columns = pixel_grid(left.shape)
     mask = _floor_mask(views, plane, rows, columns)
     miss = left - _warped(right, plane, rows, columns)
     along = -_warped(slope, plane, rows, columns)
@@ -305,12 +232,6 @@ def _block_offsets(views: _Views, images: tuple[Gray, Gray, Gray], plane: Floats
             u, v = columns[part][inside].mean(), rows[part][inside].mean()
             found.append((float(u), float(v), offset, told))
     return np.array(found).reshape(-1, 4)
-
-
-def _grid(shape: tuple[int, ...]) -> tuple[Gray, Gray]:
-    """Row and column of each pixel."""
-    rows, columns = np.indices(shape[:2])
-    return rows.astype(np.float32), columns.astype(np.float32)
 
 
 def _robust_plane(blocks: Floats) -> Floats:
@@ -337,7 +258,7 @@ def _band(image: Gray) -> Gray:
     return np.asarray(fine - coarse, np.float32)
 
 
-def _floor_mask(views: _Views, plane: Floats, rows: Gray, columns: Gray) -> NDArray[np.bool_]:
+def _floor_mask(views: EmptyScene, plane: Floats, rows: Gray, columns: Gray) -> NDArray[np.bool_]:
     wanted = plane[0] * columns + plane[1] * rows + plane[2]
     height, width = views.left.shape
     near_px = _INLIER_SHARE * width
