@@ -8,12 +8,12 @@ from pathlib import Path
 
 import pytest
 from pytestqt.qtbot import QtBot
+from tracked_frames import track_ten_frames
 
 from app.core.scenes import Side
 from app.core.tracks.made_by import AtWork
 from app.features.detections.controller import DetectionsController
 from app.features.detections.presenter import UsedDetections, boxes_of, picture
-from app.features.runs.track_dialog import TrackDialog
 from app.shell.main_window import MainWindow
 from tracking.detections import DetectionSettings, Footage, RecordingDetections, read_detections
 from tracking.errors import FormatError
@@ -26,25 +26,7 @@ def tracked(window: MainWindow, qtbot: QtBot, tiny_recording: Path, tmp_path: Pa
     """A window in which ten frames were tracked with det.txt."""
     folder = Path(shutil.copytree(tiny_recording, tmp_path / "tiny"))
     (folder / "det.txt").write_text(ROWS)
-    window.files.open_path(folder)
-    qtbot.waitUntil(
-        lambda: window.controller is not None and window.controller.playback.frame is not None
-    )
-    window.run_command("tracks.track")
-    dialog = window.findChild(TrackDialog)
-    dialog.put_settings("three-part", {"detections.file": "det.txt"}, 0)
-    dialog.put_frames(0, 9)
-    dialog.accept()
-    qtbot.waitUntil(
-        lambda: (
-            window.files.session is not None
-            and len(window.files.session.runs) == 1
-            and not window.controller.live.running
-        ),
-        timeout=60_000,
-    )
-    window.controller.playback.pause()
-    window.controller.playback.go(4)
+    track_ten_frames(window, qtbot, folder, {"detections.file": "det.txt"})
     return window
 
 

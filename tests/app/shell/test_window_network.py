@@ -13,8 +13,8 @@ sys.path.insert(0, str(Path(__file__).parents[2] / "networks"))
 
 import numpy as np
 from small_networks import saying, written
+from tracked_frames import track_ten_frames
 
-from app.features.runs.track_dialog import TrackDialog
 from app.shell.main_window import MainWindow
 
 CORNERS = (10.0, 8.0, 30.0, 48.0)
@@ -28,25 +28,7 @@ def tracked(window: MainWindow, qtbot: QtBot, tiny_recording: Path, tmp_path: Pa
     says = {"dets": np.array([[*CORNERS, 0.8, 0.0]], np.float32)}
     keys = {"decoder": "boxes", "fit": "stretch", "name": "Finder of nobody"}
     written(folder / "network", saying(says), **keys)
-    window.files.open_path(folder)
-    qtbot.waitUntil(
-        lambda: window.controller is not None and window.controller.playback.frame is not None
-    )
-    window.run_command("tracks.track")
-    dialog = window.findChild(TrackDialog)
-    dialog.put_settings("three-part", {"detections.model": "network/people.toml"}, 0)
-    dialog.put_frames(0, 9)
-    dialog.accept()
-    qtbot.waitUntil(
-        lambda: (
-            window.files.session is not None
-            and len(window.files.session.runs) == 1
-            and not window.controller.live.running
-        ),
-        timeout=60_000,
-    )
-    window.controller.playback.pause()
-    window.controller.playback.go(4)
+    track_ten_frames(window, qtbot, folder, {"detections.model": "network/people.toml"})
     return window
 
 
