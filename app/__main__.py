@@ -9,7 +9,7 @@ from collections.abc import Sequence
 
 import typer
 
-from app.cli.commands import program
+from app.cli.commands.program import program
 from app.cli.failure import MISUSED, run_reporting_errors
 from app.cli.output import escape_what_stdout_lacks, name_stdout_in_errors, say
 from app.cli.sessions import print_notes

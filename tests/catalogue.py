@@ -16,7 +16,7 @@ from jinja2 import Environment, nodes
 from typer import Context
 from typer.main import get_command
 
-from app.cli.commands import program
+from app.cli.commands.program import program
 from app.cli.help_pages import clean_help
 from app.core.commands import menu_of
 from app.core.editing.edits import EDITS

@@ -13,13 +13,13 @@ from pathlib import Path
 
 import platformdirs
 
-from app.cli.installation_faults import find_faults
+from app.cli.installation_faults import IS_BUNDLE, find_faults
 from app.cli.system_libraries import this_machine
 from tracking.translation import Message, msg
 
 _PYTHON = (3, 11)
 """As pyproject.toml asks."""
-_NEEDED = ("numpy", "cv2", "scipy", "sklearn", "av", "h5py", "PySide6", "pyqtgraph", "yaml")
+_NEEDED = ("numpy", "cv2", "scipy", "sklearn", "av", "h5py", "PySide6", "yaml")
 _EXTRAS = {"onnx": ("onnxruntime",), "bags": ("rosbags", "mcap"), "pandas": ("pandas",)}
 _NAME = "trackwright"
 
@@ -47,12 +47,16 @@ def check_installation() -> Iterator[Check]:
     yield Check("python", is_new, version if is_new else too_old)
     yield from (_imported(name) for name in _NEEDED)
     missing = this_machine().missing()
-    advice = msg("{missing}; run python -m app.cli.system_libraries", missing=missing)
+    advice = msg(
+        "{missing}; run {python} -m app.cli.system_libraries",
+        missing=missing,
+        python="trackwright" if IS_BUNDLE else "python",
+    )
     yield Check("qt", not missing, advice if missing else msg("the window can start"))
     yield _display()
     offered = importlib.metadata.metadata(_NAME).get_all("Provides-Extra") or ()
     for extra, names in _EXTRAS.items():
-        if extra not in offered:
+        if extra not in offered or IS_BUNDLE:  # nobody can add to what is bundled
             continue
         yield from (_imported(name, extra) for name in names)
     for name, folder in _folders().items():

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import importlib.metadata
+import importlib.util
 import os
 import shutil
 import sys
@@ -11,12 +12,17 @@ import tempfile
 from base64 import urlsafe_b64decode
 from collections.abc import Iterator, Mapping
 from pathlib import Path
+from typing import Final
 
 import resources
 from app.cli.plugins import find_plugins
 from tracking.translation import Message, joined, msg
 
+IS_BUNDLE: Final = bool(getattr(sys, "frozen", False))
+"""Whether the program runs from a folder with its own Python, see `app.bundle`."""
+
 _NAME = "trackwright"
+_OWN = ("app", "tracking", "resources")
 _OPENCV = ("opencv-python", "opencv-contrib-python", "opencv-contrib-python-headless")
 """Each holds a `cv2` of its own, and whichever was installed last is the one that is imported."""
 _QT_PLACES = ("QT_PLUGIN_PATH", "QT_QPA_PLATFORM_PLUGIN_PATH")
@@ -60,8 +66,11 @@ def _is_installed(name: str) -> bool:
 
 def _second_qt() -> Iterator[Fault]:
     """Plugins of another Qt, which abort ours."""
+    found = importlib.util.find_spec("PySide6")
+    own = Path((found and found.origin) or os.devnull).parent
     for name in _QT_PLACES:
-        if place := os.environ.get(name):
+        place = os.environ.get(name)
+        if place and not Path(place).is_relative_to(own):  # a bundle names its own
             yield (
                 "second qt",
                 msg("{name}={place} leads to another Qt; unset {name}", name=name, place=place),
@@ -71,7 +80,11 @@ def _second_qt() -> Iterator[Fault]:
 
 def _damaged_resources() -> Iterator[Fault]:
     """Files of this program that are not as they were installed; a checkout has no such list."""
-    cure = msg("pip install --force-reinstall --no-deps trackwright")
+    cure = (
+        msg("install or unpack trackwright again")
+        if IS_BUNDLE
+        else msg("pip install --force-reinstall --no-deps trackwright")
+    )
     if not (Path(resources.__file__).parent / "part_failures_paper.h5").is_file():
         yield "resources", msg("files are missing; {cure}", cure=cure), True
         return
@@ -94,7 +107,9 @@ def _damaged_resources() -> Iterator[Fault]:
 
 
 def _is_wrong(file: importlib.metadata.PackagePath) -> bool:
-    if file.hash is None or file.hash.mode != "sha256" or file.suffix == ".pyc":
+    if file.parts[0] not in _OWN or file.suffix == ".pyc":
+        return False
+    if file.hash is None or file.hash.mode != "sha256":
         return False
     try:
         held = Path(str(file.locate())).read_bytes()

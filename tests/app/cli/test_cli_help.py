@@ -4,7 +4,7 @@ import re
 
 from typer.main import get_command
 
-from app.cli.commands import program
+from app.cli.commands.program import program
 from tests.pseudo import TRANSLATED
 
 

@@ -12,7 +12,7 @@ import pytest
 from command_line import Trackwright
 from typer.main import get_command
 
-from app.cli.commands import program
+from app.cli.commands.program import program
 from tests.catalogue import ROOT, called
 from tests.page_reader import english
 from tests.pseudo import Wide
