@@ -20,7 +20,7 @@ from tracking.batch.order import content_digest, digest_of, files_in
 from tracking.batch.outcome import Cause, Outcome, State, failure
 from tracking.batch.protection import state_of, why_protected
 from tracking.batch.recordings import Entry, boxes_of_entry, reason_of
-from tracking.batch.results import export_result, look_through, score_result, thumbnail_of
+from tracking.batch.results import counted, export_result, look_through, score_result, thumbnail_of
 from tracking.batch.signature import signature_of
 from tracking.batch.task import Finished, Task
 from tracking.detections import with_relative_paths
@@ -220,10 +220,7 @@ class _Job:
                 fps=recording.fps,
             )
             if same and known is not None:
-                outcome = replace(
-                    outcome,
-                    **{name: getattr(known, name) for name in ("people", "review_rows", "notes")},
-                )
+                outcome = counted(outcome, known.people, known.review_rows)
             else:
                 self._tell(LOOKING, 0, 0)
                 outcome = look_through(outcome, session)
