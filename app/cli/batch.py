@@ -249,6 +249,7 @@ def _worked(
         plan = run.plan(entries)
         try:
             if not plan.to_do:
+                shown.tell_known(run.state)
                 return plan.finished, False
             _check_order(request)
             workers: Workers = (

@@ -60,10 +60,22 @@ class BatchProgress(Listener):
 
     def began(self, state: BatchState) -> None:
         """See `Listener`."""
-        if state.finished:
-            say(_known(state))
+        if state.done:
+            say(_done_before(state))
+        self.tell_known(state)
         if sys.stderr.isatty():
             self._begin_bar(state)
+
+    def tell_known(self, state: BatchState) -> None:
+        """Tell what failed before this batch began and is not tried now."""
+        if state.failed:
+            say(
+                count_msg(
+                    state.failed,
+                    "{n} failed before and is left alone; --retry tries it again",
+                    "{n} failed before and are left alone; --retry tries them again",
+                )
+            )
 
     def ended(self, name: str, outcome: Outcome) -> None:
         """See `Listener`."""
@@ -142,22 +154,13 @@ class BatchProgress(Listener):
             )
 
 
-def _known(state: BatchState) -> Message:
-    """What was done before this batch began."""
-    done = count_msg(
+def _done_before(state: BatchState) -> Message:
+    return count_msg(
         state.total,
         "{done} of {n} recording is done already",
         "{done} of {n} recordings are done already",
         done=state.done,
     )
-    if not state.failed:
-        return done
-    failed = count_msg(
-        state.failed,
-        "{n} failed before and is left alone (--retry tries it again)",
-        "{n} failed before and are left alone (--retry tries them again)",
-    )
-    return msg("{done}, {failed}", done=done, failed=failed)
 
 
 def _doing(doing: Doing) -> Message:

@@ -37,6 +37,7 @@ from tracking.session.reference import refer_to
 from tracking.settings import settings_values
 from tracking.stamps import software
 from tracking.trackers import TrackerSpec, best_tracker, detector_of, parse_settings, tracker_named
+from tracking.trackers.step_watch import limited_steps
 from tracking.tracks import Run
 from tracking.translation import N_, Message, joined, msg
 
@@ -71,7 +72,7 @@ def do_task(task: Task, tell: Tell) -> Outcome:
         task.workplace.folder.mkdir(exist_ok=True)
         finished = Finished(task.name, task.path, task.asked, outcome)
         replace_with(task.workplace.outcome, finished.as_bytes())
-    except (OSError, OutputError) as error:
+    except (OSError, OutputError, ValueError) as error:
         return _failed(error)
     return outcome
 
@@ -186,9 +187,9 @@ class _Job:
     def _tracked(self, recording: Recording, spec: TrackerSpec, settings: Any) -> _Made:
         task = self._task
         asked = (recording, spec.name, settings, task.order.seed)
-        with track(*asked, spool=task.out) as work:
+        with track(*asked, spool=task.out) as work, limited_steps(spec.name) as limited:
             start, stop = work.frames
-            for result in work:
+            while (result := limited(lambda: next(work, None))) is not None:
                 self._tell(TRACKING, result.frame + 1 - start, stop - start)
             self._tell(FINISHING, 0, 0)
             notes = (*recording.notes, *work.notes)
