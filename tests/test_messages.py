@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import copy
 import json
+import math
 import re
 from collections.abc import Iterator
 from pathlib import Path
@@ -177,6 +178,13 @@ def test_a_very_long_error_is_cut_in_every_language() -> None:
     assert len(str(error)) < 3000
     assert len(tr(error.message)) < 3000
     assert tr(error.message).endswith("is no number⟧")
+
+
+@pytest.mark.parametrize("number", [math.nan, math.inf, -math.inf])
+def test_numbers_that_json_does_not_hold_are_kept_as_numbers(number: float) -> None:
+    message = msg("a height of {height_m:.2f} m", height_m=number)
+    kept = message_from(json.loads(json.dumps(message_data(message), allow_nan=False)))
+    assert kept == message
 
 
 @pytest.mark.usefixtures("pseudo")

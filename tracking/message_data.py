@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import json
+import math
 from collections.abc import Mapping
 from string import Formatter
 from typing import Any, Final
@@ -16,6 +17,9 @@ _LONGEST_SPEC: Final = 4
 _DEEPEST: Final = 20
 _LONGEST_SENTENCE: Final = 100_000
 """A few templates within each other, each of them several times, would fill the memory."""
+_NUMBER: Final = "number"
+_NOT_FINITE: Final = ("nan", "inf", "-inf")
+"""Numbers that JSON does not hold, and places such as {x:.1f} want as numbers."""
 _LONGEST_KEPT: Final = 4000
 """Characters of a sentence of a log, and of its values as data: edits tell of less."""
 
@@ -83,12 +87,16 @@ def _plain(value: object) -> object:
         return message_data(value)
     if hasattr(value, "item"):  # a number of NumPy's
         value = value.item()
+    if isinstance(value, float) and not math.isfinite(value):
+        return {_NUMBER: str(value)}
     return value if isinstance(value, str | int | float) else str(value)
 
 
 def _value(value: object, depth: int) -> object:
     if isinstance(value, str | int | float):
         return value
+    if isinstance(value, Mapping) and value.get(_NUMBER) in _NOT_FINITE:
+        return float(value[_NUMBER])
     return message_from(value, depth + 1)
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping, Sequence, Set
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -106,14 +106,16 @@ def run_batch(request: BatchRequest, *, as_json: bool) -> None:
     with batch_folder(out, shard) as ledger:
         entries = _entries(found, ledger, out, shard)
         entries = entries if shard is None else shard_of(entries, shard.number, shard.count)
-        outcomes, worked = _worked(request, order, ledger, out, entries, shard)
         missing = _missing(found)
+        shown = BatchProgress(state for state, _ in missing.values())
+        outcomes, worked = _worked(request, order, ledger, out, entries, shard, shown)
         page = report_path(out)
         if shard is not None:
             merge_shard(ledger, out)
         elif worked or missing or not page.exists():
             write_batch_report(ledger, out, missing)
-    _tell(entries, outcomes, missing, page, as_json=as_json)
+    told = shown.told if _one_place() else frozenset()
+    _tell(entries, outcomes, missing, page, told, as_json=as_json)
 
 
 def parse_shard(text: str | None) -> Shard | None:
@@ -228,11 +230,12 @@ def _worked(
     out: Path,
     entries: Sequence[Entry],
     shard: Shard | None,
+    shown: BatchProgress,
 ) -> tuple[Mapping[str, Outcome], bool]:
     """What became of the recordings, and whether anything was done for it now."""
     count = request.sharing.workers or _cores()
     limits = _limits(request, count)
-    with BatchProgress() as shown:
+    with shown:
         run = BatchRun(
             *(ledger, out, order, limits),
             listener=shown,
@@ -242,6 +245,7 @@ def _worked(
         plan = run.plan(entries)
         try:
             if not plan.to_do:
+                shown.tell_known(run.state)
                 return plan.finished, False
             _check_order(request)
             workers: Workers = (
@@ -313,10 +317,14 @@ def _tell(
     outcomes: Mapping[str, Outcome],
     missing: Mapping[str, tuple[State, Message]],
     page: Path,
+    told_before: Set[str],
     *,
     as_json: bool,
 ) -> None:
-    """Print what became of all, and exit with a status that says whether all is done."""
+    """Print what became of all, and exit with a status that says whether all is done.
+
+    told_before: names of which the reader has seen the reason already.
+    """
     names = [entry.name for entry in entries]
     done = [name for name in names if outcomes[name].is_done]
     told: dict[State, dict[str, Message]] = {State.FAILED: {}, State.SKIPPED: {}}
@@ -331,9 +339,11 @@ def _tell(
         print_json(document | {"report": str(page)})
     else:
         for name, why in failed.items():
-            print_line(msg("failed: {name}: {why}", name=name, why=why))
+            if name not in told_before:
+                print_line(msg("failed: {name}: {why}", name=name, why=why))
         for name, why in skipped.items():
-            print_line(msg("skipped: {name}: {why}", name=name, why=why))
+            if name not in told_before:
+                print_line(msg("skipped: {name}: {why}", name=name, why=why))
         total = len(names) + len(missing)
         counts = count_msg(
             total, "{done} of {n} recording done", "{done} of {n} recordings done", done=len(done)
@@ -344,6 +354,15 @@ def _tell(
         raise SystemExit(NONE_DONE)
     if failed:
         raise SystemExit(SOME_FAILED)
+
+
+def _one_place() -> bool:
+    """Whether stdout and stderr go to one terminal or file, so that one reader sees both."""
+    try:
+        out, errors = (os.fstat(stream.fileno()) for stream in (sys.stdout, sys.stderr))
+    except (OSError, ValueError, AttributeError):
+        return False
+    return os.path.samestat(out, errors)
 
 
 def _words_without(words: Sequence[str], option: str) -> list[str]:

@@ -20,6 +20,7 @@ from tracking.calibration.floor import (
     floor_by_points,
     floor_by_pose,
     floor_by_stereo,
+    with_calibration,
 )
 from tracking.errors import CalibrationError, RecordingError
 from tracking.recording import MANIFEST_NAME, Recording
@@ -56,7 +57,7 @@ def run_floor(
     with open_with_options(path, bare) as recording:
         if write:
             _check_writable(recording)
-        found = _found(recording, request, clicked)
+        found = with_calibration(_found(recording, request, clicked), recording.calibration)
         if write:
             write_ground(recording.folder, found.ground)
     for note in found.notes:

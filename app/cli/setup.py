@@ -14,14 +14,26 @@ from app.cli.floor import rows_of_floor
 from app.cli.option_groups import Bare
 from app.cli.output import print_json, print_line, print_table, progress, say
 from app.cli.recordings import options_of
-from tracking.calibration.floor import FloorEstimate, floor_by_people, floor_by_stereo
+from tracking.calibration.floor import (
+    FloorEstimate,
+    floor_by_people,
+    floor_by_stereo,
+    with_calibration,
+)
 from tracking.errors import RecordingError
 from tracking.people.first_lag import first_lag
 from tracking.recording import MANIFEST_NAME, OpenOptions, open_recording
 from tracking.recording.image_pairs import Side
 from tracking.setup import CameraFindings, SetupPlan, find_cameras, pair_by_name, write_setup
 from tracking.setup.files import calibration_beside, is_container, sources_in
-from tracking.setup.plan import options_of_plan, plan_of, plan_of_container, setup_text, with_lag
+from tracking.setup.plan import (
+    CALIBRATION_NAME,
+    options_of_plan,
+    plan_of,
+    plan_of_container,
+    setup_text,
+    with_lag,
+)
 from tracking.translation import Message, msg, tr
 
 
@@ -62,7 +74,7 @@ def run_setup(request: SetupRequest, bare: Bare, *, as_json: bool) -> None:
             right=found.right,
         )
     plan, floor = _completed(plan, request)
-    text = setup_text(plan)
+    text, copied = setup_text(plan), plan.calibration_file
     path = write_setup(plan, replace_old=request.force)
     if as_json:
         print_json({"recording": str(path.parent), **_document(plan, found, floor)})
@@ -73,6 +85,10 @@ def run_setup(request: SetupRequest, bare: Bare, *, as_json: bool) -> None:
         print_line("")
         print_table(rows_of_floor(floor))
     say(msg("written: {path}", path=path))
+    if copied is not None:
+        say(msg("written: {path}", path=copied))
+        if copied.name != CALIBRATION_NAME:
+            say(msg("{name} there is another one, and stays", name=CALIBRATION_NAME))
     say(_next_step(plan, path.parent))
 
 
@@ -165,7 +181,8 @@ def _completed(plan: SetupPlan, request: SetupRequest) -> tuple[SetupPlan, Floor
     with open_recording(plan.folder, options_of_plan(plan)) as recording:
         find = floor_by_stereo if request.floor == "stereo" else floor_by_people
         with progress(msg("finding the floor")) as tell:
-            estimate: FloorEstimate = find(recording, tell)
+            found: FloorEstimate = find(recording, tell)
+            estimate = with_calibration(found, recording.calibration)
     for note in estimate.notes:
         say(note)
     return replace(plan, ground=estimate.ground), estimate

@@ -15,7 +15,6 @@ from app.cli.failure import EndedEarlyError
 from app.cli.option_groups import Bare, Order
 from app.cli.output import print_json, print_line, progress, say
 from app.cli.part_options import refuse_missing_detector, settings_texts
-from app.cli.plugin_watch import limited_steps
 from app.cli.ranges import parse_range
 from app.cli.recordings import open_with_options
 from app.cli.setting_texts import pairs_of
@@ -30,6 +29,7 @@ from tracking.pipeline import Tracking, track
 from tracking.recording import Recording
 from tracking.session import IMPORTED, Session
 from tracking.trackers import TrackerSpec, best_tracker, parse_settings, tracker_named
+from tracking.trackers.step_watch import limited_steps
 from tracking.tracks import Run
 from tracking.translation import all_of, count_msg, message_of, msg
 

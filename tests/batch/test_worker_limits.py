@@ -22,6 +22,7 @@ from tracking.batch import (
     Outcome,
     State,
     batch_folder,
+    worker_process,
 )
 from tracking.batch.job import do_task
 from tracking.batch.order import BatchOrder
@@ -140,3 +141,16 @@ def test_a_worker_ends_with_whoever_started_it(process: WorkerProcess, tmp_path:
     assert (outcome.state, outcome.cause) == (State.FAILED, Cause.WORKER)
     with pytest.raises(ProcessLookupError):
         os.kill(pids[0], signal.SIGKILL)
+
+
+def test_a_worker_that_does_not_start_is_told_so(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(worker_process, "_BORN_WITHIN_S", 0.5)
+    process = WorkerProcess("1", Limits(), ("-c", "import time; time.sleep(60)"))
+    outcome = process.do(Task("walk", tmp_path, tmp_path, "token", QUICK, "", ""), lambda _: None)
+    process.close()
+    process.wait()
+    assert outcome is not None
+    assert outcome.cause is Cause.WORKER
+    assert outcome.why == "its worker did not start within 0.5 s"

@@ -180,6 +180,12 @@ def test_a_calibration_from_elsewhere_is_written_beside_and_nothing_there_is_rep
     assert (tmp_path / "calibration.yaml").read_text() == "of somebody else"
     with open_recording(tmp_path) as recording:
         assert recording.calibration is not None
+    write_setup(SetupPlan(left, fps=25.0, calibration=(file,)), replace_old=True)
+    assert read_manifest(tmp_path).calibration == ("calibration-2.yaml",)
+    assert not (tmp_path / "calibration-3.yaml").exists()
+    write_calibration(file, StereoCalibration.of_one(replace(camera, matrix=matrix * [[1.1], [1.1], [1.0]])))
+    write_setup(SetupPlan(left, fps=25.0, calibration=(file,)), replace_old=True)
+    assert read_manifest(tmp_path).calibration == ("calibration-3.yaml",)
 
 
 def test_a_lag_that_was_found_counts_before_it_is_written(

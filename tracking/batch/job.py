@@ -20,7 +20,7 @@ from tracking.batch.order import content_digest, digest_of, files_in
 from tracking.batch.outcome import Cause, Outcome, State, failure
 from tracking.batch.protection import state_of, why_protected
 from tracking.batch.recordings import Entry, boxes_of_entry, reason_of
-from tracking.batch.results import export_result, look_through, score_result, thumbnail_of
+from tracking.batch.results import counted, export_result, look_through, score_result, thumbnail_of
 from tracking.batch.signature import signature_of
 from tracking.batch.task import Finished, Task
 from tracking.detections import with_relative_paths
@@ -37,6 +37,7 @@ from tracking.session.reference import refer_to
 from tracking.settings import settings_values
 from tracking.stamps import software
 from tracking.trackers import TrackerSpec, best_tracker, detector_of, parse_settings, tracker_named
+from tracking.trackers.step_watch import limited_steps
 from tracking.tracks import Run
 from tracking.translation import N_, Message, joined, msg
 
@@ -71,7 +72,7 @@ def do_task(task: Task, tell: Tell) -> Outcome:
         task.workplace.folder.mkdir(exist_ok=True)
         finished = Finished(task.name, task.path, task.asked, outcome)
         replace_with(task.workplace.outcome, finished.as_bytes())
-    except (OSError, OutputError) as error:
+    except (OSError, OutputError, ValueError) as error:
         return _failed(error)
     return outcome
 
@@ -186,9 +187,9 @@ class _Job:
     def _tracked(self, recording: Recording, spec: TrackerSpec, settings: Any) -> _Made:
         task = self._task
         asked = (recording, spec.name, settings, task.order.seed)
-        with track(*asked, spool=task.out) as work:
+        with track(*asked, spool=task.out) as work, limited_steps(spec.name) as limited:
             start, stop = work.frames
-            for result in work:
+            while (result := limited(lambda: next(work, None))) is not None:
                 self._tell(TRACKING, result.frame + 1 - start, stop - start)
             self._tell(FINISHING, 0, 0)
             notes = (*recording.notes, *work.notes)
@@ -220,10 +221,7 @@ class _Job:
                 fps=recording.fps,
             )
             if same and known is not None:
-                outcome = replace(
-                    outcome,
-                    **{name: getattr(known, name) for name in ("people", "review_rows", "notes")},
-                )
+                outcome = counted(outcome, known.people, known.review_rows)
             else:
                 self._tell(LOOKING, 0, 0)
                 outcome = look_through(outcome, session)

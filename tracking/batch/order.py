@@ -10,6 +10,8 @@ from pathlib import Path
 from typing import Any, Self
 
 from tracking.errors import FormatError
+from tracking.plugins import PluginKind
+from tracking.plugins.code_digest import plugin_digests
 from tracking.stamps import software
 
 _CHUNK_BYTES = 1 << 20
@@ -56,10 +58,15 @@ class BatchOrder:
     def tracking_digest(self) -> str:
         """A digest of all that decides what a tracker finds in given files, as hex.
 
-        Files that settings name count with what they hold. Raises OSError where one is unreadable.
+        Files that settings name count with what they hold, plug-ins with their code. Raises OSError
+        where one is unreadable.
         """
         settings = sorted((name, _value_digest(name, text)) for name, text in self.settings)
-        return digest_of([self.tracker, settings, self.seed, software()])
+        asked = [(PluginKind.TRACKER, self.tracker)]
+        asked += [
+            (PluginKind.DETECTOR, text) for name, text in self.settings if name == _NETWORKS[0]
+        ]
+        return digest_of([self.tracker, settings, self.seed, software(), *plugin_digests(asked)])
 
 
 @dataclass(frozen=True, slots=True)

@@ -103,7 +103,7 @@ class Outcome:
         return self.state is State.DONE
 
     def as_text(self) -> str:
-        """As JSON; numbers that are none become null."""
+        """As JSON. Raises ValueError for a number that is none."""
         data = {field.name: getattr(self, field.name) for field in fields(self)}
         data["why"] = message_data(self.why)
         data["notes"] = [message_data(note) for note in self.notes]

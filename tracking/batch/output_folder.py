@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from tracking.batch.ledger import NAME, Ledger
-from tracking.batch.report import write_batch_report
+from tracking.batch.report import read_reported, write_page
 from tracking.errors import OutputError
 from tracking.file_lock import SessionLock
 
@@ -74,21 +74,52 @@ def batch_folder(out: Path, shard: Shard | None = None) -> Iterator[Ledger]:
 def merge_shard(ledger: Ledger, out: Path) -> Path:
     """Put what a shard found out into the ledger of the whole, and write the report on that.
 
-    Gives the page's path. Other shards may be at work. Raises OutputError.
+    Other shards may be at work: no one waits for the page, which may take long, to put its own
+    in. Gives the page's path. Raises OutputError.
     """
+    with _merging(out), Ledger(ledger_path(out)) as whole:
+        whole.take_over(ledger)
+        whole.commit()
+    return _write_report(out)
+
+
+def _write_report(out: Path) -> Path:
+    """Write the page on the ledger of the whole as it is now; of several writers, one by one.
+
+    So the last one has seen what all put in. Who waited too long writes all the same: the page
+    is always a whole one, and the last command of a batch, without a shard, writes it again.
+    """
+    lock = SessionLock(out / _SHARDS / ".page")
+    held = _acquire(lock)
+    try:
+        with _merging(out), Ledger(ledger_path(out)) as whole:
+            reported = read_reported(whole)
+        return write_page(reported, out)
+    finally:
+        if held:
+            lock.release()
+
+
+@contextlib.contextmanager
+def _merging(out: Path) -> Iterator[None]:
+    """Alone with the ledger of the whole. Raises OutputError where others stay too long."""
     lock = SessionLock(out / _SHARDS / ".merge")
+    if not _acquire(lock):
+        raise _busy(out, lock)
+    try:
+        yield
+    finally:
+        lock.release()
+
+
+def _acquire(lock: SessionLock) -> bool:
+    """Wait for a lock; whether it was given in time."""
     until_s = time.monotonic() + _MERGE_S
     while not lock.acquire():
         if time.monotonic() > until_s:
-            raise _busy(out, lock)
+            return False
         time.sleep(_WAIT_S)
-    try:
-        with Ledger(ledger_path(out)) as whole:
-            whole.take_over(ledger)
-            whole.commit()
-            return write_batch_report(whole, out)
-    finally:
-        lock.release()
+    return True
 
 
 def _take_over_shards(ledger: Ledger, out: Path) -> None:

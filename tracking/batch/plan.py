@@ -11,6 +11,7 @@ from pathlib import Path
 from tracking.batch.ledger import Row
 from tracking.batch.order import BatchOrder, Limits, digest_of
 from tracking.batch.outcome import Cause, Outcome, State
+from tracking.batch.publication import score_page
 from tracking.batch.recordings import Entry, boxes_of_entry
 from tracking.batch.signature import file_state, signature_of
 from tracking.errors import RecordingError
@@ -100,7 +101,7 @@ class Planner:
         if not all((out / file).exists() for file in files):
             return False
         wants_page = order.report and outcome.score is not None
-        return not wants_page or (outcome.page and (out / "report" / entry.name).is_dir())
+        return not wants_page or (outcome.page and score_page(out, entry.name).is_file())
 
     def _has_more(self, limits: str) -> bool:
         """Whether a recording may cost more now than when it went beyond its limits."""

@@ -29,6 +29,11 @@ SCORE_PAGE = "report.html"
 """In the folder of a recording's report, as `scoring.report` calls it."""
 
 
+def score_page(out: Path, name: str) -> Path:
+    """Where the page on a recording's score stands in the output folder."""
+    return out / REPORT / name / SCORE_PAGE
+
+
 def publish(place: Workplace, name: str, outcome: Outcome) -> Outcome:
     """Put what an attempt made in its place; the outcome, failed where that is not possible.
 

@@ -41,10 +41,31 @@ class Line:
     cells: tuple[str, ...]
 
 
+@dataclass(frozen=True, slots=True)
+class Reported:
+    """What the page is on: the recordings in the order shown, and images by their names."""
+
+    rows: tuple[Row, ...]
+    images: Mapping[str, bytes]
+
+
+def read_reported(ledger: Ledger) -> Reported:
+    """What a ledger knows now. Raises OutputError."""
+    rows = tuple(sorted(ledger.rows(), key=lambda row: _urgency(row.outcome)))
+    return Reported(rows, ledger.thumbnails([row.name for row in rows[:MOST_PICTURED]]))
+
+
 def write_batch_report(
     ledger: Ledger, out: Path, missing: Mapping[str, tuple[State, Message]] | None = None
 ) -> Path:
-    """Write the page on all that the ledger knows; gives its path.
+    """Write the page on all that the ledger knows; see `write_page`."""
+    return write_page(read_reported(ledger), out, missing)
+
+
+def write_page(
+    reported: Reported, out: Path, missing: Mapping[str, tuple[State, Message]] | None = None
+) -> Path:
+    """Write the page on a batch; gives its path.
 
     Args:
         missing: words that meant no recording, and what became of them.
@@ -54,10 +75,8 @@ def write_batch_report(
     """
     from tracking.pages import render  # brings NumPy, which resuming does without
 
-    rows = sorted(ledger.rows(), key=lambda row: _urgency(row.outcome))
-    pictured = [row.name for row in rows[:MOST_PICTURED]]
-    images = ledger.thumbnails(pictured)
-    lines = [_line(row, images.get(row.name)) for row in rows]
+    rows = reported.rows
+    lines = [_line(row, reported.images.get(row.name)) for row in rows]
     lines = [*_missing_lines(missing or {}), *lines]
     page = report_path(out)
     folder = page.parent

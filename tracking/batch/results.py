@@ -13,6 +13,7 @@ import cv2
 import numpy as np
 
 from tracking.batch.outcome import Outcome
+from tracking.batch.publication import score_page
 from tracking.batch.task import Task
 from tracking.errors import OutputError, TrackwrightError
 from tracking.formats import FORMATS, Exported, Filmed, measurable
@@ -50,11 +51,13 @@ def look_through(outcome: Outcome, session: Session) -> Outcome:
     count = len(rows["frame"])
     items = find_review_items(table, run, footage.fps, session.labels, size=footage.size)
     wrong = sum(item.worth for item in items)
-    notes = outcome.notes
-    if not people:
-        notes = (*notes, msg("nobody was found"))
-    share = min(1.0, wrong / count) if count else None
-    return replace(outcome, people=people, review_rows=share, notes=notes)
+    return counted(outcome, people, min(1.0, wrong / count) if count else None)
+
+
+def counted(outcome: Outcome, people: int, review_rows: float | None) -> Outcome:
+    """The outcome with so many people, and this share of rows that is likely wrong."""
+    notes = outcome.notes if people else (*outcome.notes, msg("nobody was found"))
+    return replace(outcome, people=people, review_rows=review_rows, notes=notes)
 
 
 def thumbnail_of(recording: Recording, session: Session) -> bytes:
@@ -98,25 +101,52 @@ def score_result(
     Args:
         known: what became of the same session before; a score against the same truth holds.
     """
-    truth = truth_digest(recording)
-    if not truth:
+    digest = truth_digest(recording)
+    if not digest:
         return outcome
-    wanted = task.order.report
-    if known is not None and known.truth == truth and (known.page or not wanted):
-        return replace(outcome, truth=truth, score=known.score, page=known.page)
+    outcome = replace(outcome, truth=digest)
     try:
-        score, page = _scored(task, recording, session)
+        truth = _read_truth(recording)
+        outcome = replace(outcome, notes=(*outcome.notes, *_outlasting(truth, recording)))
+        if known is not None and (held := _held_score(task, known, digest)):
+            score, page = held
+        else:
+            score, page = _scored(task, recording, session, truth)
     except OutputError:  # of the disk, not of the truth
         raise
     except TrackwrightError as error:
         note = msg("it is not scored: {why}", why=error)
-        return replace(outcome, truth=truth, notes=(*outcome.notes, note))
-    return replace(outcome, truth=truth, score=score, page=page)
+        return replace(outcome, notes=(*outcome.notes, note))
+    return replace(outcome, score=score, page=page)
 
 
-def _scored(task: Task, recording: Recording, session: Session) -> tuple[Mapping[str, Any], bool]:
-    """The score, and whether a page was written. Raises FormatError, OutputError."""
-    subject = _subject(task, recording, session)
+def _held_score(task: Task, known: Outcome, digest: str) -> tuple[Mapping[str, Any], bool] | None:
+    """The score of before and whether its page is there, if nothing is to be made anew."""
+    if known.score is None or known.truth != digest:
+        return None
+    page = known.page and score_page(task.out, task.name).is_file()
+    return (known.score, page) if page or not task.order.report else None
+
+
+def _outlasting(truth: ScoringTable, recording: Recording) -> tuple[Message, ...]:
+    """What to note where people count as missed in frames that the recording does not have."""
+    frames, end = recording.frame_count, _end_of(truth)
+    if end <= frames:
+        return ()
+    note = msg(
+        "the ground truth goes on to frame {end}, the recording has {frames}, and all are "
+        "scored; to score the recording's, use trackwright score with --frames 0:{frames}",
+        end=end,
+        frames=frames,
+    )
+    return (note,)
+
+
+def _scored(
+    task: Task, recording: Recording, session: Session, truth: ScoringTable
+) -> tuple[Mapping[str, Any], bool]:
+    """The score, and whether a page was written. Raises OutputError."""
+    subject = _subject(task, recording, session, truth)
     finding = finding_of(subject, task.name, Yardstick())
     score = {
         name: _plain(value)
@@ -131,13 +161,23 @@ def _scored(task: Task, recording: Recording, session: Session) -> tuple[Mapping
     return score, True
 
 
-def _subject(task: Task, recording: Recording, session: Session) -> Subject:
+def _read_truth(recording: Recording) -> ScoringTable:
+    """The ground truth beside a recording. Raises FormatError."""
     place = recording.truth_path
     assert place is not None
     truth = measurable(place, FORMATS["mot"], Filmed()).all_of(place)
-    true = ScoringTable.from_columns(truth.columns, dont_cares=truth.dont_cares)
+    return ScoringTable.from_columns(truth.columns, dont_cares=truth.dont_cares)
+
+
+def _end_of(table: ScoringTable) -> int:
+    """The frame after the last one that has a row."""
+    return int(table.frame.max(initial=-1)) + 1
+
+
+def _subject(task: Task, recording: Recording, session: Session, true: ScoringTable) -> Subject:
+    place = recording.truth_path
+    assert place is not None
     found = ScoringTable.from_columns(session.tracks.columns())
-    last = max(int(table.frame.max(initial=-1)) for table in (true, found)) + 1
     run = session.corrected_run
     source = Source(
         f"{task.name}.h5",
@@ -151,7 +191,7 @@ def _subject(task: Task, recording: Recording, session: Session) -> Subject:
         true,
         {task.name: found},
         0,
-        max(last, recording.frame_count),
+        max(_end_of(true), _end_of(found), recording.frame_count),
         Footage(recording.fps, recording.size, recording.view, recording),
         Source(place.name, recording.name, fps=recording.fps),
         {task.name: source},

@@ -24,7 +24,7 @@ WORKER: tuple[str, ...] = ("-m", "tracking.batch.worker")
 """What Python is given to be a worker."""
 STARTING = N_("starting")
 _LOOK_EVERY_S = 0.2
-_BORN_WITHIN_S = 120.0
+_BORN_WITHIN_S = 600.0
 """Machines are busy, and disks of clusters slow."""
 _ENVIRONMENT = {
     **dict.fromkeys(("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS"), "1"),
@@ -91,7 +91,7 @@ class WorkerProcess:
         doing = Doing(self.name, task.name, STARTING, since_s=began_s)
         tell(doing)
         if not self._begin():
-            return self._died()
+            return self._died(late=time.monotonic() - began_s >= _BORN_WITHIN_S)
         assert self._child is not None
         assert self._child.stdin is not None
         base_bytes = _used_bytes(self.pid)
@@ -159,14 +159,17 @@ class WorkerProcess:
             said = None
         return said is not None and "ready" in said
 
-    def _died(self) -> Outcome | None:
-        """What is told of a task whose worker is no more."""
+    def _died(self, *, late: bool = False) -> Outcome | None:
+        """What is told of a task whose worker is no more; late: it never came to begin."""
         if self._closed.is_set():
             return None
         status: int | None = None
         if self._child is not None:
             self._child.kill()
             status = self._child.wait()
+        if late:
+            why = msg("its worker did not start within {limit:g} s", limit=_BORN_WITHIN_S)
+            return failure(Cause.WORKER, why)
         return failure(Cause.WORKER, msg("its worker died ({how})", how=_how(status)))
 
     def _beyond(

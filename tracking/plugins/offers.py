@@ -16,7 +16,8 @@ from tracking.translation import Message, msg
 
 WITHOUT: Final = "TRACKWRIGHT_PLUGINS"
 """A variable of the environment; "off": only what is built in is offered."""
-_OWN: Final = "trackwright"
+OWN: Final = "trackwright"
+"""The distribution of what is built in."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,7 +52,7 @@ class Offer:
     def package(self) -> str:
         """The distribution it comes from."""
         if self.built_in:
-            return _OWN
+            return OWN
         found = self.entry_point.dist if self.entry_point is not None else None
         return found.name if found is not None else self.module.partition(".")[0]
 

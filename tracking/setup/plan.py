@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from tracking.atomic_output import replace_with
-from tracking.errors import OutputError, RecordingError
+from tracking.errors import OutputError, RecordingError, TrackwrightError
 from tracking.geometry import Ground, read_calibration
 from tracking.geometry.calibration_writer import format_calibration
 from tracking.recording.depth_pictures import USUAL_SCALE_M
@@ -113,6 +113,9 @@ class SetupPlan:
     def calibration_file(self) -> Path | None:
         """Where a calibration from elsewhere is to be written; None: it lies in the folder.
 
+        A file there that holds the same is written again. Another calibration stays as it is: the
+        recording.toml that is kept as a backup may name it.
+
         Raises:
             RecordingError: all names are taken, or the files share no folder.
         """
@@ -121,14 +124,35 @@ class SetupPlan:
             return None
         names = (f"calibration-{number}.yaml" for number in range(2, _MOST_NAMES))
         places = [folder / CALIBRATION_NAME, *(folder / name for name in names)]
-        free = next((place for place in places if not _is_there(place)), None)
-        if free is None:
-            raise RecordingError(
-                "{folder}: {count} calibrations lie there already; take some of them away",
-                folder=folder,
-                count=len(places),
-            )
-        return free
+        if not _is_there(places[0]):
+            return places[0]
+        text = self._calibration_text()
+        for place in places:
+            if not _is_there(place) or (text is not None and _holds(place, text)):
+                return place
+        raise RecordingError(
+            "{folder}: {count} calibrations lie there already; take some of them away",
+            folder=folder,
+            count=len(places),
+        )
+
+    def _calibration_text(self) -> str | None:
+        """The calibration as it would be written; None where it cannot be read."""
+        try:
+            return format_calibration(read_calibration(self.calibration, image_size(self)))
+        except (TrackwrightError, OSError):
+            return None
+
+
+def _holds(place: Path, text: str) -> bool:
+    """Whether a plain file holds this text and nothing else."""
+    held = text.encode()
+    try:
+        if place.is_symlink() or not place.is_file() or place.stat().st_size != len(held):
+            return False
+        return place.read_bytes() == held
+    except OSError:
+        return False
 
 
 def plan_of(folder: Path) -> SetupPlan:

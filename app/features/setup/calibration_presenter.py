@@ -191,7 +191,7 @@ def calibrate_rough(
     """
     if plan.is_stereo and baseline_mm <= 0:
         raise CalibrationError(
-            "the distance of the cameras is not entered; measure it from lens to lens, in mm"
+            "the distance of the cameras is not entered; measure it from lens to lens, in m"
         )
     plan = bare(plan)
     with open_recording(plan.folder, options_of_plan(plan)) as recording:

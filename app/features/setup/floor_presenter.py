@@ -20,6 +20,7 @@ from tracking.calibration.floor import (
     floor_by_points,
     floor_by_pose,
     floor_by_stereo,
+    with_calibration,
 )
 from tracking.errors import CalibrationError
 from tracking.geometry import Ground
@@ -43,7 +44,7 @@ def measured(state: SetupState, progress: Progress) -> FloorEstimate:
         pair = recording.is_stereo and calibration is not None and calibration.right is not None
         deep = recording.has_depth and recording.rectification is not None
         find = floor_by_stereo if pair or deep else floor_by_people
-        return find(recording, progress)
+        return with_calibration(find(recording, progress), calibration)
 
 
 def measured_by_board(state: SetupState, progress: Progress) -> FloorEstimate:
@@ -54,7 +55,8 @@ def measured_by_board(state: SetupState, progress: Progress) -> FloorEstimate:
     """
     board = board_of(state.board)
     with _opened(state) as recording:
-        return floor_by_board(recording, board, progress)
+        found = floor_by_board(recording, board, progress)
+        return with_calibration(found, recording.calibration)
 
 
 def _opened(state: SetupState) -> Recording:
@@ -75,10 +77,11 @@ def estimated(scene: SetupScene) -> FloorEstimate:
         raise CalibrationError("floor: the camera is not calibrated; do the step before first")
     camera = calibration.left
     if state.floor_method == "points":
-        return floor_by_points(camera, state.points)
+        return with_calibration(floor_by_points(camera, state.points), calibration)
     if state.floor_method == "distances":
         pixels = np.array([(point.u, point.v) for point in state.points], float).reshape(-1, 2)
-        return floor_by_distances(camera, pixels, state.distances)
+        found = floor_by_distances(camera, pixels, state.distances)
+        return with_calibration(found, calibration)
     if state.pose_file is None:
         raise CalibrationError("floor: choose the file with the camera's pose first")
     return floor_by_pose(state.pose_file, camera, state.convention)

@@ -14,6 +14,8 @@ from app.features.setup.step_page import named, plain
 if TYPE_CHECKING:
     from app.features.setup.calibration_page import CalibrationPage
 
+_MM = 1000.0
+"""In a metre, in which this distance is told everywhere."""
 _DEGREE = "\N{DEGREE SIGN}"
 
 
@@ -31,7 +33,7 @@ class RoughPanel(QWidget):
         self.fov = page.number(f" {_DEGREE}", 5.0, 150.0, 1, self._change)
         self.fov.setToolTip(tr("Horizontal; the camera's data sheet has it."))
         form.addRow(tr("Field of view"), named(self.fov, tr("Horizontal field of view")))
-        self.baseline = page.number(" mm", 0.0, 20_000.0, 1, self._change)
+        self.baseline = page.number(" m", 0.0, 20.0, 4, self._change)
         self.baseline.setSpecialValueText(tr("not known"))
         self.baseline.setToolTip(tr("Between the lenses' middles."))
         form.addRow(tr("Camera distance"), named(self.baseline, tr("Distance of the cameras")))
@@ -44,10 +46,10 @@ class RoughPanel(QWidget):
         """What was entered."""
         plan, rough = scene.state.plan, scene.state.rough
         self.fov.setValue(rough.fov_deg)
-        self.baseline.setValue(rough.baseline_mm)
+        self.baseline.setValue(rough.baseline_mm / _MM)
         self._form.setRowVisible(1, plan is not None and plan.is_stereo)
         self.calibrate.setEnabled(plan is not None and not scene.busy)
 
     def _change(self) -> None:
         editor = self._page.editor
-        editor.change(with_rough(editor.state, self.fov.value(), self.baseline.value()))
+        editor.change(with_rough(editor.state, self.fov.value(), _MM * self.baseline.value()))

@@ -12,7 +12,7 @@ from tracking.recording import MANIFEST_NAME, open_recording
 from tracking.recording.region_of_interest import EVERYWHERE
 from tracking.setup import SetupPlan
 from tracking.setup.calibration_facts import read_facts
-from tracking.setup.plan import options_of_plan, setup_text
+from tracking.setup.plan import CALIBRATION_NAME, options_of_plan, setup_text
 
 
 def check(plan: SetupPlan) -> Checked:
@@ -53,4 +53,7 @@ def _written(plan: SetupPlan) -> Checked:
     places = tr("Will be written: {path}", path=path)
     if copied is not None:
         places = tr("Will be written: {path}, and {name} beside it", path=path, name=copied.name)
+        if copied.name != CALIBRATION_NAME:
+            stays = tr("{name} there is another one, and stays.", name=CALIBRATION_NAME)
+            places = f"{places}\n{stays}"
     return Checked(plan, text=text, places=places, replaces=replaces)

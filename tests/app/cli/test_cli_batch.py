@@ -212,3 +212,35 @@ def test_detections_are_taken_by_a_pattern(
     assert status == 3
     assert told["done"] == ["day1-walk"]
     assert "no detections are at" in told["failed"]["day2-walk"]
+
+
+def said_in_one_place(*words: object) -> str:
+    """What a batch says where one reader sees stdout and stderr."""
+    command = [sys.executable, "-m", "app", "batch", *map(str, words)]
+    return subprocess.run(
+        command, cwd=_ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False
+    ).stdout
+
+
+def test_a_failure_is_told_once_to_one_reader(
+    trackwright: Trackwright, top: Path, tmp_path: Path
+) -> None:
+    asked = (top / "bad", top / "none", "-o", tmp_path / "out")
+    said = said_in_one_place(*asked)
+    assert said.count("failed: bad: ") == 1
+    assert said.count("failed: " + str(top / "none")) == 1
+    assert "0 of 2 recordings done" in said
+    assert said_in_one_place(*asked).count("failed: bad: ") == 1
+    _, said, told = trackwright("batch", *asked, "--retry")
+    assert (said.count("failed: bad: "), told.count("failed: bad: ")) == (1, 1)
+
+
+def test_what_failed_before_is_told_not_to_be_tried_again(
+    trackwright: Trackwright, top: Path, tmp_path: Path
+) -> None:
+    out = tmp_path / "out"
+    trackwright("batch", top / "bad", "-o", out)
+    _, _, told = trackwright("batch", top / "bad", top / "day2", "-o", out, "--no-pages")
+    assert told.startswith("1 failed before and is left alone; --retry tries it again")
+    again = trackwright("batch", top / "bad", "-o", out)[2]
+    assert again == "1 failed before and is left alone; --retry tries it again\n"

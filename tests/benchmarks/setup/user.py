@@ -163,7 +163,7 @@ def set_up_roughly(
     user.press(dialog.next)
     user.choose(dialog.calibration.method, "rough")
     user.type(dialog.calibration.rough.fov, f"{fov_deg:.1f}")
-    user.type(dialog.calibration.rough.baseline, f"{baseline_mm:.1f}")
+    user.type(dialog.calibration.rough.baseline, f"{baseline_mm / 1000:.4f}")
     user.press(dialog.calibration.rough.calibrate)
     user.wait_for_rest()
     user.press(dialog.next)

@@ -9,7 +9,7 @@ import numpy as np
 
 from tracking.arrays import Floats
 from tracking.errors import CalibrationError
-from tracking.geometry import Ground, ground_of_plane
+from tracking.geometry import Ground, StereoCalibration, ground_of_plane
 from tracking.translation import Message, msg
 
 FloorMethod = Literal["stereo", "points", "board", "pose", "people", "typed"]
@@ -18,6 +18,9 @@ _STRAIGHT_DOWN_SIGMAS = 2.0
 no roll, and the overhead view would be turned by what is noise."""
 _LEAST_LEAN_SIGMA_DEG = 0.3
 """Of the direction down: no mounting is truer."""
+_ROUGH_FOV_DEG, _ROUGH_DISTANCE = 5.0, 0.05
+"""By which a field of view from a data sheet, and a distance from lens to lens that was measured
+with a tape (a share of it), may be off in a rough calibration."""
 _SIDEWAYS_DEG = 60.0
 """A camera that is rolled further is turned, and its pictures should be."""
 
@@ -86,6 +89,27 @@ def estimate_of(
         )
         return replace(found, notes=(*notes, note))
     return found
+
+
+def with_calibration(found: FloorEstimate, calibration: StereoCalibration | None) -> FloorEstimate:
+    """The same, as unsure as the calibration that it was found with: more where that is rough.
+
+    Heights grow with the focal length, and by stereo with the distance of the cameras. A pose was
+    measured otherwise.
+    """
+    if calibration is None or not calibration.rough or found.method == "pose":
+        return found
+    camera = calibration.left
+    fov_rad = 2.0 * np.arctan2(camera.width / 2.0, camera.matrix[0, 0])
+    share = np.deg2rad(_ROUGH_FOV_DEG) / np.sin(fov_rad)
+    if found.method == "stereo":
+        share = np.hypot(share, _ROUGH_DISTANCE)
+    note = msg(
+        "the calibration is rough: the height, and every place with it, may be off by {share:.0%}",
+        share=float(share),
+    )
+    sigma_m = float(np.hypot(found.height_sigma_m, share * found.ground.height_m))
+    return replace(found, height_sigma_m=sigma_m, notes=(*found.notes, note))
 
 
 def check_above(height_m: float) -> None:

@@ -1,4 +1,4 @@
-"""A command that runs a plug-in does not wait for it for ever."""
+"""Whoever runs a tracker of a plug-in does not wait for it for ever."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from types import FrameType
 from typing import TypeVar
 
 from tracking.plugins.time_limit import overdue
-from tracking.trackers import TRACKERS, tracker_named
+from tracking.trackers.catalogue import TRACKERS, tracker_named
 
 T = TypeVar("T")
 _AGAIN_S = 1.0
