@@ -24,9 +24,6 @@ _Told = TypeVar("_Told")
 
 _SAME_WITHIN = 20
 _MOST_PICTURES = 25
-_LEAST_STILL = np.float32(0.3)
-"""What counts of values where much moves: where a crowd never stands still, the floor between
-people counts for more than those of them who do."""
 _LASTING = 3
 """Pictures that must share a secondary mode: two people who pass may look alike by chance."""
 _LASTING_SPREAD = 0.75
@@ -92,8 +89,7 @@ def _compare(
     chosen = thinned(pictures)
     smooth = [np.asarray(cv2.blur(picture, (3, 3)), np.uint8) for picture in chosen]
     still = [
-        _LEAST_STILL
-        + (1 - _LEAST_STILL) * stillness(picture, np.asarray(cv2.blur(after, (3, 3)), np.uint8))
+        stillness(picture, np.asarray(cv2.blur(after, (3, 3)), np.uint8))
         for picture, after in zip(smooth, thinned(later), strict=False)
     ]
     smooth = in_one_light(smooth)
