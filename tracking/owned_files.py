@@ -43,7 +43,7 @@ _FOLDERS_NOT_SYNCED = frozenset(
     }
 )
 """What systems say of a folder that they never sync, or that may be written to but not opened."""
-_TRIES = 20
+_FOLDER_TRIES = 20
 """Of making a folder that another program takes away at that moment."""
 _KINDS = {
     stat.S_IFDIR: "a folder",
@@ -65,7 +65,7 @@ def make_folder(folder: Path) -> None:
         UnsafeFileError: what is there is a link, no folder, or another user's.
         OSError: it cannot be made.
     """
-    for _ in range(_TRIES):
+    for _ in range(_FOLDER_TRIES):
         try:
             folder.mkdir(FOLDER_MODE)
         except FileExistsError:

@@ -14,9 +14,11 @@ from app.__main__ import run as run_command
 from app.cli.plugins import find_plugins
 from app.core.tracking_process import TrackerProcess, TrackingRequest
 from tests.installed_plugins import install_module
+from tracking.detections import Footage, read_detections
 from tracking.detections.catalogue import picture_detector
-from tracking.errors import PluginError, TrackwrightError
+from tracking.errors import FormatError, PluginError, TrackwrightError
 from tracking.geometry import Camera, Ground, View
+from tracking.networks.network_detections import named_detector
 from tracking.pipeline import track
 from tracking.plugins import PluginKind, failed_drawing, offers
 from tracking.recording import open_recording
@@ -188,6 +190,23 @@ def test_a_detector_that_gives_no_boxes_is_named(
     with pytest.raises(PluginError, match="detector bad") as caught:
         spec.open().find(np.zeros((48, 64, 3), np.uint8))
     assert said in str(caught.value)
+
+
+def test_a_file_that_nobody_knows_is_told_of_with_what_a_plugin_did_wrong(
+    site: Path, tmp_path: Path
+) -> None:
+    install_module(site, "bad", "1 / 0", {(PluginKind.DETECTOR.group, "bad"): "DETECTOR"})
+    offers.look_again()
+    boxes = tmp_path / "boxes.txt"
+    boxes.write_text("0 0.5 0.5 0.1 0.3\n")
+    with pytest.raises(FormatError, match="give MOT text, COCO JSON or a folder") as caught:
+        read_detections(boxes, Footage(10, (64, 48)))
+    assert "detector bad (plug-in bad 1.0) raised ZeroDivisionError" in str(caught.value)
+
+
+def test_a_name_too_long_for_a_file_is_no_detector_of_a_plugin(clip: Path) -> None:
+    with open_recording(clip) as recording:
+        assert named_detector(recording, "n" * 300) is None
 
 
 def test_the_list_of_plugins_says_which_do_not_work(

@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from types import MappingProxyType
 
-from tracking.detections.box_format import YOLO, BoxFormat
+from tracking.detections.box_format import BoxFormat
 from tracking.detections.detector import DetectorSpec
 from tracking.detections.plugin_guard import guard_detector
 from tracking.errors import PluginError
 from tracking.plugins import Catalogue, PluginKind
+from tracking.translation import Message, joined, msg
 
 _HERE = "tracking.detections.box_format"
 BUILT_IN: Mapping[str, str] = MappingProxyType(
@@ -23,16 +24,8 @@ DETECTORS: Catalogue[BoxFormat | DetectorSpec] = Catalogue(
 """Formats of boxes, and what looks at pictures."""
 
 
-def folder_format() -> BoxFormat:
-    """The format of folders."""
-    return YOLO
-
-
 def box_format_of(head: bytes) -> BoxFormat | None:
-    """The format of a file by its first bytes, plug-ins last; None: nobody knows it.
-
-    Raises PluginError where nobody does and a plug-in failed.
-    """
+    """The format of a file by its first bytes, plug-ins last; None: nobody knows it."""
     for own in DETECTORS.of_built_in():
         if isinstance(own, BoxFormat) and own.recognises(head):
             return own
@@ -42,9 +35,12 @@ def box_format_of(head: bytes) -> BoxFormat | None:
                 return each
         except PluginError as error:
             DETECTORS.note(offer, error)
-    for fault in DETECTORS.faults:
-        raise fault.error
     return None
+
+
+def told_of_plugins() -> Message:
+    """What did not work as plug-ins were asked, for a file that nobody knows; "": nothing."""
+    return joined("; ", (msg("{error}", error=fault.error) for fault in DETECTORS.faults))
 
 
 def picture_detector(name: str) -> DetectorSpec | None:

@@ -12,8 +12,8 @@ from pathlib import Path
 import numpy as np
 
 from tracking.detections.box_collector import BoxCollector
-from tracking.detections.box_format import BoxFormat
-from tracking.detections.catalogue import box_format_of, folder_format
+from tracking.detections.box_format import YOLO, BoxFormat
+from tracking.detections.catalogue import box_format_of, told_of_plugins
 from tracking.detections.frame_numbers import Footage
 from tracking.detections.table import BoxTable
 from tracking.detections.yolo_boxes import contents_of, is_yolo
@@ -110,7 +110,7 @@ def _read_into(boxes: BoxCollector) -> tuple[BoxFormat, str]:
             "{path} is a link, which is not followed; name the file it leads to", path=path
         )
     if path.is_dir():
-        return folder_format(), _read_folder(boxes)
+        return YOLO, _read_folder(boxes)
     boxes.held = _read_file(path)
     known = _format_of(path, boxes.held[:HEAD_BYTES])
     return known, hashlib.sha256(boxes.held).hexdigest()
@@ -165,15 +165,19 @@ def _format_of(path: Path, head: bytes) -> BoxFormat:
     known = box_format_of(head)
     if known is not None:
         return known
+    failed = told_of_plugins()
+    also = " (" + failed + ")" if failed else ""
     if lacks_commas(head):
         raise FormatError(
             "{path}: no commas between values; MOT text wants them, and YOLO text is given as the "
-            "folder of its files",
+            "folder of its files{also}",
             path=path,
+            also=also,
         )
     raise FormatError(
-        "{path} is no file of detections; give MOT text, COCO JSON or a folder of YOLO text",
+        "{path} is no file of detections; give MOT text, COCO JSON or a folder of YOLO text{also}",
         path=path,
+        also=also,
     )
 
 

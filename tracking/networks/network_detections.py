@@ -132,4 +132,9 @@ def named_detector(recording: Recording, named: str) -> DetectorSpec | None:
 
     Raises PluginError where it does not work.
     """
-    return None if (recording.folder / named).exists() else picture_detector(named)
+    try:
+        if (recording.folder / named).exists():
+            return None
+    except OSError:  # no file can be called that
+        return None
+    return picture_detector(named)

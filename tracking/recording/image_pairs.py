@@ -13,7 +13,7 @@ from tracking.errors import RecordingError
 from tracking.recording.frame import Image
 from tracking.recording.frame_pairs import pair_frames
 from tracking.recording.interleaved_video import ImagesByTurns, check_rows, field_of
-from tracking.recording.pictures import PictureSource
+from tracking.recording.pictures import PictureSource, beside
 from tracking.translation import Message
 
 Layout = Literal["side-by-side", "top-bottom", "row-interleaved", "frame-sequential"]
@@ -118,14 +118,7 @@ class TwoSources:
         if stop <= start:
             return
         wanted = self._right_number[_partners(start, stop, lag, self.frame_count)]
-        first, last = int(wanted[0]), int(wanted[-1])
-        lefts = self.sources[0].pictures(start, stop)
-        rights = enumerate(self.sources[1].pictures(first, last + 1), first)
-        number, right = next(rights)
-        for left, target in zip(lefts, wanted, strict=True):
-            while number < target:
-                number, right = next(rights)
-            yield left, right
+        yield from beside(self.sources[0].pictures(start, stop), self.sources[1], wanted)
 
 
 def both_cameras(source: PictureSource, layout: Layout, first: Side) -> ImagePairs:

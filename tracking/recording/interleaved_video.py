@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from tracking.errors import RecordingError
 from tracking.recording.frame import Image
-from tracking.recording.pictures import PictureSource
+from tracking.recording.pictures import PictureSource, beside
 from tracking.translation import Message
 
 _LEAST_ROWS = 4
@@ -141,10 +141,4 @@ class ImagesByTurns:
                 yield (one, other) if self._left_first else (other, one)
             return
         partners = (np.arange(start, stop) + lag).clip(0, self.frame_count - 1)
-        first, last = int(partners[0]), int(partners[-1])
-        rights = enumerate(self._right.pictures(first, last + 1), first)
-        number, right = next(rights)
-        for left, target in zip(self._left.pictures(start, stop), partners, strict=True):
-            while number < target:
-                number, right = next(rights)
-            yield left, right
+        yield from beside(self._left.pictures(start, stop), self._right, partners)

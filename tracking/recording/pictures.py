@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from pathlib import Path
 from typing import Protocol
 
@@ -43,6 +43,23 @@ def broken_images(name: str, count: int, first: str) -> Message:
         images=count_msg(count, "{n} image", "{n} images"),
         first=first,
     )
+
+
+def beside(
+    lefts: Iterable[Image], right: PictureSource, numbers: NDArray[np.intp]
+) -> Iterator[tuple[Image, Image]]:
+    """Left pictures, each with the right one of its number; `right` is read once.
+
+    Args:
+        numbers: at least one, ascending; those of the right pictures.
+    """
+    first, last = int(numbers[0]), int(numbers[-1])
+    rights = enumerate(right.pictures(first, last + 1), first)
+    number, image = next(rights)
+    for left, target in zip(lefts, numbers, strict=True):
+        while number < target:
+            number, image = next(rights)
+        yield left, image
 
 
 class PictureSource(Protocol):

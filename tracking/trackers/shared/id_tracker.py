@@ -81,14 +81,21 @@ class IdTracker(TrackerBase[SettingsT], ABC, Generic[SettingsT]):
         """
 
     def resume(self, resume: Resume, observations: Iterable[Observation]) -> None:
-        """Go on with the people as corrected, where they stand in the frame before."""
-        for _ in observations:
-            pass
-        now = resume.rows["frame"] == resume.frame - 1
-        rows = {name: column[now] for name, column in resume.rows.items()}
-        track = rows["track"].astype(np.int32)
-        box, count = boxes_of(rows), len(track)
-        self._known = Known(track, box, places_of(rows), np.zeros(count), _begun(box))
+        """Go on with the people as corrected, where they stand in the last frame that shows them.
+
+        Those are remembered who are seen in the frame before, or less than `memory_s` before it.
+        """
+        time_s = (resume.frame - 1) / resume.fps
+        for observation in observations:
+            time_s = observation.time_s
+        self._clock.set(time_s)
+        track, newest = np.unique(resume.rows["track"][::-1], return_index=True)
+        last = len(resume.rows["track"]) - 1 - newest
+        rows = {name: column[last] for name, column in resume.rows.items()}
+        unseen_s = (resume.frame - 1 - rows["frame"]) / resume.fps
+        box = boxes_of(rows)
+        known = Known(track.astype(np.int32), box, places_of(rows), unseen_s, _begun(box))
+        self._known = known.rows(unseen_s <= self._memory_s)
         self._ids.last = resume.highest_track
 
     def step(self, observation: Observation) -> StepResult:
@@ -107,12 +114,15 @@ class IdTracker(TrackerBase[SettingsT], ABC, Generic[SettingsT]):
         self._known = _merged(seen, known)
         return _result(observation, seen)
 
+    @property
+    def _memory_s(self) -> float:
+        return float(getattr(self._settings, "memory_s", 1.0))
+
     def _aged(self, time_s: float) -> Known:
         """Everybody who is still remembered, with the time that has passed."""
-        memory_s = float(getattr(self._settings, "memory_s", 1.0))
         known, passed_s = self._known, self._clock.elapsed_s(time_s)
         aged = Known(known.track, known.box, known.place, known.unseen_s + passed_s, known.path)
-        return aged.rows((aged.unseen_s <= memory_s) | (known.unseen_s == 0))
+        return aged.rows((aged.unseen_s <= self._memory_s) | (known.unseen_s == 0))
 
 
 def _nobody() -> Known:

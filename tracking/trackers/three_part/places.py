@@ -77,7 +77,7 @@ def refine_places(run: Run, view: View, fps: float) -> Run:
     row = row[np.lexsort((seen["frame"][row], seen["track"][row]))]
     if not len(row):
         return run
-    sights = _sights(seen, row, float(run.settings.get(_USUAL_M, 1.7)), view)
+    sights = _sights(seen, row, float(run.settings[_USUAL_M]), view)
     range_m = _settled_ranges(sights, fps)
     place = _below(view) + sights.bearing * range_m[:, None]
     x, y = seen["x"].copy(), seen["y"].copy()
