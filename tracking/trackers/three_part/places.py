@@ -9,6 +9,7 @@ import numpy as np
 from tracking.arrays import Floats
 from tracking.filtering import Chains, smooth_paths, trust
 from tracking.geometry import View
+from tracking.people import PeopleSettings
 from tracking.trackers.linking import link_tracks
 from tracking.trackers.three_part.people import Flags, Indices
 from tracking.tracks.columns import Columns
@@ -77,7 +78,9 @@ def refine_places(run: Run, view: View, fps: float) -> Run:
     row = row[np.lexsort((seen["frame"][row], seen["track"][row]))]
     if not len(row):
         return run
-    sights = _sights(seen, row, float(run.settings[_USUAL_M]), view)
+    sights = _sights(
+        seen, row, float(run.settings.get(_USUAL_M, PeopleSettings().body_height_m)), view
+    )
     range_m = _settled_ranges(sights, fps)
     place = _below(view) + sights.bearing * range_m[:, None]
     x, y = seen["x"].copy(), seen["y"].copy()
