@@ -5,7 +5,7 @@ BIN := $(VENV)/bin
 STAMP := $(VENV)/.ready
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
-.PHONY: help demo test format bench footage ablation results results-parts results-stereo results-spheroid results-flow results-doctor detector kills batch-kills batch-cost power-cuts failed-calls two-programs mutants networks containers hostile soak long memory model peers scorers interchange pictures messages lock clean
+.PHONY: help demo bundle test format bench footage ablation results results-parts results-stereo results-spheroid results-flow results-doctor detector kills batch-kills batch-cost power-cuts failed-calls two-programs mutants networks containers hostile soak long memory model peers scorers interchange pictures messages lock clean
 .DEFAULT_GOAL := help
 
 help: ## what can be made
@@ -32,6 +32,9 @@ test: $(STAMP) ## formatter, linter, types, import layers and tests
 	$(BIN)/mypy
 	$(BIN)/lint-imports
 	QT_QPA_PLATFORM=offscreen $(BIN)/pytest -n auto --dist loadfile
+
+bundle: $(STAMP) ## dist/: a folder that needs no Python, as an archive and a Debian package (ten minutes)
+	$(BIN)/python -m tests.bundle
 
 format: $(STAMP) ## put the code into the house's form
 	$(BIN)/ruff format .
