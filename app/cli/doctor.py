@@ -2,20 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 import cv2
 import typer
 
-from app.cli.destination import check_folder, nearest_folder
-from app.cli.installation import check_installation
+from app.cli.destination import check_folder, is_session, nearest_folder
+from app.cli.installation import Check, check_installation, check_sessions
 from app.cli.option_groups import Bare
 from app.cli.output import print_json, print_line, print_table, progress, say
 from app.cli.recordings import open_with_options
 from tracking.atomic_output import replace_with
 from tracking.doctor import Examination, examine, mend
 from tracking.recording import Recording
+from tracking.session.info import describe
 from tracking.translation import joined, msg, tr
 
 
@@ -26,7 +28,12 @@ def run_doctor(
     if path is None:
         if code is not None or pictures is not None:
             raise typer.BadParameter(msg("name a recording"), param_hint="RECORDING")
-        _print_installation(as_json=as_json)
+        _print_checks(list(check_installation()), as_json=as_json)
+        return
+    if path.is_file() and is_session(path):
+        if code is not None or pictures is not None:
+            raise typer.BadParameter(msg("name a recording"), param_hint="RECORDING")
+        _print_session(path, as_json=as_json)
         return
     if pictures is not None:
         check_folder(nearest_folder(pictures))
@@ -115,8 +122,16 @@ def _save_pictures(folder: Path, examination: Examination) -> None:
             say(msg("written: {path}", path=path))
 
 
-def _print_installation(*, as_json: bool) -> None:
-    checks = list(check_installation())
+def _print_session(path: Path, *, as_json: bool) -> None:
+    """What is odd with a session; one that cannot be read raises SessionError."""
+    checks = list(check_sessions([path]))
+    if not checks:
+        describe(path)
+        checks = [Check(msg("session {name}", name=path.name), True, msg("opens as it should"))]
+    _print_checks(checks, as_json=as_json)
+
+
+def _print_checks(checks: Sequence[Check], *, as_json: bool) -> None:
     if as_json:
         wrong = [
             {

@@ -7,13 +7,14 @@ import importlib.metadata
 import os
 import platform
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
 import platformdirs
 
 from app.cli.installation_faults import IS_BUNDLE, find_faults
+from app.cli.session_faults import find_session_faults, recent_sessions
 from app.cli.system_libraries import this_machine
 from tracking.translation import Message, msg
 
@@ -62,6 +63,13 @@ def check_installation() -> Iterator[Check]:
     for name, folder in _folders().items():
         yield _writable(name, folder)
     for name, said, needed in find_faults(_folders()):
+        yield Check(name, False, said, needed)
+    yield from check_sessions(recent_sessions())
+
+
+def check_sessions(sessions: Iterable[Path]) -> Iterator[Check]:
+    """What is odd with sessions; nothing of those that open as they should."""
+    for name, said, needed in find_session_faults(sessions):
         yield Check(name, False, said, needed)
 
 

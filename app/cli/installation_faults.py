@@ -26,6 +26,7 @@ _OWN = ("app", "tracking", "resources")
 _OPENCV = ("opencv-python", "opencv-contrib-python", "opencv-contrib-python-headless")
 """Each holds a `cv2` of its own, and whichever was installed last is the one that is imported."""
 _QT_PLACES = ("QT_PLUGIN_PATH", "QT_QPA_PLATFORM_PLUGIN_PATH")
+_LIBRARIES = "LD_LIBRARY_PATH"
 _LEAST_BYTES = 1 << 30
 """Recordings are rendered and particles put aside there."""
 
@@ -76,6 +77,12 @@ def _second_qt() -> Iterator[Fault]:
                 msg("{name}={place} leads to another Qt; unset {name}", name=name, place=place),
                 True,
             )
+    for folder in filter(None, os.environ.get(_LIBRARIES, "").split(os.pathsep)):
+        if any(Path(folder).glob("libQt6Core.so*")):
+            said = msg(
+                "{name} holds another Qt in {folder}; take it out", name=_LIBRARIES, folder=folder
+            )
+            yield "second qt", said, True
 
 
 def _damaged_resources() -> Iterator[Fault]:

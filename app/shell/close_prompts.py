@@ -24,6 +24,10 @@ if TYPE_CHECKING:
 Then = Callable[[], object]
 
 
+def _nothing() -> None:
+    """The document stays open, and that is all."""
+
+
 class ClosePrompts:
     """Asks before a tracker's findings or unsaved changes of the open document are lost."""
 
@@ -45,15 +49,18 @@ class ClosePrompts:
         agreed, self._agreed = self._agreed, False
         return not agreed and self._files.saving.changed_here
 
-    def may_leave(self, again: Then) -> bool:
-        """Whether the document can be let go; if not, ask, and do `again` afterwards."""
+    def may_leave(self, again: Then, stay: Then = _nothing) -> bool:
+        """Whether the document can be let go; if not, ask, and do `again` afterwards.
+
+        stay: done where the answer is to keep it open.
+        """
         if not self.asks():
             return True
         if self._files.tracker_found_some:
-            self._ask(None, lambda: self._drop_tracked(again), again)
+            self._ask(None, lambda: self._drop_tracked(again), again, stay)
         else:
             save, discard = lambda: self._save(again), lambda: self._discard(again)
-            self._ask(save, discard, again)
+            self._ask(save, discard, again, stay)
         return False
 
     def settle(self) -> None:
@@ -69,9 +76,9 @@ class ClosePrompts:
             if self._files.saving.changed_here:
                 again()
 
-    def _ask(self, save: Then | None, discard: Then, again: Then) -> None:
+    def _ask(self, save: Then | None, discard: Then, again: Then, stay: Then) -> None:
         words = self._words()
-        box = ask_about_unsaved(self._window, words, save, discard)
+        box = ask_about_unsaved(self._window, words, save, discard, stay)
         self._asked = box, words[1], again
         box.finished.connect(lambda _: self._forget(box))
 

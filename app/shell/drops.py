@@ -14,7 +14,7 @@ from app.core.jobs.latest_job import LatestJob
 from app.core.widgets.work import Work
 from app.features.files.track_import import holds_tracks_alone
 from tracking.progress import Progress
-from tracking.setup.files import may_be_camera, needs_setup
+from tracking.setup.files import is_document, may_be_camera, needs_setup
 
 if TYPE_CHECKING:
     from app.shell.files import Files
@@ -51,9 +51,17 @@ class Drops(Controller):
     def take(self, urls: Sequence[QUrl]) -> None:
         """Open what was dropped: tracks go into the recording shown, several videos are set up."""
         paths = tuple(Path(url.toLocalFile()) for url in urls if url.isLocalFile())
-        if paths:
+        paths = tuple(path for path in paths if not self._is_for_reading(path)) or paths[:1]
+        if paths and self._is_for_reading(paths[0]):
+            self._files.refuse_dropped(paths[0].name)
+        elif paths:
             self._count += 1
             self._looks.ask(_Drop(self._count, paths))
+
+    def _is_for_reading(self, path: Path) -> bool:
+        """Whether a file is a readme or the like; texts may be tracks where a recording is open."""
+        tracks = self._files.controller is not None and holds_tracks_alone(path)
+        return is_document(path) and not tracks
 
     def close(self) -> None:
         """The window closes."""

@@ -12,6 +12,7 @@ from PySide6.QtCore import QTimer, QUrl, Signal
 from app.core.controller import Controller
 from app.core.document import document_loader
 from app.core.document.document_loader import OpenedDocument
+from app.core.droppable import no_footage
 from app.core.i18n import N_, tr
 from app.core.memory import give_back
 from app.core.scenes import WelcomeScene
@@ -110,6 +111,10 @@ class Files(Controller):
     def open_dropped(self, urls: Sequence[QUrl]) -> None:
         """Open what was dropped: tracks go into the recording shown, several videos are set up."""
         self.drops.take(urls)
+
+    def refuse_dropped(self, name: str) -> None:
+        """Say of a dropped file that cannot be opened what can be dropped."""
+        self._window.notice.say(no_footage(name), passing=True)
 
     def open_path(
         self,
@@ -283,10 +288,13 @@ class Files(Controller):
 
     # leaving
 
-    def may_leave(self, again: Then) -> bool:
-        """Whether the open document can be let go; if not, ask, and do `again` afterwards."""
+    def may_leave(self, again: Then, stay: Then | None = None) -> bool:
+        """Whether the open document can be let go; if not, ask, and do `again` afterwards.
+
+        stay: done where the answer is to keep it open.
+        """
         self._window.workspace.take_typed()
-        return self.leaving.may_leave(again)
+        return self.leaving.may_leave(again, stay or (lambda: None))
 
     def close_recording(self) -> None:
         """Close what is open and go back to the first page."""

@@ -107,7 +107,7 @@ class MainWindow(QMainWindow):
         self.palette_of_commands.left.connect(self.activateWindow)
         self.welcome.open_asked.connect(self.files.ask_open)
         self.welcome.setup_asked.connect(self.files.setup.ask)
-        self.workspace.overhead.setup_asked.connect(lambda: self.run_command("file.setup_metres"))
+        self.workspace.overhead.setup_asked.connect(self.files.setup.metres)
         self.welcome.demo_asked.connect(self.files.open_demo)
         self.welcome.path_chosen.connect(self.files.open_path)
         self.welcome.dropped.connect(self.files.open_dropped)

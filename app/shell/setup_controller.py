@@ -1,4 +1,4 @@
-"""File > Set up a recording: the set-up's window, and recording.toml written."""
+"""File > Set up a recording from videos: the set-up's window, and recording.toml written."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ class SetupController(Controller):
         self._show(draft or state).editor.resumed = draft is not None
 
     def metres(self) -> None:
-        """The same at the first step that metres need, or for other files where none is open."""
+        """Set it up again at the first step that metres need; other files where none is open."""
         if self._window.controller is None:
             self.ask()
             return
@@ -97,9 +97,16 @@ class SetupController(Controller):
         box.open()
 
     def _write_and_open(self, plan: SetupPlan, *, replace_old: bool) -> None:
-        """Write beside the window's thread; what fails is told at the last step."""
+        """Write beside the window's thread; what fails is told at the last step.
+
+        What becomes of unsaved work on what is open is asked first: after Cancel nothing is
+        written, and the set-up goes on.
+        """
         dialog = self.dialog
         if dialog is None:
+            return
+        again = partial(self._write_and_open, plan, replace_old=replace_old)
+        if not self._window.files.may_leave(again, partial(self._tell_unwritten, dialog)):
             return
 
         def done(path: Path) -> None:
@@ -109,6 +116,18 @@ class SetupController(Controller):
 
         work = partial(_written, plan, dialog.editor.state, replace_old)
         dialog.editor.run(Step.WRITE, tr("Writing"), lambda _: work(), done)
+
+    def _tell_unwritten(self, dialog: SetupDialog) -> None:
+        """Say at the last step that the set-up is as it was."""
+        controller = self._window.controller
+        if controller is None or dialog is not self.dialog:
+            return
+        told = tr(
+            "Nothing is written yet, as {name} stays open. All that you entered is still here; "
+            "Write and open asks again.",
+            name=controller.document.recording.name,
+        )
+        dialog.editor.tell(Step.WRITE, told)
 
 
 def _written(plan: SetupPlan, state: SetupState, replace_old: bool) -> Path:

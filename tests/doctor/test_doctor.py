@@ -76,7 +76,7 @@ def test_nothing_is_said_of_a_sound_recording(lobby: Path) -> None:
     assert not examination.unchecked
 
 
-@pytest.mark.parametrize("times", [0.1, 10.0])
+@pytest.mark.parametrize("times", [0.1, 0.17, 0.33, 0.5, 2.0, 3.0, 6.0, 10.0])
 def test_a_height_in_other_units_is_told_with_the_floor_that_is_seen(
     copied: Path, times: float
 ) -> None:

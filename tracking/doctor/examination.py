@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from tracking.doctor import floor_check, geometry_check, moved_camera, pairing_checks
 from tracking.doctor.evidence import SAMPLES, Samples, read_samples, still_pair
 from tracking.doctor.findings import Examination, Finding
-from tracking.doctor.floor_points import floor_points
+from tracking.doctor.floor_points import height_ratio
 from tracking.doctor.residuals import focal_px
 from tracking.geometry import StereoCalibration
 from tracking.progress import Progress, no_progress
@@ -19,6 +19,11 @@ _STEPS = SAMPLES + 5
 their time."""
 _LEAST_SAMPLES = 3
 """Images whose median shows no people."""
+
+
+_MOST_RATIO = 1.6
+"""Of heights that can be one another, measured badly: faults are fitted as small ones, and beyond
+this all others would be, too."""
 
 
 @dataclass
@@ -101,10 +106,10 @@ def _check_rig(
     ground = recording.ground
     if ground is None:
         findings.leave(msg("the recording does not say where the floor is"), geometry_check.FLOOR)
-    elif floor_points(calibration, ground, pair.matches) is None:
-        # What is seen is too far from the floor that is given to say how far that is off.
-        ground = None
+    elif _is_another(height_ratio(calibration, ground, pair.matches)):
+        # Nothing else is told of a floor that is not where it is given: all would be blamed.
         other, unknown = floor_check.check_other_floor(recording)
+        ground = None
         if unknown is None:
             findings.add(geometry_check.FLOOR, other)
         else:
@@ -113,3 +118,8 @@ def _check_rig(
         findings.checked.append(geometry_check.FLOOR)
     findings.found += geometry_check.check_geometry(pair, (calibration, ground))
     findings.checked.append(geometry_check.ROWS)
+
+
+def _is_another(ratio: float | None) -> bool:
+    """Whether the floor that is seen is no more the given one with a small fault."""
+    return ratio is None or not 1 / _MOST_RATIO < ratio < _MOST_RATIO

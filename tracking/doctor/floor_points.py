@@ -16,6 +16,11 @@ _NEAR_PX = 0.35
 _MOST_TURNED = np.cos(np.deg2rad(40.0))
 _LEAST_SCALE, _MOST_SCALE = 0.45, 2.2
 """A plane that is turned or scaled more against the given floor is another one: a wall."""
+_FARTHEST_SCALE = 12.0
+"""The same of a floor whose height is wrong: in other units, or of another recording."""
+_PREFERRED = 2.0
+"""So many times the points of a plane near the given floor make another one the floor: a table or
+a stage has fewer."""
 _FEWEST = 60
 """Points that make a floor: fewer are a table."""
 _SEED = 20
@@ -30,6 +35,25 @@ def floor_points(
     little wrong, so that the floor is found before its height and tilt are believed. The given
     floor only says roughly which plane is meant.
     """
+    found = _floor(calibration, ground, matches)
+    return None if found is None else found[1]
+
+
+def height_ratio(calibration: StereoCalibration, ground: Ground, matches: Matches) -> float | None:
+    """How many times as high as both cameras see it the given floor says the camera is.
+
+    None where no floor is seen. The cameras' distance is believed.
+    """
+    found = _floor(calibration, ground, matches)
+    if found is None:
+        return None
+    return float(np.linalg.norm(found[0]) / np.linalg.norm(_given_plane(calibration, ground)))
+
+
+def _floor(
+    calibration: StereoCalibration, ground: Ground, matches: Matches
+) -> tuple[Floats, NDArray[np.bool_]] | None:
+    """(3,) p with normalised disparity = p . ray on the floor, (n,) which pairs lie on it."""
     rays, disparity = disparities(calibration, matches)
     usable = np.isfinite(disparity)
     if usable.sum() < _FEWEST:
@@ -39,6 +63,7 @@ def floor_points(
     best = _vote(rays[usable], disparity[usable], given, near)
     if best is None:
         return None
+    on_floor = usable
     for tolerance in (2.0, 1.0, 1.0):
         error = np.abs(rays @ best - disparity)
         on_floor = usable & (error < tolerance * near)
@@ -46,7 +71,7 @@ def floor_points(
             return None
         fitted = np.linalg.lstsq(rays[on_floor], disparity[on_floor], rcond=None)[0]
         best = np.asarray(fitted, float)
-    return np.asarray(on_floor)
+    return best, np.asarray(on_floor)
 
 
 def _given_plane(calibration: StereoCalibration, ground: Ground) -> Floats:
@@ -58,21 +83,22 @@ def _given_plane(calibration: StereoCalibration, ground: Ground) -> Floats:
 def _vote(rays: Floats, disparity: Floats, given: Floats, near: float) -> Floats | None:
     """The plane that most points agree on, of those that resemble the given one."""
     generator = np.random.default_rng(_SEED)
-    best: Floats | None = None
-    most = _FEWEST - 1
+    best: list[Floats | None] = [None, None]  # near the given one, far from it
+    most = [_FEWEST - 1.0, _FEWEST - 1.0]
     length = np.linalg.norm(given)
     for _ in range(_ROUNDS):
         chosen = generator.choice(len(rays), 3, replace=False)
         try:
-            plane = np.linalg.solve(rays[chosen], disparity[chosen])
+            plane = np.asarray(np.linalg.solve(rays[chosen], disparity[chosen]), float)
         except np.linalg.LinAlgError:
             continue
         scale = np.linalg.norm(plane) / length
-        if not _LEAST_SCALE < scale < _MOST_SCALE:
+        if not 1 / _FARTHEST_SCALE < scale < _FARTHEST_SCALE:
             continue
         if plane @ given < _MOST_TURNED * scale * length**2:
             continue
-        votes = int((np.abs(rays @ plane - disparity) < near).sum())
-        if votes > most:
-            best, most = np.asarray(plane, float), votes
-    return best
+        votes = float((np.abs(rays @ plane - disparity) < near).sum())
+        far = not _LEAST_SCALE < scale < _MOST_SCALE
+        if votes > most[far]:
+            best[far], most[far] = plane, votes
+    return best[1] if most[1] > _PREFERRED * most[0] or best[0] is None else best[0]

@@ -319,6 +319,11 @@ def is_open(path: Path) -> bool:
     return _lock_of(path).is_held
 
 
+def lock_holder(path: Path) -> str:
+    """Which program has a session open, in words."""
+    return _lock_of(path).holder()
+
+
 def _locked(path: Path) -> SessionLock:
     """The session's lock, taken; the folder it lies in is made where there is none."""
     lock = _lock_of(path)

@@ -53,6 +53,18 @@ def may_be_camera(path: Path) -> bool:
         return False
 
 
+def is_document(path: Path) -> bool:
+    """Whether a file's name says that it is for people to read: nobody means it as footage."""
+    named = path.stem.lower().startswith(_TITLES)
+    return (path.suffix.lower() in _DOCUMENTS or named) and not path.is_dir()
+
+
+_DOCUMENTS = frozenset(
+    {".md", ".txt", ".rst", ".pdf", ".doc", ".docx", ".odt", ".rtf", ".html", ".htm", ".log"}
+)
+_TITLES = ("readme", "license", "licence", "changelog")
+
+
 def is_container(path: Path) -> bool:
     """Whether a path is a bag or a tar, which says itself what its cameras are."""
     return is_bag(path) or is_tar(path)

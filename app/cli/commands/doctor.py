@@ -16,7 +16,7 @@ from app.cli.help_pages import HelpCommand
 def doctor(
     recording: Annotated[
         Path | None,
-        typer.Argument(help="Recording to examine.", show_default="this installation"),
+        typer.Argument(help="Recording or session to examine.", show_default="this installation"),
     ] = None,
     mend: Annotated[
         str | None,
@@ -33,7 +33,7 @@ def doctor(
     ] = None,
     json: options.Json = False,
 ) -> None:
-    """Say what is wrong: with a recording, or with this installation."""
+    """Say what is wrong: with a recording, a session, or with this installation."""
     from app.cli.doctor import run_doctor
 
     run_doctor(recording, mend, pictures, as_json=json)

@@ -16,7 +16,7 @@ from app.cli.help_pages import HelpCommand
 def plugins(
     new: Annotated[
         str | None,
-        typer.Argument(metavar="[new", help="new: make a package.", show_default="list plug-ins"),
+        typer.Argument(metavar="new", help="new: make a package.", show_default="list plug-ins"),
     ] = None,
     kind: Annotated[
         str | None,
@@ -29,7 +29,7 @@ def plugins(
     name: Annotated[
         str | None,
         typer.Argument(
-            metavar="NAME]",
+            metavar="NAME",
             help="Its name: small letters and digits, with hyphens between.",
             show_default="with new only",
         ),

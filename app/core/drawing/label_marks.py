@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
@@ -24,21 +25,44 @@ CORNER_PX = 4.5
 _TIP_PX = 8.0
 
 
+@dataclass(frozen=True, slots=True)
+class OutlineName:
+    """What something that was drawn is called, and where that stands on the widget."""
+
+    rect: QRectF
+    text: str
+    colour: Colour
+    picked: bool
+
+
 def draw_outlines(
-    painter: QPainter, outlines: Sequence[Outline], viewport: Viewport, area: QRectF, theme: Theme
+    painter: QPainter, outlines: Sequence[Outline], viewport: Viewport, theme: Theme
 ) -> None:
-    """Polygons, lines with their arrows, and their names; the one that is picked with corners."""
+    """Polygons and lines with their arrows; the one that is picked with corners."""
     for outline in outlines:
         colour = theme.track(outline.colour) if viewport.upward else QColor(*outline.colour)
         draw_outline(painter, outline, viewport, colour)
-    metrics = QFontMetricsF(painter.font())
+
+
+def place_outline_names(
+    metrics: QFontMetricsF, outlines: Sequence[Outline], viewport: Viewport, area: QRectF
+) -> list[OutlineName]:
+    """Where the names of outlines stand: at what they name, and on no other of them."""
     named = [(one, _name_at(viewport.to_widget(one.points), area)) for one in outlines]
     seen = [(one, at) for one, at in named if at is not None and one.name]
     names = [_with_counts(plate_text(metrics, one.name), one.said) for one, _ in seen]
     wanted = [plate_rect(metrics, n, at) for n, (_, at) in zip(names, seen, strict=True)]
     placed = place_plates(wanted, area)
-    for (one, _), name, rect in zip(seen, names, placed, strict=True):
-        draw_name(painter, rect, name, QColor(*one.colour), theme, one.picked)
+    return [
+        OutlineName(rect, name, one.colour, one.picked)
+        for (one, _), name, rect in zip(seen, names, placed, strict=True)
+    ]
+
+
+def draw_outline_names(painter: QPainter, names: Sequence[OutlineName], theme: Theme) -> None:
+    """The names, which belong above people: counts are read while people walk over a line."""
+    for one in names:
+        draw_name(painter, one.rect, one.text, QColor(*one.colour), theme, one.picked)
 
 
 def draw_outline(painter: QPainter, outline: Outline, viewport: Viewport, colour: QColor) -> None:

@@ -88,10 +88,12 @@ def ask_about_unsaved(
     words: tuple[str, str],
     save: Callable[[], object] | None,
     discard: Callable[[], object],
+    stay: Callable[[], object] = lambda: None,
 ) -> QMessageBox:
     """Save, Discard or Cancel; without `save` a tracker is still at work, and there is no Save.
 
-    words: the question, and what is lost. Gives the open box; closing it is Cancel.
+    words: the question, and what is lost. stay: after Cancel. Gives the open box; closing it is
+    Cancel.
     """
     box = QMessageBox(parent)
     box.setObjectName("unsaved")
@@ -115,6 +117,8 @@ def ask_about_unsaved(
             save()
         elif chosen == buttons.Discard:
             discard()
+        else:
+            stay()
 
     box.finished.connect(answered)
     box.open()

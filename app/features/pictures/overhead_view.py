@@ -4,11 +4,15 @@ from __future__ import annotations
 
 import numpy as np
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt, Signal
-from PySide6.QtGui import QPainter, QPixmap, QResizeEvent
+from PySide6.QtGui import QFontMetricsF, QPainter, QPixmap, QResizeEvent
 from PySide6.QtWidgets import QPushButton, QWidget
 
 from app.core.drawing.compare_marks import draw_other_places
-from app.core.drawing.label_marks import draw_outlines
+from app.core.drawing.label_marks import (
+    draw_outline_names,
+    draw_outlines,
+    place_outline_names,
+)
 from app.core.drawing.legend import draw_legend
 from app.core.drawing.name_plates import draw_message
 from app.core.drawing.particles import darkened, draw_particles
@@ -204,7 +208,9 @@ class OverheadView(FloorSurface):
             top = self._flow_drawing.paint(painter, self._flow, self.viewport, theme)
             foot.setY(top - _LEGEND_PX)
         painter.setFont(scaled_font(self.font(), 0.92))
-        draw_outlines(painter, self._labels.outlines, self.viewport, area, theme)
+        outlines = self._labels.outlines
+        draw_outlines(painter, outlines, self.viewport, theme)
+        labels = place_outline_names(QFontMetricsF(painter.font()), outlines, self.viewport, area)
         draw_other_places(painter, self._others, self.viewport, theme, area)
         self._draw_trails(painter, scene, theme)
         self._draw_particles(painter, scene, theme)
@@ -215,6 +221,7 @@ class OverheadView(FloorSurface):
         draw_measured(painter, self.viewport.to_widget(scene.measured), theme)
         draw_truth_places(painter, self._truth, self.viewport, theme)
         draw_preview(painter, scene.preview, self.viewport, theme.track)
+        draw_outline_names(painter, labels, theme)
         self._naming.draw(painter, self._floored(scene), theme)
         painter.setFont(scaled_font(self.font(), 0.85))
         told = draw_legend(painter, self._truth.legend, foot, theme)

@@ -13,7 +13,12 @@ from PySide6.QtWidgets import QWidget
 
 from app.core.drawing.compare_marks import draw_other_boxes
 from app.core.drawing.detection_marks import draw_detections
-from app.core.drawing.label_marks import draw_outlines, draw_parts
+from app.core.drawing.label_marks import (
+    draw_outline_names,
+    draw_outlines,
+    draw_parts,
+    place_outline_names,
+)
 from app.core.drawing.name_plates import draw_message
 from app.core.drawing.part_cards import draw_cards
 from app.core.drawing.part_marks import draw_part_boxes, draw_part_particles, part_box_at, said_at
@@ -237,7 +242,9 @@ class PictureView(PictureSurface):
         self._draw_grid(painter)
         painter.setFont(scaled_font(self.font(), 0.92, bold=True))
         shown = area.intersected(self.viewport.rect(self.content()))
-        draw_outlines(painter, self._labels.outlines, self.viewport, shown, theme)
+        outlines = self._labels.outlines
+        draw_outlines(painter, outlines, self.viewport, theme)
+        labels = place_outline_names(QFontMetricsF(painter.font()), outlines, self.viewport, shown)
         draw_preview(painter, self._scene.preview, self.viewport)
         draw_ghosts(painter, self._scene.ghosts, self.viewport)
         draw_detections(painter, self._detections, self.viewport)
@@ -245,7 +252,9 @@ class PictureView(PictureSurface):
         captions = self._lay_out_captions(area)
         draw_people(painter, self._scene.people, self.viewport)
         self._draw_parts(painter, shown)
-        names = self._draw_names(painter, shown, captions.taken)
+        draw_outline_names(painter, labels, theme)
+        kept_off = [*captions.taken, *(label.rect for label in labels)]
+        names = self._draw_names(painter, shown, kept_off)
         draw_truth_boxes(painter, self._truth, self.viewport, theme, shown)
         movable = self._movable()
         if movable is not None and not self._labels.labelling:
@@ -254,7 +263,7 @@ class PictureView(PictureSurface):
         if self._scene.drawing and self._hover is not None:
             draw_cross(painter, self._hover, shown)
         painter.setFont(scaled_font(self.font(), 0.92))
-        self._draw_cards(painter, area, [*names, *captions.taken], theme)
+        self._draw_cards(painter, area, [*names, *kept_off], theme)
         draw_captions(painter, captions, *self._words, theme)
 
     def _draw_names(

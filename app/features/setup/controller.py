@@ -225,7 +225,8 @@ class SetupEditor(QObject):
     # what follows from a change
 
     def _show(self) -> None:
-        self._draw(state=self.state)
+        told = presenter.still_told(self.scene.problems, self.scene.state, self.state)
+        self._draw(state=self.state, problems=told)
         self._look_again()
         if self.state.plan is not None:
             self._saves.ask(self.state)

@@ -27,6 +27,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.core.droppable import no_footage
 from app.core.i18n import tr
 from app.core.widgets.user_settings import UserSettings
 from app.core.widgets.work_line import WorkLine
@@ -44,6 +45,7 @@ from app.features.setup.step_page import StepPage
 from app.features.setup.write_page import WritePage
 from tracking.recording.images import VIDEO_SUFFIXES
 from tracking.setup import SetupPlan
+from tracking.setup.files import is_document
 
 _FORM_LETTERS = 50
 _SHARES = 1000
@@ -271,9 +273,14 @@ class SetupDialog(QDialog):
         paths = [Path(url.toLocalFile()) for url in urls]
         if self.page is self.calibration and not any(map(_is_footage, paths)):
             self.calibration.take_files(tuple(sorted(paths)[:2]))
-        elif paths:
+            return
+        footage = [path for path in paths if not is_document(path)]
+        if paths:
             self.go_to(Step.CAMERAS)
-            self.editor.take_paths(paths)
+        if footage:
+            self.editor.take_paths(footage)
+        elif paths:
+            self.editor.tell(Step.CAMERAS, no_footage(paths[0].name))
 
     def _write(self) -> None:
         if may_write(self.editor.scene):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 
 from app.core.i18n import tr
@@ -126,6 +127,46 @@ def _mark_of_cameras(state: SetupState) -> tuple[Mark, str]:
     if state.doubts:
         return Mark.WARNING, tr("warning")
     return Mark.DONE, tr("done")
+
+
+def still_told(
+    problems: Mapping[Step, str], before: SetupState, after: SetupState
+) -> dict[Step, str]:
+    """What is left of failed tries once something else was entered.
+
+    Those of the step that was changed, and of later ones, were about what is no more.
+    """
+    changed = next(
+        (step for step in STEPS if _entered(step, before) != _entered(step, after)), None
+    )
+    if changed is None:
+        return dict(problems)
+    return {
+        step: told for step, told in problems.items() if STEPS.index(step) < STEPS.index(changed)
+    }
+
+
+def _entered(step: Step, state: SetupState) -> tuple[object, ...]:
+    """What was entered at a step."""
+    plan = state.plan
+    if step is Step.CAMERAS:
+        cameras = (
+            None
+            if plan is None
+            else replace(plan, calibration=(), ground=None, region=EVERYWHERE, name="")
+        )
+        return cameras, state.by_hand
+    if plan is None:
+        return ()
+    if step is Step.CALIBRATION:
+        made = (state.calibration_method, state.board, state.rough, state.left_out)
+        return plan.calibration, *made
+    if step is Step.FLOOR:
+        marks = (state.points, state.distances, state.pose_file, state.convention)
+        return plan.ground, state.floor_method, *marks
+    if step is Step.REGION:
+        return plan.region, state.occluders, state.lines
+    return (plan.name,)
 
 
 def problem_of(step: Step, scene: SetupScene) -> str:

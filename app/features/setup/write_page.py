@@ -61,7 +61,8 @@ class WritePage(StepPage):
         plan = scene.state.plan
         if plan is not None and not self.name.hasFocus():
             self.name.setText(plan.name)
-            self.name.setPlaceholderText(write_presenter.default_name(plan))
+            named = tr("{name} (as the folder)", name=write_presenter.default_name(plan))
+            self.name.setPlaceholderText(named)
         if not self.isVisible():
             return
         text = scene.checked.text if plan is not None else tr("# Choose the cameras first.")

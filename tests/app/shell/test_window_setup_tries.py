@@ -9,8 +9,10 @@ from pathlib import Path
 import cv2
 import numpy as np
 import pytest
+from PySide6.QtCore import QUrl
+from PySide6.QtWidgets import QMessageBox
 from pytestqt.qtbot import QtBot
-from setup_fixtures import Begin
+from setup_fixtures import PATIENCE_MS, Begin
 
 from app.features.setup import trial
 from app.features.setup.scene import Step
@@ -280,3 +282,54 @@ def test_the_floor_is_found_by_a_board_that_lies_on_it(user: SetupUser, tmp_path
     user.wait_for_rest()
     assert "calibration has changed since" in dialog.floor.doubt.text()
     assert _mark(user, Step.FLOOR) == "unsure"
+
+
+def test_cancel_at_the_question_about_unsaved_work_leaves_the_set_up_as_it_was(
+    user: SetupUser,
+    tiny_recording: Path,
+    with_calibration: Path,
+    qtbot: QtBot,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    window = user.window
+    window.files.open_path(tiny_recording)
+    qtbot.waitUntil(lambda: window.controller is not None, timeout=PATIENCE_MS)
+    unsaved = [True]
+    changed = property(lambda _: unsaved[0])
+    monkeypatch.setattr(type(window.files.saving), "changed_here", changed)
+    user.drop(sorted(with_calibration.glob("GX*")))
+    qtbot.waitUntil(lambda: window.files.setup.dialog is not None, timeout=PATIENCE_MS)
+    user.wait_for_rest()
+    dialog = user.dialog
+    dialog.go_to(Step.WRITE)
+    user.wait_for_rest()
+    entered = dialog.editor.state
+    user.press(dialog.write.write)
+    qtbot.waitUntil(lambda: window.findChild(QMessageBox, "unsaved") is not None)
+    box = window.findChild(QMessageBox, "unsaved")
+    user.press(box.button(QMessageBox.StandardButton.Cancel))
+    qtbot.waitUntil(lambda: window.findChild(QMessageBox, "unsaved") is None)
+    assert dialog.isVisible()
+    assert dialog.editor.state == entered
+    assert "Nothing is written yet" in dialog.write.problem.text()
+    assert not (with_calibration / "recording.toml").exists()
+    assert window.controller is not None
+    unsaved[0] = False
+    user.press(dialog.write.write)
+    qtbot.waitUntil(lambda: window.files.setup.dialog is None, timeout=PATIENCE_MS)
+    assert (with_calibration / "recording.toml").is_file()
+
+
+def test_a_readme_that_is_dropped_is_told_what_can_be_dropped(
+    begin: Begin, card: Path, tmp_path: Path
+) -> None:
+    readme = tmp_path / "README.md"
+    readme.write_text("# Videos")
+    user = begin(card)
+    before = user.dialog.editor.state
+    user.dialog.take_dropped([QUrl.fromLocalFile(str(readme))])
+    assert "Drop videos of the cameras" in user.dialog.cameras.problem.text()
+    assert user.dialog.editor.state == before
+    user.dialog.reject()
+    user.drop([readme])
+    assert "README.md is a text to read. Drop videos" in user.window.notice.text
