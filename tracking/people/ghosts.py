@@ -1,4 +1,4 @@
-"""Ghosts: where somebody stood when the background was learnt."""
+"""Regions that are nobody: holes people left in the background, and what has no outline."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking.foreground.difference import largest_difference
 from tracking.people.silhouettes import Labels
 
 _STRONGER = 0.9
@@ -15,6 +16,9 @@ _EVERYWHERE = 0.55
 """Share of the outline along which the background's edge must be the stronger one besides, where
 the floor is not known, as at eye level, before windows and fences: behind somebody it is so here
 and there, of a ghost nearly all along."""
+_FADES = 0.1
+"""How steep the difference from the background is at least along an outline, beside the difference
+itself: bodies end within two or three pixels (0.2 to 0.7), most clouds do not (0.01 to 0.1)."""
 _RING = np.ones((5, 5), np.uint8)
 
 
@@ -25,10 +29,11 @@ def without_ghosts(
     *,
     floor_known: bool,
 ) -> Labels:
-    """The regions less those that are no people but holes people left in the background.
+    """The regions less those that are no people but holes people left in the background, or clouds.
 
     Along a person's outline the picture has an edge and the background has none; along a ghost's
-    it is the other way round.
+    it is the other way round. Along most of the outline of clouds and light neither has one: they
+    fade.
 
     Args:
         regions: (height, width) k + 1 for the pixels of region k.
@@ -44,7 +49,9 @@ def without_ghosts(
     kept = 0
     for k in range(1, count + 1):
         own = (regions == k).view(np.uint8)
-        if own.any() and not _is_ghost(own, picture, background, along):
+        if not own.any() or _fades(own, regions, picture, background):
+            continue
+        if not _is_ghost(own, picture, background, along):
             kept += 1
             number[k] = kept
     return regions if kept == count else number[regions]
@@ -56,19 +63,40 @@ def _is_ghost(
     background: NDArray[np.uint8],
     along: float,
 ) -> bool:
-    left, top, width, height = cv2.boundingRect(own)
-    inside = np.s_[max(top - 3, 0) : top + height + 3, max(left - 3, 0) : left + width + 3]
-    mask = own[inside]
-    ring = cv2.morphologyEx(mask, cv2.MORPH_GRADIENT, _RING) > 0
-    now, usual = (_edges(image[inside])[ring] for image in (picture, background))
+    inside = _around(own)
+    ring = cv2.morphologyEx(own[inside], cv2.MORPH_GRADIENT, _RING) > 0
+    now, usual = (_edges(image[inside][..., 1])[ring] for image in (picture, background))
     if float(usual.mean()) <= _STRONGER * float(now.mean()):
         return False
     return bool((usual > now).mean() >= along)
 
 
-def _edges(picture: NDArray[np.uint8]) -> NDArray[np.float32]:
-    """(height, width) how steep the brightness is."""
-    light = picture[..., 1].astype(np.float32)
+def _fades(
+    own: NDArray[np.uint8],
+    regions: Labels,
+    picture: NDArray[np.uint8],
+    background: NDArray[np.uint8],
+) -> bool:
+    """Whether a region has no outline along most of where it borders on no other one."""
+    inside = _around(own)
+    mask, difference = own[inside], largest_difference(picture[inside], background[inside])
+    others = ((regions[inside] > 0) & (mask == 0)).view(np.uint8)
+    ring = cv2.morphologyEx(mask, cv2.MORPH_GRADIENT, _RING) > cv2.dilate(others, _RING)
+    if not ring.any():
+        return False
+    within = float(np.median(difference[mask > 0]))
+    return float(np.median(_edges(difference)[ring])) < _FADES * within
+
+
+def _around(own: NDArray[np.uint8]) -> tuple[slice, slice]:
+    """The rows and columns of a region and 3 px about it."""
+    left, top, width, height = cv2.boundingRect(own)
+    return slice(max(top - 3, 0), top + height + 3), slice(max(left - 3, 0), left + width + 3)
+
+
+def _edges(image: NDArray[np.uint8]) -> NDArray[np.float32]:
+    """(height, width) how steep one channel is."""
+    light = image.astype(np.float32)
     down, across = np.zeros_like(light), np.zeros_like(light)
     down[1:-1] = np.abs(light[2:] - light[:-2])
     across[:, 1:-1] = np.abs(light[:, 2:] - light[:, :-2])
