@@ -128,8 +128,8 @@ def test_boxes_of_later_frames_and_outside_of_the_picture_are_told(tmp_path) -> 
     folder = folder_of(tmp_path, f_1=f"{ROW}\n{beside}\n{edge}", f_601=f"{ROW}\n{ROW}")
     file = read_detections(folder, FOOTAGE)
     assert file.table.box[:, 0].tolist() == [240, 480]
-    assert any("not used: 2 boxes after the last frame (599)" in n for n in file.notes)
-    assert any("1 box outside of the picture" in note for note in file.notes)
+    assert any("not among them: 2 boxes after the last frame (599)" in n for n in file.notes)
+    assert any("1 box outside of the image" in note for note in file.notes)
     (folder / "f_1.txt").unlink()
     with pytest.raises(FormatError, match="is it of this recording"):
         read_detections(folder, FOOTAGE)

@@ -206,7 +206,7 @@ def _in_footage(
     if beyond := int(np.count_nonzero(later)):
         told.append(
             msg(
-                "not used: {boxes} after the last frame ({last})",
+                "not among them: {boxes} after the last frame ({last})",
                 boxes=count_msg(beyond, "{n} box", "{n} boxes"),
                 last=footage.frames - 1,
             )
@@ -214,7 +214,7 @@ def _in_footage(
     if beside := int(np.count_nonzero(outside)):
         told.append(
             msg(
-                "not used: {boxes} outside of the picture of {width} x {height} px",
+                "not among them: {boxes} outside of the image of {width} x {height} px",
                 boxes=count_msg(beside, "{n} box", "{n} boxes"),
                 width=width,
                 height=height,

@@ -61,11 +61,15 @@ class PreviewTrail:
 
 @dataclass(frozen=True, slots=True)
 class LegendEntry:
-    """What a colour laid over a picture means; `opacity`: how much of it covers the ground."""
+    """What a colour laid over a picture means.
+
+    `opacity`: how much of it covers the ground. `dashed`: it is that of dashed outlines.
+    """
 
     colour: Colour
     text: str
     opacity: float = 1.0
+    dashed: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -106,6 +106,6 @@ def network_picture(state: FrameState, network: str, side: Side) -> PicturedDete
 
 
 def _pictured(boxes: Floats, source: str) -> PicturedDetections:
-    entry = LegendEntry(DETECTION, tr("boxes of {file}", file=source))
+    entry = LegendEntry(DETECTION, tr("boxes of {file}", file=source), dashed=True)
     rows = ((float(x), float(y), float(w), float(h)) for x, y, w, h in boxes.tolist())
     return PicturedDetections(tuple(rows), (entry,))

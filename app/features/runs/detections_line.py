@@ -31,7 +31,7 @@ from tracking.recording import Recording
 from tracking.settings import settings_fields, settings_from
 
 FILE, RIGHT, USE = "detections.file", "detections.file_right", "detections.use"
-MODEL = "detections.model"
+MODEL, APPEARANCE = "detections.model", "detections.appearance"
 FILLED_IN = (FILE, RIGHT, MODEL, USE)
 """Settings of trackers that stand here, not among the others."""
 _NAMES = ("det.txt", "detections.txt", "det/det.txt", "detections.json", "labels")
@@ -137,7 +137,8 @@ class DetectionsLine(QObject):
         self._told.setTextFormat(Qt.TextFormat.PlainText)  # it holds names of files
         self._form: QFormLayout | None = None
         self._taken = True
-        self._stereo = recording.is_stereo
+        self._describes = ""  # the network chosen that describes people, and finds none
+        self._is_stereo = self._stereo = recording.is_stereo
         self._look = LatestJob("detections", partial(_reading, recording), self)
         self._look.found.connect(self._tell)
         self._look.failed.connect(self._refuse)
@@ -153,9 +154,14 @@ class DetectionsLine(QObject):
         form.addRow("", self._told)
         self._follow()
 
-    def show_for(self, settings_type: type) -> None:
-        """Show the rows where a tracker with these settings takes detections."""
+    def show_for(self, settings_type: type, *, stereo: bool) -> None:
+        """Show the rows where a tracker with these settings takes detections.
+
+        Args:
+            stereo: whether it looks at both cameras; others have no use for boxes of the right one.
+        """
         self._taken = FILE in {field.name for field in settings_fields(settings_type)}
+        self._stereo = stereo and self._is_stereo
         self._follow()
 
     def values(self) -> dict[str, str]:
@@ -165,6 +171,8 @@ class DetectionsLine(QObject):
         """
         if not (self._taken and self._left.path):
             return {}
+        if self._left.path == self._describes:
+            return {APPEARANCE: self._describes}
         chosen = {MODEL if self._left.is_network else FILE: self._left.path}
         if self._stereo and self._right.path and not self._left.is_network:
             chosen[RIGHT] = self._right.path
@@ -201,6 +209,7 @@ class DetectionsLine(QObject):
     def _follow(self) -> None:
         """Show what is to be said of a file once there is one, and have it read."""
         some = self._taken and bool(self._left.path)
+        self._describes = ""
         if self._form is not None:
             self._form.setRowVisible(self._left, self._taken)
             of_file = some and not self._left.is_network
@@ -216,10 +225,22 @@ class DetectionsLine(QObject):
 
     def _tell(self, chosen: RecordingDetections | Model) -> None:
         if isinstance(chosen, Model):
-            self._say(tr("Network {name} ({licence})", name=chosen.name, licence=chosen.licence))
+            self._tell_network(chosen)
         else:
             self._say("\n".join(tr(note) for note in chosen.notes), warns=chosen.unused)
         self.usable.emit(True)
+
+    def _tell_network(self, chosen: Model) -> None:
+        """Which network it is; one that finds nobody is not asked how its boxes are used."""
+        values = {"name": chosen.name, "licence": chosen.licence}
+        if not chosen.is_appearance:
+            self._say(tr("Network {name} ({licence})", **values))
+            return
+        self._describes = self._left.path
+        if self._form is not None:
+            self._form.setRowVisible(self._use, False)
+        told = tr("Appearance network {name} ({licence}): tells people apart, finds none", **values)
+        self._say(told)
 
     def _refuse(self, _: object, error: Exception) -> None:
         self._say(explain(error), warns=True)

@@ -246,7 +246,7 @@ class TrackDialog(QDialog):
             self._title.setText(about)
             self._forms.setCurrentIndex(index)
             self._parts.show_for(spec.settings_type)
-            self._detections.show_for(spec.settings_type)
+            self._detections.show_for(spec.settings_type, stereo=spec.needs_stereo)
             self._expert.setText(tr("Expert settings ({n})", n=self.form.expert_count))
             self._find()
 

@@ -50,6 +50,7 @@ def test_a_chosen_file_is_read_and_its_format_count_and_threshold_are_told(dialo
 
 def test_the_right_camera_and_the_way_they_are_used_are_asked_for_then(dialog) -> None:
     line = dialog._detections
+    dialog.put_settings("stereo-joint", {}, 0)
     line._right.put("det.txt")
     assert dialog.answer()[1].detections.file_right == ""  # nothing without the left one
     line._left.put("det.txt")
@@ -57,6 +58,10 @@ def test_the_right_camera_and_the_way_they_are_used_are_asked_for_then(dialog) -
     assert line._right.isVisible()
     chosen = dialog.answer()[1].detections
     assert (chosen.file_right, chosen.use) == ("det.txt", "only")
+    dialog._choice.setCurrentText("three-part")  # looks at the left camera alone
+    assert line._left.path == "det.txt"
+    assert not line._right.isVisible()
+    assert dialog.answer()[1].detections.file_right == ""
 
 
 def test_a_file_that_cannot_be_read_is_told(dialog, qtbot, tmp_path: Path) -> None:
@@ -160,3 +165,20 @@ def test_a_network_of_a_run_is_filled_in_again_unless_it_lies_elsewhere(dialog) 
     line.put({"detections.model": "/elsewhere/people.toml"})
     assert line.values() == {}
     assert "/elsewhere/people.toml" in line._told.text()
+
+
+def test_an_appearance_network_is_one_more_cue_and_no_detections(
+    dialog, qtbot, tmp_path: Path
+) -> None:
+    path, line = tmp_path / "who.toml", dialog._detections
+    path.write_text('kind = "appearance"\nlicence = "MIT"\nsize = [64, 64]\n')
+    path.with_suffix(".onnx").write_bytes(b"not looked into yet")
+    line._left.put(str(path))
+    qtbot.waitUntil(lambda: "Appearance network who (MIT)" in line._told.text())
+    chosen = dialog.answer()[1].detections
+    assert (chosen.appearance, chosen.model) == (str(path), "")
+    assert not line._use.isVisible()
+    line._left.put("det.txt")
+    qtbot.waitUntil(lambda: "boxes are used" in line._told.text())
+    assert dialog.answer()[1].detections == DetectionSettings(file="det.txt")
+    assert line._use.isVisible()
