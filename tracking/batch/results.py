@@ -66,10 +66,11 @@ def thumbnail_of(recording: Recording, session: Session) -> bytes:
     frame = recording.frame_count // 2
     if len(rows["frame"]):
         frame = int(np.argmax(np.bincount(rows["frame"])))
-    return _drawn(recording.read(frame).left, rows, frame)
+    return draw_thumbnail(recording.read(frame).left, rows, frame)
 
 
-def _drawn(picture: Image, rows: Columns, frame: int) -> bytes:
+def draw_thumbnail(picture: Image, rows: Columns, frame: int) -> bytes:
+    """A small JPEG image of a picture, with the boxes that rows have in a frame."""
     scale = _WIDTH_PX / picture.shape[1]
     small = cv2.resize(picture, None, fx=scale, fy=scale, interpolation=cv2.INTER_AREA)
     small = cv2.cvtColor(small, cv2.COLOR_GRAY2BGR) if small.ndim == len(("y", "x")) else small
@@ -131,9 +132,8 @@ def _scored(task: Task, recording: Recording, session: Session) -> tuple[Mapping
     return score, True
 
 
-def _subject(task: Task, recording: Recording, session: Session) -> Subject:
-    place = recording.truth_path
-    assert place is not None
+def truth_table(place: Path) -> ScoringTable:
+    """Ground truth in MOT text, to score against. Raises FormatError where a row is invalid."""
     truth = measurable(place, FORMATS["mot"], Filmed())
     if truth.bad_count:
         first = truth.bad_rows[0]
@@ -143,7 +143,13 @@ def _subject(task: Task, recording: Recording, session: Session) -> Subject:
             place=first.place,
             reason=first.reason,
         )
-    true = ScoringTable.from_columns(truth.columns, dont_cares=truth.dont_cares)
+    return ScoringTable.from_columns(truth.columns, dont_cares=truth.dont_cares)
+
+
+def _subject(task: Task, recording: Recording, session: Session) -> Subject:
+    place = recording.truth_path
+    assert place is not None
+    true = truth_table(place)
     found = ScoringTable.from_columns(session.tracks.columns())
     last = max(int(table.frame.max(initial=-1)) for table in (true, found)) + 1
     run = session.corrected_run
