@@ -10,7 +10,8 @@ from tests.batch.walks import make_walk
 from tracking.editing import plan_mark_reviewed
 from tracking.pipeline import track
 from tracking.project import Project, ProjectList, ProjectRow, ReaderProcess
-from tracking.project.fact_reader import ReadFacts, Reading, read_facts
+from tracking.project.fact_reader import read_facts
+from tracking.project.readings import ReadFacts, Reading
 from tracking.recording import open_recording
 from tracking.session import Session
 

@@ -229,3 +229,12 @@ def test_a_hand_made_session_has_nothing_to_review(project: Project, folder: Pat
     assert session.facts.hand_made
     assert session.facts.reviewed is None
     assert next_to_review([rows_of(found)["b"]]) is None
+
+
+def test_what_cannot_be_kept_is_read_once_all_the_same(folder: Path, tmp_path: Path) -> None:
+    (tmp_path / "cache").write_text("no folder")
+    project = Project(folder, tmp_path / "cache")
+    _, asked = read_all(project)
+    assert len(asked) == 3
+    _, asked = read_all(project)
+    assert asked == []

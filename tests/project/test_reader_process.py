@@ -9,7 +9,7 @@ import pytest
 
 from tests.batch.walks import FRAMES, make_walk
 from tracking.project import ReaderProcess, RecordingFacts, reader_process
-from tracking.project.fact_reader import Reading
+from tracking.project.readings import Reading
 
 _DIES = "import os; os._exit(9)"
 _HANGS = "import time; time.sleep(600)"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from contextlib import closing
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 import cv2
@@ -12,39 +12,17 @@ import numpy as np
 
 from tracking.batch.results import draw_thumbnail, thumbnail_of, truth_table
 from tracking.errors import TrackwrightError
-from tracking.project.facts import Facts, RecordingFacts, SessionFacts
+from tracking.project.facts import RecordingFacts, SessionFacts
+from tracking.project.readings import ReadFacts, Reading
 from tracking.recording import Recording, open_recording
 from tracking.review import ReviewItem, filter_undecided, find_review_items
 from tracking.scoring import ScoringTable, score
 from tracking.session import Session
 from tracking.session.hand_made import is_hand_made
 from tracking.tracks import TRACK_COLUMNS, Labels, TrackTable, empty
-from tracking.translation import Message, message_of, msg
+from tracking.translation import message_of, msg
 
 _SECONDS_A_MINUTE = 60.0
-
-
-@dataclass(frozen=True, slots=True)
-class Reading:
-    """What is to be read.
-
-    Attributes:
-        path: of a recording, or of a session.
-        of_session: which of the two.
-        recording: of a session the one that it is of, for an image and a score; None: not here.
-    """
-
-    path: Path
-    of_session: bool
-    recording: Path | None = None
-
-
-@dataclass(frozen=True, slots=True)
-class ReadFacts:
-    """What was read. Attributes: image: a small JPEG image; b"": there is none."""
-
-    facts: Facts
-    image: bytes = b""
 
 
 def read_facts(reading: Reading) -> ReadFacts:
@@ -176,9 +154,3 @@ def _with_score(facts: SessionFacts, recording: Recording, table: TrackTable) ->
 
 def _number(value: object) -> float | None:
     return float(value) if isinstance(value, (int, float)) else None
-
-
-def unreadable(of_session: bool, why: Message) -> ReadFacts:
-    """What is told of a file that could not be read at all."""
-    kind = SessionFacts if of_session else RecordingFacts
-    return ReadFacts(kind(problem=why))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import sqlite3
+import threading
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
@@ -12,9 +13,9 @@ from typing import Self
 
 from tracking.errors import UnsafeFileError
 from tracking.owned_files import check_file, make_folder
-from tracking.project.fact_reader import ReadFacts
 from tracking.project.facts import Facts, RecordingFacts, SessionFacts
 from tracking.project.folder_scan import ScannedFile
+from tracking.project.readings import ReadFacts
 from tracking.stamps import software
 
 _NAME = "project.sqlite"
@@ -45,14 +46,16 @@ class KnownFacts:
 class FactStore:
     """What was read of files, as long as they do not change.
 
-    It only saves time: one that is damaged is made anew, and where none can be written nothing is
-    kept. It may be used from one thread at a time.
+    It only saves time: one that is damaged is made anew, and what cannot be written is kept in
+    memory. It may be used from several threads.
     """
 
     def __init__(self, folder: Path) -> None:
         """The folder is the program's own, such as `platformdirs.user_cache_path(...)`."""
         self._base = _opened(folder)
         self._made = f"{_LAYOUT} {software()}"
+        self._lock = threading.Lock()
+        self._unkept: dict[Path, tuple[KnownFacts, bytes]] = {}
 
     def __enter__(self) -> Self:
         return self
@@ -67,49 +70,67 @@ class FactStore:
 
     def close(self) -> None:
         """Let go of the file."""
-        self._base.close()
+        with self._lock:
+            self._base.close()
 
     def find(self, files: Iterable[ScannedFile]) -> dict[Path, KnownFacts]:
-        """The facts of files that have not changed since they were read."""
-        asked = "SELECT stamp, beside, session, facts FROM facts WHERE path = ? AND made = ?"
+        """The facts of files as they were read last; `stamp` says whether they changed since."""
         found: dict[Path, KnownFacts] = {}
-        with contextlib.suppress(sqlite3.Error):
+        with self._lock:
             for file in files:
-                row = self._base.execute(asked, (_text(file.path), self._made)).fetchone()
-                if row is not None and row[0] == file.stamp:
-                    with contextlib.suppress(ValueError, RecursionError):
-                        kind = SessionFacts if row[2] else RecordingFacts
-                        found[file.path] = KnownFacts(kind.from_text(row[3]), row[0], row[1])
+                known = self._facts_of(file.path)
+                if known is not None:
+                    found[file.path] = known
         return found
 
     def image(self, path: Path) -> bytes:
         """The image of a file as it was read last; b"": there is none."""
-        try:
-            row = self._base.execute(
-                "SELECT image FROM facts WHERE path = ?", (_text(path),)
-            ).fetchone()
-        except sqlite3.Error:
-            return b""
+        with self._lock:
+            if path in self._unkept:
+                return self._unkept[path][1]
+            asked = "SELECT image FROM facts WHERE path = ?"
+            try:
+                row = self._base.execute(asked, (_text(path),)).fetchone()
+            except sqlite3.Error:
+                return b""
         return bytes(row[0]) if row is not None else b""
 
     def put(self, file: ScannedFile, read: ReadFacts, beside: str = "") -> None:
         """Keep what was read of a file. beside: see `KnownFacts`."""
         of_session = int(isinstance(read.facts, SessionFacts))
-        with contextlib.suppress(sqlite3.Error):
-            self._base.execute(
-                "INSERT OR REPLACE INTO facts VALUES (?, ?, ?, ?, ?, ?, ?)",
-                (
-                    *(_text(file.path), self._made, file.stamp, beside),
-                    *(of_session, read.facts.as_text(), read.image),
-                ),
-            )
+        with self._lock:
+            self._unkept.pop(file.path, None)
+            try:
+                self._base.execute(
+                    "INSERT OR REPLACE INTO facts VALUES (?, ?, ?, ?, ?, ?, ?)",
+                    (
+                        *(_text(file.path), self._made, file.stamp, beside),
+                        *(of_session, read.facts.as_text(), read.image),
+                    ),
+                )
+            except sqlite3.Error:
+                known = KnownFacts(read.facts, file.stamp, beside)
+                self._unkept[file.path] = known, read.image
 
     def trim(self) -> None:
         """Forget the oldest where there are very many."""
-        with contextlib.suppress(sqlite3.Error):
+        with self._lock, contextlib.suppress(sqlite3.Error):
             self._base.execute(
                 "DELETE FROM facts WHERE rowid <= (SELECT max(rowid) FROM facts) - ?", (_MOST_ROWS,)
             )
+
+    def _facts_of(self, path: Path) -> KnownFacts | None:
+        if path in self._unkept:
+            return self._unkept[path][0]
+        asked = "SELECT stamp, beside, session, facts FROM facts WHERE path = ? AND made = ?"
+        try:
+            row = self._base.execute(asked, (_text(path), self._made)).fetchone()
+            if row is None:
+                return None
+            kind = SessionFacts if row[2] else RecordingFacts
+            return KnownFacts(kind.from_text(row[3]), row[0], row[1])
+        except (sqlite3.Error, ValueError, RecursionError):
+            return None
 
 
 def _opened(folder: Path) -> sqlite3.Connection:

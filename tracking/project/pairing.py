@@ -120,7 +120,8 @@ def match_sessions(
 ) -> dict[Path, Path]:
     """Which recording each session is of; without sessions whose recording is elsewhere.
 
-    First by the place that the session names, then as a batch says, then by the images.
+    First by the place that the session names; then as a batch says, by the folder it lies in or
+    by its name, where the images are those; then by the images alone.
     """
     named = _Named(scan.recordings)
     by_footage = _by_footage(scan.recordings, known)
@@ -132,10 +133,13 @@ def match_sessions(
         if facts is None or facts.problem:
             place = by_batch.get(file.path) or unread.get(file.path)
         else:
-            place = (
-                named.at(file.path.parent, facts)
-                or _if_like(by_batch.get(file.path), facts, known)
-                or by_footage.get(facts.footage)
+            place = named.at(file.path.parent, facts) or next(
+                (
+                    one
+                    for one in (by_batch.get(file.path), unread.get(file.path))
+                    if _is_like(one, facts, known)
+                ),
+                by_footage.get(facts.footage),
             )
         if place is not None and place in named.paths:
             found[file.path] = place
@@ -237,14 +241,10 @@ def _only(paths: Sequence[Path]) -> Path | None:
     return paths[0] if len(paths) == 1 else None
 
 
-def _if_like(
-    place: Path | None, facts: SessionFacts, known: Mapping[Path, KnownFacts]
-) -> Path | None:
-    """The place, unless other images are known to be there."""
-    if place is None:
-        return None
-    there = _recording_facts(known, place)
-    return place if there is None or there.footage in ("", facts.footage) else None
+def _is_like(place: Path | None, facts: SessionFacts, known: Mapping[Path, KnownFacts]) -> bool:
+    """Whether the images that are known to be at a place are a session's."""
+    there = None if place is None else _recording_facts(known, place)
+    return there is not None and there.footage == facts.footage
 
 
 def _by_footage(

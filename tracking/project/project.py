@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 import os
 import platform
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -13,7 +13,6 @@ from tracking.batch.ledger import read_rows
 from tracking.batch.signature import file_state
 from tracking.errors import SessionError, TrackwrightError
 from tracking.file_lock import SessionLock
-from tracking.project.fact_reader import Reading
 from tracking.project.fact_store import FactStore, KnownFacts
 from tracking.project.facts import SessionFacts
 from tracking.project.folder_scan import FolderScan, ScannedFile, scan_folder
@@ -26,6 +25,7 @@ from tracking.project.pairing import (
     pair,
 )
 from tracking.project.reader_process import ReaderProcess
+from tracking.project.readings import Reading
 from tracking.session.pending_edits import last_worked_on_s
 from tracking.session.session_writer import companions
 from tracking.translation import Message, msg
@@ -33,11 +33,16 @@ from tracking.translation import Message, msg
 
 @dataclass(frozen=True, slots=True)
 class Wanted:
-    """A file that is still to be read. Attributes: beside: see `KnownFacts`."""
+    """A file that is still to be read, or has changed since.
+
+    Attributes:
+        beside: see `KnownFacts`. is_held: a program has the session open, and may go on editing.
+    """
 
     file: ScannedFile
     reading: Reading
     beside: str = ""
+    is_held: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,7 +77,7 @@ class Project:
         """
         self.folder = Path(os.path.abspath(folder))  # noqa: PTH100 - links stay
         self.author = author
-        self._cache = cache
+        self._store = FactStore(cache)
         self._ledgers: dict[Path, tuple[object, Sequence[LedgerEntry], Message]] = {}
 
     def look(self) -> ProjectList:
@@ -82,11 +87,11 @@ class Project:
         """
         scan = scan_folder(self.folder)
         entries, notes = self._entries(scan)
-        with FactStore(self._cache) as store:
-            known = store.find([*scan.recordings, *scan.sessions])
+        known = self._store.find([*scan.recordings, *scan.sessions])
         sessions = {file.path: _session_row(file, known) for file in scan.sessions}
         rows = pair(scan, known, entries, sessions, self.author)
-        wanted = tuple(_wanted(scan, known, entries))
+        held = {path for path, row in sessions.items() if row.holder}
+        wanted = tuple(_wanted(scan, known, entries, held))
         batches = tuple(path.parent for path in scan.ledgers)
         return ProjectList(self.folder, tuple(rows), wanted, (*scan.notes, *notes), batches)
 
@@ -94,24 +99,26 @@ class Project:
         self, wanted: Sequence[Wanted], reader: ReaderProcess, tell: Callable[[int, int], None]
     ) -> None:
         """Read files and keep what they tell; what `tell` raises ends it."""
-        with FactStore(self._cache) as store:
-            for number, each in enumerate(wanted):
-                tell(number, len(wanted))
-                read = reader.read(each.reading)
-                if reader.is_closed:
-                    return
-                store.put(each.file, read, each.beside)
-            store.trim()
+        for number, each in enumerate(wanted):
+            tell(number, len(wanted))
+            read = reader.read(each.reading)
+            if reader.is_closed:
+                return
+            self._store.put(each.file, read, each.beside)
+        self._store.trim()
         tell(len(wanted), len(wanted))
 
     def image(self, row: ProjectRow) -> bytes:
         """A small JPEG image of a row, with the people of its session; b"": none is known."""
-        with FactStore(self._cache) as store:
-            session = row.session
-            image = b"" if session is None else store.image(session.path)
-            if not image and row.recording is not None:
-                image = store.image(row.recording.path)
+        session = row.session
+        image = b"" if session is None else self._store.image(session.path)
+        if not image and row.recording is not None:
+            image = self._store.image(row.recording.path)
         return image
+
+    def close(self) -> None:
+        """Let go of what is kept."""
+        self._store.close()
 
     def _entries(self, scan: FolderScan) -> tuple[list[LedgerEntry], list[Message]]:
         """What ledgers in the folder say; one that cannot be read is told."""
@@ -135,11 +142,14 @@ class Project:
 
 
 def _wanted(
-    scan: FolderScan, known: Mapping[Path, KnownFacts], entries: Sequence[LedgerEntry]
+    scan: FolderScan,
+    known: Mapping[Path, KnownFacts],
+    entries: Sequence[LedgerEntry],
+    held: Collection[Path],
 ) -> Iterator[Wanted]:
     """What is to be read: recordings first, as they are quick, and sessions by name."""
     for file in scan.recordings:
-        if file.path not in known:
+        if file.path not in known or known[file.path].stamp != file.stamp:
             yield Wanted(file, Reading(file.path, of_session=False))
     stamps = {file.path: file.stamp for file in scan.recordings}
     likely = guess(scan, entries)
@@ -148,8 +158,8 @@ def _wanted(
         before = known.get(file.path)
         place = (likely if before is None else certain).get(file.path)
         beside = "" if place is None else f"{place} {stamps[place]}"
-        if before is None or before.beside != beside:
-            yield Wanted(file, Reading(file.path, True, place), beside)
+        if before is None or (before.stamp, before.beside) != (file.stamp, beside):
+            yield Wanted(file, Reading(file.path, True, place), beside, file.path in held)
 
 
 def _session_row(file: ScannedFile, known: Mapping[Path, KnownFacts]) -> SessionRow:

@@ -16,7 +16,8 @@ from typing import Any
 import cv2
 
 from tracking.batch.worker import own_output
-from tracking.project.fact_reader import Reading, read_facts
+from tracking.project.fact_reader import read_facts
+from tracking.project.readings import Reading
 from tracking.untrusted.pipe import receive_head, send
 
 _NICENESS = 5

@@ -11,8 +11,8 @@ from pathlib import Path
 from types import TracebackType
 from typing import Self
 
-from tracking.project.fact_reader import ReadFacts, Reading, unreadable
 from tracking.project.facts import RecordingFacts, SessionFacts
+from tracking.project.readings import ReadFacts, Reading, unreadable
 from tracking.translation import msg
 from tracking.untrusted.pipe import receive_bytes, receive_head, send
 
