@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Mapping, Sequence, Set
+from contextlib import closing
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -28,6 +29,7 @@ from tracking.batch import (
     Outcome,
     Shard,
     State,
+    StateFile,
     Workers,
     array_script,
     batch_folder,
@@ -235,10 +237,11 @@ def _worked(
     """What became of the recordings, and whether anything was done for it now."""
     count = request.sharing.workers or _cores()
     limits = _limits(request, count)
-    with shown:
+    places = {entry.name: entry.path for entry in entries}
+    with shown, closing(StateFile(out, places, shown)) as told:
         run = BatchRun(
             *(ledger, out, order, limits),
-            listener=shown,
+            listener=shown if shard is not None else told,
             retry=request.retry,
             shard=shard,
         )

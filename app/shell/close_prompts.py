@@ -121,5 +121,5 @@ class ClosePrompts:
         if self._files.session is not None:
             document_loader.discard(self._files.session)
         self._files.close()
-        self._window.show_welcome()
+        self._window.show_start()
         again()

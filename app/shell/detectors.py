@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -80,7 +80,13 @@ class Detectors(Controller):
         if document is not None and session is not None:
             here = _labels_here(session, document.recording)
         own = session.path if session is not None else None
-        before = [path for path in self._learnt if path != own and path.is_file()]
+        self._ask(here, [path for path in self._learnt if path != own and path.is_file()])
+
+    def ask_train_on(self, sessions: Sequence[Path]) -> None:
+        """The same for the labels of these sessions, whatever is open."""
+        self._ask(None, sessions)
+
+    def _ask(self, here: Callable[[], Source] | None, before: Sequence[Path]) -> None:
         dialog = TrainDialog(here, before, self._remembered.last_folder("samples"), self._window)
         dialog.accepted.connect(lambda: self._begin(dialog))
         dialog.open()

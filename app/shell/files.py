@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from enum import Enum, auto
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -36,6 +37,7 @@ from app.shell.drops import Drops
 from app.shell.export_controller import ExportController
 from app.shell.import_controller import ImportController
 from app.shell.open_recovery import OpenRecovery
+from app.shell.project_navigation import ProjectNavigation
 from app.shell.recording_controller import RecordingController
 from app.shell.result_storage import ResultStorage
 from app.shell.save_controller import SaveController
@@ -43,6 +45,7 @@ from app.shell.sessions_beside import SessionsBeside
 from app.shell.setup_controller import SetupController
 from app.shell.whereabouts import Whereabouts
 from tracking.progress import Progress
+from tracking.project.folder_scan import holds_several
 from tracking.recording import OpenOptions
 from tracking.session import Session
 from tracking.setup.files import needs_setup
@@ -89,6 +92,8 @@ class Files(Controller):
         self.setup: SetupController = SetupController(window, work, self)
         self.doctor: DoctorPage = DoctorPage(window, self)
         self.drops: Drops = Drops(self, work)
+        self.projects: ProjectNavigation = ProjectNavigation(window, self)
+        self.projects.changed.connect(self.changed)
         self.opening = False
         self.beside: SessionsBeside = SessionsBeside(window, work, self)
         self.keeping: ResultStorage = ResultStorage(window, work, self)
@@ -127,7 +132,8 @@ class Files(Controller):
     ) -> None:
         """Open a recording or a session; what is open stays where the other one does not open.
 
-        A folder with videos that are no recording yet is set up.
+        A folder with videos that are no recording yet is set up, one that holds several recordings
+        is opened as a project.
 
         Args:
             path: what to open.
@@ -142,10 +148,13 @@ class Files(Controller):
         if not asks:
             self._remembered.note_closed()  # what crashes as it opens is not opened again unasked
 
-        def show(opened: OpenedDocument | None) -> None:
+        def show(opened: OpenedDocument | Instead) -> None:
             self.opening = False
-            if opened is None:
+            if opened is Instead.SETUP:
                 self.setup.begin([path])
+                return
+            if opened is Instead.PROJECT:
+                self.projects.open(path)
                 return
             if asks:  # it does open: only now is it worth asking what becomes of the other one
                 opened.close()
@@ -297,11 +306,11 @@ class Files(Controller):
         return self.leaving.may_leave(again, stay or (lambda: None))
 
     def close_recording(self) -> None:
-        """Close what is open and go back to the first page."""
+        """Close what is open and go back to the project, or to the first page."""
         if self.may_leave(self.close_recording):
             self._window.notice.hide()
             self.close()
-            self._window.show_welcome()
+            self._window.show_start()
 
     def quit(self) -> None:
         """Close the window."""
@@ -333,6 +342,7 @@ class Files(Controller):
     def close_without_asking(self) -> None:
         """Let the open document go for a picture or a test: what is not saved stays as it is."""
         self.leaving.agree()
+        self.projects.agree()
         self.close()
 
     # words
@@ -340,7 +350,7 @@ class Files(Controller):
     def title(self) -> str:
         """The window's title, with Qt's place for the mark of unsaved changes."""
         if self.controller is None:
-            return "trackwright"
+            return f"{name} \u2013 trackwright" if (name := self.projects.name) else "trackwright"
         recording, session = self.controller.document.recording, self.session
         name = literal_title(recording.name)
         if session is not None and session.path is not None:
@@ -355,14 +365,24 @@ class Files(Controller):
         return first_page({path: remembered.recent_name(path) for path in remembered.recent})
 
 
+class Instead(Enum):
+    """What is done with a folder that is no recording."""
+
+    SETUP = auto()
+    PROJECT = auto()
+
+
 def _opened(
     path: Path, recording: Path | None, options: OpenOptions | None, report: Progress
-) -> OpenedDocument | None:
-    """What a path holds; None: a folder with cameras that are to be set up first.
+) -> OpenedDocument | Instead:
+    """What a path holds: a document, cameras to be set up first, or several recordings.
 
     Raises:
         TrackwrightError: it cannot be opened.
     """
-    if (options is None or options.left is None) and needs_setup(path):
-        return None
+    if options is None or options.left is None:
+        if needs_setup(path):
+            return Instead.SETUP
+        if holds_several(path):
+            return Instead.PROJECT
     return left_behind.open_with_unsaved(path, recording, options, report)

@@ -23,6 +23,7 @@ from app.core.widgets.notice import NoticeBar
 from app.core.widgets.progress_strip import ProgressStrip
 from app.core.widgets.user_settings import UserSettings
 from app.core.widgets.work import Work
+from app.features.project.page import ProjectPage
 from app.features.welcome.welcome import WelcomePage
 from app.shell.command_palette import CommandPalette
 from app.shell.commands import COMMANDS
@@ -52,6 +53,7 @@ class MainWindow(QMainWindow):
         self.setWindowIcon(application_icon())
         self.welcome = WelcomePage(self)
         self.workspace: Workspace = Workspace(self)
+        self.project_page = ProjectPage(lambda name: self.files.projects.project.image_of(name))
         self.notice = NoticeBar(self)
         self.progress = ProgressStrip(self)
         self.work = Work(self.progress, self)
@@ -75,6 +77,7 @@ class MainWindow(QMainWindow):
     def _lay_out(self) -> None:
         self._pages.addWidget(self.welcome)
         self._pages.addWidget(self.workspace)
+        self._pages.addWidget(self.project_page)
         centre = QWidget(self)
         column = QVBoxLayout(centre)
         column.setContentsMargins(0, 0, 0, 0)
@@ -106,6 +109,8 @@ class MainWindow(QMainWindow):
         self.palette_of_commands.run_asked.connect(self.run_command)
         self.palette_of_commands.left.connect(self.activateWindow)
         self.welcome.open_asked.connect(self.files.ask_open)
+        self.project_page.command_asked.connect(self.run_command)
+        self.welcome.project_asked.connect(self.files.projects.ask)
         self.welcome.setup_asked.connect(self.files.setup.ask)
         self.workspace.overhead.setup_asked.connect(self.files.setup.metres)
         self.welcome.demo_asked.connect(self.files.open_demo)
@@ -148,8 +153,19 @@ class MainWindow(QMainWindow):
         self._pages.setCurrentWidget(self.welcome)
         self.refresh()
 
+    def show_start(self) -> None:
+        """Show what there is without a recording: the open project, else the first page."""
+        if not self.files.projects.is_open:
+            self.show_welcome()
+            return
+        self._pages.setCurrentWidget(self.project_page)
+        self.project_page.focus_table()
+        self.files.projects.project.begin()
+        self.refresh()
+
     def show_workspace(self) -> None:
         """Show the open recording."""
+        self.files.projects.project.pause()
         self._pages.setCurrentWidget(self.workspace)
         self.workspace.left.setFocus()
         self.refresh()
@@ -165,7 +181,11 @@ class MainWindow(QMainWindow):
         self._refresh_now()
 
     def _refresh_now(self) -> None:
-        self.menus.show_items(self.registry.items())
+        items = self.registry.items()
+        self.menus.show_items(items)
+        for item in items:
+            if item.command in self.project_page.actions_of:
+                self.project_page.enable(item.command, item.why_not)
         self.setWindowTitle(self.files.title())
         self.setWindowModified(self.files.saving.unsaved)
         self._show_progress()
@@ -258,12 +278,13 @@ class MainWindow(QMainWindow):
 
     def closeEvent(self, event: QCloseEvent) -> None:  # noqa: N802 - Qt's name
         """Ask about what is not saved; then end all work and remember the layout."""
-        if not self.files.may_leave(self.close):
+        if not self.files.projects.may_close(self.close) or not self.files.may_leave(self.close):
             event.ignore()
             return
         self.remembered.set_state("window/geometry", self.saveGeometry())
         self.workspace.remember(self.remembered)
         self.files.drops.close()
+        self.files.projects.end()
         self.work.close()
         self.files.close()
         application = QApplication.instance()

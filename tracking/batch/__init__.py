@@ -16,5 +16,6 @@ from tracking.batch.recordings import (
 )
 from tracking.batch.report import report_path, write_batch_report
 from tracking.batch.runner import BatchRun
+from tracking.batch.watch import StateFile, WatchedBatch, ask_to_stop, watch
 from tracking.batch.worker_process import Doing
 from tracking.batch.workers import LocalWorkers, Workers

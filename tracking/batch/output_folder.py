@@ -13,7 +13,8 @@ from tracking.batch.report import read_reported, write_page
 from tracking.errors import OutputError
 from tracking.file_lock import SessionLock
 
-_LOCK = ".batch.lock"
+LOCK = ".batch.lock"
+"""In an output folder; held by the program that works there."""
 _SHARDS = "shards"
 _MERGE_S = 120.0
 _WAIT_S = 0.25
@@ -57,9 +58,9 @@ def batch_folder(out: Path, shard: Shard | None = None) -> Iterator[Ledger]:
             folder=folder,
             reason=error.strerror,
         ) from error
-    lock = _locked(out / _LOCK if shard is None else folder / f".{shard.name}.lock", out)
+    lock = _locked(out / LOCK if shard is None else folder / f".{shard.name}.lock", out)
     try:
-        others = [out / _LOCK] if shard is not None else sorted((out / _SHARDS).glob(".*.lock"))
+        others = [out / LOCK] if shard is not None else sorted((out / _SHARDS).glob(".*.lock"))
         for other in others:
             if SessionLock(other).is_held:
                 raise _busy(out, SessionLock(other))

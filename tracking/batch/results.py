@@ -69,10 +69,11 @@ def thumbnail_of(recording: Recording, session: Session) -> bytes:
     frame = recording.frame_count // 2
     if len(rows["frame"]):
         frame = int(np.argmax(np.bincount(rows["frame"])))
-    return _drawn(recording.read(frame).left, rows, frame)
+    return draw_thumbnail(recording.read(frame).left, rows, frame)
 
 
-def _drawn(picture: Image, rows: Columns, frame: int) -> bytes:
+def draw_thumbnail(picture: Image, rows: Columns, frame: int) -> bytes:
+    """A small JPEG image of a picture, with the boxes that rows have in a frame."""
     scale = _WIDTH_PX / picture.shape[1]
     small = cv2.resize(picture, None, fx=scale, fy=scale, interpolation=cv2.INTER_AREA)
     small = cv2.cvtColor(small, cv2.COLOR_GRAY2BGR) if small.ndim == len(("y", "x")) else small
@@ -106,7 +107,8 @@ def score_result(
         return outcome
     outcome = replace(outcome, truth=digest)
     try:
-        truth = _read_truth(recording)
+        assert recording.truth_path is not None, "it has a digest"
+        truth = truth_table(recording.truth_path)
         outcome = replace(outcome, notes=(*outcome.notes, *_outlasting(truth, recording)))
         if known is not None and (held := _held_score(task, known, digest)):
             score, page = held
@@ -161,10 +163,8 @@ def _scored(
     return score, True
 
 
-def _read_truth(recording: Recording) -> ScoringTable:
-    """The ground truth beside a recording. Raises FormatError."""
-    place = recording.truth_path
-    assert place is not None
+def truth_table(place: Path) -> ScoringTable:
+    """Ground truth in MOT text, to score against. Raises FormatError where a row is invalid."""
     truth = measurable(place, FORMATS["mot"], Filmed()).all_of(place)
     return ScoringTable.from_columns(truth.columns, dont_cares=truth.dont_cares)
 

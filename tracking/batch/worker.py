@@ -34,7 +34,7 @@ def main(do: Do = do_task) -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # typed at whoever gives the tasks
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
     cv2.setNumThreads(1)
-    answers = _own_output()
+    answers = own_output()
     tasks: queue.SimpleQueue[dict[str, Any]] = queue.SimpleQueue()
     threading.Thread(target=_listen, args=(tasks,), daemon=True).start()
     with contextlib.suppress(BrokenPipeError):
@@ -70,7 +70,7 @@ def _listen(tasks: queue.SimpleQueue[dict[str, Any]]) -> None:
     os._exit(0)
 
 
-def _own_output() -> IO[bytes]:
+def own_output() -> IO[bytes]:
     """The pipe to whoever gives the tasks, kept from libraries that print."""
     answers = os.fdopen(os.dup(sys.stdout.fileno()), "wb")
     elsewhere = sys.stderr.fileno() if sys.stderr else os.open(os.devnull, os.O_WRONLY)

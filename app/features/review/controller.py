@@ -13,7 +13,7 @@ from app.core.editing.review_target import find_first_frame
 from app.core.i18n import joined_text, span_text, tr
 from app.core.playback.playback import Playback
 from app.features.review.edited_items import EditedItems
-from app.features.review.no_items import empty_words, is_hand_made, waiting_words
+from app.features.review.no_items import empty_words, waiting_words
 from app.features.review.panel import ReviewPanel
 from app.features.review.presenter import (
     ReviewQueue,
@@ -29,6 +29,7 @@ from tracking.editing import Change, plan_mark_reviewed, plan_unmark_reviewed
 from tracking.errors import TrackwrightError
 from tracking.review import ReviewItem, ReviewItemKey
 from tracking.session import Session
+from tracking.session.hand_made import is_hand_made
 from tracking.tracks import Labels, Run, TrackTable
 from tracking.translation import message_of
 
@@ -110,7 +111,7 @@ class ReviewController(Controller):
                     self._meter = MeterWords(session.labels, session.history)
                 if anew:
                     self.queue.take((), session.labels)  # the same ids are other people
-                    self._hand_made, self._asked = is_hand_made(session), False
+                    self._hand_made, self._asked = is_hand_made(session.corrected_run), False
                 if not self.waits:
                     self._search.look(at_once=anew)
             before, self._labels = self._labels, session.labels

@@ -2,28 +2,8 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from app.core.i18n import tr
-from tracking.session import IMPORTED, Session
-
-_NO_TRACKERS = (0.0, 1.0)
-"""Confidences in ground truth: a row counts or does not. Trackers are sure to any degree."""
-_LOOKS = 20_000
-"""About so many rows tell it, evenly spread: millions would hold the window up as it opens."""
-
-
-def is_hand_made(session: Session) -> bool:
-    """Whether a session's tracks are labels, of its own or imported, and no tracker's result.
-
-    Imported tracks are a tracker's where they say how sure it was of each row.
-    """
-    run = session.corrected_run
-    if run is None or run.tracker != IMPORTED:
-        return run is None
-    confidence = run.tracks["confidence"]
-    some = confidence[:: max(1, len(confidence) // _LOOKS)]
-    return bool(np.isin(some, _NO_TRACKERS).all())
+from tracking.session import Session
 
 
 def waiting_words(session: Session) -> tuple[str, str]:

@@ -13,7 +13,7 @@ from PySide6.QtGui import (
     QPaintEvent,
     QPen,
 )
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from app.core.i18n import tr
 from app.core.look.icons import application_icon
@@ -29,12 +29,13 @@ class WelcomePage(QWidget):
     """Draws a :class:`WelcomeScene`; files may be dropped anywhere on it.
 
     Signals:
-        open_asked(), setup_asked(), demo_asked(): the buttons.
+        open_asked(), project_asked(), setup_asked(), demo_asked(): the buttons.
         path_chosen(object): a recent `Path`.
         dropped(object): the list of `QUrl` that were dropped.
     """
 
     open_asked = Signal()
+    project_asked = Signal()
     setup_asked = Signal()
     demo_asked = Signal()
     path_chosen = Signal(object)
@@ -55,6 +56,7 @@ class WelcomePage(QWidget):
         rows.addSpacing(8)
         rows.addWidget(self._build_notice())
         rows.addLayout(self._build_choices())
+        rows.addWidget(self._build_project(), 0, Qt.AlignmentFlag.AlignLeft)
         rows.addWidget(self._build_recent())
         rows.addStretch(3)
         across = QHBoxLayout(self)
@@ -106,6 +108,16 @@ class WelcomePage(QWidget):
         row.addWidget(setup, 1)
         row.addWidget(demo, 1)
         return row
+
+    def _build_project(self) -> QPushButton:
+        button = QPushButton(tr("Open a folder of recordings as a project\u2026"), self)
+        button.setProperty("link", True)
+        button.setCursor(Qt.CursorShape.PointingHandCursor)
+        button.setToolTip(
+            tr("Lists recordings and sessions: who works on what, and what to review next.")
+        )
+        button.clicked.connect(self.project_asked)
+        return button
 
     def _build_recent(self) -> QFrame:
         card = QFrame(self)

@@ -1,0 +1,290 @@
+"""A project's list in words."""
+
+from __future__ import annotations
+
+import os
+from collections import Counter
+from collections.abc import Iterator, Mapping
+from datetime import timedelta
+from pathlib import Path
+
+from app.core.i18n import N_, count_text, joined_text, sentence, tr
+from app.features.project.scene import Mood, ProjectScene, RecordingRow, Sortable
+from tracking.batch.watch import WorkedOn
+from tracking.project import ProjectList, ProjectRow, SessionFacts, next_to_review, worth_of
+
+COLUMNS = (
+    N_("Recording"),
+    N_("Length"),
+    N_("People"),
+    N_("Reviewed"),
+    N_("Errors left"),
+    N_("IDF1"),
+    N_("State"),
+    N_("Worked on by"),
+)
+HINTS = (
+    "",
+    N_("Length of the footage, h:min:s"),
+    N_("Tracks in the session"),
+    N_(
+        "Share of the review items that are decided; of tracks drawn by hand, of the rows that are "
+        "marked as reviewed"
+    ),
+    N_("Identity errors that are expected at the review items left"),
+    N_("IDF1 against the ground truth beside the recording"),
+    "",
+    N_("Who edited the session last; who has it open now"),
+)
+NUMBERS = frozenset({1, 2, 3, 4, 5})
+"""Columns that hold numbers."""
+NEXT_RULE = N_(
+    "Opens the recording where a review is expected to find most identity errors for each minute: "
+    "the errors expected at its review items, divided by the minutes that these show and half a "
+    "minute for opening it. Recordings that somebody has open are left out."
+)
+_NOTHING = -1.0
+_FEW = 10
+"""Fewer expected errors are told with a decimal."""
+
+
+def scene_of(
+    found: ProjectList | None,
+    folder: Path,
+    reading: float | None,
+    works: Mapping[Path, WorkedOn] | None = None,
+) -> ProjectScene:
+    """The page of a project.
+
+    Args:
+        found: None while the folder is looked through for the first time.
+        reading: see `ProjectScene`. works: what workers of a batch do now, by the recording.
+    """
+    title, place = folder.name or str(folder), str(folder)
+    if found is None:
+        return ProjectScene(title, place, empty=tr("Looking through the folder..."))
+    rows = tuple(_row(row, _work_on(row, works or {}), folder) for row in found.rows)
+    best = next_to_review(found.rows)
+    return ProjectScene(
+        title,
+        place,
+        rows,
+        _summary(found.rows),
+        _next_text(best) if best is not None else _nothing_next(found.rows),
+        best.name if best is not None else "",
+        reading,
+        tuple(sentence(note) for note in found.notes),
+        "" if rows else _empty(),
+    )
+
+
+def _empty() -> str:
+    return tr(
+        "No recordings or sessions are in this folder. Recordings are videos, folders with a "
+        "recording.toml, and folders of images; put some here, or open another folder."
+    )
+
+
+def _work_on(row: ProjectRow, works: Mapping[Path, WorkedOn]) -> WorkedOn | None:
+    return None if row.recording is None else works.get(row.recording.path)
+
+
+def _row(row: ProjectRow, work: WorkedOn | None, folder: Path) -> RecordingRow:
+    state, mood = _state(row) if work is None else (_working(work), Mood.GOOD)
+    facts = _facts(row)
+    cells: tuple[tuple[str, Sortable], ...] = (
+        _length(row),
+        _count(facts.people if facts is not None else None),
+        _share(facts.reviewed if facts is not None else None),
+        _errors(facts),
+        _score(facts),
+        (state, state.casefold()),
+        _who(row),
+    )
+    return RecordingRow(
+        row.name,
+        _detail(row, folder),
+        mood,
+        tuple(text for text, _ in cells),
+        (row.name.casefold(), *(order for _, order in cells)),
+        "\n".join(_tip(row)),
+        row.path,
+        row.recording.path if row.recording is not None else None,
+        _image_key(row),
+    )
+
+
+def _image_key(row: ProjectRow) -> tuple[str, ...]:
+    files = [one.file for one in row.sessions if one.facts is not None]
+    stamps = [file.stamp for file in files[:1]]
+    if row.recording is not None and row.facts is not None:
+        stamps.append(row.recording.stamp)
+    return (row.name, *stamps)
+
+
+def _facts(row: ProjectRow) -> SessionFacts | None:
+    """What is known of the session that is shown; None: nothing."""
+    session = row.session
+    return session.facts if session is not None and session.is_readable else None
+
+
+def _state(row: ProjectRow) -> tuple[str, Mood]:
+    if row.problem:
+        failed = row.batch is not None and not row.batch.is_done and row.problem == row.batch.why
+        if not failed:
+            return tr("Cannot be read"), Mood.BAD
+        return (tr("Failed"), Mood.BAD) if row.batch is None else _batch_state(row)
+    if not row.is_read:
+        return tr("Being read"), Mood.QUIET
+    facts = _facts(row)
+    if facts is None:
+        return tr("Not tracked"), Mood.QUIET
+    if facts.hand_made:
+        return (tr("Labelled by hand") if facts.rows else tr("Empty session")), Mood.PLAIN
+    if not facts.items_left:
+        return tr("Reviewed"), Mood.GOOD
+    if facts.decided or facts.edits:
+        return tr("In review"), Mood.PLAIN
+    return tr("Tracked"), Mood.PLAIN
+
+
+def _working(work: WorkedOn) -> str:
+    stage = sentence(tr(work.stage)).rstrip(".")
+    return stage if work.share is None else tr("{stage} {share:.0%}", stage=stage, share=work.share)
+
+
+def _batch_state(row: ProjectRow) -> tuple[str, Mood]:
+    state = str(row.batch.state) if row.batch is not None else ""
+    return (tr("Skipped"), Mood.QUIET) if state == "skipped" else (tr("Failed"), Mood.BAD)
+
+
+def _detail(row: ProjectRow, folder: Path) -> str:
+    """The line below the name: a reason first, else which session is shown."""
+    if row.problem:
+        return sentence(row.problem).replace(f"{folder}{os.sep}", "")
+    session = row.session
+    if session is None:
+        return tr("no session")
+    if session.note:
+        return sentence(session.note)
+    if row.recording is None:
+        return tr("its recording is not in this folder")
+    more = len(row.sessions) - 1
+    if not more:
+        return session.path.name
+    others = count_text(more, "and {n} more session", "and {n} more sessions")
+    return f"{session.path.name} {others}"
+
+
+def _length(row: ProjectRow) -> tuple[str, Sortable]:
+    facts = row.facts if row.facts is not None and not row.facts.problem else _facts(row)
+    seconds = facts.length_s if facts is not None else None
+    if seconds is None:
+        return "", _NOTHING
+    return str(timedelta(seconds=round(seconds))), seconds
+
+
+def _count(count: int | None) -> tuple[str, Sortable]:
+    return ("", _NOTHING) if count is None else (str(count), float(count))
+
+
+def _share(share: float | None) -> tuple[str, Sortable]:
+    return ("", _NOTHING) if share is None else (f"{share:.0%}", share)
+
+
+def _errors(facts: SessionFacts | None) -> tuple[str, Sortable]:
+    if facts is None or facts.hand_made or not facts.rows:
+        return "", _NOTHING
+    return errors_text(facts.errors_left), facts.errors_left
+
+
+def errors_text(errors: float) -> str:
+    """Expected errors as a number that is not more exact than it can be."""
+    return f"{errors:.1f}" if errors < _FEW else f"{errors:.0f}"
+
+
+def _score(facts: SessionFacts | None) -> tuple[str, Sortable]:
+    if facts is None or facts.idf1 is None:
+        return "", _NOTHING
+    return f"{facts.idf1:.3f}", facts.idf1
+
+
+def _who(row: ProjectRow) -> tuple[str, Sortable]:
+    """Who has a session of it open; else who edited the one that is shown last."""
+    holders = [tr(one.holder) for one in row.sessions if one.holder]
+    facts = _facts(row)
+    last = facts.authors[-1] if facts is not None and facts.authors else ""
+    if not holders:
+        return last, last.casefold() or "\uffff"
+    text = tr("open: {who}", who=holders[0])
+    if last:
+        text = tr("{name}, {opened}", name=last, opened=text)
+    return text, text.casefold()
+
+
+def _tip(row: ProjectRow) -> Iterator[str]:
+    yield row.name
+    if row.problem:
+        yield sentence(row.problem)
+    for one in row.sessions:
+        facts = one.facts
+        if facts is None or facts.problem:
+            continue
+        words = [one.path.name, facts.tracker]
+        words.append(count_text(facts.edits, "{n} edit", "{n} edits"))
+        if facts.authors:
+            words.append(joined_text(", ", facts.authors))
+        yield "  \u00b7  ".join(filter(None, words))
+        if facts.items_left:
+            yield tr(
+                "{decided} of {all} review items decided; {errors} errors expected in "
+                "{minutes:.1f} minutes of footage",
+                decided=facts.decided,
+                all=facts.decided + facts.items_left,
+                errors=errors_text(facts.errors_left),
+                minutes=facts.minutes_left,
+            )
+        if facts.mota is not None:
+            yield tr("MOTA {mota:.3f}", mota=facts.mota)
+        if facts.not_scored:
+            yield tr("Not scored: {why}", why=facts.not_scored)
+        if one.note:
+            yield sentence(one.note)
+
+
+def _summary(rows: tuple[ProjectRow, ...]) -> str:
+    states = Counter(mood for _, mood in map(_state, rows))
+    tracked = sum(_facts(row) is not None for row in rows)
+    words = [
+        count_text(len(rows), "{n} recording", "{n} recordings"),
+        count_text(tracked, "{n} tracked or labelled", "{n} tracked or labelled"),
+        count_text(states[Mood.GOOD], "{n} reviewed", "{n} reviewed"),
+    ]
+    if states[Mood.BAD]:
+        words.append(count_text(states[Mood.BAD], "{n} with a problem", "{n} with a problem"))
+    return "  \u00b7  ".join(words)
+
+
+def _next_text(row: ProjectRow) -> str:
+    facts = _facts(row)
+    assert facts is not None
+    return tr(
+        "{name}: {errors} errors expected in {minutes:.1f} minutes of footage, {worth} for each "
+        "minute of review",
+        name=row.name,
+        errors=errors_text(facts.errors_left),
+        minutes=facts.minutes_left,
+        worth=errors_text(worth_of(row) or 0.0),
+    )
+
+
+def _nothing_next(rows: tuple[ProjectRow, ...]) -> str:
+    if not rows:
+        return ""
+    if not all(row.is_read for row in rows):
+        return tr("Recordings are still being read")
+    if all(_facts(row) is None for row in rows):
+        return tr("No recording is tracked yet: open one and track it, or run a batch")
+    if any(worth_of(row) for row in rows):
+        return tr("Others have all recordings open that are left to review")
+    return tr("Nothing is left to review")

@@ -1,0 +1,152 @@
+"""From a project to its recordings and back."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QMessageBox
+
+from app.core.controller import Controller
+from app.core.i18n import tr
+from app.core.widgets.questions import choose_file
+from app.features.project.agreement_dialog import AgreementDialog
+from app.features.project.batch_dialog import BatchDialog
+from app.features.project.batch_process import BatchWish
+from app.features.project.controller import ProjectController
+from app.features.project.scene import RecordingRow
+from tracking.project.agreements import PairAgreement, agreements
+
+if TYPE_CHECKING:
+    from app.shell.main_window import MainWindow
+
+
+class ProjectNavigation(Controller):
+    """Opens projects, and their recordings from them.
+
+    Attributes: `project`, the open one.
+    """
+
+    def __init__(self, window: MainWindow, parent: Controller) -> None:
+        super().__init__(parent)
+        self._window = window
+        self._agreed = False
+        self.project: ProjectController = ProjectController(window.project_page, self)
+        self.project.changed.connect(self.changed)
+        self.project.open_asked.connect(self._open_row)
+        self.project.batches.ended.connect(window.notice.say)
+        window.project_page.track_asked.connect(self.ask_batch)
+        window.project_page.close_asked.connect(self.close_project)
+        window.project_page.folder_asked.connect(self.ask)
+
+    @property
+    def is_open(self) -> bool:
+        """Whether a project is open, shown or not."""
+        return self.project.folder is not None
+
+    @property
+    def name(self) -> str:
+        """Of the open project; "": none is open."""
+        folder = self.project.folder
+        return "" if folder is None else folder.name or str(folder)
+
+    def ask(self) -> None:
+        """Ask for the folder of a project."""
+        last = self._window.remembered.last_folder("project")
+        choose_file(self._window, tr("Open project"), "", self.open, last, folder=True)
+
+    def open(self, folder: Path) -> None:
+        """Open a folder as a project and show it; what is open is closed."""
+        files = self._window.files
+        if not files.may_leave(partial(self.open, folder)):
+            return
+        self._window.notice.hide()
+        files.close()
+        self.project.open(folder, files.author.name)
+        self._window.remembered.add_recent(folder.resolve(), self.name)
+        self._window.show_start()
+
+    def ask_batch(self) -> None:
+        """Ask which recordings of the project are tracked, and how; then start a batch."""
+        choices = self.project.batch_choices()
+        if not any(choices.values()):
+            self.said.emit(tr("No recordings are in this folder"))
+            return
+        last = self._window.remembered.last_folder("batch")
+        dialog = BatchDialog(choices, self.project.results_folder, last, self._window)
+        dialog.accepted.connect(lambda: self._start(dialog.answer()))
+        dialog.open()
+
+    def compare(self) -> None:
+        """Show how far annotators agree over all recordings with several sessions."""
+        rows = self.project.compared
+
+        def show(pairs: tuple[PairAgreement, ...]) -> None:
+            AgreementDialog(pairs, self._window).open()
+
+        title = tr("Comparing sessions")
+        self._window.work.run(title, lambda report: agreements(rows, report), show)
+
+    def train(self) -> None:
+        """Train one detector from the labels of all sessions."""
+        self._window.files.detectors.ask_train_on(self.project.labelled)
+
+    def _start(self, wish: BatchWish) -> None:
+        self._agreed = False
+        self.project.batches.start(wish)
+
+    def agree(self) -> None:
+        """Leave the batch at work going, or ending, without a further question."""
+        self._agreed = True
+
+    def may_close(self, again: Callable[[], object]) -> bool:
+        """Whether the window may close; if not, ask what becomes of the batch, then do `again`."""
+        if self._agreed or not self.project.batches.is_own:
+            return True
+        box = QMessageBox(self._window)
+        box.setObjectName("batch")
+        box.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        box.setIcon(QMessageBox.Icon.Question)
+        box.setTextFormat(Qt.TextFormat.PlainText)
+        box.setText(tr("A batch is at work."))
+        box.setInformativeText(
+            tr("It can go on without the window. Stopped, it goes on later from where it is.")
+        )
+        leave = box.addButton(tr("Leave it going"), QMessageBox.ButtonRole.AcceptRole)
+        stop = box.addButton(tr("Stop it"), QMessageBox.ButtonRole.DestructiveRole)
+        box.addButton(QMessageBox.StandardButton.Cancel)
+        box.setDefaultButton(leave)
+
+        def answered(_: int) -> None:
+            if box.clickedButton() not in (leave, stop):
+                return
+            if box.clickedButton() is stop:
+                self.project.batches.cancel()
+            self.agree()
+            again()
+
+        box.finished.connect(answered)
+        box.open()
+        return False
+
+    def back(self) -> None:
+        """Close the recording and go back to the list."""
+        self._window.files.close_recording()
+
+    def close_project(self) -> None:
+        """Close the project; a recording that is open stays so."""
+        self.project.close()
+        if self._window.controller is None:
+            self._window.show_start()
+
+    def end(self) -> None:
+        """The window closes."""
+        self.project.batches.close()
+        self.project.close()
+
+    def _open_row(self, row: RecordingRow) -> None:
+        place = row.recording if row.path != row.recording else None
+        self._window.files.open_path(row.path, place)
