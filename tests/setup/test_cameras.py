@@ -183,7 +183,9 @@ def test_a_calibration_from_elsewhere_is_written_beside_and_nothing_there_is_rep
     write_setup(SetupPlan(left, fps=25.0, calibration=(file,)), replace_old=True)
     assert read_manifest(tmp_path).calibration == ("calibration-2.yaml",)
     assert not (tmp_path / "calibration-3.yaml").exists()
-    write_calibration(file, StereoCalibration.of_one(replace(camera, matrix=matrix * [[1.1], [1.1], [1.0]])))
+    write_calibration(
+        file, StereoCalibration.of_one(replace(camera, matrix=matrix * [[1.1], [1.1], [1.0]]))
+    )
     write_setup(SetupPlan(left, fps=25.0, calibration=(file,)), replace_old=True)
     assert read_manifest(tmp_path).calibration == ("calibration-3.yaml",)
 
