@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from pathlib import Path
 
 import cv2
@@ -12,6 +13,7 @@ from tracking.calibration.floor import floor_by_pose
 from tracking.errors import CalibrationError
 from tracking.geometry import Ground, read_calibration
 from tracking.geometry.calibration_reader import calibration_kind
+from tracking.geometry.tsai_calibration import is_tsai
 
 SIZE = (768, 576)
 FOCAL, KAPPA, SX = 5.5, 0.004, 1.09
@@ -87,6 +89,11 @@ def test_the_size_comes_from_the_recording_where_the_file_has_none(file: Path) -
         (tsai(kappa=float("nan")), "no number"),
         (tsai().replace(f"dpx='{DPX}'", "dpx='0'"), "above 0"),
         (tsai()[:-12], "not readable as XML"),
+        (tsai().replace(f"focal='{FOCAL}'", "focal='1e200'"), "too large"),
+        (tsai(kappa=1e300), "too large"),
+        (tsai(kappa=1e8), "out of sight"),
+        (tsai().replace(f"dpx='{DPX}'", "dpx='1e-300'"), "above 0"),
+        (tsai(geometry="width='1e300' height='576'"), "more than 100000 px"),
     ],
 )
 def test_what_is_missing_is_told_in_one_line(text: str, why: str, file: Path) -> None:
@@ -94,6 +101,19 @@ def test_what_is_missing_is_told_in_one_line(text: str, why: str, file: Path) ->
     with pytest.raises(CalibrationError, match=why) as error:
         read_calibration((file,))
     assert "\n" not in str(error.value)
+
+
+def test_a_damaged_pose_is_told(file: Path) -> None:
+    text = tsai()
+    file.write_text(text[: text.index(" tx=")] + " tx='1e300' " + text[text.index(" ty=") :])
+    with pytest.raises(CalibrationError, match="too large"):
+        floor_by_pose(file)
+
+
+def test_many_tags_without_an_end_are_told_apart_at_once() -> None:
+    before = time.process_time()
+    assert not is_tsai("<Intrinsic " * 20_000)
+    assert time.process_time() - before < 1.0
 
 
 def test_rows_of_turns_make_the_rotation_of_the_camera() -> None:

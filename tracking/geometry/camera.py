@@ -15,6 +15,8 @@ DISTORTION_LENGTHS = (0, 4, 5, 8, 12, 14)
 """Numbers of distortion coefficients that OpenCV's model knows."""
 FISHEYE_LENGTHS = (0, 4)
 """Those of its fisheye model."""
+MOST_SIDE_PX = 100_000
+"""Of an image; files that tell more are damaged."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -49,6 +51,12 @@ class Camera:
                 "numbers; calibrate with OpenCV's pinhole or fisheye model",
                 size=distortion.size,
                 lengths=lengths,
+            )
+        if max(self.width, self.height) > MOST_SIDE_PX:
+            raise CalibrationError(
+                "calibration: an image of more than {most} px a side is none; set image_width and "
+                "image_height",
+                most=MOST_SIDE_PX,
             )
         if self.width < 1 or self.height < 1:
             raise CalibrationError(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from pathlib import Path
 from xml.etree.ElementTree import Element, ParseError
 
@@ -15,11 +16,15 @@ from tracking.errors import CalibrationError
 from tracking.geometry.camera import Camera
 from tracking.geometry.stereo_calibration import StereoCalibration
 
-_TSAI = re.compile(r"<(?:\w+:)?Intrinsic\b[^>]*\bfocal=", re.DOTALL)
+_TSAI = re.compile(r"<(?:\w+:)?Intrinsic\b[^<>]*\bfocal=", re.DOTALL)
 _INTRINSIC = ("focal", "kappa1", "cx", "cy", "sx")
 _GEOMETRY = ("dpx", "dpy")
 _FITTED_SHARES = np.linspace(-0.5, 0.5, 21)
 """Of the image's width and height, where the lens is turned into OpenCV's."""
+_LARGEST_R2 = 1e12
+"""Squared tangents: a ray a millionth of a radian from the image's plane; lenses end before."""
+_LEAST, _MOST = 1e-9, 1e9
+"""Of numbers above 0, and of all: what no camera has, and arithmetic still holds."""
 
 
 def is_tsai(text: str) -> bool:
@@ -48,25 +53,36 @@ def calibration_of_tsai(text: str, where: Path, size: tuple[int, int] | None) ->
         raise CalibrationError(
             "{where}: does not say the images' size; open it with its recording", where=where
         )
-    if min(inner["focal"], inner["sx"], sensor["dpx"], sensor["dpy"]) <= 0:
+    if min(inner["focal"], inner["sx"], sensor["dpx"], sensor["dpy"]) < _LEAST:
         raise CalibrationError(
             "{where}: focal length, sx, dpx and dpy must be above 0", where=where
         )
     focal = inner["focal"] * np.array((inner["sx"] / sensor["dpx"], 1.0 / sensor["dpy"]))
     matrix = np.array(((focal[0], 0, inner["cx"]), (0, focal[1], inner["cy"]), (0, 0, 1.0)))
-    lens = _lens(inner["kappa1"] * inner["focal"] ** 2, matrix, own)
-    return StereoCalibration.of_one(Camera(matrix, lens, *own))
+    # The plain camera first: it refuses what is no size or no matrix.
+    plain = Camera(matrix, np.zeros(5), *own)
+    lens = _lens(inner["kappa1"] * inner["focal"] ** 2, plain)
+    if not np.isfinite(lens).all():
+        raise CalibrationError(
+            "{where}: Tsai's kappa1 bends the image out of sight; check the file", where=where
+        )
+    return StereoCalibration.of_one(replace(plain, distortion=lens))
 
 
-def _lens(kappa: float, matrix: np.ndarray, size: tuple[int, int]) -> np.ndarray:
-    """(5,) OpenCV's k1 k2 p1 p2 k3 nearest to Tsai's kappa, which is in focal lengths here."""
+def _lens(kappa: float, plain: Camera) -> np.ndarray:
+    """(5,) OpenCV's k1 k2 p1 p2 k3 nearest to Tsai's kappa, which is in focal lengths here.
+
+    Not finite where numbers do not hold so strong a distortion.
+    """
     if kappa == 0.0:
         return np.zeros(5)
-    u, v = np.meshgrid(*((_FITTED_SHARES + 0.5) * side for side in size))
+    u, v = np.meshgrid(*((_FITTED_SHARES + 0.5) * side for side in plain.size))
     pixels = np.column_stack((u.ravel(), v.ravel()))
-    distorted = (pixels - matrix[:2, 2]) / matrix[[0, 1], [0, 1]]
+    distorted = (pixels - plain.matrix[:2, 2]) / plain.matrix[[0, 1], [0, 1]]
     straight = distorted * (1.0 + kappa * (distorted**2).sum(axis=1))[:, None]
     r2 = (straight**2).sum(axis=1)
+    if r2.max() > _LARGEST_R2:
+        return np.full(5, np.nan)
     known = r2 > 1e-9
     ratio = np.sqrt((distorted[known] ** 2).sum(axis=1) / r2[known]) - 1.0
     powers = np.column_stack([r2[known] ** power for power in (1, 2, 3)])
@@ -116,9 +132,9 @@ def _numbers(root: Element, tag: str, names: tuple[str, ...], where: Path) -> di
         raise CalibrationError(
             "{where}: Tsai's {tag} holds what is no number", where=where, tag=tag
         ) from error
-    if not np.isfinite(list(numbers.values())).all():
+    if not all(abs(number) <= _MOST for number in numbers.values()):
         raise CalibrationError(
-            "{where}: Tsai's {tag} holds what is no number", where=where, tag=tag
+            "{where}: Tsai's {tag} holds what is no number, or one too large", where=where, tag=tag
         )
     return numbers
 

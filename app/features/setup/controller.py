@@ -50,6 +50,7 @@ class SetupEditor(QObject):
         self.scene = SetupScene(state)
         self._checks = LatestJob("set-up check", lambda plan: lambda _: trial.check(plan), self)
         self._checks.found.connect(self._take_check)
+        self._checks.failed.connect(self._take_no_check)
         self._reads = LatestJob("set-up images", _read, self)
         self._reads.found.connect(self._take_images)
         self._reads.failed.connect(self._take_no_images)
@@ -244,6 +245,10 @@ class SetupEditor(QObject):
     def _take_check(self, checked: Checked) -> None:
         if checked.plan == self.state.plan:
             self._draw(checked=checked)
+
+    def _take_no_check(self, plan: SetupPlan, error: Exception) -> None:
+        """Say why it cannot be written: nothing else would."""
+        self._take_check(Checked(plan, problem=explain_in_sentence(error), step=Step.WRITE))
 
     def _take_images(self, images: CameraImages) -> None:
         self._draw(images=images)

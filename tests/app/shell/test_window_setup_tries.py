@@ -166,6 +166,21 @@ def test_what_would_be_written_is_worked_out_beside_the_windows_thread(
     assert threading.main_thread() not in threads
 
 
+def test_a_check_that_fails_is_told_where_it_keeps_from_writing(
+    begin: Begin, with_calibration: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fail(plan: object) -> None:
+        raise ArithmeticError("out of range")
+
+    monkeypatch.setattr(trial, "check", fail)
+    user = begin(with_calibration)
+    user.dialog.go_to(Step.WRITE)
+    user.wait_for_rest()
+    assert "out of range" in user.dialog.write.problem.text()
+    assert not user.dialog.write.write.isEnabled()
+    assert _mark(user, Step.WRITE) == "warning"
+
+
 def test_a_recording_toml_that_came_meanwhile_is_not_replaced(
     begin: Begin, with_calibration: Path, window: MainWindow
 ) -> None:
