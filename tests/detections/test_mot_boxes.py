@@ -156,3 +156,13 @@ def test_the_boxes_are_those_that_the_fingerprint_is_of(tmp_path, monkeypatch) -
 
     monkeypatch.setattr(detections_file, "_format_of", changed_meanwhile)
     assert read_detections(path).table.box.tolist() == [[10, 20, 30, 40]]
+
+
+def test_boxes_in_shares_of_the_image_are_told_as_such(tmp_path) -> None:
+    with pytest.raises(FormatError, match="as shares of an image are; give pixels"):
+        read_detections(written(tmp_path, "1,-1,0.5,0.5,0.1,0.2,0.9\n2,-1,0.4,0.5,0.1,0.2,0.9\n"))
+
+
+def test_a_line_of_names_above_the_numbers_is_told(tmp_path) -> None:
+    with pytest.raises(FormatError, match="line 1 is no row of numbers"):
+        read_detections(written(tmp_path, "frame,id,x,y,w,h,conf\n1,-1,11,21,30,40,0.5\n"))

@@ -13,7 +13,7 @@ import pytest
 from tracking.errors import RecordingError
 from tracking.geometry import Camera, Ground, StereoCalibration, write_calibration
 from tracking.recording import open_recording, read_manifest
-from tracking.setup import SetupPlan, find_cameras, pair_by_name, plan_of, write_setup
+from tracking.setup import SetupPlan, cameras, find_cameras, pair_by_name, plan_of, write_setup
 from tracking.setup.plan import options_of_plan
 from tracking.synthesis import render_recording
 
@@ -74,6 +74,31 @@ def test_which_camera_is_left_is_found_from_the_images(
         assert (found.left, found.right) == (left, right)
         assert found.swapped == (given[0] == right)
         assert found.doubts == ()
+
+
+def test_names_of_sides_count_where_the_images_do_not_tell_them_for_sure(
+    views: tuple[Images, Images],
+    write: Callable[[str, Images], Path],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(cameras, "_is_swapped", lambda _: (True, False))
+    left, right = write("L_0001", views[0]), write("R_0001", views[1])
+    for given in ((left, right), (right, left)):
+        found = find_cameras(*given)
+        assert (found.left, found.right) == (left, right)
+        (doubt,) = found.doubts
+        assert f"{left.name} is taken; as the names say" in doubt
+        assert "is the left camera" not in " ".join(found.notes)
+    one, other = write("a", views[0]), write("b", views[1])
+    found = find_cameras(one, other)
+    assert (found.left, found.swapped) == (other, True)
+    assert "exchange them if that is wrong" in found.doubts[0]
+
+
+def test_a_height_that_was_likely_typed_in_centimetres_is_told(tmp_path: Path) -> None:
+    plan = SetupPlan(tmp_path / "a.mp4", ground=Ground(240.0, 30.0))
+    assert any("give 2.4 m" in note for note in plan.notes)
+    assert replace(plan, ground=Ground(2.4, 30.0)).notes == ()
 
 
 @pytest.mark.parametrize(

@@ -165,6 +165,11 @@ def _format_of(path: Path, head: bytes) -> BoxFormat:
     known = box_format_of(head)
     if known is not None:
         return known
+    first, _, rest = head.partition(b"\n")
+    if box_format_of(rest) is not None and first.strip():
+        raise FormatError(
+            "{path}: line 1 is no row of numbers, and the others are MOT text; remove it", path=path
+        )
     failed = told_of_plugins()
     also = " (" + failed + ")" if failed else ""
     if lacks_commas(head):
@@ -190,6 +195,12 @@ def _in_footage(
     are. Raises FormatError where no box is left.
     """
     later = table.frame >= footage.frames
+    if len(table.box) and bool((table.box[:, 2:] <= 1).all()):
+        raise FormatError(
+            "{path}: its boxes are no larger than a pixel, as shares of an image are; give pixels, "
+            "or YOLO text as the folder of its files",
+            path=path,
+        )
     low, high = table.box[:, :2], table.box[:, :2] + table.box[:, 2:]
     outside = ((low >= footage.size_px) | (high <= 0)).any(axis=1) & ~later
     width, height = footage.size_px

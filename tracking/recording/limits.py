@@ -4,11 +4,28 @@ from __future__ import annotations
 
 from tracking.errors import CalibrationError, RecordingError
 from tracking.geometry import Ground
+from tracking.translation import Message, msg
 
 LEAST_FPS, MOST_FPS = 0.001, 10_000
 """Frames a second; recordings of days in pictures minutes apart, and high-speed cameras."""
 LEAST_HEIGHT_M, MOST_HEIGHT_M = 0.01, 1000
 """People filmed from higher up are smaller than a pixel."""
+
+
+_LIKELY_CM_M = 100.0
+"""A camera so high films people of a few pixels; one in centimetres is given like that."""
+
+
+def height_doubt(ground: Ground) -> Message | None:
+    """What is said of a height that was likely meant in centimetres; None: it is usual."""
+    if ground.height_m <= _LIKELY_CM_M:
+        return None
+    return msg(
+        "the camera is {height_m:g} m above the floor; if centimetres were meant, give "
+        "{metres:g} m",
+        height_m=ground.height_m,
+        metres=ground.height_m / 100,
+    )
 
 
 def checked_fps(fps: float, where: str) -> float:

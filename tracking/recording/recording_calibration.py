@@ -21,6 +21,7 @@ from tracking.geometry.json_calibration import calibration_of_json, parsed
 from tracking.geometry.ros_calibration import calibration_of_ros
 from tracking.recording.bags.bag_pictures import calibration_texts, is_bag, open_bag
 from tracking.recording.kinds.oak import calibration_in_tar
+from tracking.recording.limits import height_doubt
 from tracking.recording.tar_pictures import is_tar
 from tracking.translation import Message, msg
 
@@ -78,6 +79,8 @@ def read_calibrated(
     if not stereo and calibration.right is not None:
         calibration = StereoCalibration.of_one(calibration.left, rough=calibration.rough)
     notes += _shortcomings(files[0], calibration, stereo)
+    if ground is not None and (doubt := height_doubt(ground)) is not None:
+        notes += (doubt,)
     return Calibrated(
         calibration,
         View(calibration.left, ground) if ground is not None else None,

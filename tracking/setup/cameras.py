@@ -17,7 +17,8 @@ from tracking.recording.interleaved_video import field_of
 from tracking.recording.pictures import PictureSource
 from tracking.recording.places import open_pictures
 from tracking.setup.files import is_container
-from tracking.translation import N_, Message, msg
+from tracking.setup.pair_names import pair_by_name
+from tracking.translation import N_, Message, joined, msg
 
 _LOOKS = 5
 """Instants at which the cameras' images are compared."""
@@ -128,44 +129,66 @@ def _two_files(
         if unlike is not None:
             return unlike
         assert found is not None, "no matches are unlike"
-    turn_deg = found.roll_deg
-    if abs(turn_deg) > _UPSIDE_DOWN_DEG:
-        doubts += [
-            msg(
-                "{right} is turned by {turn:.0f} degrees against {left}: one of them is upside "
-                "down; turn its images",
-                right=other.name,
-                left=source.name,
-                turn=abs(turn_deg),
-            )
-        ]
+    turned = _turned(source, other, found.roll_deg)
+    if turned is not None:
+        doubts = [*doubts, turned]
         return CameraFindings(left, right, same_scene=True, notes=(*notes,), doubts=(*doubts,))
-    if abs(turn_deg) > _TURNED_DEG:
-        doubts += [
-            msg(
-                "{right} is turned by {turn:.0f} degrees against {left}: turn its images",
-                right=other.name,
-                left=source.name,
-                turn=turn_deg,
-            )
-        ]
-        return CameraFindings(left, right, same_scene=True, notes=(*notes,), doubts=(*doubts,))
-    swapped, sure = _is_swapped(found)
-    names = (other.name, source.name) if swapped else (source.name, other.name)
-    notes += [
-        msg(
-            "{left} and {right} show one place ({count} points agree); {left} is the left camera",
-            left=names[0],
-            right=names[1],
-            count=found.agreeing,
-        )
-    ]
-    if not sure:
-        doubts += [msg("the cameras do not stand side by side: which is left is not sure")]
+    swapped, note, doubted = _sides(left, right, (source.name, other.name), found)
     files = (right, left) if swapped else (left, right)
+    notes, doubts = [*notes, note], [*doubts, *doubted]
     return CameraFindings(
         *files, swapped=swapped, same_scene=True, notes=(*notes,), doubts=(*doubts,)
     )
+
+
+def _turned(source: PictureSource, other: PictureSource, turn_deg: float) -> Message | None:
+    """What is said of cameras one of which is turned; None: neither is."""
+    if abs(turn_deg) > _UPSIDE_DOWN_DEG:
+        return msg(
+            "{right} is turned by {turn:.0f} degrees against {left}: one of them is upside down; "
+            "turn its images",
+            right=other.name,
+            left=source.name,
+            turn=abs(turn_deg),
+        )
+    if abs(turn_deg) > _TURNED_DEG:
+        return msg(
+            "{right} is turned by {turn:.0f} degrees against {left}: turn its images",
+            right=other.name,
+            left=source.name,
+            turn=turn_deg,
+        )
+    return None
+
+
+def _sides(
+    left: Path, right: Path, names: tuple[str, str], found: RelativePose
+) -> tuple[bool, Message, tuple[Message, ...]]:
+    """Whether the cameras are given the other way round, what is said of it, and the doubts.
+
+    Names that tell the sides count for more than images that do not tell them for sure.
+    """
+    swapped, sure = _is_swapped(found)
+    named = pair_by_name((left, right))
+    by_name = not sure and named is not None and named.sides_told
+    if by_name and named is not None:
+        swapped = named.left == right
+    taken, beside = names[::-1] if swapped else names
+    agree = msg(
+        "{left} and {right} show one place ({count} points agree)",
+        left=taken,
+        right=beside,
+        count=found.agreeing,
+    )
+    if sure:
+        return swapped, joined("; ", (agree, msg("{left} is the left camera", left=taken))), ()
+    doubt = msg("which camera is left is not sure from the images: {left} is taken", left=taken)
+    why = (
+        msg("as the names say")
+        if by_name
+        else msg("look at both, and exchange them if that is wrong")
+    )
+    return swapped, agree, (joined("; ", (doubt, why)),)
 
 
 def _is_swapped(found: RelativePose) -> tuple[bool, bool]:

@@ -12,6 +12,7 @@ from tracking.geometry import Ground, read_calibration
 from tracking.geometry.calibration_writer import format_calibration
 from tracking.recording.depth_pictures import USUAL_SCALE_M
 from tracking.recording.image_pairs import Layout, Side
+from tracking.recording.limits import height_doubt
 from tracking.recording.manifest import (
     MANIFEST_NAME,
     Manifest,
@@ -95,12 +96,15 @@ class SetupPlan:
 
     @property
     def notes(self) -> tuple[Message, ...]:
-        """What is odd about where the files lie, in words."""
+        """What is odd about the floor and where the files lie, in words."""
         files = (self.left, self.right, self.depth)
         parents = {_absolute(file).parent for file in files if file is not None}
+        doubt = None if self.ground is None else height_doubt(self.ground)
+        notes = () if doubt is None else (doubt,)
         if self.at is not None or len(parents) == 1:
-            return ()
+            return notes
         return (
+            *notes,
             msg(
                 "the files lie in {count} folders: recording.toml stands in {folder}, which holds "
                 "them all",

@@ -20,6 +20,7 @@ from app.features.setup.scene import FloorMethod, SetupPicture, SetupScene, Setu
 from app.features.setup.step_page import StepPage, choose, fit_stack, named, plain
 from tracking.calibration.floor import FloorEstimate
 from tracking.progress import Progress
+from tracking.recording.limits import MOST_HEIGHT_M
 
 _PAGES: dict[FloorMethod, int] = {
     "measured": 0,
@@ -109,7 +110,7 @@ class FloorPage(StepPage):
 
     def _build_fields(self) -> None:
         form = self.form()
-        self.height_m = self.number(" m", 0.0, 60.0, 3, self._type)
+        self.height_m = self.number(" m", 0.0, MOST_HEIGHT_M, 3, self._type)
         self.height_m.setSpecialValueText(tr("not known"))
         self.tilt_deg = self.number(_DEGREE, -45.0, 90.0, 2, self._type)
         self.roll_deg = self.number(_DEGREE, -90.0, 90.0, 2, self._type)

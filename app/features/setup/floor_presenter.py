@@ -26,6 +26,7 @@ from tracking.errors import CalibrationError
 from tracking.geometry import Ground
 from tracking.progress import Progress
 from tracking.recording import Recording, open_recording
+from tracking.recording.limits import height_doubt
 from tracking.recording.region_of_interest import EVERYWHERE
 from tracking.setup.plan import options_of_plan
 
@@ -134,8 +135,10 @@ def with_typed(state: SetupState, height_m: float, tilt_deg: float, roll_deg: fl
         return state
     ground = Ground(height_m, tilt_deg, roll_deg) if height_m > 0 else None
     told = tr("Set by hand.") if ground is not None else ""
+    doubt = None if ground is None else height_doubt(ground)
     plan = replace(state.plan, ground=ground)
-    return replace(state, plan=plan, floor_told=told, floor_doubt="")
+    said = "" if doubt is None else sentence(doubt)
+    return replace(state, plan=plan, floor_told=told, floor_doubt=said)
 
 
 def with_point(state: SetupState, u: float, v: float) -> SetupState:

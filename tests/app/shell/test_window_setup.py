@@ -123,6 +123,21 @@ def test_steps_are_left_and_entered_at_will_and_say_how_they_stand(
     assert dialog.page is dialog.calibration
 
 
+def test_a_height_in_centimetres_stays_as_typed_and_is_told(
+    begin: Begin, with_calibration: Path
+) -> None:
+    user = begin(with_calibration)
+    dialog = user.dialog
+    dialog.go_to(Step.FLOOR)
+    user.type(dialog.floor.height_m, "278")
+    assert dialog.plan is not None
+    assert dialog.plan.ground is not None
+    assert dialog.plan.ground.height_m == 278.0
+    assert "give 2.78 m" in dialog.floor.doubt.text()
+    user.type(dialog.floor.height_m, "2.78")
+    assert dialog.floor.doubt.text() == ""
+
+
 def test_an_interrupted_set_up_is_offered_again(
     begin: Begin, with_calibration: Path, window: MainWindow, qtbot: QtBot
 ) -> None:

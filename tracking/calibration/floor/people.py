@@ -20,7 +20,7 @@ from tracking.errors import CalibrationError
 from tracking.geometry import Camera, Ground, View
 from tracking.progress import Progress, no_progress
 from tracking.recording import Recording
-from tracking.translation import Message, msg
+from tracking.translation import Message, count_msg, msg
 
 _LEAST_SQUARES: Any = least_squares
 """Its stubs take no plain floats and functions."""
@@ -146,10 +146,10 @@ def _check(camera: Camera, seen: PeopleSeen) -> None:
     people = len(np.unique(seen.person))
     if people < _FEWEST_PEOPLE or len(cells) < _FEWEST_AREAS:
         raise CalibrationError(
-            "floor: {count} people are seen to walk alone, in {areas} parts of the image; longer "
-            "footage with people in more places is needed, or points on the floor",
-            count=people,
-            areas=len(cells),
+            "floor: {people} to walk alone, in {areas} of the image; longer footage with people "
+            "in more places is needed, or points on the floor (--points)",
+            people=count_msg(people, "{n} person is seen", "{n} people are seen"),
+            areas=count_msg(len(cells), "{n} part", "{n} parts"),
         )
 
 

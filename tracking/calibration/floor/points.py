@@ -19,7 +19,7 @@ from tracking.calibration.floor.estimate import (
 )
 from tracking.errors import CalibrationError
 from tracking.geometry import Camera
-from tracking.translation import Message, msg
+from tracking.translation import Message, count_msg, msg
 
 _LEAST_SQUARES: Any = least_squares
 """Its stubs take no plain floats and functions."""
@@ -142,8 +142,8 @@ def floor_by_distances(
 def _check(pixels: Floats, places: Floats) -> None:
     if len(pixels) < _FEWEST:
         raise CalibrationError(
-            "floor: {count} points; give {fewest} or more that are not on a line",
-            count=len(pixels),
+            "floor: {points}; give {fewest} or more that are not on a line",
+            points=count_msg(len(pixels), "{n} point", "{n} points"),
             fewest=_FEWEST,
         )
     if not (np.isfinite(pixels).all() and np.isfinite(places).all()):
