@@ -20,6 +20,7 @@ from app.core.look.theme import Look
 from app.core.scenes.labels import Tool
 from app.features.history.controller import HistoryWalk
 from app.features.scoring.commands import reportable
+from app.shell import project_commands
 from app.shell.shortcuts import ShortcutsDialog
 from app.shell.window_app import WindowApp
 
@@ -35,71 +36,14 @@ def _file(
     *,
     separated: bool = False,
     icon: str = "",
-    also: str = "",
 ) -> Command[WindowApp]:
     return Command(
-        *(f"file.{name}", title, "File", keys, enabled, run),
-        separated=separated,
-        icon=icon,
-        also=also,
+        f"file.{name}", title, "File", keys, enabled, run, separated=separated, icon=icon
     )
-
-
-def _of_project(
-    name: str,
-    title: str,
-    keys: tuple[str, ...],
-    enabled: Callable[[WindowApp], str],
-    run: Callable[[WindowApp], object],
-    also: str = "",
-) -> Command[WindowApp]:
-    return Command(f"file.{name}", title, "File/Project", keys, enabled, run, also=also)
 
 
 def _at_any_time(_: WindowApp) -> str:
     return ""
-
-
-def _project(app: WindowApp) -> str:
-    """A project must be open."""
-    return "" if app.files.projects.is_open else tr("open a project first")
-
-
-def _in_project(app: WindowApp) -> str:
-    """A recording must be open, and the project behind it."""
-    return _project(app) or recording(app)
-
-
-def _may_track(app: WindowApp) -> str:
-    """A project must be open, and no batch be at work in it."""
-    return _project(app) or ("" if _batch(app) else tr("a batch is at work: wait, or stop it"))
-
-
-def _batch(app: WindowApp) -> str:
-    """A batch must be at work."""
-    batches = app.files.projects.project.batches
-    return "" if batches.watched is not None else tr("no batch is at work")
-
-
-def _comparable(app: WindowApp) -> str:
-    """A project must be open in which two annotators worked on one recording."""
-    if app.busy or _project(app):
-        return _project(app) or tr("wait until the work in progress is done")
-    several = app.files.projects.project.compared
-    return "" if several else tr("no recording of the project has two sessions")
-
-
-def _trainable(app: WindowApp) -> str:
-    """A project must be open in which body parts are labelled."""
-    if app.busy or _project(app):
-        return _project(app) or tr("wait until the work in progress is done")
-    labelled = app.files.projects.project.labelled
-    return "" if labelled else tr("no session of the project has labels of body parts")
-
-
-def _has_next(app: WindowApp) -> str:
-    """A project must be open in which something is left to review."""
-    return _project(app) or app.files.projects.project.why_not_next
 
 
 FILES: Final = (
@@ -113,69 +57,7 @@ FILES: Final = (
         _at_any_time,
         lambda app: app.files.ask_open_folder(),
     ),
-    _file(
-        "open_project",
-        "Open project...",
-        ("Ctrl+Alt+O",),
-        _at_any_time,
-        lambda app: app.files.projects.ask(),
-        also="folder recordings batch list",
-    ),
-    _of_project(
-        "project",
-        "Back to the project",
-        ("Ctrl+Alt+P",),
-        _in_project,
-        lambda app: app.files.projects.back(),
-        also="list recordings close",
-    ),
-    _of_project(
-        "next_recording",
-        "Next recording to review",
-        ("Ctrl+Alt+N",),
-        _has_next,
-        lambda app: app.files.projects.project.open_next(),
-        also="project risk worth",
-    ),
-    _of_project(
-        "track_project",
-        "Track recordings...",
-        (),
-        _may_track,
-        lambda app: app.files.projects.ask_batch(),
-        also="batch project",
-    ),
-    _of_project(
-        "stop_batch",
-        "Stop the batch",
-        (),
-        _batch,
-        lambda app: app.files.projects.project.batches.cancel(),
-        also="cancel project",
-    ),
-    _of_project(
-        "agreement",
-        "Agreement between annotators...",
-        (),
-        _comparable,
-        lambda app: app.files.projects.compare(),
-        also="project kappa compare",
-    ),
-    _of_project(
-        "train_project",
-        "Train a part-failure detector from all sessions...",
-        (),
-        _trainable,
-        lambda app: app.files.projects.train(),
-        also="project labels",
-    ),
-    _of_project(
-        "close_project",
-        "Close project",
-        (),
-        _project,
-        lambda app: app.files.projects.close_project(),
-    ),
+    *project_commands.COMMANDS,
     Command[WindowApp](
         "file.setup",
         "Set up a recording from videos...",
@@ -194,7 +76,6 @@ FILES: Final = (
         lambda app: app.files.setup.again(),
         also="calibration floor height tilt metres overhead",
     ),
-    _file("demo", "Try the demo", (), _at_any_time, lambda app: app.files.open_demo(), icon="demo"),
     _file(
         "save",
         "Save",
@@ -354,6 +235,9 @@ HELP: Final[tuple[Command[WindowApp], ...]] = (
         recording,
         lambda app: app.files.doctor.ask(),
         also="doctor calibration floor lag mend wrong",
+    ),
+    Command(
+        "file.demo", "Try the demo", "Help", run=lambda app: app.files.open_demo(), icon="demo"
     ),
     Command("help.about", "About trackwright", "Help", run=_tell_about),
 )

@@ -20,6 +20,7 @@ from tracking.owned_files import read_file
 
 STATE: Final = ".batch.state"
 STOP: Final = ".batch.stop"
+_PART = f"{STATE}.part"
 _WRITE_EVERY_S = 0.5
 _MOST_BYTES = 1 << 20
 _MOST_WORKERS = 256
@@ -78,7 +79,7 @@ class StateFile(Listener):
 
     def close(self) -> None:
         """Take the files away."""
-        for name in (STATE, STOP):
+        for name in (STATE, _PART, STOP):
             with contextlib.suppress(OSError):
                 (self._out / name).unlink(missing_ok=True)
 
@@ -105,7 +106,7 @@ class StateFile(Listener):
 
     def _write(self, state: BatchState) -> None:
         self._written_s = time.monotonic()
-        part = self._out / f"{STATE}.part"
+        part = self._out / _PART
         with contextlib.suppress(OSError):  # nobody can watch then
             part.unlink(missing_ok=True)
             with part.open("x", encoding="utf-8") as file:

@@ -161,7 +161,11 @@ def _batch_state(row: ProjectRow) -> tuple[str, Mood]:
 def _detail(row: ProjectRow, folder: Path) -> str:
     """The line below the name: a reason first, else which session is shown."""
     if row.problem:
-        return sentence(row.problem).replace(f"{folder}{os.sep}", "")
+        places = [folder if row.recording is None else row.recording.path, folder]
+        text = sentence(row.problem)
+        for place in places:  # the row says where it is
+            text = text.replace(f"{place}{os.sep}", "")
+        return text
     session = row.session
     if session is None:
         return tr("no session")

@@ -57,6 +57,8 @@ def window_app(**given: Any) -> Any:
         LabelController: SimpleNamespace(tool=None, suggests=False),
         ReviewController: reviewing,
     }
+    batches = SimpleNamespace(watched=None)
+    projects = SimpleNamespace(is_open=False, project=SimpleNamespace(batches=batches))
     detectors = SimpleNamespace(result=None, choice=SimpleNamespace(path="", name=""))
     return SimpleNamespace(
         document=document if given.get("recording", True) else None,
@@ -73,7 +75,7 @@ def window_app(**given: Any) -> Any:
             tracking=SimpleNamespace(best="flow", why_not="", following=SimpleNamespace(on=False)),
             live=SimpleNamespace(stopping=False),
         ),
-        files=SimpleNamespace(detectors=detectors),
+        files=SimpleNamespace(detectors=detectors, projects=projects),
         window=SimpleNamespace(look_choice=SimpleNamespace(look=None)),
     )
 
