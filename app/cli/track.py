@@ -26,6 +26,7 @@ from tracking.errors import (
     told_by_system,
 )
 from tracking.pipeline import Tracking, track
+from tracking.pipeline.nobody_found import why_nobody
 from tracking.recording import Recording
 from tracking.session import IMPORTED, Session
 from tracking.trackers import TrackerSpec, best_tracker, parse_settings, tracker_named
@@ -70,7 +71,7 @@ def run_track(
             )
         )
         if not people and not set(run.notes).difference(recording.notes):
-            say(_nobody(run.tracker))
+            say(msg("note: {why}", why=why_nobody(recording, run.tracker)))
         print_line(out)
 
 
@@ -98,19 +99,6 @@ def _unused(recording: Recording) -> str:
         missing=missing,
         tracker=tracker,
         which=which,
-    )
-
-
-def _nobody(tracker: str) -> str:
-    """Why a tracker may have found nobody, where nothing else has been told of it.
-
-    Two cameras tell which of two lasting looks is farther.
-    """
-    much = msg("nearly all") if tracker_named(tracker).needs_stereo else msg("half")
-    return msg(
-        "note: nobody was found; what stands still for {much} of the footage is taken "
-        "for background: track more of it, or look at the foreground in the window",
-        much=much,
     )
 
 

@@ -15,6 +15,7 @@ from app.core.i18n import strip_full_stop
 from app.core.tracking_process import TrackerProcess, TrackingRequest
 from app.features.runs.run_summary import RunSummary
 from tracking.pipeline import KeptSteps
+from tracking.pipeline.nobody_found import why_nobody
 from tracking.recording import Recording
 from tracking.trackers import Resume
 from tracking.tracks import Run
@@ -138,7 +139,9 @@ class LiveTracker(QObject):
         """The run with what it was given and what is told; why: it ended early, "": it did not."""
         run = replace(run, detections_input=self._process.detections_input)
         on_the_way = self.kept.parts("tracks", *self.kept.frames)
-        self.run_summary = RunSummary.of(run, on_the_way, self._asked, why)
+        summary = RunSummary.of(run, on_the_way, self._asked, why)
+        nobody = None if summary.tracks else why_nobody(self._recording, run.tracker)
+        self.run_summary = replace(summary, nobody=nobody)
         return replace(run, notes=(*self.notes, *([self.run_summary.early] if why else [])))
 
     def _make_room(self, _batch: object) -> None:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from app.core.i18n import count_text, joined_text, tr
+from app.core.i18n import count_text, joined_text, sentence, tr
 from tracking.session import Session
 from tracking.tracks import Columns, Run, row_keys
 from tracking.translation import Message, msg
@@ -24,6 +24,7 @@ class RunSummary:
         tracks: ids there are now. seen: ids there were on the way; changed: of these, how many
             are others now, or gone, wherever their person was seen.
         why: the tracker could not go on; "": it came to its end, or was stopped.
+        nobody: why there may be no track; None: there are some, or nobody knows.
     """
 
     tracker: str
@@ -33,6 +34,7 @@ class RunSummary:
     seen: int
     changed: int
     why: str = ""
+    nobody: Message | None = None
 
     @classmethod
     def of(
@@ -83,6 +85,8 @@ class RunSummary:
 
     @property
     def _found_text(self) -> str:
+        if self.nobody is not None and not self.tracks:
+            return sentence(self.nobody)
         return count_text(self.tracks, "Found {n} track.", "Found {n} tracks.")
 
     @property

@@ -63,6 +63,9 @@ class RegionPage(StepPage):
         self.leave_out = self.button(tr("Leave this out"), lambda: self._begin("mask"))
         self.occluder = self.button(tr("Occluder"), lambda: self._begin("occluder"))
         self.line = self.button(tr("Counting line"), lambda: self._begin("line"))
+        self.look_here.setToolTip(
+            tr("People are seen as far as they are within: draw it around their heads, too.")
+        )
         self.leave_out.setToolTip(tr("A clock, a screen, a mirror: nobody is looked for there."))
         self.occluder.setToolTip(tr("A pillar, a desk: people pass behind it."))
         self.line.setToolTip(tr("Passages over it are counted, both ways."))

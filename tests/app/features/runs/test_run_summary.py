@@ -6,6 +6,9 @@ from two_people import columns
 from two_people import run as made_run
 
 from app.features.runs.run_summary import RunSummary, describe_further_run
+from tracking.pipeline.nobody_found import why_nobody
+from tracking.recording import open_recording
+from tracking.recording.options import OpenOptions
 from tracking.translation import use_catalogue
 
 ASKED = (0, 100)
@@ -72,3 +75,19 @@ def test_what_is_told_is_made_of_whole_sentences_that_can_be_translated():
     sentences = [text for text in asked if " " in text.strip()]  # and what stands between them
     assert len(sentences) == 3
     assert all(text[0].isupper() and text.endswith(".") for text in sentences)
+
+
+def test_a_run_without_a_track_says_why_there_may_be_none(tiny_recording):
+    empty = {name: column[:0] for name, column in made_run().tracks.items()}
+    summary = RunSummary.of(replace(made_run(), tracks=empty), [], ASKED)
+    with open_recording(tiny_recording) as recording:
+        nobody = why_nobody(recording, "spheroid")
+    words = replace(summary, nobody=nobody).words("Kept.")
+    assert "Nobody was found; what stands still for half of the footage" in words
+    assert "Found 0 tracks" not in words
+
+
+def test_a_region_is_named_where_nobody_was_found(tiny_recording):
+    outline = ((0.0, 0.0), (20.0, 0.0), (20.0, 20.0))
+    with open_recording(tiny_recording, OpenOptions(look=(outline,))) as recording:
+        assert "must hold their heads, too" in why_nobody(recording, "spheroid")
