@@ -32,8 +32,8 @@ def without_ghosts(
     """The regions less those that are no people but holes people left in the background, or clouds.
 
     Along a person's outline the picture has an edge and the background has none; along a ghost's
-    it is the other way round. Along most of the outline of clouds and light neither has one: they
-    fade.
+    it is the other way round. Along most of the outline of clouds neither has one: they fade. Where
+    the floor is known clouds stand on none, and people dressed like what is behind may fade.
 
     Args:
         regions: (height, width) k + 1 for the pixels of region k.
@@ -49,7 +49,7 @@ def without_ghosts(
     kept = 0
     for k in range(1, count + 1):
         own = (regions == k).view(np.uint8)
-        if not own.any() or _fades(own, regions, picture, background):
+        if not own.any() or (not floor_known and _fades(own, regions, picture, background)):
             continue
         if not _is_ghost(own, picture, background, along):
             kept += 1
