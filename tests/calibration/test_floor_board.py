@@ -9,6 +9,8 @@ import pytest
 from rendered_boards import CAMERA, FISHEYE, GROUND, image_of, lying
 
 from tracking.calibration.boards import Board
+from tracking.calibration.boards.detection import BoardView, GrayImage, find_board
+from tracking.calibration.floor import board as board_floor
 from tracking.calibration.floor import floor_of_board
 from tracking.errors import CalibrationError
 from tracking.geometry import Ground
@@ -61,3 +63,33 @@ def test_a_board_that_is_not_there_and_one_of_no_size_are_refused() -> None:
         floor_of_board(CAMERA, [empty], BOARDS["chessboard"])
     with pytest.raises(CalibrationError, match="square in metres"):
         floor_of_board(CAMERA, [empty], Board("chessboard", 9, 6))
+
+
+def test_a_still_board_of_which_some_points_are_missed_lies_at_one_place(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    random = np.random.default_rng(3)
+
+    def find_most(image: GrayImage, board: Board) -> BoardView | None:
+        view = find_board(image, board)
+        return view and view.only(random.choice(view.point, len(view) - 3, replace=False))
+
+    monkeypatch.setattr(board_floor, "find_board", find_most)
+    board = BOARDS["chessboard"]
+    found = floor_of_board(CAMERA, [lying(board)] * 4, board)
+    assert_near(found.ground)
+    assert found.notes == floor_of_board(CAMERA, [lying(board)], board).notes
+
+
+def test_a_board_counted_from_its_other_end_lies_where_it_lay() -> None:
+    view = BoardView(np.arange(54), np.random.default_rng(3).uniform(0, 400, (54, 2)))
+    turned = BoardView(view.point, view.pixel[::-1].copy())
+    (place,) = board_floor.views_by_place([view, turned])
+    np.testing.assert_allclose(place[1].pixel, view.pixel)
+
+
+def test_the_search_for_a_board_is_told_image_by_image() -> None:
+    told: list[tuple[int, int]] = []
+    images = [lying(BOARDS["chessboard"])] * 2
+    floor_of_board(CAMERA, images, BOARDS["chessboard"], lambda *step: told.append(step))
+    assert told == [(1, 4), (2, 4)]

@@ -18,6 +18,7 @@ from tracking.geometry import Camera, StereoCalibration
 from tracking.progress import Progress, no_progress
 from tracking.recording.frame import Image
 from tracking.recording.places import open_pictures
+from tracking.recording.sampling import spread_frames
 
 _CV: Any = cv2
 """The stubs lack parts of OpenCV 5."""
@@ -232,11 +233,10 @@ def _matched(request: RoughRequest, progress: Progress) -> tuple[Floats, tuple[i
                 "calibration: the two cameras' images differ in size; give a pair of one size"
             )
         count = min(left.frame_count, right.frame_count)
-        numbers = np.unique(np.linspace(0, count - 1, min(count, _FRAMES)).astype(int))
-        found = []
-        for done, number in enumerate(numbers.tolist()):
-            found.append(_matches(*(side.read(number) for side in (left, right))))
-            progress(done + 1, len(numbers))
+        found = [
+            _matches(*(side.read(number) for side in (left, right)))
+            for number in spread_frames(count, _FRAMES, progress)
+        ]
     finally:
         left.close()
         right.close()

@@ -14,9 +14,9 @@ from tracking.progress import Progress, no_progress
 from tracking.recording import Recording
 from tracking.translation import Message, msg
 
-_STEPS = SAMPLES + 5
+_MOVED, _PAIRED, _STEPS = SAMPLES + 2, SAMPLES + 3, SAMPLES + 11
 """Of an examination as it is told: the frames that are read, and what each later check takes of
-their time."""
+their time; the last steps are those of looking for a floor."""
 _LEAST_SAMPLES = 3
 """Images whose median shows no people."""
 
@@ -60,9 +60,9 @@ def examine(recording: Recording, tell: Progress = no_progress) -> Examination:
     baseline = None if calibration is None else calibration.baseline_m
     moved, before = moved_camera.check_moved(samples, focal, baseline)
     findings.add(moved_camera.CODE, moved)
-    tell(_STEPS - 3, _STEPS)
+    tell(_MOVED, _STEPS)
     if recording.has_depth:
-        found, why = floor_check.check_depth_floor(recording)
+        found, why = floor_check.check_depth_floor(recording, _of_floor(tell))
         if why is None:
             findings.add(floor_check.DEPTH_FLOOR, found)
         else:
@@ -74,11 +74,16 @@ def examine(recording: Recording, tell: Progress = no_progress) -> Examination:
         )  # fmt: skip
     else:
         findings.add(pairing_checks.LAG, pairing_checks.check_lag(recording, calibration))
-        tell(_STEPS - 2, _STEPS)
-        _check_rig(findings, recording, calibration, _unmoved(samples, before))
+        tell(_PAIRED, _STEPS)
+        _check_rig(findings, recording, calibration, _unmoved(samples, before), _of_floor(tell))
     tell(_STEPS, _STEPS)
     dearest_first = sorted(findings.found, key=lambda one: -one.cost_m)
     return Examination(tuple(dearest_first), tuple(findings.checked), findings.unchecked)
+
+
+def _of_floor(tell: Progress) -> Progress:
+    """How the search for a floor is told as a part of the examination."""
+    return lambda done, total: tell(_PAIRED + done * (_STEPS - _PAIRED) // max(total, 1), _STEPS)
 
 
 def _unmoved(samples: Samples, before: int) -> Samples:
@@ -89,7 +94,11 @@ def _unmoved(samples: Samples, before: int) -> Samples:
 
 
 def _check_rig(
-    findings: _Findings, recording: Recording, calibration: StereoCalibration, samples: Samples
+    findings: _Findings,
+    recording: Recording,
+    calibration: StereoCalibration,
+    samples: Samples,
+    tell: Progress,
 ) -> None:
     pair = still_pair(samples)
     geometry = (geometry_check.ROWS, geometry_check.FLOOR)
@@ -108,7 +117,7 @@ def _check_rig(
         findings.leave(msg("the recording does not say where the floor is"), geometry_check.FLOOR)
     elif _is_another(height_ratio(calibration, ground, pair.matches)):
         # Nothing else is told of a floor that is not where it is given: all would be blamed.
-        other, unknown = floor_check.check_other_floor(recording)
+        other, unknown = floor_check.check_other_floor(recording, tell)
         ground = None
         if unknown is None:
             findings.add(geometry_check.FLOOR, other)

@@ -35,6 +35,12 @@ _FIGURES: Mapping[str, str] = {
     "lag": N_("Lag measured (frames)"),
     "told": N_("Lag in recording.toml (frames)"),
     "seconds": N_("Lag measured (s)"),
+    "height_m": N_("Height measured (m)"),
+    "height_told_m": N_("Height in recording.toml (m)"),
+    "tilt_deg": N_("Tilt measured (degrees)"),
+    "tilt_told_deg": N_("Tilt in recording.toml (degrees)"),
+    "roll_deg": N_("Roll measured (degrees)"),
+    "roll_told_deg": N_("Roll in recording.toml (degrees)"),
 }
 """By their names in the evidence, where that is no word."""
 _AMOUNT = ("amount", "sigma", "unit")
@@ -101,9 +107,9 @@ def undone(files: Mended) -> tuple[Path, ...]:
     return undo_mend(files)
 
 
-def working(text: str = "") -> DoctorScene:
+def working() -> DoctorScene:
     """While the recording is examined."""
-    return DoctorScene(State.WORKING, text or tr("The recording is being checked."))
+    return DoctorScene(State.WORKING, tr("The recording is being checked."))
 
 
 def cancelled() -> DoctorScene:

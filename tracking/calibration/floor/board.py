@@ -21,6 +21,7 @@ from tracking.errors import CalibrationError
 from tracking.geometry import Camera
 from tracking.progress import Progress, no_progress
 from tracking.recording import Recording
+from tracking.recording.sampling import spread_frames
 from tracking.translation import Message, msg
 
 _LOOKS = 15
@@ -29,6 +30,8 @@ _CORNER_PX = 0.2
 """Corners are no surer than so: prints bend, and lenses are not quite as calibrated."""
 _STILL_PX = 2.0
 """A board whose points moved by less, in the median, lies where it lay."""
+_FEWEST_COMMON = 6
+"""Points that two views must share to be compared: parts of a ChArUco board are seen, too."""
 
 
 def floor_by_board(
@@ -50,16 +53,25 @@ def floor_by_board(
             option="--calibration",
             path=recording.path,
         )
-    numbers = np.linspace(0, recording.frame_count - 1, min(_LOOKS, recording.frame_count))
     images = []
-    for done, number in enumerate(np.unique(numbers.astype(int)).tolist()):
+    # The board is looked for both ways round after that.
+    for number in spread_frames(
+        recording.frame_count, _LOOKS, lambda done, total: progress(done, 3 * total)
+    ):
         left = recording.read(number).left
         images.append(np.asarray(cv2.cvtColor(left, cv2.COLOR_BGR2GRAY), np.uint8))
-        progress(done + 1, len(numbers))
-    return floor_of_board(recording.calibration.left, images, board)
+    read = len(images)
+    return floor_of_board(
+        recording.calibration.left,
+        images,
+        board,
+        lambda done, total: progress(read + done, read + total),
+    )
 
 
-def floor_of_board(camera: Camera, images: Sequence[GrayImage], board: Board) -> FloorEstimate:
+def floor_of_board(
+    camera: Camera, images: Sequence[GrayImage], board: Board, progress: Progress = no_progress
+) -> FloorEstimate:
     """The floor that a board lies on.
 
     Args:
@@ -73,17 +85,18 @@ def floor_of_board(camera: Camera, images: Sequence[GrayImage], board: Board) ->
             "floor: the height needs the board's square in metres; measure it on the print",
             option="--square",
         )
-    board, views = _found(images, board)
-    places = _lying(views)
+    board, views = _found(images, board, progress)
+    places = views_by_place(views)
     longest = max(places, key=len)
-    point = longest[0].point
-    pixels = np.mean([view.pixel for view in longest], axis=0)
-    on_board = board.places()[point, :2]
-    found = floor_of_places(camera, pixels, on_board, "board", _CORNER_PX)
+    lying = _mean_view(longest)
+    on_board = board.places()[lying.point, :2]
+    found = floor_of_places(camera, lying.pixel, on_board, "board", _CORNER_PX)
     return replace(found, notes=(*found.notes, *_notes(places, len(longest))))
 
 
-def _found(images: Sequence[GrayImage], board: Board) -> tuple[Board, list[BoardView]]:
+def _found(
+    images: Sequence[GrayImage], board: Board, progress: Progress
+) -> tuple[Board, list[BoardView]]:
     """The board as it lies, and where it is seen."""
     if board.kind == "charuco" and not board.dictionary:
         name = find_dictionary(list(images), board)
@@ -93,9 +106,14 @@ def _found(images: Sequence[GrayImage], board: Board) -> tuple[Board, list[Board
                 option="--dictionary",
             )
         board = replace(board, dictionary=name)
+    done = 0
     for way in (board, board.turned()):
-        seen = [find_board(image, way) for image in images]
-        views = [view for view in seen if view is not None]
+        views = []
+        for image in images:
+            view = find_board(image, way)
+            views += [view] if view is not None else []
+            done += 1
+            progress(done, 2 * len(images))
         if views:
             return way, views
     raise CalibrationError(
@@ -108,23 +126,39 @@ def _found(images: Sequence[GrayImage], board: Board) -> tuple[Board, list[Board
     )
 
 
-def _lying(views: Sequence[BoardView]) -> list[list[BoardView]]:
-    """The views by where the board lies; views of one place show the same points."""
+def views_by_place(views: Sequence[BoardView]) -> list[list[BoardView]]:
+    """The views by where the board lies, those of one place the same way round."""
     places: list[list[BoardView]] = []
     for view in views:
         for others in places:
-            if _is_same_place(view, others[0]):
-                others.append(view)
+            alike = [way for way in _ways(view) if any(_is_same_place(way, one) for one in others)]
+            if alike:
+                others.append(alike[0])
                 break
         else:
             places.append([view])
     return places
 
 
+def _ways(view: BoardView) -> tuple[BoardView, BoardView]:
+    """The view, and the same counted from its last point, as boards without a mark may be found."""
+    return view, BoardView(view.point, view.pixel[::-1].copy())
+
+
 def _is_same_place(one: BoardView, other: BoardView) -> bool:
-    if not np.array_equal(one.point, other.point):
+    _, mine, its = np.intersect1d(one.point, other.point, return_indices=True)
+    if len(mine) < _FEWEST_COMMON:
         return False
-    return float(np.median(np.hypot(*(one.pixel - other.pixel).T))) < _STILL_PX
+    return float(np.median(np.hypot(*(one.pixel[mine] - other.pixel[its]).T))) < _STILL_PX
+
+
+def _mean_view(views: Sequence[BoardView]) -> BoardView:
+    """Each point where the views that have it see it, on average."""
+    points = np.concatenate([view.point for view in views])
+    pixels = np.concatenate([view.pixel for view in views])
+    seen, row = np.unique(points, return_inverse=True)
+    total = np.column_stack([np.bincount(row, pixels[:, axis]) for axis in (0, 1)])
+    return BoardView(seen, total / np.bincount(row)[:, None])
 
 
 def _notes(places: Sequence[Sequence[BoardView]], longest: int) -> tuple[Message, ...]:

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from tracking.geometry import Rectification
 from tracking.progress import Progress
 from tracking.recording import Recording
+from tracking.recording.sampling import spread_frames
 
 _FRAMES = 15
 """Spread over the recording; their median has nobody in it who keeps moving."""
@@ -39,15 +40,13 @@ def empty_scene(
 
     Raises RecordingError where a frame cannot be read.
     """
-    numbers = np.linspace(0, recording.frame_count - 1, min(_FRAMES, recording.frame_count))
     lefts, rights = [], []
-    for done, number in enumerate(np.unique(numbers.astype(int)).tolist()):
+    for number in spread_frames(recording.frame_count, _FRAMES, progress):
         frame = recording.read(number, _partner(recording, number))
         assert frame.right is not None, "both cameras are there"
         left, right = rectification.rectify(frame.left, frame.right)
         lefts.append(cv2.cvtColor(left, cv2.COLOR_BGR2GRAY))
         rights.append(cv2.cvtColor(right, cv2.COLOR_BGR2GRAY))
-        progress(done + 1, len(numbers))
     left, right = (np.median(side, axis=0).astype(np.uint8) for side in (lefts, rights))
     return EmptyScene(left.astype(np.float32), right.astype(np.float32), _disparity(left, right))
 
@@ -56,13 +55,11 @@ def empty_depth(
     recording: Recording, rectification: Rectification, progress: Progress
 ) -> EmptyScene:
     """The same of depth, as disparities of the camera's imagined partner."""
-    numbers = np.linspace(0, recording.frame_count - 1, min(_FRAMES, recording.frame_count))
     seen = []
-    for done, number in enumerate(np.unique(numbers.astype(int)).tolist()):
+    for number in spread_frames(recording.frame_count, _FRAMES, progress):
         depth = recording.read(number).depth
         assert depth is not None, "there is depth beside the camera"
         seen.append(np.where(depth > 0, depth, np.inf))
-        progress(done + 1, len(numbers))
     rows, columns = pixel_grid(seen[0].shape)
     recorded = rectification.recorded_from_rectified(
         np.column_stack((columns.ravel(), rows.ravel())).astype(float)

@@ -30,8 +30,8 @@ _LEAST_SHARE = 0.06
 _BELOW_PX = 2.0
 """A point whose disparity is that much less than the plane's lies below it, and speaks against the
 plane as much as one on it speaks for it: errors of matching are few, a table has a floor below."""
-_STEEPEST_DEG = 70.0
-"""Roll, and how far up the camera may look: a wall is no floor."""
+_STEEPEST_DEG, _BEYOND_DEG = 70.0, 10.0
+"""Roll, and how far a camera may look up, or backward: a wall is no floor."""
 _REFINE_ROUNDS = 12
 _BAND_PX = (1.5, 10.0)
 """Finest and coarsest pattern that is aligned."""
@@ -170,7 +170,10 @@ def _may_be_floor(plane: Floats, rectification: Rectification) -> bool:
     tilt, roll = np.arcsin(-up[2]), np.arctan2(-up[0], -up[1])
     limit = np.deg2rad(_STEEPEST_DEG)
     looks_down = tilt > np.deg2rad(60.0)
-    return bool(-np.deg2rad(10.0) < tilt and (looks_down or abs(roll) < limit))
+    # Steep ones may be of any roll, but not upside down: that is a wall before the camera.
+    upright = up[1] < np.sin(np.deg2rad(_BEYOND_DEG))
+    turned_well = (looks_down and upright) or abs(roll) < limit
+    return bool(-np.deg2rad(_BEYOND_DEG) < tilt and turned_well)
 
 
 def _plane_in_camera(plane: Floats, rectification: Rectification) -> tuple[Floats, float]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 from app.features.doctor.presenter import scene_of
 from app.features.doctor.scene import State
@@ -32,6 +33,15 @@ def test_a_finding_is_told_with_cost_meaning_and_figures_that_people_read() -> N
     )
     assert shown.alike == "right-tilted"
     assert shown.mendable
+
+
+def test_figures_of_floors_are_named_in_words() -> None:
+    names = ("height_m", "height_told_m", "tilt_deg", "tilt_told_deg", "roll_deg", "roll_told_deg")
+    found = replace(finding(0.1), evidence=dict.fromkeys(names, 2.0))
+    (shown,) = scene_of(Examination((found,), ("floor",), {})).findings
+    told = [name for name, _ in shown.figures]
+    assert told[:2] == ["Height measured (m)", "Height in recording.toml (m)"]
+    assert not any("_" in name for name in told)
 
 
 def test_costs_beyond_all_bounds_and_below_a_centimetre_are_words() -> None:
