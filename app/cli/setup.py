@@ -29,8 +29,8 @@ from tracking.setup.files import calibration_beside, is_container, sources_in
 from tracking.setup.plan import (
     CALIBRATION_NAME,
     options_of_plan,
-    plan_of,
     plan_of_container,
+    plan_of_known,
     setup_text,
     with_lag,
 )
@@ -109,9 +109,13 @@ def _next_step(plan: SetupPlan, folder: Path) -> Message:
 def _cameras(request: SetupRequest, given: OpenOptions) -> tuple[SetupPlan, CameraFindings]:
     """The sources as a plan, by what the files show, or as given."""
     old = request.sources[0] if len(request.sources) == 1 else None
-    if old is not None and (old / MANIFEST_NAME).is_file() and given.left is None:
-        plan = plan_of(old)
-        return plan, CameraFindings(plan.left, plan.right)
+    known = None
+    if old is not None and given.left is None:
+        known = plan_of_known(old, OpenOptions(fps=given.fps))
+    if old is not None and known is not None:
+        if is_container(old):
+            return known, find_cameras(old, None)
+        return known, CameraFindings(known.left, known.right)
     left, right = _files(request, given)
     if right is None and is_container(left):
         plan = plan_of_container(left, OpenOptions(fps=given.fps))

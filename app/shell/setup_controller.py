@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -19,6 +20,7 @@ from app.features.setup.drafts import Drafts
 from app.features.setup.drawn_labels import keep_drawn, with_labels
 from app.features.setup.scene import SetupState, Step
 from tracking.errors import TrackwrightError
+from tracking.recording import Recording
 from tracking.setup import SetupPlan, write_setup
 from tracking.setup.plan import plan_from_manifest, plan_of
 
@@ -49,9 +51,9 @@ class SetupController(Controller):
         if controller is None:
             return
         recording = controller.document.recording
-        folder, text, own = recording.folder, recording.manifest_text, recording.own_manifest
+        folder, own = recording.folder, recording.own_manifest
         try:
-            plan = plan_of(folder) if own else plan_from_manifest(folder, text, own=False)
+            plan = plan_of(folder) if own else _plan_of_opened(recording)
         except TrackwrightError as error:
             self._window.notice.say(explain(error))
             return
@@ -91,9 +93,9 @@ class SetupController(Controller):
         box.setIcon(QMessageBox.Icon.Question)
         box.setTextFormat(Qt.TextFormat.PlainText)
         box.setText(tr("Replace the recording.toml in {folder}?", folder=plan.folder.name))
-        replace = box.addButton(tr("Replace"), QMessageBox.ButtonRole.AcceptRole)
+        replacing = box.addButton(tr("Replace"), QMessageBox.ButtonRole.AcceptRole)
         box.addButton(QMessageBox.StandardButton.Cancel)
-        replace.clicked.connect(lambda: self._write_and_open(plan, replace_old=True))
+        replacing.clicked.connect(lambda: self._write_and_open(plan, replace_old=True))
         box.open()
 
     def _write_and_open(self, plan: SetupPlan, *, replace_old: bool) -> None:
@@ -128,6 +130,14 @@ class SetupController(Controller):
             name=controller.document.recording.name,
         )
         dialog.editor.tell(Step.WRITE, told)
+
+
+def _plan_of_opened(recording: Recording) -> SetupPlan:
+    """The plan of a recording without a recording.toml, which is to stand where it is opened."""
+    plan = plan_from_manifest(recording.folder, recording.manifest_text, own=False)
+    opened = recording.path.absolute()
+    deeper = opened.is_dir() and opened in plan.folder.parents
+    return replace(plan, at=opened) if deeper else plan
 
 
 def _written(plan: SetupPlan, state: SetupState, replace_old: bool) -> Path:

@@ -69,7 +69,7 @@ def read_calibrated(
     """
     if not files:
         return Calibrated(None, None, None, "", ())
-    calibration, text = _read(files, size, topics)
+    calibration, text = read_with_text(files, size, topics)
     notes: tuple[Message, ...] = ()
     if calibration.left.size != size:
         notes = (_scaled_note(files[0], calibration.left.size),)
@@ -92,10 +92,14 @@ def read_calibrated(
     )
 
 
-def _read(
-    files: Sequence[Path], size: tuple[int, int], topics: Sequence[str]
+def read_with_text(
+    files: Sequence[Path], size: tuple[int, int], topics: Sequence[str] = ("", "", "")
 ) -> tuple[StereoCalibration, str]:
-    """The calibration as its files have it, and their text."""
+    """The calibration as its files, a bag or a tar have it, and their text.
+
+    Raises:
+        CalibrationError, RecordingError: unreadable.
+    """
     if is_tar(files[0]):
         text = calibration_in_tar(files[0])
         return calibration_of_json(parsed(text) or {}, files[0], size), text

@@ -9,8 +9,11 @@ from pathlib import Path
 import numpy as np
 
 from tracking.errors import CalibrationError
-from tracking.geometry import Camera, StereoCalibration, read_calibration
+from tracking.geometry import Camera, StereoCalibration
 from tracking.geometry.calibration_reader import calibration_kind
+from tracking.recording.recording_calibration import read_with_text
+from tracking.recording.tar_pictures import is_tar
+from tracking.setup.files import is_container
 from tracking.translation import Message, msg
 
 _SAME_SHAPE = 0.01
@@ -33,13 +36,23 @@ class CalibrationFacts:
     scaled: bool
 
 
-def read_facts(files: Sequence[Path], size: tuple[int, int], stereo: bool) -> CalibrationFacts:
+def read_facts(
+    files: Sequence[Path],
+    size: tuple[int, int],
+    stereo: bool,
+    topics: Sequence[str] = ("", "", ""),
+) -> CalibrationFacts:
     """Read one file, or a pair, for images of this size (width, height).
+
+    Args:
+        files: a bag or a tar, too, which may hold its cameras' calibration.
+        size: width and height of the images in px. stereo: whether two cameras are there.
+        topics: of the cameras, where a file is a bag.
 
     Raises:
         CalibrationError: unreadable, incomplete, or of images of another shape.
     """
-    calibration = read_calibration(files, size)
+    calibration, _ = read_with_text(files, size, topics)
     own = calibration.left.size
     if abs(own[0] * size[1] / (own[1] * size[0]) - 1.0) > _SAME_SHAPE:
         raise CalibrationError(
@@ -52,7 +65,7 @@ def read_facts(files: Sequence[Path], size: tuple[int, int], stereo: bool) -> Ca
             height2=size[1],
         )
     scaled = calibration.scaled_to(size) if own != size else calibration
-    kind = calibration_kind(files)
+    kind = _kind(files)
     read = [
         msg("{kind}, for images of {width} x {height} px", kind=kind, width=own[0], height=own[1])
     ]
@@ -62,6 +75,13 @@ def read_facts(files: Sequence[Path], size: tuple[int, int], stereo: bool) -> Ca
         )
     read += facts_of(scaled)
     return CalibrationFacts(scaled, tuple(read), tuple(_missing(scaled, stereo)), own != size)
+
+
+def _kind(files: Sequence[Path]) -> str:
+    """The program that a calibration is of; of a bag ROS, as its camera_info is."""
+    if is_container(files[0]):
+        return "OAK" if is_tar(files[0]) else "ROS"
+    return calibration_kind(files)
 
 
 def facts_of(calibration: StereoCalibration) -> list[Message]:

@@ -12,17 +12,20 @@ from tracking.geometry import Ground, read_calibration
 from tracking.geometry.calibration_writer import format_calibration
 from tracking.recording.depth_pictures import USUAL_SCALE_M
 from tracking.recording.image_pairs import Layout, Side
+from tracking.recording.kinds.catalogue import find_sources
 from tracking.recording.limits import height_doubt
 from tracking.recording.manifest import (
     MANIFEST_NAME,
     Manifest,
     manifest_text,
+    names_sources,
     parse_manifest,
 )
 from tracking.recording.manifest_writer import format_manifest
 from tracking.recording.options import OpenOptions
 from tracking.recording.recording_loader import open_recording
 from tracking.recording.region_of_interest import EVERYWHERE, RegionOfInterest
+from tracking.setup.files import is_container
 from tracking.setup.kept_text import with_old_text
 from tracking.translation import Message, msg
 
@@ -50,7 +53,8 @@ class SetupPlan:
         fps: None: as the video says. calibration: one file, or a pair. ground: None: unknown.
         region: where people are looked for.
         depth: in place of a right camera, m per unit `depth_scale_m`. topics: of bags.
-        at: folder of the recording that is set up again; None: a new one beside the sources.
+        at: folder of the recording that is set up again, or known without recording.toml; None: a
+            new one beside the sources.
     """
 
     left: Path
@@ -164,8 +168,28 @@ def plan_of(folder: Path) -> SetupPlan:
     return plan_from_manifest(folder, manifest_text(folder), own=True)
 
 
+def plan_of_known(path: Path, options: OpenOptions | None = None) -> SetupPlan | None:
+    """The plan of what can be opened already; None: nothing there says what its cameras are.
+
+    That are recordings, bags, tars, and folders of other programs (EuRoC, KITTI, OAK, ZED). Of a
+    folder recording.toml is written into itself, over one that names no sources.
+
+    Raises:
+        RecordingError: it is one of these, and cannot be read.
+    """
+    if not path.is_dir():
+        return plan_of_container(path, options) if is_container(path) else None
+    where = path / MANIFEST_NAME
+    own = where.is_file()
+    if own and names_sources(manifest_text(path), str(where)):
+        return plan_of(path)
+    if is_container(path) or find_sources(path) is not None:
+        return replace(plan_of_container(path, options), at=path)
+    return plan_of(path) if own else None  # says what is missing
+
+
 def plan_of_container(path: Path, options: OpenOptions | None = None) -> SetupPlan:
-    """The plan of a bag or a tar as it says itself what its cameras and their topics are.
+    """The plan of a bag, a tar or a known folder as it says itself what its cameras are.
 
     Raises:
         RecordingError: it cannot be opened.

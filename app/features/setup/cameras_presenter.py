@@ -19,9 +19,9 @@ from tracking.recording import MANIFEST_NAME, open_recording
 from tracking.recording.frame import Image
 from tracking.recording.image_pairs import LAYOUTS
 from tracking.recording.limits import checked_fps
-from tracking.setup import SetupPlan, find_cameras, pair_by_name, plan_of
-from tracking.setup.files import calibration_beside, may_be_camera, sources_in
-from tracking.setup.plan import options_of_plan
+from tracking.setup import SetupPlan, find_cameras, pair_by_name
+from tracking.setup.files import calibration_beside, is_container, may_be_camera, sources_in
+from tracking.setup.plan import options_of_plan, plan_of_known
 
 _BETWEEN_PX = 8
 _STEPS = 3
@@ -35,8 +35,9 @@ def plan_of_paths(paths: Sequence[Path]) -> SetupPlan:
     """
     if len(paths) == 1 and paths[0].name == MANIFEST_NAME:
         paths = [paths[0].parent]
-    if len(paths) == 1 and (paths[0] / MANIFEST_NAME).is_file():
-        return plan_of(paths[0])
+    known = plan_of_known(paths[0]) if len(paths) == 1 else None
+    if known is not None:
+        return known
     if len(paths) == 1 and paths[0].is_dir():
         paths = sources_in(paths[0])
     paths = [path for path in paths if may_be_camera(path)] or paths
@@ -57,9 +58,11 @@ def look(plan: SetupPlan, progress: Progress) -> SetupState:
     Raises:
         RecordingError: files cannot be read, or differ in size.
     """
-    if plan.at is not None:
+    if plan.at is not None and (plan.at / MANIFEST_NAME).is_file():
         return replace(state_of_plan(plan), found=(tr("As recording.toml has it."),))
     progress(0, _STEPS)
+    if plan.at is not None or is_container(plan.left):
+        return _look_into_known(plan, progress)
     found = find_cameras(plan.left, plan.right)
     progress(1, _STEPS)
     plan = replace(
@@ -74,6 +77,19 @@ def look(plan: SetupPlan, progress: Progress) -> SetupState:
     progress(_STEPS, _STEPS)
     notes, doubts = (tuple(map(sentence, lines)) for lines in (found.notes, found.doubts))
     return SetupState(replace(plan, lag=lag or None), found=notes, doubts=doubts, found_lag=lag)
+
+
+def _look_into_known(plan: SetupPlan, progress: Progress) -> SetupState:
+    """Of what says itself what its cameras are: the lag alone is looked for."""
+    told = find_cameras(plan.left, None).notes if is_container(plan.left) else ()
+    progress(1, _STEPS)
+    state = state_of_plan(plan)
+    lag = find_lag(plan) if plan.is_stereo else None
+    progress(_STEPS, _STEPS)
+    found = tuple(map(sentence, told)) or (tr("As its files have it."),)
+    return replace(
+        state, plan=replace(state.plan or plan, lag=lag or None), found=found, found_lag=lag
+    )
 
 
 def state_of_plan(plan: SetupPlan) -> SetupState:

@@ -151,7 +151,8 @@ class SetupEditor(QObject):
         self._drafts.forget(plan)
         self.resumed = False
         files = [plan.at] if plan.at is not None else [plan.left, plan.right]
-        self.take_paths([file for file in files if file is not None])
+        # Of a bag or a tar both cameras are one file.
+        self.take_paths([*dict.fromkeys(file for file in files if file is not None)])
 
     def take_calibration(self, made: Any) -> None:
         """Keep a calibration that was made (`MadeCalibration`) until it is written; use it."""

@@ -24,7 +24,7 @@ def check(plan: SetupPlan) -> Checked:
             size, stereo = recording.size, recording.is_stereo
         if plan.calibration:
             step = Step.CALIBRATION
-            facts = read_facts(plan.calibration, size, stereo)
+            facts = read_facts(plan.calibration, size, stereo, plan.topics)
             read, missing = (tuple(map(tr, lines)) for lines in (facts.read, facts.missing))
             checked = replace(checked, calibration=facts.calibration, read=read, missing=missing)
             _open(replace(plan, ground=None, region=EVERYWHERE))
