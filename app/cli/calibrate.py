@@ -129,7 +129,7 @@ def _rows(found: BoardCalibration) -> list[tuple[str, object]]:
             (msg("baseline"), msg("{metres:.4f} m", metres=found.calibration.baseline_m)),
             (msg("rows after rectification"), msg("{px:.3f} px apart", px=found.row_error_px)),
         ]
-    used = msg("{used} of {all}", used=len(found.used), all=len(found.per_picture))
+    used = msg("{used} of {all}", used=len(found.used), all=len(found.used) + len(found.rejected))
     rows += [
         (msg("images used"), used),
         (msg("image covered"), f"{found.covered:.0%}"),

@@ -23,6 +23,7 @@ from tracking.calibration.boards import (
     BoardRequest,
     LensKind,
     calibrate_boards,
+    find_boards,
 )
 from tracking.errors import CalibrationError
 from tracking.geometry import Camera, read_calibration, write_calibration
@@ -141,7 +142,27 @@ def test_of_50_pictures_40_of_them_blurred_the_sharp_ones_are_used(tmp_path: Pat
     found = calibrate_boards(BoardRequest(str(tmp_path / "left*.png"), None, CHESSBOARD))
     assert set(found.used) <= {f"left{number:02}.png" for number in range(0, 50, 5)}
     assert any("are blurred, and left out" in str(note) for note in found.notes)
+    assert len(found.used) + len(found.rejected) == 50
     assert found.calibration.left.matrix[0, 0] == pytest.approx(520, rel=0.01)
+
+
+def test_boards_near_and_far_with_the_same_blur_are_all_sharp(tmp_path: Path) -> None:
+    """A board 170 to 1400 px wide, four times each."""
+    row, column = np.indices((6, 10))
+    for number in range(16):
+        square = (17, 30, 90, 140)[number // 4]
+        image = np.full((1100, 1750), 150.0)
+        drawn = np.kron((row + column) % 2 * 150.0 + 50.0, np.ones((square, square)))
+        top, left = 40 + number % 4 * 20, 50 + number % 4 * 40
+        paper = np.pad(drawn, square // 2, constant_values=200.0)
+        image[top : top + len(paper), left : left + paper.shape[1]] = paper
+        noise = np.random.default_rng(number).normal(0.0, 2.0, image.shape)
+        seen = cv2.GaussianBlur(image, (0, 0), 0.8) + noise
+        cv2.imwrite(str(tmp_path / f"{number:02}.png"), seen.clip(0, 255).astype(np.uint8))
+    found = find_boards(BoardRequest(str(tmp_path), None, Board("chessboard", 9, 5)))
+    assert len(found.views.views) == 16
+    assert not any("blurred" in str(note) for note in found.notes)
+    assert found.blurred == ()
 
 
 def test_no_board_is_told_in_one_line_with_what_to_do(tmp_path: Path) -> None:

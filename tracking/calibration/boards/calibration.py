@@ -62,8 +62,8 @@ class BoardCalibration:
         calibration: of one camera or two, in metres.
         rms_px: of the refined pair, or of the only camera. left_rms_px, right_rms_px: of each
             camera by itself; right None: one camera.
-        per_picture: error in px of each view, also of those left out, by name.
-        used: names of the views it is made of. rejected: of those left out for their error.
+        per_picture: error in px of each view that was fitted, also of those left out, by name.
+        used: names of the views it is made of. rejected: of those left out for their error or blur.
         missed: names of pictures in which no board was found.
         coverage: (rows, columns) points in each cell of the image; covered: share of the cells
             with any.
@@ -100,14 +100,16 @@ class FoundBoards:
     """Boards as they were found in all images, to be fitted with some left out or taken in again.
 
     Attributes:
-        board: as it lies. views: of it. lens: the model that is to be fitted.
+        board: as it lies. views: of it, also blurred ones. lens: the model that is to be fitted.
         notes: oddities, in words.
+        blurred: names of views that do not count unless they are taken in again.
     """
 
     board: Board
     views: Views
     lens: LensKind
     notes: tuple[Message, ...]
+    blurred: tuple[str, ...] = ()
 
 
 def find_boards(request: BoardRequest, progress: Progress = no_progress) -> FoundBoards:
@@ -125,24 +127,25 @@ def find_boards(request: BoardRequest, progress: Progress = no_progress) -> Foun
         )
     request = _with_dictionary(request)
     board, views = _found(request, progress)
-    notes = (*views.notes, *_notes(request, board, views))
-    views = _sharp(views)
-    return FoundBoards(board, views, request.lens, notes)
+    blurred, told = _blurred(views)
+    notes = (*views.notes, *_notes(request, board, views), *told)
+    return FoundBoards(board, views, request.lens, notes, blurred)
 
 
 def fit_boards(found: FoundBoards, left_out: frozenset[str] | None = None) -> BoardCalibration:
     """Fit the cameras to boards that were found.
 
     Args:
-        left_out: names of views that do not count; None: those whose error is far above the
-            others' are left out.
+        left_out: names of views that do not count; None: the blurred ones are left out, and those
+            whose error is far above the others'.
 
     Raises:
         CalibrationError: the views make no camera, or too few are left.
     """
     views = found.views
     if left_out is None:
-        fit = _fitted(views.views, found.board, views.size, found.lens)
+        sharp = tuple(view for view in views.views if view.name not in found.blurred)
+        fit = _fitted(sharp, found.board, views.size, found.lens)
     else:
         kept = tuple(view for view in views.views if view.name not in left_out)
         if len(kept) < _FEWEST_VIEWS:
@@ -223,34 +226,24 @@ def _notes(request: BoardRequest, board: Board, views: Views) -> list[Message]:
                 names=_some(views.missed),
             )
         )
-    blurred = blurred_views(views.views)
-    if blurred:
-        count, names = len(blurred), _some(blurred)
-        notes.append(
-            msg(
-                "{count} of {all} pictures of the board are blurred, and left out: {names}",
-                count=count,
-                all=len(views.views),
-                names=names,
-            )
-            if len(_sharp(views).views) < len(views.views)
-            else msg(
-                "{count} of {all} pictures of the board are blurred, and cost accuracy: {names}",
-                count=count,
-                all=len(views.views),
-                names=names,
-            )
-        )
     if views.unpaired:
         notes.append(msg("pictures without a partner: {names}", names=_some(views.unpaired)))
     return notes
 
 
-def _sharp(views: Views) -> Views:
-    """Without the blurred views, where enough are left."""
+def _blurred(views: Views) -> tuple[tuple[str, ...], list[Message]]:
+    """Names of blurred views that are left out, as enough are left, and what is said of them."""
     blurred = blurred_views(views.views)
-    sharp = tuple(view for view in views.views if view.name not in blurred)
-    return replace(views, views=sharp) if len(sharp) >= _ENOUGH_SHARP else views
+    if not blurred:
+        return (), []
+    told = {"count": len(blurred), "all": len(views.views), "names": _some(blurred)}
+    if len(views.views) - len(blurred) < _ENOUGH_SHARP:
+        note = msg(
+            "{count} of {all} pictures of the board are blurred, and cost accuracy: {names}", **told
+        )
+        return (), [note]
+    note = msg("{count} of {all} pictures of the board are blurred, and left out: {names}", **told)
+    return blurred, [note]
 
 
 def _some(names: Sequence[str]) -> Message:

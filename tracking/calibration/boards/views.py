@@ -17,12 +17,14 @@ from tracking.calibration.boards.detection import (
     find_board,
     same_way_round,
 )
+from tracking.calibration.boards.sharpness import sharpness
 from tracking.errors import CalibrationError, RecordingError
 from tracking.progress import Progress
 from tracking.recording.frame import Image
 from tracking.recording.images import image_files
 from tracking.recording.pictures import PictureSource
 from tracking.recording.places import is_pattern, open_pictures
+from tracking.recording.sampling import spread_frames
 from tracking.recording.video import VideoSource
 from tracking.translation import Message, msg
 
@@ -44,7 +46,8 @@ class PairedView:
 
     Attributes:
         name: of the picture, or the number of the frame. left, right: None where not found, or
-            where there is no right camera. sharpness: of the left image around the board.
+            where there is no right camera. sharpness: of the left image's edges, the same
+            for boards near and far.
     """
 
     name: str
@@ -120,8 +123,7 @@ def first_images(named: str, count: int = 12) -> list[GrayImage]:
     """Some images of a source, evenly over it, to learn from what is on the board."""
     source = _pictures(named)
     if isinstance(source, VideoSource):
-        numbers = np.linspace(0, source.frame_count - 1, count).astype(int).tolist()
-        images = [_gray(source.read(number)) for number in numbers]
+        images = [_gray(source.read(at)) for at in spread_frames(source.frame_count, count)]
         source.close()
         return images
     read = _read([(file,) for file in source[:count]])
@@ -204,7 +206,7 @@ def _gray(image: Image) -> GrayImage:
 def _frames(sides: Sequence[VideoSource | list[Path]]) -> Iterator[_Instant]:
     videos = [side for side in sides if isinstance(side, VideoSource)]
     count = min(video.frame_count for video in videos)
-    for number in np.unique(np.linspace(0, count - 1, min(count, _LOOKED_AT)).astype(int)).tolist():
+    for number in spread_frames(count, _LOOKED_AT):
         gray = [_gray(video.read(number)) for video in videos]
         yield _Instant(str(number), gray[0], gray[1] if len(gray) > 1 else None)
 
@@ -247,9 +249,9 @@ def _view(instant: _Instant, board: Board, thorough: bool) -> PairedView | None:
     left = find_board(instant.left, board, thorough=thorough)
     if left is None:
         return None
-    sharpness = _sharpness(instant.left, left)
+    seen_sharp = sharpness(instant.left, left)
     if instant.right is None:
-        return PairedView(instant.name, left, None, sharpness)
+        return PairedView(instant.name, left, None, seen_sharp)
     right = find_board(instant.right, board, thorough=thorough)
     if right is None:
         return None
@@ -258,20 +260,7 @@ def _view(instant: _Instant, board: Board, thorough: bool) -> PairedView | None:
     both = np.intersect1d(left.point, right.point)
     if len(both) < min(len(left), len(right), 6):
         return None
-    return PairedView(instant.name, left.only(both), right.only(both), sharpness)
-
-
-def _sharpness(image: GrayImage, view: BoardView) -> float:
-    """How much edges change on the board, relative to its contrast, across or down.
-
-    The lesser of the two counts: motion blurs in one direction, and leaves edges along it as sharp.
-    """
-    (left, top), (right, bottom) = view.pixel.min(axis=0), view.pixel.max(axis=0)
-    part = image[max(int(top), 0) : int(bottom) + 1, max(int(left), 0) : int(right) + 1]
-    if part.size < 2:
-        return 0.0
-    ways = (cv2.Sobel(part, cv2.CV_32F, *way, ksize=1) for way in ((2, 0), (0, 2)))
-    return min(float(way.std()) for way in ways) / max(float(part.std()), 1.0)
+    return PairedView(instant.name, left.only(both), right.only(both), seen_sharp)
 
 
 def blurred_views(views: Sequence[PairedView]) -> tuple[str, ...]:
