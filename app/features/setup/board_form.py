@@ -126,7 +126,8 @@ class BoardPanel(QWidget):
             item.setCheckState(Qt.CheckState.Checked if used else Qt.CheckState.Unchecked)
             error = self._errors.get(name)
             text = "" if error is None else f"{error:.2f}"
-            said = text if used else tr("{error} left out", error=text)
+            out = tr("{error} left out", error=text) if text else tr("left out")
+            said = text if used else out
             self.table.setItem(row, 0, item)
             self.table.setItem(row, 1, QTableWidgetItem(said))
         self.table.resizeColumnToContents(0)
