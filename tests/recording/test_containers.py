@@ -3,9 +3,14 @@
 from __future__ import annotations
 
 import gzip
+import os
 import shutil
+from collections.abc import Iterator
+from contextlib import closing
 from pathlib import Path
+from typing import Any
 
+import containers_of_scene
 import numpy as np
 import pytest
 from containers_of_scene import (
@@ -15,6 +20,7 @@ from containers_of_scene import (
     SIZE,
     Footage,
     footage_of_scene,
+    messages_of,
     write_euroc,
     write_kitti,
     write_mcap,
@@ -34,6 +40,8 @@ from tracking.recording import (
     time_stamps,
 )
 from tracking.recording.bags import bag_contents
+from tracking.recording.bags.messages import stamp_ns
+from tracking.recording.bags.rosbag1 import Rosbag1
 
 FLOOR = OpenOptions(height_m=2.4, tilt_deg=30.0)
 
@@ -112,6 +120,31 @@ def test_a_packed_bag_gives_the_cameras_own_times(tmp_path: Path, footage: Foota
     with open_recording(write_rosbag1(tmp_path, footage, packed=True)) as recording:
         assert_frames(recording, footage)
         assert_times(recording, footage)
+
+
+def test_a_bag_without_the_cameras_own_times_is_told(
+    tmp_path: Path, footage: Footage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def unstamped(*args: Any, **options: Any) -> Iterator[tuple[str, int, Any]]:
+        for topic, time, value in messages_of(*args, **options):
+            value.header.stamp.sec = value.header.stamp.nanosec = 0
+            yield topic, time, value
+
+    monkeypatch.setattr(containers_of_scene, "messages_of", unstamped)
+    with open_recording(write_rosbag1(tmp_path, footage)) as recording:
+        assert any("times are those of recording" in str(note) for note in recording.notes)
+
+
+def test_a_bag_of_ros_1_is_read_where_files_have_no_positioned_reads(
+    tmp_path: Path, footage: Footage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.delattr(os, "pread", raising=False)  # as on Windows
+    bag = Rosbag1(write_rosbag1(tmp_path, footage))
+    topic = next(topic for topic in bag.topics if topic.name == "/stereo/left/image_raw")
+    with closing(bag._file):
+        heads = bag.heads(bag.entries(topic))
+    assert heads is not None
+    assert [stamp_ns(topic, head) for head in heads] == list(footage.stamps_ns)
 
 
 def test_a_tar_with_depth_gives_metres(tmp_path: Path, footage: Footage) -> None:

@@ -118,7 +118,10 @@ class Bag:
             self.recorded_times = True
         else:
             own = np.array([stamp_ns(topic, head) for head in heads], np.int64)
-            stamps = own if own.any() else stamps
+            if own.any():
+                stamps = own
+            else:  # nobody filled the headers in
+                self.recorded_times = True
         order = np.argsort(stamps, kind="stable")
         kept = Entries(entries.time_ns[order], entries.part[order], entries.place[order])
         return kept, stamps[order]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import struct
 from collections.abc import Sequence
 from pathlib import Path
@@ -127,11 +126,15 @@ class Rosbag1:
     def _head(self, part: int, place: int) -> bytes:
         """The first bytes of a message in a chunk that is not packed."""
         at = self._places[part].datapos + place
-        data = os.pread(self._file.fileno(), _LONGEST_HEAD, at)
+        data = self._read_at(at, _LONGEST_HEAD)
         if b"op=\x07" in data:  # a connection may stand before it
-            data = os.pread(self._file.fileno(), 1 << 16, at)
+            data = self._read_at(at, 1 << 16)
         start, _ = _rosbag1_message(data, 0)
         return data[start : start + HEAD_BYTES]
+
+    def _read_at(self, at: int, count: int) -> bytes:
+        self._file.seek(at)
+        return self._file.read(count)
 
     def _place_of(self, part: int) -> Any:
         """Where the data of a chunk stands, and how it is packed."""
