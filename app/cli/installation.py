@@ -48,10 +48,9 @@ def check_installation() -> Iterator[Check]:
     yield Check("python", is_new, version if is_new else too_old)
     yield from (_imported(name) for name in _NEEDED)
     missing = this_machine().missing()
+    python = "trackwright" if IS_BUNDLE else "python"
     advice = msg(
-        "{missing}; run {python} -m app.cli.system_libraries",
-        missing=missing,
-        python="trackwright" if IS_BUNDLE else "python",
+        "{missing}; run {python} -m app.cli.system_libraries", missing=missing, python=python
     )
     yield Check("qt", not missing, advice if missing else msg("the window can start"))
     yield _display()
