@@ -113,6 +113,7 @@ def _cameras(request: SetupRequest, given: OpenOptions) -> tuple[SetupPlan, Came
     if old is not None and given.left is None:
         known = plan_of_known(old, OpenOptions(fps=given.fps))
     if old is not None and known is not None:
+        known = _as_asked(known, given)
         if is_container(old):
             return known, find_cameras(old, None)
         return known, CameraFindings(known.left, known.right)
@@ -128,6 +129,18 @@ def _cameras(request: SetupRequest, given: OpenOptions) -> tuple[SetupPlan, Came
     first: Side = "left" if found.left_first else "right"
     plan = SetupPlan(found.left, found.right, layout=found.layout, first=given.first or first)
     return plan, found
+
+
+def _as_asked(known: SetupPlan, given: OpenOptions) -> SetupPlan:
+    """What is set up again, with how one video holds both cameras as it was typed now."""
+    if given.layout is None and given.first is None:
+        return known
+    if known.right is not None:
+        raise RecordingError(
+            "{path}: has a source for each camera; leave --layout and --first out",
+            path=known.folder,
+        )
+    return replace(known, layout=given.layout or known.layout, first=given.first or known.first)
 
 
 def _files(request: SetupRequest, given: OpenOptions) -> tuple[Path, Path | None]:

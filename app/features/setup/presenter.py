@@ -72,11 +72,6 @@ class SetupHistory:
         self._at = min(self._at + 1, len(self._states) - 1)
 
 
-def changed_plan(state: SetupState, plan: SetupPlan) -> SetupState:
-    """The same with another plan."""
-    return replace(state, plan=plan)
-
-
 def bare(plan: SetupPlan) -> SetupPlan:
     """The plan's cameras alone, to look at their images: how fast they come does not matter."""
     fps = plan.fps or _ANY_FPS

@@ -9,7 +9,7 @@ from itertools import count
 import cv2
 import numpy as np
 
-from app.core.i18n import count_text, joined, tr
+from app.core.i18n import count_text, joined, sentence, tr
 from app.features.setup.cameras_presenter import cameras_picture
 from app.features.setup.floor_marks import with_floor
 from app.features.setup.scene import (
@@ -21,6 +21,7 @@ from app.features.setup.scene import (
     ShownOutline,
 )
 from tracking.arrays import Floats
+from tracking.errors import RecordingError
 from tracking.recording.region_of_interest import Outline, RegionOfInterest
 from tracking.tracks import CountingLine, Occluder
 
@@ -65,10 +66,10 @@ def fewest_corners(kind: OutlineKind) -> int:
 
 
 def with_outline(state: SetupState, kind: OutlineKind, outline: Outline) -> SetupState:
-    """The same with one more outline; too few corners make none."""
-    if len(outline) < fewest_corners(kind):
-        return state
+    """The same with one more outline; too few corners make none, nor do two at one place."""
     rounded = tuple((round(x, 1), round(y, 1)) for x, y in outline)
+    if len(set(rounded)) < fewest_corners(kind):
+        return state
     outlines = outlines_of(state)
     name = _free_name(kind, outlines) if kind in ("occluder", "line") else ""
     return _with(state, [*outlines, DrawnOutline(kind, rounded, name)])
@@ -124,6 +125,8 @@ def _changed(
         return state
     corners = list(outlines[row].corners)
     change(corners)
+    if len(set(corners)) < fewest_corners(outlines[row].kind):
+        return state  # two ends at one place are no line
     outlines[row] = replace(outlines[row], corners=tuple(corners))
     return _with(state, outlines)
 
@@ -188,7 +191,10 @@ def region_told(scene: SetupScene) -> str:
     size = images.left.shape[1], images.left.shape[0]
     if scene.checked.problem:
         return ""
-    looked_at = plan.region.pixels(size)
+    try:
+        looked_at = plan.region.pixels(size)
+    except RecordingError as error:  # the trial that says so is still at it
+        return sentence(error.message)
     assert looked_at is not None, "there is a region"
     share = float((looked_at > 0).mean())
     return tr("People are looked for in {share:.0%} of the image.", share=share)

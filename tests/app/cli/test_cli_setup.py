@@ -122,3 +122,25 @@ def test_two_videos_in_place_of_a_recording_are_told_how_they_become_one(
     assert (status, f"make one: trackwright setup {files}" in said) == (1, True)
     status, _, said = trackwright("info", left, files / "calibration.yaml")
     assert (status, "unexpected extra argument" in said) == (2, True)
+
+
+def test_a_layout_typed_for_a_recording_that_is_set_up_again_counts(
+    trackwright: Trackwright, files: Path
+) -> None:
+    source = next(files.glob("GX010035*"))
+    alone = ("setup", source, "--layout", "side-by-side", "--fps", "20", "--force")
+    (files / "calibration.yaml").unlink()  # it is of one camera's images
+    status, _, said = trackwright(*alone)
+    assert status == 0, said
+    again = ("--layout", "top-bottom", "--first", "right", "--force")
+    status, printed, _ = trackwright("setup", files, *again)
+    assert status == 0
+    assert 'layout = "top-bottom"' in printed
+    assert 'first = "right"' in printed
+
+
+def test_a_layout_of_two_sources_is_refused(trackwright: Trackwright, files: Path) -> None:
+    assert trackwright("setup", files)[0] == 0
+    status, _, said = trackwright("setup", files, "--layout", "top-bottom", "--force")
+    assert status == 1
+    assert "has a source for each camera; leave --layout and --first out" in said

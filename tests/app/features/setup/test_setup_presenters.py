@@ -265,6 +265,21 @@ def test_lines_and_occluders_are_drawn_named_and_cut_to_what_they_need(state: Se
     assert region_presenter.without_corner(moved, 3, 1).lines == state.lines[:1]
 
 
+def test_two_ends_at_one_place_are_no_line(state: SetupState) -> None:
+    one = (5.0, 5.0)
+    assert region_presenter.with_outline(state, "line", (one, one)) == state
+    drawn = region_presenter.with_outline(state, "line", (one, (9.0, 5.0)))
+    assert region_presenter.with_corner(drawn, 0, 1, *one) == drawn
+
+
+def test_a_region_that_leaves_nothing_is_told_before_the_trial_says_so(state: SetupState) -> None:
+    image = np.zeros((24, 32, 3), np.uint8)
+    whole = ((-1.0, -1.0), (33.0, -1.0), (33.0, 25.0), (-1.0, 25.0))
+    state = region_presenter.with_outline(state, "mask", whole)
+    scene = SetupScene(state, images=CameraImages(image, None, 0, 9))
+    assert "leaves nothing of the picture" in region_presenter.region_told(scene)
+
+
 def test_lines_on_the_floor_are_seen_in_the_picture_and_go_back_to_it(
     state: SetupState, calibration: StereoCalibration
 ) -> None:
