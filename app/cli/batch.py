@@ -245,8 +245,8 @@ def _worked(
             retry=request.retry,
             shard=shard,
         )
-        plan = run.plan(entries)
         try:
+            plan = run.plan(entries)
             if not plan.to_do:
                 shown.tell_known(run.state)
                 return plan.finished, False

@@ -158,9 +158,9 @@ def test_ctrl_c_ends_cleanly_and_the_same_command_goes_on(
     program = subprocess.Popen(
         [sys.executable, "-m", "app", *words], cwd=_ROOT, stderr=subprocess.PIPE, text=True
     )
-    while not (out / "batch.sqlite").exists():
+    while not (out / ".batch.state").exists():  # recordings are worked on
+        assert program.poll() is None
         time.sleep(0.05)
-    time.sleep(0.5)
     program.send_signal(signal.SIGINT)
     _, told = program.communicate(timeout=60)
     assert program.returncode == 130
