@@ -114,9 +114,9 @@ def _damaged_resources() -> Iterator[Fault]:
 
 
 def _is_wrong(file: importlib.metadata.PackagePath) -> bool:
-    if file.parts[0] not in _OWN or file.suffix == ".pyc":
+    if file.hash is None or file.hash.mode != "sha256" or file.suffix == ".pyc":
         return False
-    if file.hash is None or file.hash.mode != "sha256":
+    if IS_BUNDLE and file.parts[0] not in _OWN:  # neither its command nor its menu entry
         return False
     try:
         held = Path(str(file.locate())).read_bytes()

@@ -134,14 +134,6 @@ FILES: Final = (
         lambda app: app.files.beside.ask(),
     ),
     _file(
-        "author",
-        "Your name in the history...",
-        (),
-        _at_any_time,
-        lambda app: app.files.author.ask(),
-        separated=True,
-    ),
-    _file(
         "close",
         "Close recording",
         ("Ctrl+W",),
@@ -200,6 +192,13 @@ EDIT: Final[tuple[Command[WindowApp], ...]] = (
         run=_open_palette,
         separated=True,
         icon="search",
+    ),
+    Command(
+        "file.author",
+        "Your name in the history...",
+        "Edit",
+        run=lambda app: app.files.author.ask(),
+        separated=True,
     ),
 )
 LAYOUT: Final = (
