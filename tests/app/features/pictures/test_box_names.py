@@ -13,23 +13,11 @@ from PySide6.QtCore import QEvent, QRectF
 from PySide6.QtWidgets import QApplication
 
 from app.core.look.theme import scaled_font
-from app.core.scenes import Side
 from app.features.pictures import box_names
-from app.features.pictures.picture_view import PictureView
 
 BOXES = st.tuples(
     st.integers(10, 280), st.integers(30, 150), st.integers(15, 50), st.integers(40, 85)
 )
-
-
-@pytest.fixture
-def view(qtbot, dark):
-    widget = PictureView(Side.LEFT)
-    qtbot.addWidget(widget)
-    widget.resize(640, 480)
-    widget.show_scene(picture())
-    widget.grab()
-    return widget
 
 
 @pytest.fixture

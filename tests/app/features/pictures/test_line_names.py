@@ -8,22 +8,11 @@ from drawn_scenes import person, picture
 from PySide6.QtCore import QRectF
 
 from app.core.drawing import label_marks
-from app.core.scenes import Side
 from app.core.scenes.labels import Outline, PictureLabels
 from app.features.pictures import box_names
 from app.features.pictures.picture_view import PictureView
 
 LINE = Outline("Door", np.array([[150.0, 120.0], [200.0, 120.0]]), False, (250, 200, 40), said="3")
-
-
-@pytest.fixture
-def view(qtbot, dark):
-    widget = PictureView(Side.LEFT)
-    qtbot.addWidget(widget)
-    widget.resize(640, 480)
-    widget.show_scene(picture())
-    widget.grab()
-    return widget
 
 
 def plate_of(view: PictureView, monkeypatch: pytest.MonkeyPatch) -> QRectF:
