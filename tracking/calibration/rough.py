@@ -18,7 +18,7 @@ from tracking.geometry import Camera, StereoCalibration
 from tracking.progress import Progress, no_progress
 from tracking.recording.frame import Image
 from tracking.recording.places import open_pictures
-from tracking.recording.sampling import spread_frames
+from tracking.recording.spread_frames import spread_frames
 
 _CV: Any = cv2
 """The stubs lack parts of OpenCV 5."""

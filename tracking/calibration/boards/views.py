@@ -24,7 +24,7 @@ from tracking.recording.frame import Image
 from tracking.recording.images import image_files
 from tracking.recording.pictures import PictureSource
 from tracking.recording.places import is_pattern, open_pictures
-from tracking.recording.sampling import spread_frames
+from tracking.recording.spread_frames import spread_frames
 from tracking.recording.video import VideoSource
 from tracking.translation import Message, msg
 

@@ -21,7 +21,7 @@ from tracking.errors import CalibrationError
 from tracking.geometry import Camera
 from tracking.progress import Progress, no_progress
 from tracking.recording import Recording
-from tracking.recording.sampling import spread_frames
+from tracking.recording.spread_frames import spread_frames
 from tracking.translation import Message, msg
 
 _LOOKS = 15

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from tracking.geometry import Rectification
 from tracking.progress import Progress
 from tracking.recording import Recording
-from tracking.recording.sampling import spread_frames
+from tracking.recording.spread_frames import spread_frames
 
 _FRAMES = 15
 """Spread over the recording; their median has nobody in it who keeps moving."""

@@ -13,7 +13,7 @@ from tracking.arrays import Flags, Floats
 from tracking.people import SingleCameraPerception
 from tracking.progress import Progress, no_progress
 from tracking.recording import Recording
-from tracking.recording.sampling import spread_frames
+from tracking.recording.spread_frames import spread_frames
 from tracking.tracks.boxes import overlaps
 
 _LOOKS = 600

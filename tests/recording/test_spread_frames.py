@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tracking.recording.sampling import spread_frames
+from tracking.recording.spread_frames import spread_frames
 
 
 def test_frames_are_spread_from_the_first_to_the_last_and_told_once_worked_on() -> None:
