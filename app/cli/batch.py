@@ -20,7 +20,6 @@ from tracking.batch import (
     BatchOrder,
     BatchRun,
     BatchState,
-    ClusterWorkers,
     Entry,
     Found,
     Ledger,
@@ -251,11 +250,12 @@ def _worked(
                 shown.tell_known(run.state)
                 return plan.finished, False
             _check_order(request)
-            workers: Workers = (
-                LocalWorkers(min(count, len(plan.to_do)), limits)
-                if request.sharing.scheduler is None
-                else ClusterWorkers(request.sharing.scheduler, limits, out)
-            )
+            if request.sharing.scheduler is None:
+                workers: Workers = LocalWorkers(min(count, len(plan.to_do)), limits)
+            else:
+                from tracking.batch.cluster import ClusterWorkers  # few have a cluster
+
+                workers = ClusterWorkers(request.sharing.scheduler, limits, out)
             return run.work(workers), True
         except KeyboardInterrupt:
             shown.close()

@@ -11,7 +11,8 @@ from typing import Any
 import pytest
 
 from tests.batch.batches import QUICK
-from tracking.batch import Cause, ClusterWorkers, Limits, Outcome, State, cluster
+from tracking.batch import Cause, Limits, Outcome, State, cluster
+from tracking.batch.cluster import ClusterWorkers
 from tracking.batch.task import Task
 from tracking.batch.workers import Ended
 

@@ -1,7 +1,6 @@
 """Many recordings: planned, handed out to workers, written down in a ledger, reported."""
 
 from tracking.batch.array_script import array_script
-from tracking.batch.cluster import ClusterWorkers
 from tracking.batch.ledger import Ledger, Row, read_rows
 from tracking.batch.order import BatchOrder, Limits
 from tracking.batch.outcome import Cause, Outcome, State

@@ -25,7 +25,7 @@ MANIFEST = "recording.toml"
 _PATTERN = re.compile(r"[*?[]")
 _LIST_ENDINGS = (".txt", ".lst")
 _MOST_LIST_BYTES = 64 << 20
-_DEEPEST = 6
+DEEPEST = 6
 """Folders within folders that are searched for recordings."""
 _LONGEST_NAME = 120
 _SAID_DIGITS = 8
@@ -188,7 +188,7 @@ class _Search:
 
     def _search(self, folder: Path, depth: int) -> int:
         """Add what is below a folder; how many recordings there are."""
-        if depth > _DEEPEST or folder.resolve() == self._leave_out:
+        if depth > DEEPEST or folder.resolve() == self._leave_out:
             return 0
         count = 0
         for each in _entries(folder):

@@ -7,7 +7,6 @@ import os
 import queue
 import signal
 import subprocess
-import sys
 import threading
 import time
 from collections.abc import Callable, Sequence
@@ -15,6 +14,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import IO, Any
 
+from tracking import child_program
 from tracking.batch.order import Limits
 from tracking.batch.outcome import Cause, Outcome, failure
 from tracking.batch.task import Task
@@ -26,10 +26,7 @@ STARTING = N_("starting")
 _LOOK_EVERY_S = 0.2
 _BORN_WITHIN_S = 600.0
 """Machines are busy, and disks of clusters slow."""
-_ENVIRONMENT = {
-    **dict.fromkeys(("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS"), "1"),
-    "MALLOC_ARENA_MAX": "2",
-}
+_ENVIRONMENT = {**child_program.ONE_THREAD, "MALLOC_ARENA_MAX": "2"}
 """One thread each: there are as many workers as there are to be threads."""
 _HEADROOM = 1.25
 """Memory that is used counts otherwise than memory that is asked for, which is refused at 1."""
@@ -149,7 +146,7 @@ class WorkerProcess:
             if self._closed.is_set():
                 return False
             self._heard = queue.SimpleQueue()
-            self._child = _started(self._command)
+            self._child = child_program.begin(*self._command, more=_ENVIRONMENT)
             heard, answers = self._heard, self._child.stdout
         assert answers is not None
         threading.Thread(target=_listen, args=(answers, heard), daemon=True).start()
@@ -214,19 +211,6 @@ def _listen(answers: IO[bytes], heard: queue.SimpleQueue[dict[str, Any] | None])
         while (said := receive_head(answers)) is not None:
             heard.put(said)
     heard.put(None)
-
-
-def _started(command: Sequence[str]) -> subprocess.Popen[bytes]:
-    """A new interpreter that finds this package, whatever folder it is started in."""
-    root = str(Path(__file__).parents[2])
-    path = os.pathsep.join(filter(None, (root, os.environ.get("PYTHONPATH", ""))))
-    return subprocess.Popen(
-        [sys.executable, "-P", *command],
-        env={"OPENCV_LOG_LEVEL": "SILENT", **os.environ, **_ENVIRONMENT, "PYTHONPATH": path},
-        stdin=subprocess.PIPE,
-        stdout=subprocess.PIPE,
-        creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
-    )
 
 
 def _used_bytes(pid: int) -> int:

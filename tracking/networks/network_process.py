@@ -6,7 +6,6 @@ import contextlib
 import math
 import os
 import subprocess
-import sys
 import threading
 import weakref
 from collections.abc import Iterator, Sequence
@@ -17,6 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking import child_program
 from tracking.errors import FormatError
 from tracking.message_data import message_from
 from tracking.networks.candidates import MOST_CANDIDATES
@@ -24,7 +24,6 @@ from tracking.networks.embedder import LENGTHS
 from tracking.networks.letterbox import Picture
 from tracking.networks.model_file import Model
 from tracking.people.detection_source import FrameDetections
-from tracking.untrusted import child_program
 from tracking.untrusted.pipe import receive_bytes, receive_head, send
 
 _WORKER = Path(__file__).with_name("network_worker.py")
@@ -76,14 +75,7 @@ class NetworkProcess:
         self._limits = limits or Limits()
         self._path = model.path
         environment = {"OPENBLAS_NUM_THREADS": "1", "MALLOC_ARENA_MAX": _ARENAS}
-        self._child = subprocess.Popen(
-            [sys.executable, "-P", str(_WORKER)],
-            env={**os.environ, **environment, "PYTHONPATH": child_program.search_path()},
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.DEVNULL,
-            creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
-        )
+        self._child = child_program.begin(_WORKER, more=environment, stderr=subprocess.DEVNULL)
         self._end = weakref.finalize(self, child_program.end, self._child)
         longest_s = max(self._limits.start_s, self._limits.frame_s)
         start = {

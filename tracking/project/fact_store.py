@@ -8,8 +8,6 @@ import threading
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
-from types import TracebackType
-from typing import Self
 
 from tracking.errors import UnsafeFileError
 from tracking.owned_files import check_file, make_folder
@@ -56,17 +54,6 @@ class FactStore:
         self._made = f"{_LAYOUT} {software()}"
         self._lock = threading.Lock()
         self._unkept: dict[Path, tuple[KnownFacts, bytes]] = {}
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
-        self.close()
 
     def close(self) -> None:
         """Let go of the file."""

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from tracking.batch.ledger import NAME as LEDGER
-from tracking.batch.recordings import is_recording
+from tracking.batch.recordings import DEEPEST, is_recording
 from tracking.errors import RecordingError
 from tracking.session.journal_files import JOURNAL, NEXT
 from tracking.session.session_writer import companions
@@ -17,8 +17,6 @@ from tracking.translation import Message, msg
 
 MOST_RECORDINGS = 5000
 MOST_SESSIONS = 20_000
-_DEEPEST = 6
-"""Folders within folders that are looked into."""
 _MOST_FOLDERS = 50_000
 _MOST_BESIDE = 4000
 """Entries of a recording's folder that its stamp counts; a folder of images has many more."""
@@ -130,10 +128,10 @@ class _Walk:
         if is_recording(folder):
             self._add_recording(folder)
             self._add_sessions(_entries(folder))
-        elif depth < _DEEPEST:
+        elif depth < DEEPEST:
             self._enter(folder, depth + 1)
         else:
-            self._note(msg("folders more than {n} levels down are not searched", n=_DEEPEST))
+            self._note(msg("folders more than {n} levels down are not searched", n=DEEPEST))
 
     def _add_recording(self, path: Path) -> None:
         self.scan.recordings.append(ScannedFile(path, _stamp_of_recording(path)))

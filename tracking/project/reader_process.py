@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-import contextlib
-import os
 import subprocess
-import sys
 import threading
-from pathlib import Path
-from types import TracebackType
 from typing import Self
 
+from tracking import child_program
 from tracking.project.facts import RecordingFacts, SessionFacts
 from tracking.project.readings import ReadFacts, Reading, unreadable
 from tracking.translation import msg
@@ -19,7 +15,6 @@ from tracking.untrusted.pipe import receive_bytes, receive_head, send
 PATIENCE_S = 300.0
 """Of one file, by the clock: a long session with ground truth takes a minute on a busy machine."""
 _MOST_IMAGE_BYTES = 4 << 20
-_ENVIRONMENT = dict.fromkeys(("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS"), "1")
 
 
 class ReaderProcess:
@@ -37,12 +32,7 @@ class ReaderProcess:
     def __enter__(self) -> Self:
         return self
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         self.close()
 
     def read(self, reading: Reading) -> ReadFacts:
@@ -113,24 +103,13 @@ class ReaderProcess:
         self._kill()
         with self._lock:
             child, self._child = self._child, None
-        if child is None:
-            return
-        child.wait()
-        for pipe in (child.stdin, child.stdout):
-            if pipe is not None:
-                with contextlib.suppress(OSError):
-                    pipe.close()
+        if child is not None:
+            child_program.end(child)
 
 
 def _started() -> subprocess.Popen[bytes]:
-    """A new interpreter that finds this package, whatever folder it is started in."""
-    root = str(Path(__file__).parents[2])
-    path = os.pathsep.join(filter(None, (root, os.environ.get("PYTHONPATH", ""))))
-    return subprocess.Popen(
-        [sys.executable, "-P", "-m", "tracking.project.reader"],
-        env={"OPENCV_LOG_LEVEL": "SILENT", **os.environ, **_ENVIRONMENT, "PYTHONPATH": path},
-        stdin=subprocess.PIPE,
-        stdout=subprocess.PIPE,
+    return child_program.begin(
+        *("-m", "tracking.project.reader"),
+        more=child_program.ONE_THREAD,
         stderr=subprocess.DEVNULL,
-        creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
     )

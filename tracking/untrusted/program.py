@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import contextlib
 import json
-import os
 import subprocess
 import sys
 from collections.abc import Callable, Sequence
@@ -18,9 +17,9 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
+from tracking import child_program
 from tracking.message_data import message_data, message_from
 from tracking.translation import joined, msg
-from tracking.untrusted.child_program import search_path
 from tracking.untrusted.patience import begin, memory_for
 from tracking.untrusted.walk import Refused
 
@@ -113,11 +112,10 @@ def verdicts_of(program: str, name: str, paths: Sequence[Path]) -> list[dict[str
 
 def _looked_over(program: str, paths: Sequence[Path]) -> tuple[list[dict[str, Any]], bool]:
     """The verdicts on the first files, until the other program ended; whether it did by itself."""
-    command = [sys.executable, "-P", program, *(str(path.resolve()) for path in paths)]
     try:
         done = subprocess.run(
-            command,
-            env={**os.environ, "PYTHONPATH": search_path(), "OPENBLAS_NUM_THREADS": "1"},
+            child_program.command(program, *(path.resolve() for path in paths)),
+            env=child_program.environment({"OPENBLAS_NUM_THREADS": "1"}),
             stdin=subprocess.DEVNULL,
             capture_output=True,
             timeout=PATIENCE_S,

@@ -3,12 +3,9 @@
 from __future__ import annotations
 
 import contextlib
-import os
 import subprocess
-import sys
 import threading
 from collections.abc import Iterator
-from pathlib import Path
 from typing import IO
 
 from app.core.tracking_process.messages import (
@@ -21,6 +18,7 @@ from app.core.tracking_process.messages import (
 )
 from app.core.tracking_process.request import TrackingRequest
 from app.core.tracking_process.step_watch import StepWatch
+from tracking import child_program
 from tracking.errors import TrackwrightError
 from tracking.plugins.time_limit import overdue
 from tracking.trackers import TRACKERS, StepResult, tracker_named
@@ -119,7 +117,7 @@ class TrackerProcess:
         with self._lock:
             if self._stopping.is_set():
                 return None
-            self._child = _started()
+            self._child = child_program.begin("-m", "app.core.tracking_process.child")
         if self._offer is not None and not self._offer.built_in:
             limit_s = tracker_named(self._request.tracker).step_limit_s
             self._watch = StepWatch(limit_s, self.kill)
@@ -147,21 +145,4 @@ class TrackerProcess:
         self._overdue.cancel()
         if self._overdue.is_alive():
             self._overdue.join()
-        child.wait()
-        for pipe in (child.stdin, child.stdout):
-            if pipe is not None:
-                with contextlib.suppress(OSError):
-                    pipe.close()
-
-
-def _started() -> subprocess.Popen[bytes]:
-    """A new interpreter that finds this package, whatever folder it is started in."""
-    root = str(Path(__file__).parents[3])
-    path = os.pathsep.join(filter(None, (root, os.environ.get("PYTHONPATH", ""))))
-    return subprocess.Popen(
-        [sys.executable, "-P", "-m", "app.core.tracking_process.child"],
-        env={**os.environ, "PYTHONPATH": path},
-        stdin=subprocess.PIPE,
-        stdout=subprocess.PIPE,
-        creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
-    )
+        child_program.end(child)

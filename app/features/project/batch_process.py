@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import os
 import subprocess
-import sys
 import tempfile
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from app.core.i18n import tr
+from tracking import child_program
 
 DONE, NONE_DONE, SOME_FAILED, INTERRUPTED = 0, 1, 3, 130
 _LONGEST_LINE = 4000
@@ -84,19 +84,17 @@ class BatchProcess:
 
 
 def command_of(wish: BatchWish) -> list[str]:
-    """What is run, after the interpreter."""
+    """What is run, after the interpreter and its options."""
     tracker = ["--tracker", wish.tracker] if wish.tracker else []
     paths = [os.path.abspath(path) for path in wish.recordings]  # noqa: PTH100 - links stay
-    return ["-P", "-m", "app", "batch", "-o", str(wish.out), *tracker, "--", *paths]
+    return ["-m", "app", "batch", "-o", str(wish.out), *tracker, "--", *paths]
 
 
-def _started(command: Sequence[str], errors: int) -> subprocess.Popen[bytes]:
+def _started(words: Sequence[str], errors: int) -> subprocess.Popen[bytes]:
     """A process of a session of its own: what ends the window's terminal does not end it."""
-    root = str(Path(__file__).parents[3])
-    path = os.pathsep.join(filter(None, (root, os.environ.get("PYTHONPATH", ""))))
     return subprocess.Popen(
-        [sys.executable, *command],
-        env={**os.environ, "PYTHONPATH": path},
+        child_program.command(*words),
+        env=child_program.environment(),
         stdin=subprocess.DEVNULL,
         stdout=subprocess.DEVNULL,
         stderr=errors,

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import contextlib
-import os
 import subprocess
-import sys
 import threading
 import weakref
 from collections.abc import Iterator, Sequence
@@ -15,6 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tracking import child_program
 from tracking.errors import RecordingError
 from tracking.message_data import message_from
 from tracking.recording.bags.bag_contents import (
@@ -24,7 +23,6 @@ from tracking.recording.bags.bag_contents import (
     known_contents,
 )
 from tracking.translation import msg
-from tracking.untrusted import child_program
 from tracking.untrusted.pipe import receive_bytes, receive_head, send
 
 _WORKER = Path(__file__).with_name("bag_worker.py")
@@ -90,14 +88,7 @@ class BagProcess:
     def _start(self, known: BagContents | None) -> None:
         """Start the program; of a bag that was opened before it is told what is known."""
         environment = {"OPENBLAS_NUM_THREADS": "1", "MALLOC_ARENA_MAX": "4"}
-        self._child = subprocess.Popen(
-            [sys.executable, "-P", str(_WORKER)],
-            env={**os.environ, **environment, "PYTHONPATH": child_program.search_path()},
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.DEVNULL,
-            creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
-        )
+        self._child = child_program.begin(_WORKER, more=environment, stderr=subprocess.DEVNULL)
         self._end = weakref.finalize(self, child_program.end, self._child)
         try:
             with self._in_time():
