@@ -17,7 +17,7 @@ from app.core.widgets.work import Work
 from app.features.setup.cameras_presenter import state_of_plan
 from app.features.setup.dialog import SetupDialog
 from app.features.setup.drafts import Drafts
-from app.features.setup.drawn_labels import keep_drawn, with_labels
+from app.features.setup.drawn_labels import check_drawn, keep_drawn, with_labels
 from app.features.setup.scene import SetupState, Step
 from tracking.errors import TrackwrightError
 from tracking.recording import Recording
@@ -142,5 +142,6 @@ def _plan_of_opened(recording: Recording) -> SetupPlan:
 
 def _written(plan: SetupPlan, state: SetupState, replace_old: bool) -> Path:
     """Write it; what is to be opened then: the recording, or the session of what was drawn."""
+    check_drawn(state)
     folder = write_setup(plan, replace_old=replace_old).parent
     return keep_drawn(folder, state) if state.occluders or state.lines else folder

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import glob
+import os
 import re
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -115,14 +117,19 @@ def other_source(left: str) -> str:
         if here in path.name:
             name = there.join(path.name.rsplit(here, 1))
             beside = path.with_name(name)
-            if beside.exists() or ("*" in name and any(path.parent.glob(name))):
+            if _is_there(str(beside)):
                 return str(beside)
-    others = [p for p in path.parent.iterdir() if may_be_camera(p)] if path.exists() else []
+    others = [p for p in path.parent.iterdir() if may_be_camera(p)] if _is_there(left) else []
     found = [pair_by_name([path, one]) for one in others if one != path]
     pairs = [pair for pair in found if pair is not None]
     if len(pairs) == 1:
         return str(pairs[0].right if pairs[0].left == path else pairs[0].left)
     return ""
+
+
+def _is_there(source: str) -> bool:
+    """Whether it is a file, a folder or a pattern of some; whatever was typed raises nothing."""
+    return os.path.exists(source) or bool(glob.glob(source))  # noqa: PTH110, PTH207
 
 
 def board_request(form: BoardForm, stereo: bool) -> BoardRequest:

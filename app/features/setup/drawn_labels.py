@@ -25,6 +25,18 @@ def with_labels(state: SetupState, labels: Labels, view: View | None) -> SetupSt
     return replace(state, occluders=labels.occluders, lines=lines)
 
 
+def check_drawn(state: SetupState) -> None:
+    """Refuse what can be no label, before anything is written. Raises EditError."""
+    _check(Labels(occluders=tuple(sorted(state.occluders)), lines=tuple(sorted(state.lines))))
+
+
+def _check(labels: Labels) -> None:
+    if labels.occluders:
+        plan_occluders(Labels(), labels.occluders)
+    if labels.lines:
+        plan_lines(Labels(), labels.lines)
+
+
 def keep_drawn(folder: Path, state: SetupState) -> Path:
     """Keep what is drawn in a new session of a recording; its path; slow.
 
@@ -36,10 +48,7 @@ def keep_drawn(folder: Path, state: SetupState) -> Path:
     with open_recording(folder) as recording:
         lines = [_on_floor(line, recording.view) for line in state.lines]
         labels = Labels(occluders=tuple(sorted(state.occluders)), lines=tuple(sorted(lines)))
-        if labels.occluders:
-            plan_occluders(Labels(), labels.occluders)  # what can be none is told
-        if labels.lines:
-            plan_lines(Labels(), labels.lines)
+        _check(labels)
         session = session_by_hand(recording, labels)
         assert session.path is not None, "it is on disk from its first moment"
         session.close()

@@ -29,8 +29,9 @@ from app.features.setup.scene import (
     SetupState,
     Step,
 )
+from app.shell import setup_controller
 from tracking.calibration.floor import FloorPoint
-from tracking.errors import CalibrationError
+from tracking.errors import CalibrationError, EditError
 from tracking.geometry import Ground, StereoCalibration, View, read_calibration, write_calibration
 from tracking.progress import no_progress
 from tracking.recording.region_of_interest import RegionOfInterest
@@ -270,6 +271,23 @@ def test_two_ends_at_one_place_are_no_line(state: SetupState) -> None:
     assert region_presenter.with_outline(state, "line", (one, one)) == state
     drawn = region_presenter.with_outline(state, "line", (one, (9.0, 5.0)))
     assert region_presenter.with_corner(drawn, 0, 1, *one) == drawn
+
+
+def test_what_can_be_no_label_is_refused_before_anything_is_written(
+    state: SetupState, tmp_path: Path
+) -> None:
+    drawn = region_presenter.with_outline(state, "line", ((5.0, 5.0), (9.0, 5.0)))
+    drawn_labels.check_drawn(drawn)
+    assert drawn.plan is not None
+    twice = replace(drawn, lines=drawn.lines * 2)
+    with pytest.raises(EditError):
+        setup_controller._written(replace(drawn.plan, at=tmp_path), twice, False)
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("typed", ["left**.png", "left[.png", "left" + "n" * 300, "left\0"])
+def test_no_source_that_is_typed_is_a_bug(typed: str, tmp_path: Path) -> None:
+    assert calibration_presenter.other_source(str(tmp_path / typed)) == ""
 
 
 def test_a_region_that_leaves_nothing_is_told_before_the_trial_says_so(state: SetupState) -> None:
