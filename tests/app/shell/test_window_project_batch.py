@@ -44,7 +44,7 @@ def _open_project(window, qtbot, folder: Path) -> None:
 def test_the_command_is_that_of_the_command_line(tmp_path: Path) -> None:
     wish = BatchWish((tmp_path / "a", tmp_path / "-b"), tmp_path / "out", "flow")
     assert command_of(wish) == [
-        *("-P", "-m", "app", "batch", "-o", str(tmp_path / "out"), "--tracker", "flow", "--"),
+        *("-m", "app", "batch", "-o", str(tmp_path / "out"), "--tracker", "flow", "--"),
         *(str(tmp_path / "a"), str(tmp_path / "-b")),
     ]
 
