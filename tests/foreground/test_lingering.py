@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from tracking.foreground import BackgroundModel
+from tracking.foreground import BackgroundModel, Subtraction, background
 from tracking.foreground.background_modes import primary_mode
 from tracking.foreground.difference import largest_difference
 from tracking.foreground.gain import channel_ratios
@@ -121,6 +121,17 @@ def test_a_white_balance_that_settles_is_no_foreground(gains: tuple[float, float
     seen = model.subtract(tinted(floor(), gains), 0.0)
     assert not seen.mask.any()
     assert not seen.scene_changed
+    somebody = model.subtract(tinted(at(6.0, lingers=True), gains), 0.1)
+    assert (somebody.mask[TORSO] > 0).mean() > 0.9
+
+
+def test_without_ratios_by_channel_it_is_another_scene_in_which_nobody_is_seen(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(background, "channel_ratios", lambda *_: np.ones(3, np.float32))
+    seen = learnt().subtract(tinted(at(6.0, lingers=True), (1.25, 1.0, 0.7)), 0.0)
+    assert seen.scene_changed
+    assert not seen.mask[TORSO].any()
 
 
 def test_people_in_red_clothes_are_no_white_balance() -> None:
@@ -129,9 +140,9 @@ def test_people_in_red_clothes_are_no_white_balance() -> None:
     assert np.allclose(channel_ratios(crowd, floor()), 1.0, atol=0.02)
 
 
-@pytest.mark.parametrize("kind", ["haze", "tone"])
-def test_after_the_light_has_changed_for_good_nobody_who_is_there_is_learnt(kind: str) -> None:
-    change_s = 10.0
+def _after_the_light_has_changed(kind: str) -> tuple[Subtraction, Picture]:
+    """What is foreground in the end, and what the floor looks like then."""
+    change_s = 20.0
 
     def lit(picture: Picture, time_s: float) -> Picture:
         if time_s < change_s:
@@ -150,10 +161,25 @@ def test_after_the_light_has_changed_for_good_nobody_who_is_there_is_learnt(kind
         time_s = change_s - 2.0 + k / FPS
         seen = model.subtract(lit(at(time_s, lingers=True), time_s), time_s)
         model.update(seen)
+    return seen, lit(floor(), change_s)
+
+
+@pytest.mark.parametrize("kind", ["haze", "tone"])
+def test_after_the_light_has_changed_for_good_nobody_who_is_there_is_learnt(kind: str) -> None:
+    seen, empty = _after_the_light_has_changed(kind)
     assert not seen.scene_changed
     assert (seen.mask[TORSO] > 0).mean() > 0.9
-    empty = largest_difference(seen.background, lit(floor(), change_s)) > 16
-    assert empty.mean() < 0.02
+    assert (largest_difference(seen.background, empty) > 16).mean() < 0.02
+
+
+@pytest.mark.parametrize("kind", ["haze", "tone"])
+def test_without_learning_anew_nobody_is_seen_any_more(
+    monkeypatch: pytest.MonkeyPatch, kind: str
+) -> None:
+    monkeypatch.setattr(BackgroundModel, "_begin_anew", lambda *_: None)
+    seen, _ = _after_the_light_has_changed(kind)
+    assert seen.scene_changed
+    assert not seen.mask[TORSO].any()
 
 
 def test_what_was_overexposed_when_learnt_is_nobody_in_less_light() -> None:

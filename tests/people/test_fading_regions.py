@@ -34,13 +34,17 @@ def _blob(middle: tuple[int, int], blur_px: int) -> NDArray[np.float32]:
     return np.asarray(cv2.blur(amount, (blur_px, blur_px)), np.float32)
 
 
-def _kept(picture: Picture, regions: NDArray[np.uint8]) -> int:
-    return int(without_ghosts(regions, picture, _wall(), floor_known=False).max())
+def _kept(picture: Picture, regions: NDArray[np.uint8], *, floor_known: bool = False) -> int:
+    return int(without_ghosts(regions, picture, _wall(), floor_known=floor_known).max())
 
 
 @pytest.mark.parametrize(("blur_px", "people"), [(3, 1), (7, 1), (51, 0), (71, 0)])
 def test_what_fades_into_the_background_is_nobody(blur_px: int, people: int) -> None:
     assert _kept(*_shown(_blob((160, 120), blur_px))) == people
+
+
+def test_where_no_outline_is_asked_for_it_is_somebody() -> None:
+    assert _kept(*_shown(_blob((160, 120), 51)), floor_known=True) == 1
 
 
 def test_a_cloud_that_ends_at_a_roof_is_nobody() -> None:

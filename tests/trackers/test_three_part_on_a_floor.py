@@ -77,6 +77,11 @@ def test_the_papers_own_rows_wait_until_everything_of_somebody_is_in_the_picture
     assert not ids(followed(tracker(adjust=False), on_a_floor([person], 40)))
 
 
+def test_without_parts_outside_of_the_picture_nobody_is_followed_until_they_are_in_it() -> None:
+    person = Blocks(walking((60, -20), (2.0, 0.0)), RED_BLUE)
+    assert not ids(followed(tracker(pose_constraints=False), on_a_floor([person], 40)))
+
+
 @both_layouts
 def test_a_head_that_comes_into_the_picture_is_followed_from_there_on(layout: Layout) -> None:
     person = Blocks(walking((60, -20), (1.0, 1.0)), RED_BLUE)

@@ -8,6 +8,7 @@ import pytest
 from tests.trackers.flow.flow_scenes import FPS
 from tests.trackers.flow.tracklet_runs import FRAMES, VIEW, Walker, run_with
 from tracking.trackers import tracker_named
+from tracking.trackers.flow import trajectory_selection
 from tracking.trackers.flow.bundles import Trajectory, gather_bundle
 from tracking.trackers.flow.chains import link_chains
 from tracking.trackers.flow.explained_rows import cover_rows, explained_rows
@@ -166,6 +167,15 @@ def test_two_ways_too_near_to_each_other_are_one_persons(apart_m: float, people:
     kept = remove_twins(walks)
     assert len(kept) == people
     assert sum(len(walk.chain) for walk in kept) == 8
+
+
+def test_without_room_for_one_body_alone_they_are_two_people(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(trajectory_selection, "_are_twins", lambda *_: False)
+    place = COMING.at(np.arange(40))
+    ways = (Trajectory(10, place), Trajectory(12, place[2:30] + np.array((0.1, 0.0))))
+    assert len(remove_twins([WalkerTrajectory(way, np.arange(5)) for way in ways])) == 2
 
 
 def test_pieces_end_where_nobody_is_seen_for_a_while() -> None:

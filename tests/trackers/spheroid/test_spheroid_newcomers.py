@@ -8,6 +8,7 @@ import pytest
 from people_of_one_colour import view
 
 from tracking.geometry import FlatView, ellipses_of
+from tracking.trackers.spheroid import births, floor_cells
 from tracking.trackers.spheroid.births import (
     NewPlace,
     SpheroidCandidates,
@@ -74,6 +75,14 @@ def test_newcomers_may_jump_along_the_line_of_sight_but_not_across() -> None:
     assert not _confirmed((0.0, 10.0), (0.0, 16.0))
 
 
+def test_with_a_gate_that_is_round_newcomers_who_jump_in_depth_are_never_confirmed(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(births, "_DEPTH_GATE", 0.0)
+    assert not _confirmed((0.0, 10.0), (0.0, 12.5))
+    assert not _confirmed((0.0, 10.0), (0.8, 12.0))
+
+
 def test_depths_that_jump_say_nothing_of_how_fast_somebody_comes() -> None:
     before = update_candidates(SpheroidCandidates.none(), _at((0.0, 10.0)), 0.0, CAMERA)
     now = update_candidates(before, _at((0.4, 12.0)), 0.2, CAMERA)
@@ -94,3 +103,12 @@ def test_people_are_looked_for_as_far_as_the_image_shows_them_large_enough() -> 
     assert away_m.max() > 28.0
     assert height_px.min() >= 40.0
     assert np.hypot(*_first(_walker(30.0, STREET), STREET).xy) == pytest.approx(30.0, rel=0.15)
+
+
+def test_nobody_is_found_beyond_the_farthest_place(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(floor_cells, "_FARTHEST_M", 28.0)
+    ramp = _walker(34.0, STREET)
+    everywhere = np.ones(ramp.shape, bool)
+    cells = FloorCells(STREET, 1.72, 0.25)
+    places = find_candidates(ramp, everywhere, cells, NOBODY, everywhere)
+    assert all(np.hypot(*place.xy) < 28.5 for place in places)
