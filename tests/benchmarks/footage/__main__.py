@@ -11,6 +11,7 @@ import argparse
 import json
 import re
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -30,6 +31,9 @@ from tracking.trackers import TRACKERS
 
 KEPT = DOCS / "results" / "real.json"
 PAGE = DOCS / "results" / "real.md"
+_SEEDS = 5
+"""Of a short recording, on which chance makes or loses one person for good: one run of
+`whole-body` scores anything from 0.01 to 0.28 on `tud-campus-real`."""
 
 
 def measure(
@@ -41,11 +45,25 @@ def measure(
         pictures: where a picture is put of the frame in which each tracker errs most.
     """
     fitting = [case for case in cases if footage.suits(case.tracker)]
-    runs = runs_over(footage.folder, fitting)
+    seeds = _SEEDS if footage.is_short else 1
+    repeated = {
+        case: [replace(case, seed=case.seed + more) for more in range(seeds)] for case in fitting
+    }
+    runs = runs_over(footage.folder, [one for several in repeated.values() for one in several])
     if pictures is not None:
         for case in fitting:
             save_worst_frame(footage, str(case), runs[case].tracks, pictures)
-    return {str(case): figures_of(footage, runs[case]) for case in fitting}
+    return {
+        str(case): middle_of([figures_of(footage, runs[one]) for one in several])
+        for case, several in repeated.items()
+    }
+
+
+def middle_of(several: Sequence[Figures]) -> Figures:
+    """The figures in the middle, by MOTA of boxes; of an even number the lower ones."""
+    worth = [each["boxes"]["MOTA"] if "boxes" in each else 0.0 for each in several]
+    order = sorted(range(len(several)), key=lambda number: worth[number])
+    return several[order[(len(several) - 1) // 2]]
 
 
 def kept_figures() -> dict[str, Any]:

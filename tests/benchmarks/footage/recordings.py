@@ -54,6 +54,9 @@ BY_EYE: Mapping[str, Mapping[int, tuple[Box, ...]]] = {
 }
 """People who walk, by frame: left, top, right, bottom in px, drawn by eye where nobody labelled."""
 
+_SHORT = 100
+"""Frames below which a recording is short."""
+
 _LINES = {
     "rendered-corridor": CountingLine("y = 6 m", (3.0, 6.0), (-3.0, 6.0)),
     "overhead-real": CountingLine("below the camera", (0.0, -3.0), (0.0, 3.0)),
@@ -78,6 +81,12 @@ class Footage:
     def labelled(self) -> bool:
         """Whether ground truth lies beside it."""
         return (self.folder / "truth.txt").is_file()
+
+    @property
+    def is_short(self) -> bool:
+        """Whether so little happens in it that one run says little."""
+        with self.open() as recording:
+            return recording.frame_count < _SHORT
 
     def open(self) -> Recording:
         """The recording, to be closed by the caller."""

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from tests.benchmarks.footage import recordings
+from tests.benchmarks.footage.__main__ import middle_of
 from tests.benchmarks.footage.failures import save_worst_frame
 from tests.benchmarks.footage.measures import box_figures, figures_of
 from tests.benchmarks.footage.others import with_detections
@@ -49,6 +50,13 @@ def test_the_truth_is_right_by_box_and_on_the_floor(rendered: Footage) -> None:
     assert figures["floor"]["error_m"] == pytest.approx(0.0, abs=1e-6)
     assert (figures["nobody"], figures["ms"]) == (0, 50.0)
     assert figures["tracks"] == figures["people"]
+
+
+def test_of_several_runs_the_one_in_the_middle_is_told(rendered: Footage) -> None:
+    several = [{"boxes": {"MOTA": worth}} for worth in (0.3, 0.0, 0.2, 0.9, -1.0)]
+    assert middle_of(several) is several[2]
+    assert middle_of([{"tracks": 3}]) == {"tracks": 3}
+    assert rendered.is_short
 
 
 def test_a_track_far_from_everybody_is_of_nobody(rendered: Footage) -> None:

@@ -151,7 +151,12 @@ def detector(clips: Sequence[Clip]) -> Figures:
 
 
 def machine_curves(detector: Detector, samples: Samples) -> dict[str, Curve]:
-    """What each machine of a detector says of samples it has not seen, by question."""
+    """What each machine of a detector says of samples it has not seen, by question.
+
+    Those of which it lacks evidence are left out: nobody asks it about them.
+    """
+    if not detector.preparation.paper:
+        samples = samples[samples.has_evidence]
     curves = {}
     for question in all_questions(samples):
         value = detector.machines.decide(detector.preparation.of(question.features))

@@ -69,6 +69,19 @@ def test_goals_are_said_to_be_met_or_by_how_much_they_are_missed() -> None:
     assert "crouch" not in page
 
 
+def test_the_loop_s_figures_are_told_with_their_intervals() -> None:
+    areas = dict.fromkeys(("paper", "built in", "taught"), (0.8, 0.7, 0.9))
+    labels = {"all": [[9, 90]] * 3, "areas": [areas | {"gain": (0.0, -0.01, 0.02)}] * 2 + [None]}
+    rates = {"before": [(0.5, 0.0, 0.0)] * 4, "taught": [(0.6, -0.01, 0.2)] * 4}
+    one = {"recording": "yard", "labels": {"as tracked": labels}, "judged": 7, "rates": rates}
+    page = PAGE.text({"taught": {"recordings": [one]}})
+    assert "| yard | as tracked | head | 9 | 0.80 (0.70 to 0.90) |" in page
+    assert "| +0.000 (-0.010 to +0.020) | missed |" in page
+    assert "| hip-leg | 9 | - | - | - | - | - |" in page
+    assert "| yard | 7 | before | 50.0 | 50.0 | 50.0 | 50.0 |" in page
+    assert "|  |  | taught | 60.0 (-1.0 to +20.0) |" in page
+
+
 def test_a_stoop_counts_for_people_judged_before_and_after_it() -> None:
     clip = Clip("crouching", 4102)
     cast = cast_of(clip)
@@ -107,6 +120,6 @@ def test_parts_of_boxes_are_shares_of_them(tmp_path: Path) -> None:
     assert parts.frame.tolist() == [0, 0, 0, 1, 1, 1]
     assert parts.part.tolist() == [0, 1, 2, 0, 1, 2]
     head, torso, legs = parts.box[:3]
-    assert head == pytest.approx((21.8, 20.0, 16.4, 34.0))
+    assert head == pytest.approx((10.0, 20.0, 40.0, 34.0))
     assert torso[1] < head[1] + head[3] < legs[1] + legs[3] == 220.0
     assert (parts.seen > 0).tolist() == [True] * 3 + [False] * 3
