@@ -56,6 +56,7 @@ def test_moments_without_evidence_are_not_asked_about(samples: Samples) -> None:
 
 def test_a_change_of_rates_is_of_all_frames_and_its_interval_of_people() -> None:
     before = np.array([[5.0, 5, 5, 5, 10]] * 4)
-    same, other = right_change(before, before), right_change((*before, 5, 0, 0, 0, 0), before)
+    better = before + np.array([5.0, 0.0, 0.0, 0.0, 0.0])
+    same, other = right_change(before, before), right_change(better, before)
     assert same == [[0.5, 0.0, 0.0]] * 4
     assert other == [[1.0, 0.5, 0.5], *[[0.5, 0.0, 0.0]] * 3]
