@@ -182,7 +182,12 @@ def _as_typed(plan: SetupPlan, request: SetupRequest, given: OpenOptions) -> Set
 
 
 def _beside(plan: SetupPlan, request: SetupRequest) -> tuple[Path, ...]:
-    return () if request.as_given or plan.at is not None else calibration_beside(plan.left)
+    if request.as_given or plan.at is not None:
+        return ()
+    found, told = calibration_beside(plan.left)
+    for note in told:
+        say(note)
+    return found
 
 
 def _completed(plan: SetupPlan, request: SetupRequest) -> tuple[SetupPlan, FloorEstimate | None]:

@@ -11,7 +11,7 @@ import numpy as np
 from app.core.i18n import sentence, tr
 from app.features.setup.floor_marks import with_floor
 from app.features.setup.presenter import bare
-from app.features.setup.scene import Arrangement, SetupPicture, SetupScene, SetupState
+from app.features.setup.scene import Arrangement, FloorMethod, SetupPicture, SetupScene, SetupState
 from tracking.errors import RecordingError, TrackwrightError
 from tracking.people.first_lag import first_lag
 from tracking.progress import Progress
@@ -22,6 +22,7 @@ from tracking.recording.limits import checked_fps
 from tracking.setup import SetupPlan, find_cameras, pair_by_name
 from tracking.setup.files import calibration_beside, is_container, may_be_camera, sources_in
 from tracking.setup.plan import options_of_plan, plan_of_known
+from tracking.translation import Message
 
 _BETWEEN_PX = 8
 _STEPS = 3
@@ -71,11 +72,12 @@ def look(plan: SetupPlan, progress: Progress) -> SetupState:
         right=found.right,
         layout=found.layout,
         first="left" if found.left_first else "right",
-        calibration=plan.calibration or calibration_beside(found.left),
     )
+    plan, beside = _with_calibration_beside(plan)
     lag = find_lag(plan) if found.same_scene and not found.doubts else None
     progress(_STEPS, _STEPS)
-    notes, doubts = (tuple(map(sentence, lines)) for lines in (found.notes, found.doubts))
+    told = (*found.notes, *beside)
+    notes, doubts = (tuple(map(sentence, lines)) for lines in (told, found.doubts))
     return SetupState(replace(plan, lag=lag or None), found=notes, doubts=doubts, found_lag=lag)
 
 
@@ -86,7 +88,7 @@ def _look_into_known(plan: SetupPlan, progress: Progress) -> SetupState:
     state = state_of_plan(plan)
     lag = find_lag(plan) if plan.is_stereo else None
     progress(_STEPS, _STEPS)
-    found = tuple(map(sentence, told)) or (tr("As its files have it."),)
+    found = (*map(sentence, told), *state.found) or (tr("As its files have it."),)
     return replace(
         state, plan=replace(state.plan or plan, lag=lag or None), found=found, found_lag=lag
     )
@@ -94,9 +96,17 @@ def _look_into_known(plan: SetupPlan, progress: Progress) -> SetupState:
 
 def state_of_plan(plan: SetupPlan) -> SetupState:
     """What a recording that is there begins with; of bare videos a calibration beside them too."""
-    if plan.at is None and not plan.calibration:
-        plan = replace(plan, calibration=calibration_beside(plan.left))
-    return SetupState(plan, floor_method="typed" if plan.ground else "measured")
+    plan, beside = _with_calibration_beside(plan) if plan.at is None else (plan, ())
+    method: FloorMethod = "typed" if plan.ground else "measured"
+    return SetupState(plan, found=tuple(map(sentence, beside)), floor_method=method)
+
+
+def _with_calibration_beside(plan: SetupPlan) -> tuple[SetupPlan, tuple[Message, ...]]:
+    """The plan with the calibration that lies beside its files, if it has none; what is told."""
+    if plan.calibration:
+        return plan, ()
+    calibration, told = calibration_beside(plan.left)
+    return replace(plan, calibration=calibration), told
 
 
 def find_lag(plan: SetupPlan) -> int | None:

@@ -144,3 +144,13 @@ def test_a_layout_of_two_sources_is_refused(trackwright: Trackwright, files: Pat
     status, _, said = trackwright("setup", files, "--layout", "top-bottom", "--force")
     assert status == 1
     assert "has a source for each camera; leave --layout and --first out" in said
+
+
+def test_what_is_no_calibration_is_told_and_left_out(trackwright: Trackwright, files: Path) -> None:
+    (files / "calibration.yaml").rename(files / "camchain.yaml")
+    (files / "calib.txt").write_text("Notes of the calibration: board 9x6, Tuesday\n")
+    status, printed, said = trackwright("setup", files)
+    assert status == 0, said
+    assert said.count("not used, as it is no calibration") == 1
+    assert "calib.txt: M1 is missing" in said
+    assert 'file = "camchain.yaml"' in printed
