@@ -194,7 +194,8 @@ def _completed(plan: SetupPlan, request: SetupRequest) -> tuple[SetupPlan, Floor
     """The plan with lag and floor as they are found, checked by opening the recording."""
     with open_recording(plan.folder, options_of_plan(plan)) as recording:
         if recording.is_stereo and request.lag is None and not request.as_given:
-            lag = first_lag(recording)
+            with progress(msg("looking for the lag")):
+                lag = first_lag(recording)
             if lag:
                 say(msg("the right camera is {lag} frames late", lag=lag))
             plan = with_lag(plan, lag)

@@ -200,12 +200,24 @@ def cameras_picture(scene: SetupScene, pointer: tuple[float, float] | None = Non
     """Left and right beside each other, the left one over its floor where that is known."""
     images, plan = scene.images, scene.state.plan
     if images is None or plan is None:
-        return SetupPicture(said=tr("Drop one or two videos, or a folder, here."))
+        return SetupPicture(said=_said_without_images(scene))
     if images.right is None:
         picture = SetupPicture(images.left, ((0.0, tr("The only camera")),), said=tr("The camera"))
     else:
         picture = side_by_side(images.left, images.right)
     return with_floor(picture, scene, pointer)
+
+
+def _said_without_images(scene: SetupScene) -> str:
+    """What stands in place of the picture."""
+    plan, checked = scene.state.plan, scene.checked
+    if scene.doing:
+        return scene.doing
+    if plan is None:
+        return tr("Drop one or two videos, or a folder, here.")
+    if checked.plan == plan and checked.problem:
+        return tr("There is no image of these cameras.")
+    return tr("Reading the images")
 
 
 def side_by_side(left: Image, right: Image) -> SetupPicture:

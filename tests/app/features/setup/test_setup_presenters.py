@@ -321,3 +321,15 @@ def test_what_is_no_calibration_beside_the_files_is_told_and_left_out(tmp_path: 
     (told,) = state.found
     assert told.startswith("Not used, as it is no calibration: ")
     assert "calib.txt: M1 is missing" in told
+
+
+def test_in_place_of_the_picture_stands_what_is_done() -> None:
+    def said(scene: SetupScene) -> str:
+        return cameras_presenter.cameras_picture(scene).said
+
+    plan = SetupPlan(Path("a.mp4"))
+    assert said(SetupScene()).startswith("Drop one or two videos")
+    assert said(SetupScene(doing="Looking at the cameras")) == "Looking at the cameras"
+    assert said(SetupScene(SetupState(plan))) == "Reading the images"
+    refused = SetupScene(SetupState(plan), Checked(plan, problem="no such file"))
+    assert said(refused) == "There is no image of these cameras."
