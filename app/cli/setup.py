@@ -97,9 +97,12 @@ def _next_step(plan: SetupPlan, folder: Path) -> Message:
     quoted = shlex.quote(str(folder))
     if not plan.calibration:
         return msg(
-            "next, for metres: trackwright setup {folder} --calibration FILE --floor stereo "
-            "--force (trackwright calibrate makes a FILE); or trackwright open {folder}",
+            "next, for metres: trackwright calibrate, from a board or with --rough from these "
+            "videos, -o {file}; then trackwright setup {folder} --floor {way} --force. Without "
+            "metres: trackwright open {folder}",
+            file=shlex.quote(str(folder / CALIBRATION_NAME)),
             folder=quoted,
+            way="stereo" if plan.is_stereo else "people",
         )
     if plan.ground is None:
         return msg("next: trackwright floor {folder} --write, for metres", folder=quoted)
@@ -182,7 +185,7 @@ def _as_typed(plan: SetupPlan, request: SetupRequest, given: OpenOptions) -> Set
 
 
 def _beside(plan: SetupPlan, request: SetupRequest) -> tuple[Path, ...]:
-    if request.as_given or plan.at is not None:
+    if request.as_given:
         return ()
     found, told = calibration_beside(plan.left)
     for note in told:

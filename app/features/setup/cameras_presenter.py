@@ -60,7 +60,8 @@ def look(plan: SetupPlan, progress: Progress) -> SetupState:
         RecordingError: files cannot be read, or differ in size.
     """
     if plan.at is not None and (plan.at / MANIFEST_NAME).is_file():
-        return replace(state_of_plan(plan), found=(tr("As recording.toml has it."),))
+        state = state_of_plan(plan)
+        return replace(state, found=(tr("As recording.toml has it."), *state.found))
     progress(0, _STEPS)
     if plan.at is not None or is_container(plan.left):
         return _look_into_known(plan, progress)
@@ -95,8 +96,8 @@ def _look_into_known(plan: SetupPlan, progress: Progress) -> SetupState:
 
 
 def state_of_plan(plan: SetupPlan) -> SetupState:
-    """What a recording that is there begins with; of bare videos a calibration beside them too."""
-    plan, beside = _with_calibration_beside(plan) if plan.at is None else (plan, ())
+    """What a recording that is there begins with; without a calibration that beside its files."""
+    plan, beside = _with_calibration_beside(plan)
     method: FloorMethod = "typed" if plan.ground else "measured"
     return SetupState(plan, found=tuple(map(sentence, beside)), floor_method=method)
 
