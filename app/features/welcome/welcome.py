@@ -22,7 +22,7 @@ from app.core.scenes import WelcomeScene
 from app.core.widgets.parts import heading, quiet
 from app.features.welcome.welcome_parts import ChoiceButton, RecentRow, draw_floor
 
-_WIDTH_LETTERS = 116
+_WIDTH_LETTERS = 130
 
 
 class WelcomePage(QWidget):
