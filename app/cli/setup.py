@@ -96,13 +96,14 @@ def _next_step(plan: SetupPlan, folder: Path) -> Message:
     """The command that comes next: what metres still lack, else the window."""
     quoted = shlex.quote(str(folder))
     if not plan.calibration:
+        way = "stereo" if plan.is_stereo else "people"
+        again = f"trackwright setup {quoted} --floor {way} --force"
         return msg(
             "next, for metres: trackwright calibrate, from a board or with --rough from these "
-            "videos, -o {file}; then trackwright setup {folder} --floor {way} --force. Without "
-            "metres: trackwright open {folder}",
+            "videos, -o {file}; then {again}. Without metres: trackwright open {folder}",
             file=shlex.quote(str(folder / CALIBRATION_NAME)),
+            again=again,
             folder=quoted,
-            way="stereo" if plan.is_stereo else "people",
         )
     if plan.ground is None:
         return msg("next: trackwright floor {folder} --write, for metres", folder=quoted)
