@@ -55,9 +55,12 @@ class SettingField:
     def title(self) -> str:
         """The name in words, without its stage and the unit's suffix."""
         name = self.name.rpartition(".")[2]
-        unit = self.unit.replace("/", "_").lower()
-        if unit and name.endswith(f"_{unit}"):
-            name = name.removesuffix(f"_{unit}")
+        unit = self.unit.lower()
+        # The suffix may be of the first unit alone: process_noise_m is in m/sqrt(s).
+        for suffix in filter(None, (unit.replace("/", "_"), unit.partition("/")[0])):
+            if name.endswith(f"_{suffix}"):
+                name = name.removesuffix(f"_{suffix}")
+                break
         return name.replace("_", " ").capitalize()
 
 

@@ -89,6 +89,8 @@ def run_rough(
         print_json(_rough_document(found))
     else:
         print_table([(name, f"{value:.4g}") for name, value in _rough_document(found).items()])
+        if out is not None:
+            say(msg("written: {path}", path=out))
 
 
 def _check(out: Path | None) -> None:

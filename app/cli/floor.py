@@ -55,19 +55,18 @@ def run_floor(
         )
     clicked = tuple(map(_point, request.points))
     with open_with_options(path, bare) as recording:
-        if write:
-            _check_writable(recording)
+        folder = _folder_to_write(recording) if write else None
         found = with_calibration(_found(recording, request, clicked), recording.calibration)
-        if write:
-            write_ground(recording.folder, found.ground)
+        if folder is not None:
+            write_ground(folder, found.ground)
     for note in found.notes:
         say(note)
     if as_json:
         print_json(as_document(found))
     else:
         print_table(rows_of_floor(found))
-        if write:
-            say(msg("written: {path}", path=recording.folder / MANIFEST_NAME))
+        if folder is not None:
+            say(msg("written: {path}", path=folder / MANIFEST_NAME))
 
 
 def _point(text: str) -> FloorPoint:
@@ -109,13 +108,15 @@ def _found(
         return find(recording, tell)
 
 
-def _check_writable(recording: Recording) -> None:
-    if not recording.own_manifest:
+def _folder_to_write(recording: Recording) -> Path:
+    """Where the recording.toml stands that the floor is written into."""
+    if recording.manifest_folder is None:
         raise RecordingError(
             "{path}: has no recording.toml of its own to write the floor into; make one with "
             "trackwright setup, or leave --write out",
             path=recording.path,
         )
+    return recording.manifest_folder
 
 
 def as_document(found: FloorEstimate) -> dict[str, Any]:

@@ -96,9 +96,13 @@ def _next_step(plan: SetupPlan, folder: Path) -> Message:
     """The command that comes next: what metres still lack, else the window."""
     quoted = shlex.quote(str(folder))
     if not plan.calibration:
+        way = "stereo" if plan.is_stereo else "people"
+        again = f"trackwright setup {quoted} --floor {way} --force"
         return msg(
-            "next, for metres: trackwright setup {folder} --calibration FILE --floor stereo "
-            "--force (trackwright calibrate makes a FILE); or trackwright open {folder}",
+            "next, for metres: trackwright calibrate, from a board or with --rough from these "
+            "videos, -o {file}; then {again}. Without metres: trackwright open {folder}",
+            file=shlex.quote(str(folder / CALIBRATION_NAME)),
+            again=again,
             folder=quoted,
         )
     if plan.ground is None:
@@ -182,14 +186,20 @@ def _as_typed(plan: SetupPlan, request: SetupRequest, given: OpenOptions) -> Set
 
 
 def _beside(plan: SetupPlan, request: SetupRequest) -> tuple[Path, ...]:
-    return () if request.as_given or plan.at is not None else calibration_beside(plan.left)
+    if request.as_given:
+        return ()
+    found, told = calibration_beside(plan.left)
+    for note in told:
+        say(note)
+    return found
 
 
 def _completed(plan: SetupPlan, request: SetupRequest) -> tuple[SetupPlan, FloorEstimate | None]:
     """The plan with lag and floor as they are found, checked by opening the recording."""
     with open_recording(plan.folder, options_of_plan(plan)) as recording:
         if recording.is_stereo and request.lag is None and not request.as_given:
-            lag = first_lag(recording)
+            with progress(msg("looking for the lag")):
+                lag = first_lag(recording)
             if lag:
                 say(msg("the right camera is {lag} frames late", lag=lag))
             plan = with_lag(plan, lag)

@@ -127,23 +127,33 @@ def run_to_end(work: Tracking, recording: Recording, what: str) -> Run:
     Raises TrackerEndedError where it could not go on after some frames, from what went wrong.
     """
     told = recording.notes
-    with progress(what) as advance, limited_steps(work.tracker) as limited:
-        start, stop = work.frames
-        try:
-            while (result := limited(lambda: next(work, None))) is not None:
-                if work.doubt and work.done == 1:  # at once: the rest may be in vain
-                    say(msg("note: {doubt}", doubt=work.doubt))
-                advance(result.frame + 1 - start, stop - start)
-            run = work.run()
-        except Exception as error:
-            if (run_so_far := work.run_so_far()) is None:
-                raise
-            raise TrackerEndedError(run_so_far, work.frames) from error
+    try:
+        _track_all(work, what)
+        run = work.run()
+    except Exception as error:
+        if (run_so_far := work.run_so_far()) is None:
+            raise
+        raise TrackerEndedError(run_so_far, work.frames) from error
     notes = tuple(note for note in (*work.notes, *recording.notes) if note not in told)
     for note in notes:
         if note != work.doubt:
             say(msg("note: {note}", note=note))
     return replace(run, notes=notes)
+
+
+def _track_all(work: Tracking, what: str) -> None:
+    """Let a tracker work to its end; before its first frame the background is learnt."""
+    start, stop = work.frames
+    with limited_steps(work.tracker) as limited:
+        with progress(msg("learning the background")) as learning:
+            work.learning = learning
+            result = limited(lambda: next(work, None))
+        if work.doubt:  # at once: the rest may be in vain
+            say(msg("note: {doubt}", doubt=work.doubt))
+        with progress(what) as advance:
+            while result is not None:
+                advance(result.frame + 1 - start, stop - start)
+                result = limited(lambda: next(work, None))
 
 
 class TrackerEndedError(EndedEarlyError):

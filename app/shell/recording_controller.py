@@ -91,6 +91,7 @@ class RecordingController(Controller):
         self.colouring.changed.connect(self._draw_coloured)
         self.tracking.following.changed.connect(self.changed)
         self.tracking.found.connect(self._draw_found)
+        self.tracking.live.learning.connect(self._draw_progress)
         self.tracking.people_found.connect(self.changed)
 
     def _connect_views(self, view: Workspace) -> None:
@@ -296,5 +297,9 @@ class RecordingController(Controller):
         """Draw what the tracker at work found in some frames, both included."""
         if self.document.is_live and first <= self.playback.number <= last:
             self.draw_frame()
+        self._draw_progress()
+
+    def _draw_progress(self) -> None:
+        """Draw how far the tracker at work is."""
         self.draw_playhead()
         self.progressed.emit()

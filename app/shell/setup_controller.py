@@ -1,4 +1,4 @@
-"""File > Set up a recording from videos: the set-up's window, and recording.toml written."""
+"""File > Set up a recording: the set-up's window, and recording.toml written."""
 
 from __future__ import annotations
 

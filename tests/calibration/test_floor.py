@@ -23,6 +23,7 @@ from tracking.calibration.floor.people import floor_of_people
 from tracking.calibration.floor.walkers import PeopleSeen, axes_of_regions
 from tracking.errors import CalibrationError
 from tracking.geometry import Camera, Ground, View, ground_of_plane, ground_of_pose
+from tracking.progress import Progress
 from tracking.recording import open_recording
 from tracking.synthesis import render_recording
 
@@ -215,3 +216,28 @@ def test_a_plane_and_a_pose_are_the_ground_they_were_made_of() -> None:
     again = ground_of_plane(rotation[2], 2.6), ground_of_pose(rotation.T, -rotation.T @ centre)
     for ground in again:
         assert_near(ground, 1e-9, 1e-9)
+
+
+class CancelledError(Exception):
+    """The user has cancelled."""
+
+
+def cancel_past(share: float) -> Progress:
+    """A user who cancels once so much is done."""
+
+    def tell(done: int, total: int) -> None:
+        if done > share * total:
+            raise CancelledError
+
+    return tell
+
+
+def test_the_search_of_the_plane_can_be_cancelled(lobby: Path) -> None:
+    with open_recording(lobby) as recording, pytest.raises(CancelledError):
+        floor_by_stereo(recording, cancel_past(0.8))  # all frames are read by then
+
+
+@pytest.mark.parametrize("share", [0.1, 0.9])
+def test_the_fit_to_people_can_be_cancelled(share: float) -> None:
+    with pytest.raises(CancelledError):
+        floor_of_people(CAMERA, walkers(), cancel_past(share))

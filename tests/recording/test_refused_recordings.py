@@ -119,6 +119,21 @@ def test_of_a_file_that_is_no_video_it_is_said_what_can_be_opened(tmp_path: Path
         open_recording(tmp_path / "notes.md")
 
 
+def test_a_video_that_is_cut_off_is_told_as_that(tmp_path: Path) -> None:
+    video = write_video(tmp_path / "cut.mp4", range(30))
+    whole = video.read_bytes()
+    video.write_bytes(whole[: len(whole) // 2])
+    with pytest.raises(RecordingError, match=r"a video that is damaged or cut off .*copy it"):
+        open_recording(video)
+
+
+@pytest.mark.parametrize("text", ["Bilder von Tür 1\n", "\ufeffnotes", "ü" * 600])
+def test_a_text_with_the_name_of_a_video_is_told_as_that(tmp_path: Path, text: str) -> None:
+    (tmp_path / "notes.mp4").write_text(text, "utf-8")
+    with pytest.raises(RecordingError, match="text, not a video"):
+        open_recording(tmp_path / "notes.mp4")
+
+
 def test_a_text_that_could_be_drawn_as_a_film_is_none(tmp_path: Path) -> None:
     (tmp_path / "truth.txt").write_text("1,1,10,20,30,60,1,1,1\n" * 50)
     with pytest.raises(RecordingError, match=r"text, not a video; give a video"):

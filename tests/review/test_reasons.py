@@ -17,6 +17,7 @@ from walks_on_a_floor import (
     with_column,
 )
 
+from app.core.i18n import time_text
 from tracking.review.core.evidence import gather_evidence
 from tracking.review.core.findings import FlaggedPlaces
 from tracking.review.core.material import Material
@@ -172,7 +173,7 @@ def test_failed_parts_are_told() -> None:
     ("which", "parts"), [(4, "hip-leg"), (3, "head and torso"), (7, "head, torso and hip-leg")]
 )
 def test_the_parts_that_failed_are_named(which: int, parts: str) -> None:
-    assert sentence("part", 3, 0, which, 7.2) == f"the {parts} of 3 failed at 00:07.2"
+    assert sentence("part", 3, 0, which, 7.2) == f"the {parts} of 3 failed at 00:07.20"
 
 
 def there_and_back(predicted: range) -> FlaggedPlaces:
@@ -199,18 +200,19 @@ def test_who_walks_on_while_hidden_is_no_reversal() -> None:
 
 def test_a_moment_that_is_not_the_very_one_is_said_to_be_about_then() -> None:
     said = sentence("colour", 3, 0, 0.0, 7.2, about=True)
-    assert said == "3 has other colours from about 00:07.2 on"
+    assert said == "3 has other colours from about 00:07.20 on"
 
 
-def test_times_are_rounded_to_tenths_not_cut() -> None:
-    said = [sentence("part", 3, 0, 7, time_s).split()[-1] for time_s in (6.57, 59.96, 3600.0)]
-    assert said == ["00:06.6", "01:00.0", "1:00:00.0"]
+def test_times_are_rounded_to_hundredths_not_cut_as_everywhere() -> None:
+    times_s = (5.65, 59.996, 3600.0)
+    said = [sentence("part", 3, 0, 7, time_s).split()[-1] for time_s in times_s]
+    assert said == ["00:05.65", "01:00.00", "1:00:00.00"] == [*map(time_text, times_s)]
 
 
 @pytest.mark.usefixtures("pseudo")
 def test_a_reason_is_translated_with_all_its_words() -> None:
     assert tr(sentence("part", 3, 0, 7, 7.2, about=True)) == (
-        "⟦the ⟦⟦head⟧, ⟦torso⟧ and ⟦hip-leg⟧⟧ of 3 failed at ⟦about 00:07.2⟧⟧"
+        "⟦the ⟦⟦head⟧, ⟦torso⟧ and ⟦hip-leg⟧⟧ of 3 failed at ⟦about 00:07.20⟧⟧"
     )
     for kind, words in WORDS.items():
         for second in (2 if words.two else 0, 0 if words.one else 2):

@@ -205,9 +205,9 @@ def test_where_no_floor_is_known_nothing_is_said_in_metres() -> None:
 
 def test_ways_are_said_in_body_heights_where_the_floor_is_not_known() -> None:
     within = sentence("crossing", 1, 5, 0.85, 4.0, on_floor=False)
-    assert within == "1 and 5 passed within 0.5 body heights at 00:04.0"
+    assert within == "1 and 5 passed within 0.5 body heights at 00:04.00"
     begun = sentence("begun", 4, 0, 0.0, 4.0, on_floor=False)
-    assert begun == "4 begins in the middle of the image at 00:04.0"
+    assert begun == "4 begins in the middle of the image at 00:04.00"
 
 
 def test_a_review_item_names_the_second_its_frame_lies_in() -> None:

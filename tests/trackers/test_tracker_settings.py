@@ -110,3 +110,10 @@ def test_no_occluders_are_no_change_of_a_setting(nothing):
     assert changed_settings("spheroid", {"occluders": nothing}) == {}
     drawn = "[[[1, 1], [2, 1], [2, 2]]]"
     assert changed_settings("spheroid", {"occluders": drawn}) == {"occluders": drawn}
+
+
+def test_no_title_names_the_unit_that_stands_beside_the_number():
+    titles = {field.name: field.title for _, field in ALL}
+    assert titles["process_noise_m"] == "Process noise"
+    for name, title in titles.items():
+        assert title.rpartition(" ")[2] not in ("m", "s", "px", "deg", "rad"), name

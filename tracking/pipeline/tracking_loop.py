@@ -24,6 +24,7 @@ from tracking.people import RangedShare, StereoWatch, first_lag
 from tracking.pipeline.run_buffer import KeptSteps
 from tracking.pipeline.set_up import changed_matching, doubt_of, require_sense
 from tracking.pipeline.track_embeddings import TrackEmbeddings
+from tracking.progress import Progress, no_progress
 from tracking.recording import Instants, Recording, StereoFrame
 from tracking.trackers import (
     Observation,
@@ -118,6 +119,7 @@ class Tracking:
     Attributes:
         frames: half-open range being tracked. done: frames of it tracked so far.
         observation: what was seen in the last frame, with its overlays; None before the first.
+        learning: told how much of the background is read; to be set before the first step.
         doubt: what cannot be right of two cameras, height and tilt, known from the first step on
             and one of the notes; "": nothing.
     """
@@ -153,6 +155,7 @@ class Tracking:
         self._kept = kept
         self._followed = False
         self.doubt = Message()
+        self.learning: Progress = no_progress
         self._ranged = RangedShare()
         self._steps = self._work()
 
@@ -312,13 +315,15 @@ class Tracking:
 
     def _learn(self, perception: Perception) -> None:
         """The background; two cameras are looked at for whether they can be as told."""
-        samples, later = background_samples(self._recording)
+        samples, later = background_samples(self._recording, self.learning)
         if self._spec.needs_stereo:
             self.doubt = doubt_of(self._recording, samples)
         perception.learn(samples, later)
 
 
-def background_samples(recording: Recording) -> tuple[list[StereoFrame], list[StereoFrame]]:
+def background_samples(
+    recording: Recording, progress: Progress = no_progress
+) -> tuple[list[StereoFrame], list[StereoFrame]]:
     """Frames spread evenly over the recording, and of each the one a moment later.
 
     Raises:
@@ -327,7 +332,10 @@ def background_samples(recording: Recording) -> tuple[list[StereoFrame], list[St
     count = min(BACKGROUND_SAMPLES, recording.frame_count)
     moment = min(max(1, round(_MOMENT_S * recording.fps)), recording.frame_count // 4)
     numbers = np.unique(np.linspace(0, recording.frame_count - 1 - moment, count).astype(int))
-    pairs = [(recording.read(int(one)), recording.read(int(one) + moment)) for one in numbers]
+    pairs: list[tuple[StereoFrame, StereoFrame]] = []
+    for one in numbers.tolist():
+        progress(len(pairs), len(numbers))
+        pairs.append((recording.read(one), recording.read(one + moment)))
     return [frame for frame, _ in pairs], [frame for _, frame in pairs]
 
 

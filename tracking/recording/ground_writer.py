@@ -8,7 +8,7 @@ from pathlib import Path
 from tracking.atomic_output import replace_with
 from tracking.errors import OutputError, RecordingError
 from tracking.geometry import Ground
-from tracking.recording.manifest import MANIFEST_NAME, manifest_text, parse_manifest
+from tracking.recording.manifest import MANIFEST_NAME, manifest_text, parse_ground
 
 _DIGITS = 6
 """Micrometres and millionths of a degree: what is found is never surer."""
@@ -29,7 +29,7 @@ def write_ground(folder: Path, ground: Ground) -> None:
     text = manifest_text(folder)
     changed = with_ground(text, ground)
     where = str(folder / MANIFEST_NAME)
-    if parse_manifest(changed, where, folder.name).ground != ground:
+    if parse_ground(changed, where) != ground:
         raise RecordingError(
             "{where}: its [ground] is written in a form that cannot be replaced; take it out and "
             "write again",

@@ -36,6 +36,7 @@ class Located:
         text: the manifest's text.
         trusted: the paths come from the user or were found, not from a file.
         own: the text is the folder's recording.toml, as read.
+        sourceless: the folder at `path` has a recording.toml that names no sources, taken as read.
         notes: what was taken for granted, in words.
     """
 
@@ -45,6 +46,7 @@ class Located:
     text: str
     trusted: bool
     own: bool = False
+    sourceless: bool = False
     notes: tuple[Message, ...] = ()
 
 
@@ -187,7 +189,8 @@ def _with_manifest(folder: Path, text: str, where: str) -> Located:
         own = replace(
             own, left=seen.left, right=seen.right, depth=seen.depth, calibration=seen.calibration
         )
-    return replace(located, manifest=own, text=format_manifest(own), trusted=trusted)
+    text = format_manifest(own)
+    return replace(located, manifest=own, text=text, trusted=trusted, sourceless=True)
 
 
 def _with_options(found: Located, options: OpenOptions) -> Located:
@@ -212,7 +215,7 @@ def _with_options(found: Located, options: OpenOptions) -> Located:
         )
     text = format_manifest(changed)
     notes = () if options.fps else found.notes
-    return replace(found, manifest=changed, text=text, own=False, notes=notes)
+    return replace(found, manifest=changed, text=text, own=False, sourceless=False, notes=notes)
 
 
 def _with_calibration(found: Located, options: OpenOptions) -> Located:
@@ -237,7 +240,7 @@ def _with_calibration(found: Located, options: OpenOptions) -> Located:
         calibration=tuple(_relative(file, folder) for file in options.calibration),
     )
     text = format_manifest(changed)
-    return replace(found, folder=folder, manifest=changed, text=text, own=False)
+    return replace(found, folder=folder, manifest=changed, text=text, own=False, sourceless=False)
 
 
 def _shared_folder(files: Sequence[Path]) -> Path:

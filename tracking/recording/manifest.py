@@ -171,6 +171,18 @@ def parse_manifest(
     )
 
 
+def parse_ground(text: str, where: str) -> Ground | None:
+    """The floor in a manifest's text, which need not name sources.
+
+    Args:
+        text: TOML. where: its path, for messages.
+
+    Raises:
+        RecordingError: it is no TOML, or says a floor that cannot be.
+    """
+    return _ground(_Table(_content(text, where), where))
+
+
 def _content(text: str, where: str) -> dict[str, Any]:
     try:
         return tomllib.loads(text)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import pairwise
+from pathlib import Path
 from typing import TypeAlias
 
 import av
@@ -20,6 +21,9 @@ from tracking.recording.image_headers import MOST_PIXELS
 
 VideoPacket: TypeAlias = "Packet[VideoStream]"
 
+_LOOKED_AT = 512
+_SIGNS = ((4, b"ftyp"), (4, b"moov"), (4, b"mdat"), (0, b"\x1a\x45\xdf\xa3"), (8, b"AVI "))
+"""Where and how videos begin: MP4 and MOV, Matroska and WebM, AVI."""
 _TEXT_ART = frozenset({"ansi", "bintext", "idf", "xbin"})
 """Decoders that draw text as pictures: of any text file, with them, a film could be made."""
 
@@ -77,13 +81,7 @@ def open_video(where: str) -> tuple[InputContainer, VideoStream]:
         # Only plain files: a playlist could fetch from anywhere.
         container = av.open(f"file:{where}", options={"protocol_whitelist": "file"})
     except (av.error.FFmpegError, OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or "unknown contents"
-        raise RecordingError(
-            "{where}: not a video that can be read ({reason}); give a video, a folder of "
-            "images or a folder with recording.toml",
-            where=where,
-            reason=reason,
-        ) from error
+        raise _refusal(where, getattr(error, "strerror", None) or "unknown contents") from error
     try:
         stream = _video_in(container, where)
     except RecordingError:
@@ -95,6 +93,47 @@ def open_video(where: str) -> tuple[InputContainer, VideoStream]:
     return container, stream
 
 
+def _refusal(where: str, reason: str) -> RecordingError:
+    """Why a file that is no video for the library cannot be read, by how it begins."""
+    try:
+        with Path(where).open("rb") as file:
+            start = file.read(_LOOKED_AT)
+    except OSError:
+        start = b""
+    if any(start[at : at + len(sign)] == sign for at, sign in _SIGNS):
+        return RecordingError(
+            "{where}: a video that is damaged or cut off ({reason}); copy it from the camera "
+            "again, or repair it",
+            where=where,
+            reason=reason,
+        )
+    if start and _is_text(start):
+        return _no_video_but_text(where)
+    return RecordingError(
+        "{where}: not a video that can be read ({reason}); give a video, a folder of "
+        "images or a folder with recording.toml",
+        where=where,
+        reason=reason,
+    )
+
+
+def _no_video_but_text(where: str) -> RecordingError:
+    return RecordingError(
+        "{where}: text, not a video; give a video, a folder of images or a folder with "
+        "recording.toml",
+        where=where,
+    )
+
+
+def _is_text(start: bytes) -> bool:
+    """Whether a file that begins so is text; a letter may be cut at the end."""
+    try:
+        text = start.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        return error.start > len(start) - 4 and error.start > 0 and _is_text(start[: error.start])
+    return all(letter.isprintable() or letter.isspace() for letter in text)
+
+
 def _video_in(container: InputContainer, where: str) -> VideoStream:
     """The first video stream; raises RecordingError where there is none that is decoded here."""
     if not container.streams.video or container.format.name in ("hls", "concat", "dash", "sdp"):
@@ -104,11 +143,7 @@ def _video_in(container: InputContainer, where: str) -> VideoStream:
     if getattr(stream, "codec_context", None) is None:
         raise RecordingError("{where}: its encoding is not known; convert it to H.264", where=where)
     if stream.codec_context.name in _TEXT_ART:
-        raise RecordingError(
-            "{where}: text, not a video; give a video, a folder of images or a folder with "
-            "recording.toml",
-            where=where,
-        )
+        raise _no_video_but_text(where)
     width, height = stream.codec_context.width, stream.codec_context.height
     if width * height > MOST_PIXELS:
         raise RecordingError(

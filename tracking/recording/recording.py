@@ -56,6 +56,8 @@ class Recording:
             or where options said otherwise.
         calibration_files: that text is of; they may lie outside the folder.
         own_manifest: whether that text is the folder's recording.toml, as read.
+        manifest_folder: of a recording.toml that says all but the sources, or all; None: there is
+            none, or options said otherwise.
         trusted: whether that text may name files outside the folder.
         truth_path: the truth.txt in the recording's folder; None without one.
     """
@@ -82,6 +84,7 @@ class Recording:
         self.looked_at: Mask | None = located.manifest.region.pixels(cameras.size)
         self.manifest_text: str = located.text
         self.own_manifest: bool = located.own
+        self.manifest_folder: Path | None = _manifest_folder(located)
         self.trusted: bool = located.trusted
         self.calibration_text: str = calibrated.text
         self.calibration_files: tuple[Path, ...] = tuple(calibration_files)
@@ -220,6 +223,13 @@ class Recording:
         sources = [source for source in self._cameras.sources if source.frame_count > 1]
         found = [first_frame_note(s.name, s.read(0), s.read(1)) for s in sources]
         return tuple(note for note in found if note is not None)
+
+
+def _manifest_folder(located: Located) -> Path | None:
+    """Where the recording.toml stands that was read."""
+    if located.own:
+        return located.folder
+    return located.path if located.sourceless else None
 
 
 def _rate(located: Located, cameras: ImagePairs) -> float:

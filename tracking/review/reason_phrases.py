@@ -124,8 +124,8 @@ def fix(kind: str, second: int) -> str:
 
 
 def clock(seconds: float) -> str:
-    """Minutes, seconds and tenths, rounded, with hours where there are some: "00:41.7"."""
-    minutes, tenths = divmod(round(10 * seconds), 600)
+    """Minutes, seconds and hundredths, as rows of the queue say them: "00:41.75"; with hours."""
+    minutes, hundredths = divmod(round(100 * seconds), 6000)
     hours, minute = divmod(minutes, 60)
-    text = f"{minute:02}:{tenths // 10:02}.{tenths % 10}"
+    text = f"{minute:02}:{hundredths // 100:02}.{hundredths % 100:02}"
     return f"{hours}:{text}" if hours else text

@@ -4,13 +4,17 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from tracking.errors import RecordingError
+from tracking.errors import CalibrationError, RecordingError
+from tracking.geometry import read_calibration
 from tracking.recording.bags.bag_pictures import bag_files, is_bag
 from tracking.recording.images import IMAGE_SUFFIXES, VIDEO_SUFFIXES
 from tracking.recording.locate import locate
 from tracking.recording.options import OpenOptions
 from tracking.recording.tar_pictures import is_tar
+from tracking.translation import Message, msg
 
+_ANY_SIZE = (1920, 1080)
+"""Of images, for files that say none: whether it is a calibration does not depend on it."""
 _CALIBRATIONS = ("calibration.yaml", "calibration.yml", "calib.txt", "calib.json", "camchain.yaml")
 
 
@@ -102,7 +106,19 @@ def _holds_images(folder: Path) -> bool:
         return False
 
 
-def calibration_beside(left: Path) -> tuple[Path, ...]:
-    """A calibration by a usual name in the folder of the left camera's file."""
-    found = [left.parent / name for name in _CALIBRATIONS if (left.parent / name).is_file()]
-    return tuple(found[:1])
+def calibration_beside(left: Path) -> tuple[tuple[Path, ...], tuple[Message, ...]]:
+    """A calibration by a usual name in the folder of the left camera's file, or none.
+
+    Others have files of these names, too: what is no calibration is left out, and told.
+    """
+    told: list[Message] = []
+    for file in (left.parent / name for name in _CALIBRATIONS):
+        if not file.is_file():
+            continue
+        try:
+            read_calibration([file], _ANY_SIZE)
+        except CalibrationError as error:
+            told.append(msg("not used, as it is no calibration: {why}", why=error))
+            continue
+        return (file,), tuple(told)
+    return (), tuple(told)

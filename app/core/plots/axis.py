@@ -104,7 +104,7 @@ class TimeAxis:
 def ticks(axis: TimeAxis, fps: float, least_px: float) -> Iterator[tuple[int, str]]:
     """Frames at round times that lie at least `least_px` apart, and what is written there.
 
-    Whole seconds are written as mm:ss; between them the frame within its second, as +12.
+    Whole seconds are written as mm:ss; between them parts of a second follow, as mm:ss.25.
     """
     rate = max(fps, 1e-6)
     step_s = _round_time(least_px / axis.px_per_frame / rate, rate)
@@ -114,7 +114,7 @@ def ticks(axis: TimeAxis, fps: float, least_px: float) -> Iterator[tuple[int, st
         time_s = index * step_s
         frame = round(time_s * rate)
         if frame <= axis.frame_count:
-            yield frame, _tick_text(frame, time_s, rate)
+            yield frame, _tick_text(time_s, rate)
 
 
 def _round_time(least_s: float, fps: float) -> float:
@@ -124,10 +124,12 @@ def _round_time(least_s: float, fps: float) -> float:
     return next((step for step in steps if step >= least_s), 14400.0)
 
 
-def _tick_text(frame: int, time_s: float, fps: float) -> str:
-    whole = int(time_s + 1e-6)
-    if abs(time_s - whole) > 0.25 / fps:
-        return f"+{frame - round(whole * fps)}"
+def _tick_text(time_s: float, fps: float) -> str:
+    hundredths = round(100 * time_s)
+    if abs(time_s - round(time_s)) <= 0.25 / fps:
+        hundredths = 100 * round(time_s)
+    whole, part = divmod(hundredths, 100)
     hours, rest = divmod(whole, 3600)
     lead = f"{hours}:" if hours else ""
-    return f"{lead}{rest // 60:02d}:{rest % 60:02d}"
+    parts = f".{part:02d}".rstrip("0") if part else ""
+    return f"{lead}{rest // 60:02d}:{rest % 60:02d}{parts}"

@@ -21,6 +21,7 @@ from app.core.tracking_process.messages import (
     Kind,
     packed_error,
     packed_input,
+    packed_learning,
     packed_notes,
     packed_steps,
     send,
@@ -71,6 +72,9 @@ def _listen(stop: threading.Event) -> None:
 
 def _track(request: TrackingRequest, answers: IO[bytes], stop: threading.Event) -> None:
     with request.open() as recording, request.begin(recording) as tracking:
+        tracking.learning = lambda done, total: send(
+            answers, Kind.LEARNING, packed_learning(done, total)
+        )
         batch: list[StepResult] = []
         sent_s = time.monotonic()
         try:

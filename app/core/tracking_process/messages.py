@@ -31,6 +31,7 @@ from tracking.tracks import (
 from tracking.translation import Message
 
 _HEAD = struct.Struct("<BQ")  # kind, bytes that follow
+_LEARNING = struct.Struct("<2q")
 _STEP = struct.Struct("<11q")  # frame, rows of each table
 _TABLES: tuple[Mapping[str, np.dtype[Any]], ...] = (
     TRACK_COLUMNS,
@@ -54,6 +55,7 @@ class Kind(Enum):
     DONE = 3
     NOTES = 4
     DETECTIONS_INPUT = 5
+    LEARNING = 6
 
 
 class TrackerBug(Exception):  # noqa: N818 - a report of what went wrong in the child
@@ -108,6 +110,17 @@ def unpacked_steps(payload: bytes) -> tuple[StepResult, ...]:
             tables.append(columns)
         steps.append(StepResult(frame, *tables))
     return tuple(steps)
+
+
+def packed_learning(done: int, total: int) -> bytes:
+    """How much of the background is read, as bytes."""
+    return _LEARNING.pack(done, total)
+
+
+def unpacked_learning(payload: bytes) -> tuple[int, int]:
+    """What `packed_learning` packed."""
+    done, total = _LEARNING.unpack(payload)
+    return int(done), int(total)
 
 
 def packed_notes(notes: Sequence[Message]) -> bytes:

@@ -13,6 +13,7 @@ from app.core.tracking_process.messages import (
     receive,
     unpacked_error,
     unpacked_input,
+    unpacked_learning,
     unpacked_notes,
     unpacked_steps,
 )
@@ -21,6 +22,7 @@ from app.core.tracking_process.step_watch import StepWatch
 from tracking import child_program
 from tracking.errors import TrackwrightError
 from tracking.plugins.time_limit import overdue
+from tracking.progress import Progress, no_progress
 from tracking.trackers import TRACKERS, StepResult, tracker_named
 from tracking.tracks import DetectionsInput
 from tracking.translation import Message
@@ -39,7 +41,9 @@ class TrackerProcess:
         detections_input: files of another program's detections it was given; known at its end.
     """
 
-    def __init__(self, request: TrackingRequest) -> None:
+    def __init__(self, request: TrackingRequest, learning: Progress = no_progress) -> None:
+        """learning: told, by the thread that waits, how much of the background is read."""
+        self._learning = learning
         self.notes: tuple[Message, ...] = ()
         self.detections_input: tuple[DetectionsInput, ...] = ()
         self._request = request
@@ -71,6 +75,8 @@ class TrackerProcess:
                 kind, payload = message
                 if kind is Kind.STEPS:
                     yield unpacked_steps(payload)
+                elif kind is Kind.LEARNING:
+                    self._learning(*unpacked_learning(payload))
                 elif kind is Kind.ERROR:
                     raise unpacked_error(payload)
                 elif kind is Kind.NOTES:

@@ -31,7 +31,7 @@ class OverheadPresenter:
         self._field_of_view: Floats = np.zeros((0, 2))
         self._message = tr(
             "The position of the floor is unknown, so people cannot be placed on it. Set up "
-            "calibration and floor here, or later: File, Set up."
+            "calibration and floor here, or later: File, Set up this recording."
         )
         self._looks_down = False
         calibration = recording.calibration

@@ -72,7 +72,7 @@ class OverheadView(FloorSurface):
         self._explained = True
         self.setContentsMargins(12, 12, 12, 12)
         self.setAccessibleName(tr("Overhead view"))
-        self.setup = QPushButton(tr("Set up metres"), self)
+        self.setup = QPushButton(tr("Set up this recording"), self)
         self.setup.clicked.connect(self.setup_asked)
         self.setup.hide()
 

@@ -20,6 +20,10 @@ Subject = tuple[TrackTable, Run | None, Labels]
 _QUIET_MS = 200
 
 
+def _looking() -> str:
+    return tr("Looking for review items...")
+
+
 class ReviewSearch(QObject):
     """Finds review items in the background; asked for again meanwhile, it begins anew.
 
@@ -63,6 +67,7 @@ class ReviewSearch(QObject):
             self._again = True
             self._job.cancel()
         self._waiting.start(0 if at_once else _QUIET_MS)
+        self._tell(_looking(), self.measures)
 
     def measure(self, asked: bool) -> None:
         """Measure what is found from now on, and what was found last; or no more."""
@@ -93,7 +98,7 @@ class ReviewSearch(QObject):
             view, size = recording.view, recording.size
             return lookout.find(table, run, recording.fps, labels, view, progress, size=size)
 
-        self._tell(tr("Looking for review items..."), self.measures)
+        self._tell(_looking(), self.measures)
         self._start(find, lambda found: self._take(found, table))
 
     def _start(self, work: Callable[[Progress], object], done: Callable[[Any], None]) -> None:

@@ -21,8 +21,9 @@ _SPEED_OVER_S = 2.0
 class LiveTracking(QObject):
     """Starts and stops a `LiveTracker` and tells how it gets on.
 
-    Signals: `tracked(results)`, a tuple of `StepResult` in order; `finished(run)`, the run over
-    what was tracked, None where that is nothing; `failed(error)`.
+    Signals: `learning()`, more of the background is learnt; `tracked(results)`, a tuple of
+    `StepResult` in order; `finished(run)`, the run over what was tracked, None where that is
+    nothing; `failed(error)`.
 
     Attributes:
         tracker: at work, or that was last. done: one past the last frame it has been through.
@@ -31,6 +32,7 @@ class LiveTracking(QObject):
         stopping: it was asked to end, and its result is about to come.
     """
 
+    learning = Signal()
     tracked = Signal(object)
     finished = Signal(object)
     failed = Signal(object)
@@ -46,6 +48,7 @@ class LiveTracking(QObject):
         self._frames = (0, recording.frame_count)
         self._worker: LiveTracker | None = None
         self._recent: list[tuple[float, int]] = []
+        self._learnt = 0.0
 
     @property
     def running(self) -> bool:
@@ -69,8 +72,9 @@ class LiveTracking(QObject):
         first = resume.frame if resume is not None else 0
         self._frames = frames or (first, self._recording.frame_count)
         self.tracker, self.done, self.notes, self._recent = tracker, 0, (), []
-        self.run_summary, self.stopping = None, False
+        self.run_summary, self.stopping, self._learnt = None, False, 0.0
         worker = LiveTracker(self._recording, tracker, settings, seed, self, self._frames, resume)
+        worker.learning.connect(self._learn)
         worker.tracked.connect(self._take)
         worker.finished.connect(self._finish)
         worker.failed.connect(self._fail)
@@ -88,7 +92,7 @@ class LiveTracking(QObject):
         """End the thread, dropping what it still would have reported."""
         if self._worker is not None:
             worker, self._worker, self.stopping = self._worker, None, False
-            for signal in (worker.tracked, worker.finished, worker.failed):
+            for signal in (worker.learning, worker.tracked, worker.finished, worker.failed):
                 signal.disconnect()
             worker.close()
             worker.deleteLater()
@@ -122,10 +126,19 @@ class LiveTracking(QObject):
     def status(self) -> str:
         """In a few words."""
         if not self.done:
-            return tr("learning the background")
+            return self._learning_words()
         if self.done >= self._frames[1]:
             return tr("looking over the whole recording")
         return tr("live {fps:.0f} fps", fps=self.fps) if self.fps else tr("live")
+
+    def _learning_words(self) -> str:
+        if not self._learnt:
+            return tr("learning the background")
+        return tr("learning the background, {share:.0%}", share=self._learnt)
+
+    def _learn(self, done: int, total: int) -> None:
+        self._learnt = done / max(total, 1)
+        self.learning.emit()
 
     def _take(self, results: tuple[StepResult, ...]) -> None:
         if results:

@@ -31,7 +31,8 @@ _LOOK_EVERY_S = 0.1
 class LiveTracker(QObject):
     """Runs a tracker over a recording in a process of its own.
 
-    A thread here only waits for what it says: the interpreter belongs to the window. Results come
+    A thread here only waits for what it says: the interpreter belongs to the window. First
+    `learning(done, total)` tells how much of the background is read. Results come
     in order: `tracked(results)` carries a tuple of `StepResult`. At the end, or once stopped,
     `finished(run)` carries the run over the frames that were tracked (None where there were none),
     the very same as `pipeline.track` makes. Where the tracker could not go on it comes, too, and
@@ -42,6 +43,7 @@ class LiveTracker(QObject):
         run_summary: of the run, once it is made; None before, and where there is none.
     """
 
+    learning = Signal(int, int)
     tracked = Signal(object)
     finished = Signal(object)
     failed = Signal(object)
@@ -65,7 +67,7 @@ class LiveTracker(QObject):
         self._asked = frames
         self.kept = KeptSteps()
         self.run_summary: RunSummary | None = None
-        self._process = TrackerProcess(self._request)
+        self._process = TrackerProcess(self._request, self.learning.emit)
         self._room = threading.Semaphore(_MOST_AHEAD)
         self._closed = threading.Event()
         self.tracked.connect(self._make_room, Qt.ConnectionType.QueuedConnection)

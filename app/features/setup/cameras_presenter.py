@@ -11,7 +11,7 @@ import numpy as np
 from app.core.i18n import sentence, tr
 from app.features.setup.floor_marks import with_floor
 from app.features.setup.presenter import bare
-from app.features.setup.scene import Arrangement, SetupPicture, SetupScene, SetupState
+from app.features.setup.scene import Arrangement, FloorMethod, SetupPicture, SetupScene, SetupState
 from tracking.errors import RecordingError, TrackwrightError
 from tracking.people.first_lag import first_lag
 from tracking.progress import Progress
@@ -22,6 +22,7 @@ from tracking.recording.limits import checked_fps
 from tracking.setup import SetupPlan, find_cameras, pair_by_name
 from tracking.setup.files import calibration_beside, is_container, may_be_camera, sources_in
 from tracking.setup.plan import options_of_plan, plan_of_known
+from tracking.translation import Message
 
 _BETWEEN_PX = 8
 _STEPS = 3
@@ -59,7 +60,8 @@ def look(plan: SetupPlan, progress: Progress) -> SetupState:
         RecordingError: files cannot be read, or differ in size.
     """
     if plan.at is not None and (plan.at / MANIFEST_NAME).is_file():
-        return replace(state_of_plan(plan), found=(tr("As recording.toml has it."),))
+        state = state_of_plan(plan)
+        return replace(state, found=(tr("As recording.toml has it."), *state.found))
     progress(0, _STEPS)
     if plan.at is not None or is_container(plan.left):
         return _look_into_known(plan, progress)
@@ -71,11 +73,12 @@ def look(plan: SetupPlan, progress: Progress) -> SetupState:
         right=found.right,
         layout=found.layout,
         first="left" if found.left_first else "right",
-        calibration=plan.calibration or calibration_beside(found.left),
     )
+    plan, beside = _with_calibration_beside(plan)
     lag = find_lag(plan) if found.same_scene and not found.doubts else None
     progress(_STEPS, _STEPS)
-    notes, doubts = (tuple(map(sentence, lines)) for lines in (found.notes, found.doubts))
+    told = (*found.notes, *beside)
+    notes, doubts = (tuple(map(sentence, lines)) for lines in (told, found.doubts))
     return SetupState(replace(plan, lag=lag or None), found=notes, doubts=doubts, found_lag=lag)
 
 
@@ -86,17 +89,25 @@ def _look_into_known(plan: SetupPlan, progress: Progress) -> SetupState:
     state = state_of_plan(plan)
     lag = find_lag(plan) if plan.is_stereo else None
     progress(_STEPS, _STEPS)
-    found = tuple(map(sentence, told)) or (tr("As its files have it."),)
+    found = (*map(sentence, told), *state.found) or (tr("As its files have it."),)
     return replace(
         state, plan=replace(state.plan or plan, lag=lag or None), found=found, found_lag=lag
     )
 
 
 def state_of_plan(plan: SetupPlan) -> SetupState:
-    """What a recording that is there begins with; of bare videos a calibration beside them too."""
-    if plan.at is None and not plan.calibration:
-        plan = replace(plan, calibration=calibration_beside(plan.left))
-    return SetupState(plan, floor_method="typed" if plan.ground else "measured")
+    """What a recording that is there begins with; without a calibration that beside its files."""
+    plan, beside = _with_calibration_beside(plan)
+    method: FloorMethod = "typed" if plan.ground else "measured"
+    return SetupState(plan, found=tuple(map(sentence, beside)), floor_method=method)
+
+
+def _with_calibration_beside(plan: SetupPlan) -> tuple[SetupPlan, tuple[Message, ...]]:
+    """The plan with the calibration that lies beside its files, if it has none; what is told."""
+    if plan.calibration:
+        return plan, ()
+    calibration, told = calibration_beside(plan.left)
+    return replace(plan, calibration=calibration), told
 
 
 def find_lag(plan: SetupPlan) -> int | None:
@@ -190,12 +201,24 @@ def cameras_picture(scene: SetupScene, pointer: tuple[float, float] | None = Non
     """Left and right beside each other, the left one over its floor where that is known."""
     images, plan = scene.images, scene.state.plan
     if images is None or plan is None:
-        return SetupPicture(said=tr("Drop one or two videos, or a folder, here."))
+        return SetupPicture(said=_said_without_images(scene))
     if images.right is None:
         picture = SetupPicture(images.left, ((0.0, tr("The only camera")),), said=tr("The camera"))
     else:
         picture = side_by_side(images.left, images.right)
     return with_floor(picture, scene, pointer)
+
+
+def _said_without_images(scene: SetupScene) -> str:
+    """What stands in place of the picture."""
+    plan, checked = scene.state.plan, scene.checked
+    if scene.doing:
+        return scene.doing
+    if plan is None:
+        return tr("Drop one or two videos, or a folder, here.")
+    if checked.plan == plan and checked.problem:
+        return tr("There is no image of these cameras.")
+    return tr("Reading the images")
 
 
 def side_by_side(left: Image, right: Image) -> SetupPicture:

@@ -190,7 +190,7 @@ class SetupEditor(QObject):
         self.tell(step, "")
         job.start()
         self.worked.emit(title, -1.0)
-        self._draw(busy=True)
+        self._draw(doing=title)
 
     def cancel(self) -> None:
         """Ask the long work to stop."""
@@ -221,7 +221,7 @@ class SetupEditor(QObject):
             self._job.deleteLater()
             self._job = None
         self.worked.emit("", 1.0)
-        self._draw(busy=False)
+        self._draw(doing="")
         then()
 
     # what follows from a change

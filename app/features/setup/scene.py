@@ -155,7 +155,8 @@ class SetupScene:
     """What is shown now.
 
     Attributes:
-        boards: the calibration by boards, where one was made. busy: long work runs.
+        boards: the calibration by boards, where one was made.
+        doing: the long work that runs, in words; "": none.
         problems: what failed, beside the step it is of.
     """
 
@@ -163,8 +164,13 @@ class SetupScene:
     checked: Checked = Checked()
     images: CameraImages | None = None
     boards: BoardCalibration | None = None
-    busy: bool = False
+    doing: str = ""
     problems: dict[Step, str] = field(default_factory=dict)
+
+    @property
+    def busy(self) -> bool:
+        """Whether long work runs."""
+        return bool(self.doing)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -22,7 +22,7 @@ from app.core.scenes import WelcomeScene
 from app.core.widgets.parts import heading, quiet
 from app.features.welcome.welcome_parts import ChoiceButton, RecentRow, draw_floor
 
-_WIDTH_LETTERS = 116
+_WIDTH_LETTERS = 130
 
 
 class WelcomePage(QWidget):
@@ -101,7 +101,7 @@ class WelcomePage(QWidget):
         demo = ChoiceButton("demo", tr("Try the demo"), "", self)
         demo.say(tr("Makes a short stereo recording with people walking, and tracks it."))
         demo.clicked.connect(self.demo_asked)
-        setup = ChoiceButton("settings", tr("Set up metres\u2026"), "", self)
+        setup = ChoiceButton("settings", tr("Set up a recording\u2026"), "", self)
         setup.say(tr("From the videos of one camera or two to places in metres."))
         setup.clicked.connect(self.setup_asked)
         row.addWidget(opening, 1)

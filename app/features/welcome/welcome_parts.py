@@ -59,7 +59,16 @@ class ChoiceButton(QPushButton):
     def sizeHint(self) -> QSize:  # noqa: N802 - Qt's name
         """Title and three lines."""
         title = QFontMetrics(scaled_font(self.font(), 1.2, bold=True))
-        return QSize(260, title.height() + 3 * self.fontMetrics().lineSpacing() + 2 * _PAD + 6)
+        lines = 3 * self.fontMetrics().lineSpacing()
+        width = max(260, self.minimumSizeHint().width())
+        return QSize(width, title.height() + lines + 2 * _PAD + 6)
+
+    def minimumSizeHint(self) -> QSize:  # noqa: N802 - Qt's name
+        """The whole title, and the keys beside it."""
+        title = QFontMetrics(scaled_font(self.font(), 1.2, bold=True))
+        keys = QFontMetrics(scaled_font(self.font(), 0.9)).horizontalAdvance(self._keys)
+        words = title.horizontalAdvance(self._title) + (keys + 12 if keys else 0)
+        return QSize(title.height() + 4 + 12 + words + 2 * _PAD, title.height() + 2 * _PAD)
 
     def paintEvent(self, event: QPaintEvent) -> None:  # noqa: N802
         """The card from the stylesheet, then its content."""

@@ -73,3 +73,25 @@ def test_a_board_on_the_floor_gives_it(trackwright: Trackwright, tmp_path: Path)
     status, _, said = trackwright("floor", *given)
     assert status == 1
     assert "--square" in said
+
+
+def test_the_floor_is_written_into_a_text_that_names_no_sources(
+    trackwright: Trackwright, tmp_path: Path
+) -> None:
+    images = tmp_path / "mav0" / "cam0" / "data"
+    images.mkdir(parents=True)
+    (images.parent / "data.csv").write_text("#timestamp [ns],filename\n0,0.png\n")
+    cv2.imwrite(str(images / "0.png"), lying(Board("chessboard", 9, 6, 0.1)))
+    write_calibration(tmp_path / "rig.yaml", pair_of(CAMERA))
+    text = '# ours\nfps = 5.0\n\n[calibration]\nfile = "rig.yaml"\n'
+    (tmp_path / "recording.toml").write_text(text)
+    given = ("floor", tmp_path, "--board", "9x6", "--square", "0.1", "--write")
+    status, _, said = trackwright(*given)
+    assert status == 0, said
+    assert f"written: {tmp_path / 'recording.toml'}" in said
+    assert (tmp_path / "recording.toml").read_text().startswith(text)
+    with open_recording(tmp_path) as opened:
+        assert opened.ground is not None
+        assert opened.ground.height_m == pytest.approx(GROUND.height_m, rel=0.01)
+    status, _, said = trackwright(*given, "--calibration", tmp_path / "rig.yaml")
+    assert (status, "recording.toml of its own" in said) == (1, True)

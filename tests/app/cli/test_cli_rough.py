@@ -48,3 +48,16 @@ def test_scores_and_their_report_say_that_metres_are_rough(
     assert any(WORDS in path.read_text(errors="ignore") for path in pages)
     documents = [json.loads(path.read_text()) for path in pages if path.suffix == ".json"]
     assert any('"rough": true' in json.dumps(document) for document in documents)
+
+
+def test_a_rough_calibration_of_videos_alone_is_written_and_told(
+    trackwright: Trackwright, recording: Path, tmp_path: Path
+) -> None:
+    out = tmp_path / "calibration.yaml"
+    cameras = ("--left", recording / "left.mp4", "--right", recording / "right.mp4")
+    given = ("--rough", *cameras, "--fov", "60", "--baseline", "0.12", "-o", out)
+    status, printed, said = trackwright("calibrate", *given)
+    assert status == 0, said
+    assert "row_error" in printed
+    assert f"written: {out}" in said
+    assert out.is_file()

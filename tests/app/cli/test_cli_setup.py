@@ -101,12 +101,18 @@ def test_the_floor_is_printed_with_its_uncertainty_and_the_next_command(
     assert said.count("next:") == 1
 
 
-def test_without_a_calibration_the_next_command_makes_one(
+def test_without_a_calibration_the_next_commands_make_one_and_take_it(
     trackwright: Trackwright, files: Path
 ) -> None:
-    (files / "calibration.yaml").unlink()
+    made = (files / "calibration.yaml").rename(files.parent / "made.yaml")
     status, _, said = trackwright("setup", files)
-    assert (status, "next, for metres: trackwright setup" in said) == (0, True)
+    assert status == 0
+    assert "next, for metres: trackwright calibrate, from a board or with --rough" in said
+    assert f"-o {files / 'calibration.yaml'}; then trackwright setup {files} --floor stereo" in said
+    shutil.copyfile(made, files / "calibration.yaml")
+    status, printed, said = trackwright("setup", files, "--floor", "stereo", "--force")
+    assert status == 0, said
+    assert 'file = "calibration.yaml"' in printed
 
 
 def test_two_videos_in_place_of_a_recording_are_told_how_they_become_one(
@@ -144,3 +150,13 @@ def test_a_layout_of_two_sources_is_refused(trackwright: Trackwright, files: Pat
     status, _, said = trackwright("setup", files, "--layout", "top-bottom", "--force")
     assert status == 1
     assert "has a source for each camera; leave --layout and --first out" in said
+
+
+def test_what_is_no_calibration_is_told_and_left_out(trackwright: Trackwright, files: Path) -> None:
+    (files / "calibration.yaml").rename(files / "camchain.yaml")
+    (files / "calib.txt").write_text("Notes of the calibration: board 9x6, Tuesday\n")
+    status, printed, said = trackwright("setup", files)
+    assert status == 0, said
+    assert said.count("not used, as it is no calibration") == 1
+    assert "calib.txt: M1 is missing" in said
+    assert 'file = "camchain.yaml"' in printed

@@ -4,7 +4,8 @@ Each recording's videos are copied without recording.toml and set up with mouse 
 real window (offscreen), until a tracker tracks in metres. Their lenses are kept as a file beside
 them, but for `roughly-rendered-lobby`, where there is none. Said are minutes of the whole way
 (and of the processor), actions, how far the floor is from the one given, and what the window says
-of a floor that is not sure.
+of a floor that is not sure. Beside it stands what it costs to decode the same videos once,
+measured just before, as a measure of the machine and of what else it does.
 """
 
 from __future__ import annotations
@@ -16,6 +17,8 @@ import time
 from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
+
+import av
 
 from tests.benchmarks.command import parser_of, real_data, tell
 from tracking.geometry import Ground
@@ -62,7 +65,8 @@ def main() -> None:
             if made is None:
                 tell(f"{name}: not at {asked.data}")
                 continue
-            print(_measured(name, made), flush=True)
+            decoded = _decoded(made.videos)
+            print(f"{_measured(name, made)}  ({decoded})", flush=True)
 
 
 def _case(own: Path, folder: Path, *, rough: bool) -> _Case | None:
@@ -87,6 +91,16 @@ def _case(own: Path, folder: Path, *, rough: bool) -> _Case | None:
         return _Case(sorted(videos), ground)
     fov_deg = float(round(field_of_view_deg(calibration.left)))
     return _Case(sorted(videos), ground, fov_deg, 1000 * calibration.baseline_m)
+
+
+def _decoded(videos: list[Path]) -> str:
+    """Seconds, and those of the processor, that all frames of the videos take without a window."""
+    began_s, spent_s, frames = time.monotonic(), time.process_time(), 0
+    for video in videos:
+        with av.open(str(video)) as container:
+            frames += sum(1 for _ in container.decode(video=0))
+    lasted_s, spent_s = time.monotonic() - began_s, time.process_time() - spent_s
+    return f"decoding its {frames} frames: {lasted_s:.1f} s, processor {spent_s:.1f} s"
 
 
 def _measured(name: str, case: _Case) -> str:

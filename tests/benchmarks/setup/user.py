@@ -24,7 +24,7 @@ class SetupUser:
 
     A click, a drop, a field typed into, a key are an action each; a choice from a list is two.
 
-    Attributes: actions: so far. doubt: what was said of a floor that is not sure.
+    Attributes: actions: so far. doubt: what was said of a floor that is not sure, or not found.
     """
 
     def __init__(self, window: MainWindow, wait: Wait) -> None:
@@ -176,7 +176,7 @@ def measure_write_and_track(user: SetupUser) -> None:
     user.wait_for_rest()
     user.press(dialog.floor.measure)
     user.wait_for_rest()
-    user.doubt = dialog.floor.doubt.text()
+    user.doubt = dialog.floor.doubt.text() or dialog.floor.problem.text()
     user.press(dialog.next)
     user.press(dialog.next)
     user.wait_for_rest()

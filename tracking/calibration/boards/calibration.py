@@ -122,7 +122,7 @@ def find_boards(request: BoardRequest, progress: Progress = no_progress) -> Foun
     if request.right is not None and request.board.square_m is None:
         raise CalibrationError(
             "calibration: two cameras need the board's square in metres, or their distance is not "
-            "known; measure it on the print",
+            "known; measure it on the print. Without a board there is --rough",
             option="--square",
         )
     request = _with_dictionary(request)

@@ -18,7 +18,7 @@ from tracking.calibration.floor.estimate import FloorEstimate, check_above, esti
 from tracking.calibration.floor.walkers import PeopleSeen, people_seen
 from tracking.errors import CalibrationError
 from tracking.geometry import Camera, Ground, View
-from tracking.progress import Progress, no_progress
+from tracking.progress import Progress, no_progress, stage_of
 from tracking.recording import Recording
 from tracking.translation import Message, count_msg, msg
 
@@ -68,6 +68,8 @@ _MOUNTED_M, _MOUNTED_SD = 4.0, 0.7
 floor (deviation of the height's logarithm)."""
 _LEAST, _MOST = [-0.5, -0.6, np.log(0.3), -0.5], [np.pi / 2, 0.6, np.log(50.0), 0.5]
 _BOOTSTRAPS = 8
+_LOOKING, _FITTED = 0.5, 0.8
+"""Shares of the time when people are seen, and, of the rest, when the floor is fitted to them."""
 
 State = Floats
 """(4,) tilt and roll in rad, logarithms of the height in m and of the bodies' width over 0.5 m."""
@@ -113,10 +115,13 @@ def floor_by_people(recording: Recording, progress: Progress = no_progress) -> F
             option="--calibration",
             path=recording.path,
         )
-    return floor_of_people(recording.calibration.left, people_seen(recording, progress))
+    seen = people_seen(recording, stage_of(progress, 0.0, _LOOKING))
+    return floor_of_people(recording.calibration.left, seen, stage_of(progress, _LOOKING, 1.0))
 
 
-def floor_of_people(camera: Camera, seen: PeopleSeen) -> FloorEstimate:
+def floor_of_people(
+    camera: Camera, seen: PeopleSeen, progress: Progress = no_progress
+) -> FloorEstimate:
     """The floor on which people of usual height fill these boxes.
 
     Raises:
@@ -125,11 +130,12 @@ def floor_of_people(camera: Camera, seen: PeopleSeen) -> FloorEstimate:
     _check(camera, seen)
     seen = seen.select(np.arange(0, len(seen.box), max(1, len(seen.box) // _MOST_BOXES)))
     bodies = _Bodies(camera, seen)
-    fits = bodies.fits()
+    fits = bodies.fits(stage_of(progress, 0.0, _FITTED))
     best = min(fits, key=lambda fit: fit.cost)
     ground = _ground(best.state)
     check_above(ground.height_m)
-    spread = np.hypot(bodies.bootstrap(best), _ambiguity(fits))
+    drawn = bodies.bootstrap(best, stage_of(progress, _FITTED, 1.0))
+    spread = np.hypot(drawn, _ambiguity(fits))
     people = len(np.unique(seen.person))
     # The mean height of few people may differ from that of all.
     share = float(np.hypot(spread[2], _HEIGHT_SD / np.sqrt(people)))
@@ -202,14 +208,20 @@ class _Bodies:
         self._axis_sd = _LEAN_SD_RAD / np.clip(np.where(known, seen.slimness, 0), _ROUNDEST, 1.0)
         self._known = known
 
-    def fits(self) -> list[_Fit]:
+    def fits(self, progress: Progress) -> list[_Fit]:
         """Floors from several starts, and from beside the best of them."""
         usual = np.array([0.0, 0.0, np.log(_MOUNTED_M), 0.0])
         starts = [usual + _tilted(degrees) for degrees in _STARTS_DEG]
-        found = [self._fit(start, _COARSE, _ROUNDS) for start in starts]
+        found: list[_Fit] = []
+        most = len(starts) + _SEARCHES * len(_BESIDE_DEG)
+        for start in starts:
+            progress(len(found), most)
+            found.append(self._fit(start, _COARSE, _ROUNDS))
         for _ in range(_SEARCHES):
             best = min(found, key=lambda fit: fit.cost)
-            found += [self._beside(best.state, degrees) for degrees in _BESIDE_DEG]
+            for degrees in _BESIDE_DEG:
+                progress(len(found), most)
+                found.append(self._beside(best.state, degrees))
             if min(fit.cost for fit in found) > best.cost - _SAME_COST:
                 break
         return found
@@ -240,12 +252,13 @@ class _Bodies:
         cost = -float(self._weight @ probability) + 0.5 * float(np.square(_mounting(state)).sum())
         return _Fit(state, cost, single)
 
-    def bootstrap(self, fit: _Fit) -> Floats:
+    def bootstrap(self, fit: _Fit, progress: Progress) -> Floats:
         """(4,) standard deviations of a floor by drawing people again."""
         random = np.random.default_rng(0)
         count = int(self._seen.person.max()) + 1
         states = []
-        for _ in range(_BOOTSTRAPS):
+        for done in range(_BOOTSTRAPS):
+            progress(done, _BOOTSTRAPS)
             drawn = np.bincount(random.integers(0, count, count), minlength=count)
             states.append(self._maximize(fit.state, fit.single * drawn[self._seen.person], 1.0))
         return np.asarray(np.std(states, axis=0))

@@ -17,10 +17,12 @@ from tracking.calibration.floor.empty_scene import (
 from tracking.calibration.floor.estimate import FloorEstimate, check_above, estimate_of
 from tracking.errors import CalibrationError
 from tracking.geometry import Rectification
-from tracking.progress import Progress, no_progress
+from tracking.progress import Progress, no_progress, stage_of
 from tracking.recording import Recording
 from tracking.translation import Message, msg
 
+_READING, _SEARCHED = 0.7, 0.95
+"""Shares of the time when the frames are read, and when the plane is found."""
 _RANSAC_ROUNDS = 400
 _INLIER_SHARE = 0.0006
 """Of the image's width (half a pixel of 640): what is farther off is not on the plane. A wall or a
@@ -73,8 +75,8 @@ def floor_by_stereo(recording: Recording, progress: Progress = no_progress) -> F
             path=recording.path,
         )
     rectification = Rectification(calibration, None)
-    views = empty_scene(recording, rectification, progress)
-    plane = _search(views, rectification)
+    views = empty_scene(recording, rectification, stage_of(progress, 0.0, _READING))
+    plane = _search(views, rectification, stage_of(progress, _READING, _SEARCHED))
     plane, blocks = _refined(views, plane)
     return _estimate(plane, blocks, rectification)
 
@@ -83,8 +85,8 @@ def _by_depth(
     recording: Recording, rectification: Rectification, progress: Progress
 ) -> FloorEstimate:
     """The floor in the median of depth, as disparities of the camera's imagined partner."""
-    views = empty_depth(recording, rectification, progress)
-    plane = _search(views, rectification)
+    views = empty_depth(recording, rectification, stage_of(progress, 0.0, _READING))
+    plane = _search(views, rectification, stage_of(progress, _READING, _SEARCHED))
     blocks = np.zeros((0, 4))
     for _ in range(_REFINE_ROUNDS):
         blocks = _depth_offsets(views, plane)
@@ -112,7 +114,7 @@ def _depth_offsets(views: EmptyScene, plane: Floats) -> Floats:
     return np.array(found).reshape(-1, 4)
 
 
-def _search(views: EmptyScene, rectification: Rectification) -> Floats:
+def _search(views: EmptyScene, rectification: Rectification, progress: Progress) -> Floats:
     """(3,) a, b, c of the floor's disparities."""
     v, u = np.nonzero(np.isfinite(views.disparity))
     if len(u) < 500:
@@ -124,7 +126,8 @@ def _search(views: EmptyScene, rectification: Rectification) -> Floats:
     points, d = points[chosen], d[chosen]
     best, most = None, _LEAST_SHARE * len(d)
     near_px = _INLIER_SHARE * views.left.shape[1]
-    for rows in random.integers(0, len(d), (_RANSAC_ROUNDS, 3)):
+    for done, rows in enumerate(random.integers(0, len(d), (_RANSAC_ROUNDS, 3))):
+        progress(done, _RANSAC_ROUNDS)
         try:
             plane = np.linalg.solve(points[rows], d[rows])
         except np.linalg.LinAlgError:

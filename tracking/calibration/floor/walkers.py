@@ -11,7 +11,7 @@ from scipy.optimize import linear_sum_assignment
 
 from tracking.arrays import Flags, Floats
 from tracking.people import SingleCameraPerception
-from tracking.progress import Progress, no_progress
+from tracking.progress import Progress, no_progress, stage_of
 from tracking.recording import Recording
 from tracking.recording.spread_frames import spread_frames
 from tracking.tracks.boxes import overlaps
@@ -21,6 +21,8 @@ _LOOKS = 600
 _LOOK_EVERY_S = 0.15
 _LEARNT_FROM = 20
 """Frames that the background is learnt from."""
+_LEARNING = 0.1
+"""Share of the time that this takes."""
 _SHORTEST_PASSAGE = 8
 """Looks at somebody: fewer tell no change with the place, and feet hidden by the same thing in all
 of them are taken for a place farther away."""
@@ -111,8 +113,10 @@ class _Walker:
 def people_seen(recording: Recording, progress: Progress = no_progress) -> PeopleSeen:
     """Boxes of people who stand alone and whole in the left image."""
     perception = SingleCameraPerception(recording.fps, looked_at=recording.looked_at)
-    samples = spread_frames(recording.frame_count, _LEARNT_FROM)
+    learning = stage_of(progress, 0.0, _LEARNING)
+    samples = spread_frames(recording.frame_count, _LEARNT_FROM, learning)
     perception.learn([recording.read(number) for number in samples])
+    progress = stage_of(progress, _LEARNING, 1.0)
     every = max(1, round(_LOOK_EVERY_S * recording.fps), recording.frame_count // _LOOKS)
     passages = Passages()
     for frame in recording.frames():

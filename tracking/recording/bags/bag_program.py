@@ -69,6 +69,7 @@ class Bag:
     ) -> None:
         self._container, self._size = container, size
         self._messages = Messages()
+        self._entries: dict[str, Entries] = {}
         self.recorded_times = False
         self.first: list[Picture | None] = [None] * 3
         if known is not None:
@@ -80,6 +81,7 @@ class Bag:
         self._choose(named)
         ordered = [self._in_order(topic) for topic in self.topics]
         self.entries, self.stamps = [one[0] for one in ordered], [one[1] for one in ordered]
+        self._entries.clear()
 
     def _choose(self, named: list[str]) -> None:
         """Find the topics of the cameras by what they hold."""
@@ -96,10 +98,16 @@ class Bag:
         self.topics = [by_name.get(name) for name in names]
         self.first = [firsts.get(name) for name in names]
 
+    def _entries_of(self, topic: Topic) -> Entries:
+        """The messages of a topic, which are looked up once while the bag is opened."""
+        if topic.name not in self._entries:
+            self._entries[topic.name] = self._container.entries(topic)
+        return self._entries[topic.name]
+
     def _first(self, topic: Topic) -> tuple[str, Picture | None]:
         """The first picture of a topic; None: it is of a kind that is not read."""
         try:
-            entries = self._container.entries(topic)
+            entries = self._entries_of(topic)
             return topic.name, self._picture(topic, int(entries.part[0]), int(entries.place[0]))
         except Exception:  # whatever the libraries raise: this topic is of no use
             return topic.name, None
@@ -109,7 +117,7 @@ class Bag:
         if topic is None:
             nothing = np.zeros(0, np.int64)
             return Entries(nothing, nothing, nothing), nothing
-        entries = self._container.entries(topic)
+        entries = self._entries_of(topic)
         parts = np.unique(entries.part).tolist()
         self._allow_for(sum(self._container.packed_bytes(part) for part in parts))
         heads = self._container.heads(entries)

@@ -9,31 +9,38 @@ from __future__ import annotations
 import sqlite3
 from collections.abc import Sequence
 from pathlib import Path, PurePath
-from typing import Any
 
 import numpy as np
 
 from tracking.recording.bags.container import (
+    HEAD_BYTES,
     MOST_MESSAGE_BYTES,
     MOST_TOPICS,
     BagError,
     Container,
     Entries,
     Topic,
+    announce,
     ros2_name,
 )
 from tracking.recording.bags.mcap_file import Mcap
 from tracking.recording.bags.rosbag1 import Rosbag1
 from tracking.translation import msg
 
+_MOST_READ_AHEAD = 4 << 30
+
 
 class Sqlite:
     """The database of a ROS 2 bag.
 
-    The library counts all messages as it opens one, which reads most of the file.
+    The library counts all messages as it opens one, which reads most of the file. SQL's `substr`
+    reads the whole of each message, a blob that is opened only its page.
     """
 
     def __init__(self, path: Path) -> None:
+        if path.stat().st_size <= _MOST_READ_AHEAD:
+            with path.open("rb") as file:
+                announce(file, (0,), 0)  # whole: messages are found by going through all pages
         where = f"{path.resolve().as_uri()}?mode=ro&immutable=1"
         self._database = sqlite3.connect(where, uri=True)
         topics = self._database.execute("SELECT id, name, type FROM topics").fetchmany(MOST_TOPICS)
@@ -44,16 +51,17 @@ class Sqlite:
 
     def entries(self, topic: Topic) -> Entries:
         """See `Container`."""
-        rows = self._rows(
-            "SELECT timestamp, 0, id FROM messages WHERE topic_id = ? ORDER BY timestamp, id",
-            self._ids[topic.name],
-        )
-        table = np.array(rows, np.int64).reshape(-1, 3)
-        return Entries(table[:, 0], table[:, 1], table[:, 2])
+        query = "SELECT timestamp, id FROM messages WHERE topic_id = ?"
+        rows = self._database.execute(query, (self._ids[topic.name],)).fetchall()
+        times, ids = np.array(rows, np.int64).reshape(-1, 2).T
+        order = np.lexsort((ids, times))
+        return Entries(times[order], np.zeros_like(ids), ids[order])
 
     def read(self, part: int, place: int) -> bytes:  # noqa: ARG002 - as all containers
         """See `Container`."""
-        ((data,),) = self._rows("SELECT data FROM messages WHERE id = ?", place)
+        (data,) = self._database.execute(
+            "SELECT data FROM messages WHERE id = ?", (place,)
+        ).fetchone()
         return bytes(data)
 
     def packed_bytes(self, part: int) -> int:  # noqa: ARG002 - as all containers
@@ -62,20 +70,11 @@ class Sqlite:
 
     def heads(self, entries: Entries) -> list[bytes] | None:
         """See `Container`."""
-        wanted = entries.place.tolist()
-        if not wanted:
-            return []
-        found = dict(
-            self._rows(
-                "SELECT id, substr(data, 1, 16) FROM messages WHERE topic_id = "
-                "(SELECT topic_id FROM messages WHERE id = ?)",
-                wanted[0],
-            )
-        )
-        return [bytes(found[place]) for place in wanted]
+        return [self._head(place) for place in entries.place.tolist()]
 
-    def _rows(self, query: str, value: int) -> list[tuple[Any, ...]]:
-        return self._database.execute(query, (value,)).fetchall()
+    def _head(self, place: int) -> bytes:
+        with self._database.blobopen("messages", "data", place, readonly=True) as blob:
+            return blob.read(HEAD_BYTES)
 
 
 class Several:

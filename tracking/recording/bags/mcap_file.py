@@ -22,11 +22,15 @@ from tracking.recording.bags.container import (
     Chunks,
     Entries,
     Topic,
+    announce,
+    read_places,
     ros2_name,
 )
 from tracking.translation import msg
 
 _MOST_MESSAGES = 20_000_000
+_INDEX_BYTES = 4096
+"""Of a chunk's index that are read ahead."""
 
 
 class Mcap:
@@ -61,12 +65,15 @@ class Mcap:
     def entries(self, topic: Topic) -> Entries:
         """See `Container`."""
         tables = [np.zeros((0, 3), np.int64)]
-        for part, index in enumerate(self._indexes):
-            for channel in self._channels[topic.name]:
-                offset = index.message_index_offsets.get(channel)
-                if offset is not None:
-                    rows = self._index_rows(offset, channel)
-                    tables.append(np.insert(rows, 1, part, axis=1))
+        found = [
+            (part, index.message_index_offsets[channel], channel)
+            for part, index in enumerate(self._indexes)
+            for channel in self._channels[topic.name]
+            if channel in index.message_index_offsets
+        ]
+        announce(self._file, (offset for _, offset, _ in found), _INDEX_BYTES)
+        for part, offset, channel in found:
+            tables.append(np.insert(self._index_rows(offset, channel), 1, part, axis=1))
         table = np.concatenate(tables)
         if len(table) > _MOST_MESSAGES:
             raise BagError(msg("holds too many messages"))
@@ -100,16 +107,17 @@ class Mcap:
         pairs = list(zip(entries.part.tolist(), entries.place.tolist(), strict=True))
         parts = {part for part, _ in pairs}
         if not any(self._indexes[part].compression for part in parts):
-            return [self._head(part, place) for part, place in pairs]
+            places = [self._start(part) + place for part, place in pairs]
+            return read_places(self._file, places, HEAD_BYTES)
         if sum(self._indexes[part].uncompressed_size for part in parts) > MOST_UNPACKED:
             return None
         return [self.read(part, place)[:HEAD_BYTES] for part, place in pairs]
 
-    def _head(self, part: int, place: int) -> bytes:
+    def _start(self, part: int) -> int:
+        """Where the data of a message at place 0 of a chunk that is not packed would stand."""
         index = self._indexes[part]
-        start = index.chunk_start_offset + 9 + 28 + 4 + len(index.compression) + 8
-        self._file.seek(start + place + 9 + 22)
-        return self._file.read(HEAD_BYTES)
+        chunk = index.chunk_start_offset + 9 + 28 + 4 + len(index.compression) + 8
+        return int(chunk) + 9 + 22
 
     def _chunk(self, part: int) -> bytes:
         from mcap.data_stream import ReadDataStream

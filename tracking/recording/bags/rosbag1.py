@@ -22,10 +22,15 @@ from tracking.recording.bags.container import (
     Chunks,
     Entries,
     Topic,
+    announce,
+    read_at,
+    read_places,
 )
 from tracking.translation import msg
 
 _LONGEST_HEAD = 256
+_INDEX_BYTES = 4096
+"""Of a chunk's index that are read ahead."""
 
 
 class Rosbag1:
@@ -72,10 +77,9 @@ class Rosbag1:
         """See `Container`."""
         wanted = set(self._ids[topic.name])
         tables = [np.zeros((0, 3), np.int64)]
-        for info in self._infos:
-            if wanted.isdisjoint(info.connection_counts):
-                continue
-            self._place_of(info.pos)
+        infos = [one for one in self._infos if not wanted.isdisjoint(one.connection_counts)]
+        self._find_chunks([info.pos for info in infos])
+        for info in infos:
             chunk = self._places[info.pos]
             self._file.seek(chunk.datapos + chunk.datasize)
             for _ in info.connection_counts:
@@ -118,23 +122,26 @@ class Rosbag1:
         pairs = list(zip(entries.part.tolist(), entries.place.tolist(), strict=True))
         chunks = [self._place_of(part) for part in {part for part, _ in pairs}]
         if all(chunk.decompressor is decompressors["none"] for chunk in chunks):
-            return [self._head(part, place) for part, place in pairs]
+            places = [self._places[part].datapos + place for part, place in pairs]
+            starts = read_places(self._file, places, _LONGEST_HEAD)
+            return [self._head(at, start) for at, start in zip(places, starts, strict=True)]
         if sum(chunk.datasize for chunk in chunks) > MOST_UNPACKED:
             return None
         return [self.read(part, place)[:HEAD_BYTES] for part, place in pairs]
 
-    def _head(self, part: int, place: int) -> bytes:
-        """The first bytes of a message in a chunk that is not packed."""
-        at = self._places[part].datapos + place
-        data = self._read_at(at, _LONGEST_HEAD)
+    def _head(self, at: int, data: bytes) -> bytes:
+        """The first bytes of a message that is not packed, by what stands at its place."""
         if b"op=\x07" in data:  # a connection may stand before it
-            data = self._read_at(at, 1 << 16)
+            data = read_at(self._file, at, 1 << 16)
         start, _ = _rosbag1_message(data, 0)
         return data[start : start + HEAD_BYTES]
 
-    def _read_at(self, at: int, count: int) -> bytes:
-        self._file.seek(at)
-        return self._file.read(count)
+    def _find_chunks(self, parts: Sequence[int]) -> None:
+        """Look up many chunks, and have their indexes read ahead."""
+        announce(self._file, (part for part in parts if part not in self._places), _LONGEST_HEAD)
+        chunks = [self._place_of(part) for part in parts]
+        ends = (chunk.datapos + chunk.datasize for chunk in chunks)
+        announce(self._file, ends, _INDEX_BYTES)
 
     def _place_of(self, part: int) -> Any:
         """Where the data of a chunk stands, and how it is packed."""

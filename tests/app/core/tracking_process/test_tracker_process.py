@@ -306,3 +306,12 @@ def test_a_network_runs_for_the_child_as_for_the_command_line(tiny_recording, tm
     (used,) = process.detections_input
     assert (used.file, used.network, used.licence) == ("people.toml", "test network", "MIT")
     assert any("test network" in note for note in process.notes)
+
+
+def test_the_child_tells_how_much_of_the_background_is_learnt(request_):
+    told = []
+    process = TrackerProcess(request_, lambda *share: told.append(share))
+    next(iter(process.batches()))
+    process.kill()
+    assert told == [(done, told[0][1]) for done in range(told[0][1])]
+    assert len(told) > 5

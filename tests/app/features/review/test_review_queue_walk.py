@@ -148,7 +148,7 @@ def test_every_kind_has_words_of_its_own(kind):
 def test_reasons_and_verdicts_are_shown_in_the_users_language_and_kept_in_english():
     said = sentence("crossing", 4, 7, 0.3, 41.0)
     item = ReviewItem("crossing", (4, 7), 50, 45, 55, 0.5, 30.0, said, "swap", (said,))
-    shown = "⟦4 and 7 passed within ⟦0.3 m⟧ at 00:41.0⟧"
+    shown = "⟦4 and 7 passed within ⟦0.3 m⟧ at 00:41.00⟧"
     queue = ReviewQueue(FPS, TrackColours().of)
     queue.take((item,), Labels())
     assert (queue.items[0].why, queue.items[0].others) == (shown, (shown,))

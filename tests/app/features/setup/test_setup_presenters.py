@@ -311,3 +311,25 @@ def test_lines_on_the_floor_are_seen_in_the_picture_and_go_back_to_it(
     assert np.allclose((back.start, back.end), (line.start, line.end), atol=0.02)
     sky = CountingLine("sky", (10.0, -4000.0), (20.0, -4000.0), in_picture=True)
     assert drawn_labels._on_floor(sky, view) == sky
+
+
+def test_what_is_no_calibration_beside_the_files_is_told_and_left_out(tmp_path: Path) -> None:
+    (tmp_path / "calib.txt").write_text("Notes of the calibration: board 9x6, Tuesday\n")
+    state = cameras_presenter.state_of_plan(SetupPlan(tmp_path / "a.mp4"))
+    assert state.plan is not None
+    assert state.plan.calibration == ()
+    (told,) = state.found
+    assert told.startswith("Not used, as it is no calibration: ")
+    assert "calib.txt: M1 is missing" in told
+
+
+def test_in_place_of_the_picture_stands_what_is_done() -> None:
+    def said(scene: SetupScene) -> str:
+        return cameras_presenter.cameras_picture(scene).said
+
+    plan = SetupPlan(Path("a.mp4"))
+    assert said(SetupScene()).startswith("Drop one or two videos")
+    assert said(SetupScene(doing="Looking at the cameras")) == "Looking at the cameras"
+    assert said(SetupScene(SetupState(plan))) == "Reading the images"
+    refused = SetupScene(SetupState(plan), Checked(plan, problem="no such file"))
+    assert said(refused) == "There is no image of these cameras."

@@ -230,9 +230,12 @@ def test_ticks_stand_at_round_times_and_do_not_crowd():
     assert shown[:3] == [(0, "00:00"), (100, "00:05"), (200, "00:10")]
 
 
-def test_ticks_count_frames_where_seconds_are_far_apart():
+def test_ticks_tell_parts_of_seconds_where_seconds_are_far_apart():
     close = TimeAxis(0.0, 800.0, 40.0, 20.0, 1000)
-    assert (42, "+2") in list(ticks(close, 20.0, 60.0))
+    shown = list(ticks(close, 20.0, 60.0))
+    assert shown[:3] == [(40, "00:02"), (42, "00:02.1"), (44, "00:02.2")]
+    uneven = TimeAxis(0.0, 800.0, 0.0, 40.0, 1000)
+    assert list(ticks(uneven, 29.97, 120.0))[:4:3] == [(0, "00:00"), (30, "00:01")]
 
 
 def test_long_recordings_are_ticked_in_hours():
