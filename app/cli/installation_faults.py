@@ -71,14 +71,14 @@ def _second_qt() -> Iterator[Fault]:
     own = Path((found and found.origin) or os.devnull).parent
     for name in _QT_PLACES:
         place = os.environ.get(name)
-        if place and not Path(place).is_relative_to(own):  # a bundle names its own
+        if place and not Path(place).is_relative_to(own):  # a bundle leads to its own
             yield (
                 "second qt",
                 msg("{name}={place} leads to another Qt; unset {name}", name=name, place=place),
                 True,
             )
     for folder in filter(None, os.environ.get(_LIBRARIES, "").split(os.pathsep)):
-        if any(Path(folder).glob("libQt6Core.so*")):
+        if Path(folder) != own.parent and any(Path(folder).glob("libQt6Core.so*")):
             said = msg(
                 "{name} holds another Qt in {folder}; take it out", name=_LIBRARIES, folder=folder
             )

@@ -141,4 +141,4 @@ def run_new(package: PluginPackage, folder: Path, *, as_json: bool) -> None:
         print_json({"package": str(place), "files": files})
         return
     print_line(place)
-    print_line(msg("next: pip install -e {place}, then pytest {place}", place=place))
+    print_line(msg('next: pip install -e "{place}[dev]", then pytest "{place}"', place=place))

@@ -45,7 +45,6 @@ from app.shell.sessions_beside import SessionsBeside
 from app.shell.setup_controller import SetupController
 from app.shell.whereabouts import Whereabouts
 from tracking.progress import Progress
-from tracking.project.folder_scan import holds_several
 from tracking.recording import OpenOptions
 from tracking.session import Session
 from tracking.setup.files import needs_setup
@@ -383,6 +382,12 @@ def _opened(
     if options is None or options.left is None:
         if needs_setup(path):
             return Instead.SETUP
-        if holds_several(path):
+        if path.is_dir() and _holds_several(path):
             return Instead.PROJECT
     return left_behind.open_with_unsaved(path, recording, options, report)
+
+
+def _holds_several(folder: Path) -> bool:
+    from tracking.project.folder_scan import holds_several  # takes long to import
+
+    return holds_several(folder)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from PySide6.QtCore import QSize, QTimer
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QKeyEvent, QKeySequence
 from PySide6.QtWidgets import (
@@ -23,7 +25,6 @@ from app.core.widgets.notice import NoticeBar
 from app.core.widgets.progress_strip import ProgressStrip
 from app.core.widgets.user_settings import UserSettings
 from app.core.widgets.work import Work
-from app.features.project.page import ProjectPage
 from app.features.welcome.welcome import WelcomePage
 from app.shell.command_palette import CommandPalette
 from app.shell.commands import COMMANDS
@@ -36,6 +37,9 @@ from app.shell.refusal_notice import RefusalNotice
 from app.shell.screen_fit import fit_to_screen, keep_on_screen
 from app.shell.window_app import WindowApp
 from app.shell.workspace import Workspace
+
+if TYPE_CHECKING:
+    from app.features.project.page import ProjectPage
 
 _FIRST_SIZE = QSize(1440, 900)
 _NOTE_MS = 6000
@@ -53,7 +57,7 @@ class MainWindow(QMainWindow):
         self.setWindowIcon(application_icon())
         self.welcome = WelcomePage(self)
         self.workspace: Workspace = Workspace(self)
-        self.project_page = ProjectPage(lambda name: self.files.projects.project.image_of(name))
+        self._project_page: ProjectPage | None = None
         self.notice = NoticeBar(self)
         self.progress = ProgressStrip(self)
         self.work = Work(self.progress, self)
@@ -77,7 +81,6 @@ class MainWindow(QMainWindow):
     def _lay_out(self) -> None:
         self._pages.addWidget(self.welcome)
         self._pages.addWidget(self.workspace)
-        self._pages.addWidget(self.project_page)
         centre = QWidget(self)
         column = QVBoxLayout(centre)
         column.setContentsMargins(0, 0, 0, 0)
@@ -109,7 +112,6 @@ class MainWindow(QMainWindow):
         self.palette_of_commands.run_asked.connect(self.run_command)
         self.palette_of_commands.left.connect(self.activateWindow)
         self.welcome.open_asked.connect(self.files.ask_open)
-        self.project_page.command_asked.connect(self.run_command)
         self.welcome.project_asked.connect(self.files.projects.ask)
         self.welcome.setup_asked.connect(self.files.setup.ask)
         self.workspace.overhead.setup_asked.connect(self.files.setup.metres)
@@ -143,6 +145,19 @@ class MainWindow(QMainWindow):
     # what is shown
 
     @property
+    def project_page(self) -> ProjectPage:
+        """The page of a project, made when it is first asked for: few windows need it."""
+        if self._project_page is None:
+            from app.features.project.page import ProjectPage
+
+            self._project_page = page = ProjectPage(
+                lambda name: self.files.projects.project.image_of(name)
+            )
+            page.command_asked.connect(self.run_command)
+            self._pages.addWidget(page)
+        return self._project_page
+
+    @property
     def controller(self) -> RecordingController | None:
         """The open recording; None while the welcome page is shown."""
         return self.files.controller
@@ -165,7 +180,7 @@ class MainWindow(QMainWindow):
 
     def show_workspace(self) -> None:
         """Show the open recording."""
-        self.files.projects.project.pause()
+        self.files.projects.pause()
         self._pages.setCurrentWidget(self.workspace)
         self.workspace.left.setFocus()
         self.refresh()
@@ -183,9 +198,8 @@ class MainWindow(QMainWindow):
     def _refresh_now(self) -> None:
         items = self.registry.items()
         self.menus.show_items(items)
-        for item in items:
-            if item.command in self.project_page.actions_of:
-                self.project_page.enable(item.command, item.why_not)
+        if (page := self._project_page) is not None:
+            page.enable_all({item.command: item.why_not for item in items})
         self.setWindowTitle(self.files.title())
         self.setWindowModified(self.files.saving.unsaved)
         self._show_progress()

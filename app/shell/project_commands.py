@@ -43,8 +43,7 @@ def _may_track(app: WindowApp) -> str:
 
 def _batch(app: WindowApp) -> str:
     """A batch must be at work."""
-    batches = app.files.projects.project.batches
-    return "" if batches.watched is not None else tr("no batch is at work")
+    return "" if app.files.projects.is_batch_at_work else tr("no batch is at work")
 
 
 def _comparable(app: WindowApp) -> str:

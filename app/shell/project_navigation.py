@@ -13,45 +13,65 @@ from PySide6.QtWidgets import QMessageBox
 from app.core.controller import Controller
 from app.core.i18n import tr
 from app.core.widgets.questions import choose_file
-from app.features.project.agreement_dialog import AgreementDialog
-from app.features.project.batch_dialog import BatchDialog
-from app.features.project.batch_process import BatchWish
-from app.features.project.controller import ProjectController
-from app.features.project.scene import RecordingRow
-from tracking.project.agreements import PairAgreement, agreements
 
+# Most windows open no project: what one needs is imported with the first, as it takes long.
 if TYPE_CHECKING:
+    from app.features.project.batch_process import BatchWish
+    from app.features.project.controller import ProjectController
+    from app.features.project.scene import RecordingRow
     from app.shell.main_window import MainWindow
+    from tracking.project.agreements import PairAgreement
 
 
 class ProjectNavigation(Controller):
-    """Opens projects, and their recordings from them.
-
-    Attributes: `project`, the open one.
-    """
+    """Opens projects, and their recordings from them."""
 
     def __init__(self, window: MainWindow, parent: Controller) -> None:
         super().__init__(parent)
         self._window = window
         self._agreed = False
-        self.project: ProjectController = ProjectController(window.project_page, self)
-        self.project.changed.connect(self.changed)
-        self.project.open_asked.connect(self._open_row)
-        self.project.batches.ended.connect(window.notice.say)
-        window.project_page.track_asked.connect(self.ask_batch)
-        window.project_page.close_asked.connect(self.close_project)
-        window.project_page.folder_asked.connect(self.ask)
+        self._project: ProjectController | None = None
+
+    @property
+    def project(self) -> ProjectController:
+        """The open one; it and its page are made when they are first asked for."""
+        if self._project is None:
+            self._project = self._begun()
+        return self._project
+
+    def _begun(self) -> ProjectController:
+        from app.features.project.controller import ProjectController
+
+        page = self._window.project_page
+        project = ProjectController(page, self)
+        project.changed.connect(self.changed)
+        project.open_asked.connect(self._open_row)
+        project.batches.ended.connect(self._window.notice.say)
+        page.track_asked.connect(self.ask_batch)
+        page.close_asked.connect(self.close_project)
+        page.folder_asked.connect(self.ask)
+        return project
 
     @property
     def is_open(self) -> bool:
         """Whether a project is open, shown or not."""
-        return self.project.folder is not None
+        return self._project is not None and self._project.folder is not None
+
+    @property
+    def is_batch_at_work(self) -> bool:
+        """Whether a batch works in the project, or one that was started from it still does."""
+        return self._project is not None and self._project.batches.watched is not None
 
     @property
     def name(self) -> str:
         """Of the open project; "": none is open."""
-        folder = self.project.folder
+        folder = self.project.folder if self.is_open else None
         return "" if folder is None else folder.name or str(folder)
+
+    def pause(self) -> None:
+        """The page is not shown."""
+        if self._project is not None:
+            self._project.pause()
 
     def ask(self) -> None:
         """Ask for the folder of a project."""
@@ -76,12 +96,17 @@ class ProjectNavigation(Controller):
             self.said.emit(tr("No recordings are in this folder"))
             return
         last = self._window.remembered.last_folder("batch")
+        from app.features.project.batch_dialog import BatchDialog
+
         dialog = BatchDialog(choices, self.project.results_folder, last, self._window)
         dialog.accepted.connect(lambda: self._start(dialog.answer()))
         dialog.open()
 
     def compare(self) -> None:
         """Show how far annotators agree over all recordings with several sessions."""
+        from app.features.project.agreement_dialog import AgreementDialog
+        from tracking.project.agreements import agreements
+
         rows = self.project.compared
 
         def show(pairs: tuple[PairAgreement, ...]) -> None:
@@ -104,7 +129,7 @@ class ProjectNavigation(Controller):
 
     def may_close(self, again: Callable[[], object]) -> bool:
         """Whether the window may close; if not, ask what becomes of the batch, then do `again`."""
-        if self._agreed or not self.project.batches.is_own:
+        if self._agreed or self._project is None or not self._project.batches.is_own:
             return True
         box = QMessageBox(self._window)
         box.setObjectName("batch")
@@ -144,8 +169,9 @@ class ProjectNavigation(Controller):
 
     def end(self) -> None:
         """The window closes."""
-        self.project.batches.close()
-        self.project.close()
+        if self._project is not None:
+            self._project.batches.close()
+            self._project.close()
 
     def _open_row(self, row: RecordingRow) -> None:
         place = row.recording if row.path != row.recording else None

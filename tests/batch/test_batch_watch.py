@@ -46,6 +46,16 @@ def test_whoever_looks_sees_how_far_it_is_as_long_as_it_works(tmp_path: Path) ->
     assert watch(tmp_path) is None
 
 
+def test_recordings_still_to_be_done_are_told_by_their_places(tmp_path: Path) -> None:
+    places = {name: tmp_path / "in" / name for name in "abc"}
+    with batch_folder(tmp_path):
+        told = StateFile(tmp_path, places, Listener())
+        told.began(BatchState(3, 1, left=dict.fromkeys(("b", "c", "of a shard"))))
+        batch = watch(tmp_path)
+        assert batch is not None
+        assert batch.left == {places["b"], places["c"]}
+
+
 def test_a_state_that_a_killed_batch_left_says_nothing(tmp_path: Path) -> None:
     StateFile(tmp_path, {}, Listener()).began(_state())
     assert (tmp_path / STATE).exists()

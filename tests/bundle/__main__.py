@@ -3,18 +3,15 @@
 from __future__ import annotations
 
 import argparse
-import os
-import re
-import subprocess
 import sys
 import tempfile
-import venv
 from importlib.metadata import version
 from pathlib import Path
 
 from tests.bundle.archives import debian_package, packed_folder
+from tests.bundle.environment import ROOT, fresh_environment, run_at
+from tests.bundle.trimming import strip_libraries
 
-ROOT = Path(__file__).parents[2]
 _PYINSTALLER = "pyinstaller==6.22.3"
 _MOST_MB = 250
 _EXTRAS = "bags"
@@ -43,31 +40,13 @@ def build_folder(work: Path) -> Path:
     It is made of the wheel in an environment of its own, with the versions of the lock file:
     PyInstaller takes along whatever it finds beside it.
     """
-    _run(sys.executable, "-m", "hatchling", "build", "-t", "wheel", "-d", str(work), at=ROOT)
-    wheel = next(work.glob("*.whl"))
-    venv.create(work / "env", with_pip=True)
-    python = work / "env" / "bin" / "python"
-    locked = work / "constraints.txt"
-    locked.write_text(versions_of((ROOT / "requirements.lock").read_text()))
-    wanted = (f"{wheel}[{_EXTRAS}]", _PYINSTALLER)
-    _run(python, "-m", "pip", "install", "--quiet", "-c", str(locked), *wanted, at=work)
+    python = fresh_environment(work, (_EXTRAS,), (_PYINSTALLER,))
     spec = Path(__file__).with_name("trackwright.spec")
     words = ("--noconfirm", "--log-level", "WARN", "--distpath", "folder", "--workpath", "work")
-    _run(python, "-m", "PyInstaller", *words, str(spec), at=work)
-    return work / "folder" / "trackwright"
-
-
-def versions_of(lock: str) -> str:
-    """The lock file without its hashes: constraints for what is wanted alone."""
-    return "\n".join(
-        re.findall(r"^[\w.\[\]-]+==[^\s\\]+(?: ; [^\\\n]*[^\\\s])?", lock, re.MULTILINE)
-    )
-
-
-def _run(*words: str | Path, at: Path) -> None:
-    # Where this program was begun from must not hide what the environment holds.
-    clean = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
-    subprocess.run([str(word) for word in words], cwd=at, env=clean, check=True)
+    run_at(work, python, "-m", "PyInstaller", *words, spec)
+    folder = work / "folder" / "trackwright"
+    strip_libraries(folder)
+    return folder
 
 
 if __name__ == "__main__":

@@ -11,8 +11,8 @@ from pathlib import Path
 import pytest
 
 from app import bundle
-from tests.bundle.__main__ import versions_of
 from tests.bundle.archives import debian_package, packed_folder
+from tests.bundle.environment import versions_of
 
 _ROOT = Path(__file__).parents[2]
 

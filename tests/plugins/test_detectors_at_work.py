@@ -5,8 +5,12 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from PySide6.QtCore import QSettings, Qt
+from pytestqt.qtbot import QtBot
 
 from app.__main__ import run as run_command
+from app.core.widgets.user_settings import UserSettings
+from app.features.runs.track_dialog import TrackDialog
 from tests.installed_plugins import install_module
 from tracking.pipeline import track
 from tracking.plugins import PluginKind, offers
@@ -53,6 +57,31 @@ def test_its_boxes_are_what_a_tracker_sees_people_by(detector: str, clip: Path) 
     assert given.licence == "MIT"
     assert given.count == len(run.network_boxes.columns["left"]) == 32
     assert any(note.startswith("detector middle: ") for note in notes)
+
+
+def test_the_dialog_offers_it_by_its_title(
+    detector: str, site: Path, clip: Path, tmp_path: Path, qtbot: QtBot
+) -> None:
+    install_module(site, "broken", "1 / 0", {(PluginKind.DETECTOR.group, "broken"): "DETECTOR"})
+    offers.look_again()
+    kept = UserSettings(QSettings(str(tmp_path / "settings.ini"), QSettings.Format.IniFormat))
+    with open_recording(clip) as recording:
+        dialog = TrackDialog(recording, "spheroid", kept)
+        qtbot.addWidget(dialog)
+        line = dialog._detections
+        files = line._left.files
+        offered = [files.itemText(row) for row in range(1, files.count())]
+        assert offered == ["Somebody in the middle (plug-in)", "broken (does not work)"]
+        assert "ZeroDivisionError" in files.itemData(2, Qt.ItemDataRole.ToolTipRole)
+        files.setCurrentIndex(1)
+        line._use.setCurrentIndex(1)
+        with qtbot.waitSignal(line.usable, check_params_cb=bool):
+            pass
+        assert line._told.text() == "Detector Somebody in the middle (MIT)"
+        chosen = dialog.answer()[1].detections
+        assert (chosen.model, chosen.file, chosen.use) == (detector, "", "only")
+        dialog.put_settings("spheroid", {"detections.model": detector}, 0)  # as a run had it
+        assert files.currentText() == "Somebody in the middle (plug-in)"
 
 
 def test_the_command_takes_its_name_as_a_model(detector: str, clip: Path, tmp_path: Path) -> None:

@@ -18,6 +18,7 @@ class BatchState:
         total: recordings. done, failed, skipped: how many of them so far.
         finished: how many of these were so when the batch began.
         doing: by worker. seconds_left: None while it cannot be told.
+        left: names of recordings that have not come to their end.
     """
 
     total: int = 0
@@ -27,6 +28,8 @@ class BatchState:
     finished: int = 0
     doing: dict[str, Doing] = field(default_factory=dict)
     seconds_left: float | None = None
+    left: dict[str, None] = field(default_factory=dict)
+    """An ordered set."""
 
 
 class Listener:

@@ -76,6 +76,7 @@ class BatchRun:
         rows = {row.name: row for row in self._ledger.rows()}
         plan = self._planner.plan(entries, rows)
         self._waiting.extend(plan.to_do)
+        self.state.left |= dict.fromkeys(each.entry.name for each in plan.to_do)
         self._pace.begin([each.size_bytes for each in plan.to_do])
         self.state.total = len(entries)
         for name, outcome in plan.finished.items():
@@ -175,6 +176,7 @@ class BatchRun:
             return
         self._outcomes[name] = outcome
         self._count(outcome)
+        self.state.left.pop(name, None)
         self._pace.end(work.planned.size_bytes)
         self._listener.ended(name, outcome)
 

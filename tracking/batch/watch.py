@@ -8,6 +8,7 @@ import os
 import time
 from collections.abc import Mapping
 from dataclasses import dataclass
+from itertools import islice
 from pathlib import Path
 from typing import Any, Final
 
@@ -22,8 +23,10 @@ STATE: Final = ".batch.state"
 STOP: Final = ".batch.stop"
 _PART = f"{STATE}.part"
 _WRITE_EVERY_S = 0.5
-_MOST_BYTES = 1 << 20
+_MOST_BYTES = 4 << 20
 _MOST_WORKERS = 256
+_MOST_LEFT = 5000
+"""As many recordings as a project lists."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,6 +49,7 @@ class WatchedBatch:
     Attributes:
         total, done, failed, skipped: how many recordings; all zero while it looks for them.
         seconds_left: None while it cannot be told. works: what the workers do.
+        left: recordings that have not come to their end, those in work too.
     """
 
     total: int = 0
@@ -54,6 +58,7 @@ class WatchedBatch:
     skipped: int = 0
     seconds_left: float | None = None
     works: tuple[WorkedOn, ...] = ()
+    left: frozenset[Path] = frozenset()
 
     @property
     def ended(self) -> int:
@@ -121,8 +126,10 @@ class StateFile(Listener):
             if one.name in self._places
         ]
         counts = {"done": state.done, "failed": state.failed, "skipped": state.skipped}
-        left = {"seconds_left": state.seconds_left}
-        return {"total": state.total, **counts, **left, "works": works}
+        told = {"total": state.total, **counts, "seconds_left": state.seconds_left}
+        names = islice((name for name in state.left if name in self._places), _MOST_LEFT)
+        left = [str(self._places[name]) for name in names]
+        return {**told, "works": works, "left": left}
 
 
 def watch(out: Path) -> WatchedBatch | None:
@@ -155,6 +162,7 @@ def _watched(said: Mapping[str, Any]) -> WatchedBatch:
         _count(said, "skipped"),
         None if left is None else max(0.0, float(left)),
         tuple(_worked_on(one) for one in said["works"][:_MOST_WORKERS]),
+        frozenset(Path(str(one)) for one in said["left"][:_MOST_LEFT]),
     )
 
 

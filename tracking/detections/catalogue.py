@@ -43,6 +43,11 @@ def told_of_plugins() -> Message:
     return joined("; ", (msg("{error}", error=fault.error) for fault in DETECTORS.faults))
 
 
+def picture_detectors() -> list[DetectorSpec]:
+    """The detectors of plug-ins that look at pictures and work, by name."""
+    return [each for _, each in DETECTORS.of_plugins() if isinstance(each, DetectorSpec)]
+
+
 def picture_detector(name: str) -> DetectorSpec | None:
     """The detector of that name that looks at pictures; None: there is none.
 

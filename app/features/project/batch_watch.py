@@ -46,6 +46,11 @@ class BatchWatch(Controller):
         return {} if self.watched is None else {one.path: one for one in self.watched.works}
 
     @property
+    def left(self) -> frozenset[Path]:
+        """Recordings that the batch has still to do, those in work too."""
+        return frozenset() if self.watched is None else self.watched.left
+
+    @property
     def text(self) -> str:
         """How far it is, in words."""
         batch = self.watched

@@ -183,7 +183,7 @@ class ProjectController(Controller):
         if self.project is None:
             return
         batches = self.batches
-        scene = scene_of(self.found, self.project.folder, self._share, batches.works)
+        scene = scene_of(self.found, self.project.folder, self._share, batches.works, batches.left)
         self.page.show_scene(scene)
         if batches.watched is None:
             self.page.show_batch("", None, None)

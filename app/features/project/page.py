@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeySequence, QShortcut
@@ -197,6 +197,11 @@ class ProjectPage(QWidget):
         button = self.actions_of[name]
         button.setEnabled(not why_not)
         button.setToolTip(why_not or tr(hints[name]))
+
+    def enable_all(self, why_not: Mapping[str, str]) -> None:
+        """Offer the commands that the page has; why_not: as for `enable`, by the command."""
+        for name in self.actions_of.keys() & why_not.keys():
+            self.enable(name, why_not[name])
 
     def focus_table(self) -> None:
         """Give the keyboard to the table, on the row it was on or on the first one."""

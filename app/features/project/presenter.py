@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import os
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
+from dataclasses import replace
 from datetime import timedelta
 from pathlib import Path
 
@@ -53,17 +54,20 @@ def scene_of(
     folder: Path,
     reading: float | None,
     works: Mapping[Path, WorkedOn] | None = None,
+    left: Collection[Path] = (),
 ) -> ProjectScene:
     """The page of a project.
 
     Args:
         found: None while the folder is looked through for the first time.
         reading: see `ProjectScene`. works: what workers of a batch do now, by the recording.
+        left: recordings that this batch has still to do; what an earlier one said of them is past.
     """
     title, place = folder.name or str(folder), str(folder)
     if found is None:
         return ProjectScene(title, place, empty=tr("Looking through the folder..."))
-    rows = tuple(_row(row, _work_on(row, works or {}), folder) for row in found.rows)
+    found = replace(found, rows=tuple(_without_past(row, left) for row in found.rows))
+    rows = tuple(_row(row, _now(row, works or {}, left), folder) for row in found.rows)
     best = next_to_review(found.rows)
     return ProjectScene(
         title,
@@ -85,12 +89,27 @@ def _empty() -> str:
     )
 
 
-def _work_on(row: ProjectRow, works: Mapping[Path, WorkedOn]) -> WorkedOn | None:
-    return None if row.recording is None else works.get(row.recording.path)
+def _without_past(row: ProjectRow, left: Collection[Path]) -> ProjectRow:
+    """A row without what a batch said of it before one that has it still to do."""
+    waits = row.recording is not None and row.recording.path in left
+    return replace(row, batch=None) if waits and row.batch is not None else row
 
 
-def _row(row: ProjectRow, work: WorkedOn | None, folder: Path) -> RecordingRow:
-    state, mood = _state(row) if work is None else (_working(work), Mood.GOOD)
+def _now(
+    row: ProjectRow, works: Mapping[Path, WorkedOn], left: Collection[Path]
+) -> tuple[str, Mood]:
+    """The state of a row; what a batch at work does with it goes before all else."""
+    if row.recording is not None:
+        work = works.get(row.recording.path)
+        if work is not None:
+            return _working(work), Mood.GOOD
+        if row.recording.path in left:
+            return tr("Waiting"), Mood.QUIET
+    return _state(row)
+
+
+def _row(row: ProjectRow, now: tuple[str, Mood], folder: Path) -> RecordingRow:
+    state, mood = now
     facts = _facts(row)
     cells: tuple[tuple[str, Sortable], ...] = (
         _length(row),

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtGui import QStandardItemModel
 from PySide6.QtWidgets import QComboBox, QFormLayout, QHBoxLayout, QPushButton, QWidget
 
 from app.core.error_messages import explain
@@ -23,6 +24,8 @@ from tracking.detections import (
     outside,
     place_of,
 )
+from tracking.detections.catalogue import DETECTORS, picture_detectors
+from tracking.detections.detector import DetectorSpec
 from tracking.detections.settings import BESIDE, ONLY
 from tracking.networks.model_file import Model, read_model
 from tracking.networks.network_detections import named_detector
@@ -40,6 +43,8 @@ _FILTER = "(*.txt *.json)"
 _NETWORK = ".toml"
 """How the name of a network's file ends."""
 _FILTER_WITH_NETWORK = "(*.txt *.json *.toml)"
+_Read = RecordingDetections | Model | DetectorSpec | None
+"""What is chosen, once it is known; None: nothing is."""
 
 
 class FileChoice(QWidget):
@@ -98,6 +103,19 @@ class FileChoice(QWidget):
         self._networks.add(path)
         self.put(path)
 
+    def offer_detector(self, name: str, title: str) -> None:
+        """Offer the detector of a plug-in by its title; its name is what is chosen."""
+        self._networks.add(name)
+        self.files.addItem(tr("{title} (plug-in)", title=title), name)
+
+    def offer_fault(self, name: str, why: str) -> None:
+        """Show a plug-in that does not work: greyed, and saying why."""
+        self.files.addItem(tr("{name} (does not work)", name=name))
+        row, model = self.files.count() - 1, self.files.model()
+        assert isinstance(model, QStandardItemModel)
+        model.item(row).setEnabled(False)
+        self.files.setItemData(row, why, Qt.ItemDataRole.ToolTipRole)
+
     def put(self, path: str) -> None:
         """Choose a file, which is offered from now on."""
         at = self.files.findData(path)
@@ -127,6 +145,7 @@ class DetectionsLine(QObject):
         super().__init__(parent)
         found = tuple(name for name in _NAMES if _is_there(recording.folder / name))
         self._left = FileChoice(tr("Detections"), found, remembered, parent, network=True)
+        self._offer_plugins(recording)
         self._right = FileChoice(tr("Detections of the right camera"), (), remembered, parent)
         self._use = QComboBox(parent)
         self._use.setAccessibleName(tr("What people are found by"))
@@ -144,6 +163,14 @@ class DetectionsLine(QObject):
         self._look.failed.connect(self._refuse)
         for box in (self._left.files, self._right.files, self._use):
             box.currentIndexChanged.connect(self._follow)
+
+    def _offer_plugins(self, recording: Recording) -> None:
+        """Detectors of plug-ins; where a file is called like one, the file is meant."""
+        for each in picture_detectors():
+            if named_detector(recording, each.name) is not None:
+                self._left.offer_detector(each.name, tr(each.title))
+        for fault in DETECTORS.faults:
+            self._left.offer_fault(fault.offer.name, tr(fault.error.message))
 
     def add_to(self, form: QFormLayout) -> None:
         """Put the rows into a form, below those it has."""
@@ -223,10 +250,13 @@ class DetectionsLine(QObject):
             values = {name.partition(".")[2]: value for name, value in self.values().items()}
             self._look.ask(settings_from(DetectionSettings, values))
 
-    def _tell(self, chosen: RecordingDetections | Model) -> None:
+    def _tell(self, chosen: _Read) -> None:
         if isinstance(chosen, Model):
             self._tell_network(chosen)
-        else:
+        elif isinstance(chosen, DetectorSpec):
+            licence = chosen.licence or tr("no licence is stated")
+            self._say(tr("Detector {title} ({licence})", title=tr(chosen.title), licence=licence))
+        elif chosen is not None:
             self._say("\n".join(tr(note) for note in chosen.notes), warns=chosen.unused)
         self.usable.emit(True)
 
@@ -266,11 +296,10 @@ def _is_there(path: Path) -> bool:
         return False
 
 
-def _reading(
-    recording: Recording, settings: DetectionSettings
-) -> Callable[[Progress], RecordingDetections | Model | None]:
-    if settings.model and named_detector(recording, settings.model) is not None:
-        return lambda _: None
+def _reading(recording: Recording, settings: DetectionSettings) -> Callable[[Progress], _Read]:
+    detector = named_detector(recording, settings.model) if settings.model else None
+    if detector is not None:
+        return lambda _: detector
     if settings.model:
         return lambda _: read_model(place_of(recording, settings.model))
     return lambda _: load_detections(recording, settings)

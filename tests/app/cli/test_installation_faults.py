@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib.metadata
 import sys
 from collections import namedtuple
+from importlib.machinery import ModuleSpec
 from pathlib import Path
 
 import pytest
@@ -48,6 +49,21 @@ def test_a_second_opencv_is_told(site: Path) -> None:
 def test_plugins_of_another_qt_are_told(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("QT_PLUGIN_PATH", "/opt/other")
     assert "unset QT_PLUGIN_PATH" in _faults()["second qt"][0]
+
+
+def test_another_qt_among_the_libraries_is_told_and_ones_own_is_none(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name in ("ours", "theirs"):
+        (tmp_path / name / "PySide6").mkdir(parents=True)
+        (tmp_path / name / "libQt6Core.so.6").touch()
+    package = tmp_path / "ours" / "PySide6" / "__init__.py"
+    found = ModuleSpec("PySide6", None, origin=str(package))
+    monkeypatch.setattr(installation_faults.importlib.util, "find_spec", lambda _: found)
+    monkeypatch.setenv("LD_LIBRARY_PATH", str(tmp_path / "ours"))  # as in a bundle
+    assert "second qt" not in _faults()
+    monkeypatch.setenv("LD_LIBRARY_PATH", str(tmp_path / "theirs"))
+    assert f"holds another Qt in {tmp_path / 'theirs'}" in _faults()["second qt"][0]
 
 
 def test_a_full_disk_is_told(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -11,10 +11,14 @@ from app.features.project import batch_process
 from app.features.project import controller as project_controller
 from app.features.project.batch_dialog import BatchDialog
 from app.features.project.batch_process import BatchProcess, BatchWish, command_of
+from app.features.project.scene import Mood
 from tests.batch.walks import make_walk
 from tests.project.projects import ReaderHere
 from tracking.batch import BatchState, Doing, Listener, StateFile, batch_folder
+from tracking.batch.ledger import Row
+from tracking.batch.outcome import Cause, failure
 from tracking.batch.watch import STOP
+from tracking.translation import msg
 
 _WORKS_ON = ["-c", "import time; time.sleep(600)"]
 
@@ -97,6 +101,26 @@ def test_a_batch_of_another_program_is_watched_and_stopped(window, qtbot, folder
         assert (out / STOP).exists()
         told.close()
     qtbot.waitUntil(lambda: not page.batch.isVisible())
+
+
+def test_recordings_that_wait_for_a_batch_show_that_and_no_failure_of_before(window, qtbot, folder):
+    out = folder / "results"
+    failed = failure(Cause.WORKER, msg("the worker died"))
+    with batch_folder(out) as ledger:
+        for name in "ab":
+            ledger.put(Row(name, folder / name, "", "", "", failed))
+        ledger.commit()
+        _open_project(window, qtbot, folder)
+        page = window.project_page
+        assert [page.row_named(name).cells[5] for name in "ab"] == ["Failed", "Failed"]
+        told = StateFile(out, {"a": folder / "a"}, Listener())
+        told.began(BatchState(2, left={"a": None}))
+        qtbot.waitUntil(lambda: page.row_named("a").cells[5] == "Waiting")
+        row = page.row_named("a")
+        assert (row.mood, row.detail) == (Mood.QUIET, "no session")
+        assert page.row_named("b").cells[5] == "Failed"
+        told.close()
+    qtbot.waitUntil(lambda: page.row_named("a").cells[5] == "Failed")
 
 
 def test_a_window_that_closes_asks_what_becomes_of_its_batch(window, qtbot, folder, monkeypatch):
