@@ -7,7 +7,7 @@ from PySide6.QtCore import QObject, Signal
 from app.core.commands.conditions import ControllerT
 from app.core.controller import Controller
 from app.core.document.document import Document
-from app.core.feature import FeatureContext, ShownFrame
+from app.core.feature import FeatureContext, Marker, ShownFrame
 from app.core.playback.playback import Playback
 from app.core.projection.extent import Bounds
 from app.core.scenes import Side, TransportScene
@@ -248,6 +248,12 @@ class RecordingController(Controller):
         self._tell_unread()
         self._show_selected()
         self.drawn.emit()
+
+    def markers(self) -> tuple[Marker, ...]:
+        """What draws over pictures of any frame as it is drawn over the one that is shown."""
+        options, found = self.view_options, [self.labelling.marker(self.view_options)]
+        found += [feature.marker(options) for feature in self._features]
+        return tuple(one for one in found if one is not None)
 
     def _floor_bounds(self) -> Bounds:
         return self.scenes.overhead.bounds
