@@ -11,7 +11,7 @@ from app.features.pictures import commands as pictures
 from app.features.review import commands as review
 from app.features.scoring import commands as scoring
 from app.features.timeline import commands as timeline
-from app.shell import playback_commands, tracking_commands, window_commands
+from app.shell import loop_commands, playback_commands, tracking_commands, window_commands
 from app.shell.features import FEATURES
 from app.shell.window_app import WindowApp
 
@@ -27,6 +27,7 @@ COMMANDS: Final[tuple[Command[WindowApp], ...]] = (
     *timeline.COMMANDS,
     *window_commands.LAYOUT,
     *playback_commands.COMMANDS,
+    *loop_commands.COMMANDS,
     *tracking_commands.TRACK,
     *correction.NEXT,
     *window_commands.LEAVE,

@@ -282,12 +282,13 @@ class RecordingController(Controller):
         parts = self.of(PartsController).presenter
         self.scenes.take_score(parts.score() if self.view_options.parts else None)
         self._workspace.timeline.show_scene(
-            self.scenes.timeline(clock.frame, frame, loaded, tracker.no_lanes)
+            self.scenes.timeline(clock.frame, frame, loaded, tracker.no_lanes, clock.loop)
         )
         self._workspace.transport.show_scene(
             TransportScene(
                 playing=clock.playing,
-                speed=abs(clock.rate) if clock.playing else clock.speed,
+                speed=abs(clock.pace) if clock.playing else clock.speed,
+                loops=clock.loop is not None,
                 frame=clock.frame,
                 frame_count=clock.frame_count,
                 time_s=document.recording.time_s(clock.frame),
