@@ -3,6 +3,9 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from PySide6.QtCore import QEvent, QPoint
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
 
 from app.core.playback.clock import LONGEST_STALL_S
 from app.core.playback.playback import Playback
@@ -151,3 +154,17 @@ def test_slow_motion_begins_before_the_event_and_shows_its_speed(window, control
     window.run_command("play.slow")
     assert clock.event is None
     looping.pause()
+
+
+def test_the_mouse_over_the_overview_shows_the_picture_there(window, controller, looping, qtbot):
+    overview = window.workspace.timeline.overview
+    axis = overview._axis()
+    QTest.mouseMove(overview, QPoint(round(axis.x_of(60.5)), overview.height() // 2))
+    qtbot.waitUntil(lambda: overview.thumbnail.isVisible())
+    assert "frame 60" in overview.thumbnail._words.text()
+    assert looping.clock.frame == 40  # nothing but navigation moves the playhead
+    top = overview.mapTo(window, QPoint(0, 0)).y()
+    assert overview.thumbnail.geometry().bottom() < top
+    QApplication.sendEvent(overview, QEvent(QEvent.Type.Leave))
+    assert overview.thumbnail.isHidden()
+    window.files.close()
