@@ -238,12 +238,12 @@ class MainWindow(QMainWindow):
         """Tell what went wrong."""
         self.notice.say(explain(error), is_error=True)
 
-    def tell_ended(self, text: str, place: Path | None) -> None:
+    def tell_ended(self, text: str, place: Path | None, passing: bool = True) -> None:
         """Tell what came of long work, and offer to open it."""
         if place is None:
             self.say(text)
         else:
-            self.notice.say(text, tr("Open"), lambda: self.open_place(place), passing=True)
+            self.notice.say(text, tr("Open"), lambda: self.open_place(place), passing=passing)
 
     def open_place(self, place: Path) -> None:
         """Open a file or folder that was written in the program that the desktop has for it."""

@@ -18,6 +18,7 @@ from app.features.project.batch_dialog import BatchDialog
 from app.features.project.batch_process import BatchWish
 from app.features.project.controller import ProjectController
 from app.features.project.scene import RecordingRow
+from tracking.batch.report import report_path
 from tracking.project.agreements import PairAgreement, agreements
 
 if TYPE_CHECKING:
@@ -37,7 +38,7 @@ class ProjectNavigation(Controller):
         self.project: ProjectController = ProjectController(window.project_page, self)
         self.project.changed.connect(self.changed)
         self.project.open_asked.connect(self._open_row)
-        self.project.batches.ended.connect(window.notice.say)
+        self.project.batches.ended.connect(self._tell_of_batch)
         window.project_page.track_asked.connect(self.ask_batch)
         window.project_page.close_asked.connect(self.close_project)
         window.project_page.folder_asked.connect(self.ask)
@@ -79,6 +80,14 @@ class ProjectNavigation(Controller):
         dialog = BatchDialog(choices, self.project.results_folder, last, self._window)
         dialog.accepted.connect(lambda: self._start(dialog.answer()))
         dialog.open()
+
+    def _tell_of_batch(self, text: str) -> None:
+        """Say that the batch has ended, also where a recording is shown, and offer its page."""
+        page = report_path(self.project.batches.out)
+        if page.is_file():
+            self._window.tell_ended(text, page, passing=False)
+        else:
+            self._window.notice.say(text)
 
     def compare(self) -> None:
         """Show how far annotators agree over all recordings with several sessions."""

@@ -24,6 +24,7 @@ from app.core.i18n import tr
 from app.core.jobs.jobs import Job
 from app.core.scenes.score_figures import Figure
 from app.core.widgets.parts import quiet
+from app.core.widgets.work_line import WorkLine
 from app.features.runs.presenter import CORRECTED, RUN_FIGURES, RunList, RunRow, RunsScene
 from tracking.scoring import Score
 
@@ -65,6 +66,9 @@ class RunsDialog(QDialog):
         rows.addWidget(self._table, 1)
         rows.addLayout(self._build_frames())
         rows.addWidget(self._about)
+        self._working = WorkLine(tr("Cancel scoring the runs"), self)
+        self._working.cancelled.connect(self._cancel_scoring)
+        rows.addWidget(self._working)
         rows.addLayout(self._build_buttons())
         self._show(self._scene)
         line = self.fontMetrics().height()
@@ -248,11 +252,18 @@ class RunsDialog(QDialog):
         job = Job("scoring the runs", work, self)
         job.done.connect(self._take)
         job.failed.connect(lambda error: self._end(explain(error)))
-        job.cancelled.connect(self._end)
+        job.cancelled.connect(lambda: self._end(tr("Not scored: you cancelled it")))
+        doing = tr("Scoring...")
+        job.progressed.connect(lambda n, total: self._working.show_work(doing, n / max(total, 1)))
         self._job = job
-        self._about.setText(tr("Scoring..."))
+        self._about.setText(doing)
+        self._working.show_work(doing)
         self._share.setEnabled(False)
         job.start()
+
+    def _cancel_scoring(self) -> None:
+        if self._job is not None:
+            self._job.cancel()
 
     def _take(self, figures: Mapping[int, Score]) -> None:
         self._runs.take(figures)
@@ -263,6 +274,7 @@ class RunsDialog(QDialog):
         if self._job is not None:
             self._job.deleteLater()
             self._job = None
+        self._working.show_work("")
         self._share.setEnabled(True)
         self._enable()
         if said:
