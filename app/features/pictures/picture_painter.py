@@ -5,13 +5,14 @@ Nothing here asks a widget: pictures are painted on any thread.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 
 import cv2
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QLineF, QRectF
+from PySide6.QtCore import QLineF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QImage, QPainter, QPen
 
 from app.core.drawing.compare_marks import draw_other_boxes
@@ -32,6 +33,7 @@ from app.core.scenes import LegendEntry, PictureScene
 from app.core.scenes.picture_marks import PictureMarks
 from app.features.pictures.box_names import BoxNameInput, BoxNamePainter
 from app.features.pictures.captions import Captions, draw_captions, lay_out
+from app.features.pictures.divider import draw_divider, halves
 from tracking.recording.frame import Image
 
 _SMALL = 0.78
@@ -115,14 +117,19 @@ class PicturePainter:
         draw_preview(painter, scene.preview, view)
         draw_ghosts(painter, scene.ghosts, view)
         draw_detections(painter, marks.detections, view)
-        draw_other_boxes(painter, marks.others, view, theme, shown)
+        own, other = halves(marks.divider, view.rect(given.content), shown)
+        with _within(painter, other):
+            draw_other_boxes(painter, marks.others, view, theme, other)
         captions = _lay_out_captions(given)
-        draw_people(painter, scene.people, view)
+        with _within(painter, own):
+            draw_people(painter, scene.people, view)
         _draw_parts(painter, given)
         draw_outline_names(painter, labels, theme)
         kept_off = [*captions.taken, *(label.rect for label in labels)]
-        names = self._draw_names(painter, given, kept_off)
+        names = self._draw_names(painter, given, own, kept_off)
         draw_truth_boxes(painter, marks.truth, view, theme, shown)
+        if marks.divider is not None:
+            draw_divider(painter, marks.divider, view.rect(given.content), shown, theme)
         handles(painter, shown)
         painter.setFont(scaled_font(given.font, 0.92))
         if given.captions:
@@ -130,13 +137,22 @@ class PicturePainter:
             draw_captions(painter, captions, *_words(given), theme)
 
     def _draw_names(
-        self, painter: QPainter, given: PictureInput, taken: Sequence[QRectF]
+        self, painter: QPainter, given: PictureInput, area: QRectF, taken: Sequence[QRectF]
     ) -> list[QRectF]:
         """Where they stand; small ones in a low picture, in which they would hide most of all."""
         font = scaled_font(given.font, _SMALL if given.low else 0.92, bold=True)
         people, view = given.scene.people, given.viewport
-        boxed = BoxNameInput(people, view, given.shown, taken, font, small=given.low)
+        boxed = BoxNameInput(people, view, area, taken, font, small=given.low)
         return self.naming.draw(painter, boxed, given.over)
+
+
+@contextmanager
+def _within(painter: QPainter, area: QRectF) -> Iterator[None]:
+    """Draw nothing beyond a part of the view."""
+    painter.save()
+    painter.setClipRect(area, Qt.ClipOperation.IntersectClip)
+    yield
+    painter.restore()
 
 
 def _draw_parts(painter: QPainter, given: PictureInput) -> None:

@@ -17,6 +17,7 @@ from app.core.look.theme import Theme
 from app.core.scenes import PersonMark, PictureScene, Side
 from app.core.scenes.picture_marks import PictureMarks
 from app.features.pictures.box_handles import INSIDE, Grip, cursor_of, draw_handles, handle_at
+from app.features.pictures.divider import is_at_divider, share_at
 from app.features.pictures.picture_painter import (
     PictureInput,
     PicturePainter,
@@ -48,6 +49,7 @@ class PictureView(PictureSurface):
         self._alone = False
         self._grip: Grip | None = None
         self._held = 0
+        self._dividing = False
         self._dragged = False
         self._hover: QPointF | None = None
         self._painter = PicturePainter()
@@ -102,6 +104,11 @@ class PictureView(PictureSurface):
             return QRectF()
         return QRectF(-0.5, -0.5, self._image.width(), self._image.height())
 
+    @property
+    def _place(self) -> QRectF:
+        """Where all of the picture is."""
+        return self.viewport.rect(self.content())
+
     def clicked_at(self, at: QPointF, extend: bool) -> None:
         """Report who and where."""
         if self._image.isNull():
@@ -122,6 +129,9 @@ class PictureView(PictureSurface):
 
     def grabs(self, at: QPointF) -> bool:
         """A new box's corner while one is to be drawn, else a handle, or anybody's box."""
+        self._dividing = is_at_divider(self._divider, self._place, at)
+        if self._dividing:
+            return True
         self._grip, self._held, self._dragged = self._grip_at(at), 0, False
         if self._grip is None and (person := self._inside(at)) is not None:
             self._grip = Grip(INSIDE, person.box, self.viewport.to_content(at))
@@ -148,7 +158,10 @@ class PictureView(PictureSurface):
         return next((person for person in self._scene.people if person.movable), None)
 
     def drag_to(self, at: QPointF) -> None:
-        """Tell where the box is by now."""
+        """Tell where the box, or the divider, is by now."""
+        if self._dividing:
+            self.divider_moved.emit(share_at(self._place, at))
+            return
         if self._grip is not None and not self._dragged:
             self._grip = self._grip_by_now(self._grip)
             if self._grip is not None:
@@ -161,6 +174,9 @@ class PictureView(PictureSurface):
 
     def drop(self) -> None:
         """Tell that the box stays."""
+        if self._dividing:
+            self._dividing = False
+            return
         self._grip = None
         if self._dragged:
             self.box_dropped.emit()
@@ -174,7 +190,9 @@ class PictureView(PictureSurface):
         return replace(grip, box=person.box) if person is not None else None
 
     def cursor_at(self, at: QPointF) -> Qt.CursorShape:
-        """A cross to draw, arrows over handles, a hand over people."""
+        """A cross to draw, arrows over handles and the divider, a hand over people."""
+        if is_at_divider(self._divider, self._place, at):
+            return Qt.CursorShape.SplitHCursor
         person = None if self._scene.drawing else self._person_at(at)
         self._point_at(person.track if person is not None else 0)
         if self._scene.drawing:
@@ -228,7 +246,8 @@ class PictureView(PictureSurface):
             self._painter.paint(painter, self._pictured(), theme, self._draw_handles)
 
     def _pictured(self) -> PictureInput:
-        marks = PictureMarks(self._labels, self._parts, self._others, self._truth, self._detections)
+        drawn = self._labels, self._parts, self._others, self._truth, self._detections
+        marks = PictureMarks(*drawn, self._divider)
         return PictureInput(
             self._scene,
             marks,

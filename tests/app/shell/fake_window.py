@@ -77,7 +77,11 @@ def window_app(**given: Any) -> Any:
             live=SimpleNamespace(stopping=False),
             playback=SimpleNamespace(clock=SimpleNamespace(loop=None, event=None)),
         ),
-        files=SimpleNamespace(detectors=detectors, projects=projects),
+        files=SimpleNamespace(
+            detectors=detectors,
+            projects=projects,
+            beside=SimpleNamespace(compares=False, share=None),
+        ),
         window=SimpleNamespace(look_choice=SimpleNamespace(look=None)),
     )
 
