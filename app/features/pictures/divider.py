@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 
-from app.core.drawing.name_plates import draw_note, note_size
+from app.core.drawing.name_plates import PAD_PX, draw_note, note_size
 from app.core.look.theme import Theme
 from app.core.scenes.other_people import Divider
 
@@ -65,7 +65,7 @@ def draw_divider(
         (divider.right, shown.right() - x, False),
     ):
         width = room - 2 * _EDGE_PX
-        text = metrics.elidedText(name, Qt.TextElideMode.ElideRight, width)
+        text = metrics.elidedText(name, Qt.TextElideMode.ElideRight, width - PAD_PX - 1)
         size = note_size(metrics, text, width)
         if size.isEmpty() or size.width() > room:
             continue

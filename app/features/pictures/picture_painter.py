@@ -29,7 +29,8 @@ from app.core.drawing.people_marks import draw_ghosts, draw_people, draw_preview
 from app.core.drawing.truth_marks import draw_truth_boxes
 from app.core.drawing.viewport import Viewport
 from app.core.look.theme import Theme, scaled_font
-from app.core.scenes import LegendEntry, PictureScene
+from app.core.scenes import LegendEntry, PersonMark, PictureScene
+from app.core.scenes.other_people import OtherMark
 from app.core.scenes.picture_marks import PictureMarks
 from app.features.pictures.box_names import BoxNameInput, BoxNamePainter
 from app.features.pictures.captions import Captions, draw_captions, lay_out
@@ -98,6 +99,7 @@ class PicturePainter:
     """
 
     naming: BoxNamePainter = field(default_factory=BoxNamePainter)
+    _naming: BoxNamePainter = field(default_factory=BoxNamePainter)
 
     def paint(
         self, painter: QPainter, given: PictureInput, theme: Theme, handles: Handles = _no_handles
@@ -118,15 +120,20 @@ class PicturePainter:
         draw_ghosts(painter, scene.ghosts, view)
         draw_detections(painter, marks.detections, view)
         own, other = halves(marks.divider, view.rect(given.content), shown)
-        with _within(painter, other):
+        others = _as_people(marks.others) if marks.divider is not None else ()
+        if marks.divider is None:
             draw_other_boxes(painter, marks.others, view, theme, other)
         captions = _lay_out_captions(given)
         with _within(painter, own):
             draw_people(painter, scene.people, view)
+        with _within(painter, other):
+            draw_people(painter, others, view)
         _draw_parts(painter, given)
         draw_outline_names(painter, labels, theme)
         kept_off = [*captions.taken, *(label.rect for label in labels)]
-        names = self._draw_names(painter, given, own, kept_off)
+        names = self._draw_names(self.naming, painter, given, scene.people, own, kept_off)
+        if others:
+            names += self._draw_names(self._naming, painter, given, others, other, kept_off)
         draw_truth_boxes(painter, marks.truth, view, theme, shown)
         if marks.divider is not None:
             draw_divider(painter, marks.divider, view.rect(given.content), shown, theme)
@@ -137,13 +144,35 @@ class PicturePainter:
             draw_captions(painter, captions, *_words(given), theme)
 
     def _draw_names(
-        self, painter: QPainter, given: PictureInput, area: QRectF, taken: Sequence[QRectF]
+        self,
+        naming: BoxNamePainter,
+        painter: QPainter,
+        given: PictureInput,
+        people: Sequence[PersonMark],
+        area: QRectF,
+        taken: Sequence[QRectF],
     ) -> list[QRectF]:
         """Where they stand; small ones in a low picture, in which they would hide most of all."""
         font = scaled_font(given.font, _SMALL if given.low else 0.92, bold=True)
-        people, view = given.scene.people, given.viewport
-        boxed = BoxNameInput(people, view, area, taken, font, small=given.low)
-        return self.naming.draw(painter, boxed, given.over)
+        boxed = BoxNameInput(people, given.viewport, area, taken, font, small=given.low)
+        return naming.draw(painter, boxed, given.over if naming is self.naming else 0)
+
+
+def _as_people(others: Sequence[OtherMark]) -> tuple[PersonMark, ...]:
+    """Another version's people where nobody of one's own is drawn: as these would be."""
+    nowhere = np.zeros((0, 2))
+    return tuple(
+        PersonMark(
+            track=int(one.label) if one.label.isdecimal() else 0,
+            box=one.box,
+            label=one.label,
+            colour=one.colour,
+            selected=False,
+            predicted=False,
+            trail=nowhere,
+        )
+        for one in others
+    )
 
 
 @contextmanager

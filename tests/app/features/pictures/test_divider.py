@@ -80,3 +80,11 @@ def test_dragging_stays_within_the_picture():
     assert share_at(PLACE, QPointF(-50, 10)) == 0.0
     assert share_at(PLACE, QPointF(900, 10)) == 1.0
     assert not is_at_divider(None, PLACE, QPointF(300, 10))
+
+
+def test_people_of_the_other_version_are_named_like_ones_own(view, drawn):
+    view.show_divider(Divider(0.5, "run 0", "run 1"))
+    drawn(view)
+    painter = view._painter
+    assert painter.naming.named == {1}
+    assert painter._naming.named == {9}
