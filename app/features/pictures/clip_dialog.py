@@ -10,14 +10,13 @@ from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
     QDialog,
-    QDialogButtonBox,
     QFormLayout,
-    QPushButton,
     QVBoxLayout,
     QWidget,
 )
 
 from app.core.i18n import tr
+from app.core.widgets.dialog_ends import dialog_ends
 from app.core.widgets.number_boxes import WholeBox
 from app.core.widgets.parts import quiet
 from app.features.pictures.clip import ClipChoice, ClipKind
@@ -87,7 +86,7 @@ class ClipDialog(QDialog):
         self._told.setAccessibleName(tr("How long the clip is"))
         rows.addWidget(self._told)
         rows.addStretch(1)
-        rows.addWidget(self._ends())
+        rows.addWidget(dialog_ends(self, tr("&Export...")))
         self._take_kind()
         for changed in (
             self._stretch.currentIndexChanged,
@@ -138,16 +137,6 @@ class ClipDialog(QDialog):
         box.setEnabled(there)
         form.addRow("", box)
         return box
-
-    def _ends(self) -> QDialogButtonBox:
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel, self)
-        export = QPushButton(tr("&Export..."), self)
-        export.setProperty("primary", True)
-        export.setDefault(True)
-        buttons.addButton(export, QDialogButtonBox.ButtonRole.AcceptRole)
-        buttons.accepted.connect(self.accept)
-        buttons.rejected.connect(self.reject)
-        return buttons
 
     @property
     def choice(self) -> ClipChoice:
