@@ -9,7 +9,7 @@ from app.core.commands.conditions import recording
 from app.core.i18n import tr
 from app.shell.window_app import WindowApp
 
-_MENU, _STEP = "View/Comparison", 0.05
+_MENU, _STEP = "Tracks/Comparison", 0.05
 
 
 def _compared(app: WindowApp) -> str:

@@ -10,6 +10,8 @@ from app.core.i18n import tr
 from app.features.review.controller import ReviewController
 from app.shell.window_app import WindowApp
 
+_MENU = "Playback/Speed and loops"
+
 
 def _stretch(app: WindowApp) -> tuple[int, int] | None:
     """The range that is set, else the review item's, else that of the selected person."""
@@ -71,7 +73,7 @@ COMMANDS: Final = (
     Command[WindowApp](
         "play.loop",
         "Loop over the range, item or person",
-        "Playback",
+        _MENU,
         ("Ctrl+L",),
         _can_loop,
         _loop,
@@ -82,7 +84,7 @@ COMMANDS: Final = (
     Command[WindowApp](
         "play.slow",
         "Slow motion around the event",
-        "Playback",
+        _MENU,
         ("Ctrl+Shift+L",),
         recording,
         _slow,

@@ -109,7 +109,7 @@ FILES: Final = (
     Command[WindowApp](
         "file.export_clip",
         "Export a clip...",
-        "File",
+        "File/Export for others",
         ("Ctrl+Shift+E",),
         session,
         lambda app: app.files.clips.ask(),
@@ -118,7 +118,7 @@ FILES: Final = (
     Command[WindowApp](
         "file.export_floor",
         "Export the overhead view...",
-        "File",
+        "File/Export for others",
         (),
         floor,
         lambda app: app.files.clips.ask_floor(),
@@ -131,16 +131,18 @@ FILES: Final = (
         reportable,
         lambda app: app.files.exporting.ask_report(),
     ),
-    _file(
-        "export_counts",
+    Command[WindowApp](
+        "file.export_counts",
         "Export counts...",
+        "File/Export for others",
         (),
         session,
         lambda app: app.files.exporting.ask_counts(),
     ),
-    _file(
-        "export_log",
+    Command[WindowApp](
+        "file.export_log",
         "Export the edit history...",
+        "File/Export for others",
         (),
         session,
         lambda app: app.files.exporting.ask_log(),
@@ -151,6 +153,15 @@ FILES: Final = (
         (),
         session,
         lambda app: app.files.beside.ask(),
+    ),
+    Command[WindowApp](
+        "view.jobs",
+        "Running and finished work...",
+        "File",
+        ("Ctrl+J",),
+        _at_any_time,
+        lambda app: app.window.show_jobs(),
+        also="jobs progress cancel background queue",
     ),
     _file(
         "close",
@@ -238,15 +249,6 @@ LAYOUT: Final = (
         ("F6",),
         recording,
         lambda app: app.window.workspace.focus_next_pane(),
-    ),
-    Command[WindowApp](
-        "view.jobs",
-        "Running and finished work...",
-        "View",
-        ("Ctrl+J",),
-        _at_any_time,
-        lambda app: app.window.show_jobs(),
-        also="jobs progress cancel background queue",
     ),
     _look(Look.SYSTEM, "Theme: as the system", separated=True),
     _look(Look.LIGHT, "Theme: light"),
