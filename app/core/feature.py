@@ -17,9 +17,15 @@ from app.core.drawing.surfaces import Surfaces
 from app.core.playback.playback import Playback
 from app.core.plots.axis import TimeAxis
 from app.core.projection.extent import Bounds
+from app.core.scenes import Side
 from app.core.scenes.labels import PictureLabels, SuggestedPart
+from app.core.scenes.picture_marks import PictureMarks
 from app.core.tracks.frame_state import FrameState, ViewOptions
 from app.core.widgets.parts import Panel
+
+Marker = Callable[[PictureMarks, Side, FrameState, int], PictureMarks]
+"""Adds what a feature draws over a camera's picture; the number is that camera's own frame. It is
+called on any thread, for any frame."""
 
 
 class PartLabels(Protocol):
@@ -97,6 +103,10 @@ class FeatureController(Controller):
 
     def draw_frame(self, shown: ShownFrame) -> None:
         """Another frame is shown, or the same one in another way."""
+
+    def marker(self, view_options: ViewOptions) -> Marker | None:  # noqa: ARG002
+        """Takes hold of what it draws over the pictures, for clips of them; None: nothing."""
+        return None
 
     def draw(self) -> None:
         """Tracks or what is selected are others than before."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from app.core.i18n import tr
 from app.core.widgets.user_settings import UserSettings
 from app.features.runs.presenter import CORRECTED, RunList
@@ -48,16 +50,25 @@ def _begin(controller: RecordingController, dialog: TrackDialog) -> None:
         controller.failed.emit(error)
 
 
-def show_runs(controller: RecordingController) -> None:
-    """List the session's runs, to be compared."""
+def show_runs(
+    controller: RecordingController, divide: Callable[[float], object] = lambda _: None
+) -> None:
+    """List the session's runs, to be compared; `divide` divides the pictures between two."""
     session = controller.document.session
     if session is None:
         return
     runs = RunList(session, controller.document.recording, live=controller.document.at_work)
     dialog = RunsDialog(runs, controller.window_page)
-    dialog.compare_asked.connect(
-        lambda run, base: controller.comparing.open(run, None if base == CORRECTED else base)
-    )
+
+    def compare(run: int, base: int) -> None:
+        controller.comparing.open(run, None if base == CORRECTED else base)
+
+    def compare_beside(run: int, base: int) -> None:
+        compare(run, base)
+        divide(0.5)
+
+    dialog.compare_asked.connect(compare)
+    dialog.beside_asked.connect(compare_beside)
     dialog.correct_asked.connect(controller.comparing.correct)
     dialog.drop_asked.connect(controller.comparing.drop_run)
     dialog.open()

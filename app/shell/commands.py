@@ -11,7 +11,13 @@ from app.features.pictures import commands as pictures
 from app.features.review import commands as review
 from app.features.scoring import commands as scoring
 from app.features.timeline import commands as timeline
-from app.shell import playback_commands, tracking_commands, window_commands
+from app.shell import (
+    divider_commands,
+    loop_commands,
+    playback_commands,
+    tracking_commands,
+    window_commands,
+)
 from app.shell.features import FEATURES
 from app.shell.window_app import WindowApp
 
@@ -25,8 +31,10 @@ COMMANDS: Final[tuple[Command[WindowApp], ...]] = (
     *(command for feature in FEATURES for command in feature.commands),
     *pictures.ONE_CAMERA,
     *timeline.COMMANDS,
+    *divider_commands.COMMANDS,
     *window_commands.LAYOUT,
     *playback_commands.COMMANDS,
+    *loop_commands.COMMANDS,
     *tracking_commands.TRACK,
     *correction.NEXT,
     *window_commands.LEAVE,

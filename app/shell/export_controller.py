@@ -105,14 +105,13 @@ class ExportController(Controller):
             return beside, losses(kind, exported, path)
 
         title = tr("Exporting {name}", name=path.name)
-        self._work.run(title, work, lambda told: self._tell_of_tracks(path, *told))
+        self._work.run(title, work, lambda told: self._tell_of_tracks(path, *told), place=path)
 
     def _tell_of_tracks(self, path: Path, beside: str, lost: tuple[str, ...]) -> None:
         """Where they are; and what the format does not hold stays said until it is read."""
         where = tr("Exported: {path}", path=path)
-        self.said.emit(f"{where}. {beside}" if beside else where)
-        if lost:
-            self._window.notice.say("\n".join((where, *lost)))
+        told = f"{where}. {beside}" if beside else where
+        self._tell("\n".join((told, *lost)), path, passing=not lost)
 
     def ask_report(self) -> None:
         """Ask for a folder and put a report of the score into one of its own there."""
@@ -143,14 +142,15 @@ class ExportController(Controller):
         name = presenter.scene("").results[scored.subject.track_source + 1]
         folder = place / propose_report_folder(document.recording.name)
         work = prepare_report(document, scored, given, name, folder)
-        self._work.run(tr("Writing the report"), work, self._tell_of_report)
+        self._work.run(tr("Writing the report"), work, self._tell_of_report, place=folder)
 
     def _tell_of_report(self, done: WrittenReport) -> None:
         """Where it is; and what is not in it stays said until it is read."""
         where = tr("Report: {path}", path=done.page)
-        self.said.emit(where)
         if done.left_out:
-            self._window.notice.say(f"{where}\n{done.words}")
+            self._tell(f"{where}\n{done.words}", done.page, passing=False)
+        else:
+            self._tell(where, done.page)
 
     def ask_log(self) -> None:
         """Ask for a place and write the log of edits."""
@@ -188,8 +188,12 @@ class ExportController(Controller):
 
     def _write(self, path: Path, work: Callable[[Progress], object]) -> None:
         title, told = tr("Exporting {name}", name=path.name), tr("Exported: {path}", path=path)
-        done = lambda left: self.said.emit(f"{told}. {left}" if left else told)  # noqa: E731
-        self._work.run(title, work, done)
+        done = lambda left: self._tell(f"{told}. {left}" if left else told, path)  # noqa: E731
+        self._work.run(title, work, done, place=path)
+
+    def _tell(self, text: str, place: Path, *, passing: bool = True) -> None:
+        """What came of it, with a button that opens it."""
+        self._window.tell_ended(text, place, passing=passing)
 
 
 def _written(counted: CountResult, path: Path) -> str:

@@ -30,6 +30,7 @@ from app.features.runs.track_dialog import TrackDialog
 from app.features.scoring.controller import ScoreController
 from app.shell.author import Author
 from app.shell.backup_controller import BackupController
+from app.shell.clip_controller import ClipController
 from app.shell.close_prompts import ClosePrompts, Then
 from app.shell.detectors import Detectors
 from app.shell.doctor_page import DoctorPage
@@ -83,6 +84,7 @@ class Files(Controller):
         self.controller: RecordingController | None = None
         self.author: Author = Author(window, remembered, self)
         self.exporting: ExportController = ExportController(window, work, self)
+        self.clips: ClipController = ClipController(window, work, self)
         self.importing: ImportController = ImportController(window, work, self)
         self.detectors: Detectors = Detectors(window, work, remembered, self)
         self.detectors.changed.connect(self.changed)
@@ -319,6 +321,7 @@ class Files(Controller):
         """Let the open document go; its threads have ended when this returns."""
         if self.controller is not None:
             controller, self.controller = self.controller, None
+            self._work.leave_behind()  # it reads from this recording
             self.keeping.drop()
             self.beside.close()
             self.backups.close()

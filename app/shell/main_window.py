@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QSize, QTimer
@@ -21,7 +22,9 @@ from app.core.drawing.canvas import Canvas
 from app.core.error_messages import explain
 from app.core.i18n import tr
 from app.core.look.icons import application_icon
+from app.core.widgets.jobs_dialog import JobsButton, JobsDialog
 from app.core.widgets.notice import NoticeBar
+from app.core.widgets.opening import open_place
 from app.core.widgets.progress_strip import ProgressStrip
 from app.core.widgets.user_settings import UserSettings
 from app.core.widgets.work import Work
@@ -30,6 +33,7 @@ from app.shell.command_palette import CommandPalette
 from app.shell.commands import COMMANDS
 from app.shell.context_menu import ContextMenu
 from app.shell.files import Files
+from app.shell.listed_work import ListedWork
 from app.shell.look_choice import LookChoice
 from app.shell.menus import Menus, TypingGuard
 from app.shell.recording_controller import RecordingController
@@ -61,6 +65,8 @@ class MainWindow(QMainWindow):
         self.notice = NoticeBar(self)
         self.progress = ProgressStrip(self)
         self.work = Work(self.progress, self)
+        self.jobs_button = JobsButton(self.work.jobs, self)
+        self.listed = ListedWork(self.work.jobs)
         self.files = Files(self, self.work, remembered)
         self.app = WindowApp(self)
         self.registry = CommandRegistry(COMMANDS, self.app)
@@ -90,6 +96,7 @@ class MainWindow(QMainWindow):
         # The line keeps its height, so that nothing above moves when work begins or ends.
         self.statusBar().setSizeGripEnabled(False)
         self.statusBar().addPermanentWidget(self.progress, 3)
+        self.statusBar().addPermanentWidget(self.jobs_button)
         least = max(self.statusBar().sizeHint().height(), self.notice.least_height)
         self.statusBar().setMinimumHeight(least)
         self.notice.stand_over(centre, self.statusBar(), self.progress)
@@ -131,6 +138,8 @@ class MainWindow(QMainWindow):
         self.work.succeeded.connect(self.notice.settle)
         self.work.failed.connect(self.files.open_recovery.tell)
         self.work.said.connect(self.say)
+        self.work.ended.connect(self.tell_ended)
+        self.jobs_button.clicked.connect(lambda: self.run_command("view.jobs"))
         self.progress.cancelled.connect(self._cancel)
         self.progress.stopped.connect(lambda: self.run_command("tracks.stop"))
         self.files.progressed.connect(self._progress_soon)
@@ -213,6 +222,8 @@ class MainWindow(QMainWindow):
     def _show_progress(self) -> None:
         """Show how far the tracker at work is; other work shows itself."""
         live = self.controller.live if self.controller is not None else None
+        self.listed.take_tracking(live, self._drop_tracking)
+        self.listed.take_batch(self.files.projects.project.batches)
         if self.work.busy:
             return
         if live is not None and live.running:
@@ -239,6 +250,25 @@ class MainWindow(QMainWindow):
     def tell_error(self, error: Exception) -> None:
         """Tell what went wrong."""
         self.notice.say(explain(error), is_error=True)
+
+    def tell_ended(self, text: str, place: Path | None, passing: bool = True) -> None:
+        """Tell what came of long work, and offer to open it."""
+        if place is None:
+            self.say(text)
+        else:
+            self.notice.say(text, tr("Open"), lambda: self.open_place(place), passing=passing)
+
+    def open_place(self, place: Path) -> None:
+        """Open a file or folder that was written in the program that the desktop has for it."""
+        if not open_place(place):
+            self.say(tr("No program opens {path}", path=place))
+
+    def show_jobs(self) -> None:
+        """List all long work."""
+        dialog = JobsDialog(self.work.jobs, self)
+        dialog.open_asked.connect(self.open_place)
+        dialog.finished.connect(self.activateWindow)
+        dialog.show()
 
     # commands
 
@@ -276,6 +306,11 @@ class MainWindow(QMainWindow):
         if self.work.busy:
             self.work.cancel()
         elif self.controller is not None and self.controller.live.running:
+            self._drop_tracking()
+
+    def _drop_tracking(self) -> None:
+        """End the tracker at work and keep nothing of it."""
+        if self.controller is not None and self.controller.live.running:
             self.controller.tracking.drop()
             self.say(tr("Tracking was cancelled; its result is not kept"))
             self.refresh()

@@ -56,6 +56,17 @@ def _command(
     )
 
 
+def _speed(name: str, title: str, key: str, steps: int) -> Command[WindowApp]:
+    return Command(
+        f"play.{name}",
+        title,
+        "Playback/Speed and loops",
+        (key,),
+        recording,
+        lambda app: app.open.playback.change_speed(steps),
+    )
+
+
 COMMANDS: Final = (
     _command("toggle", "Play or pause", "Space", lambda app: app.open.toggle(), icon="play"),
     _command("next", "Next frame", "Right", lambda app: _step(app, 1), separated=True),
@@ -92,6 +103,6 @@ COMMANDS: Final = (
         separated=True,
         checked=lambda app: app.document is not None and app.open.tracking.following.on,
     ),
-    _command("slower", "Slower", ",", lambda app: app.open.playback.change_speed(-1)),
-    _command("faster", "Faster", ".", lambda app: app.open.playback.change_speed(1)),
+    _speed("slower", "Slower", ",", -1),
+    _speed("faster", "Faster", ".", 1),
 )

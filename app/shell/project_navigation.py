@@ -46,7 +46,7 @@ class ProjectNavigation(Controller):
         project = ProjectController(page, self)
         project.changed.connect(self.changed)
         project.open_asked.connect(self._open_row)
-        project.batches.ended.connect(self._window.notice.say)
+        project.batches.ended.connect(self._tell_of_batch)
         page.track_asked.connect(self.ask_batch)
         page.close_asked.connect(self.close_project)
         page.folder_asked.connect(self.ask)
@@ -101,6 +101,16 @@ class ProjectNavigation(Controller):
         dialog = BatchDialog(choices, self.project.results_folder, last, self._window)
         dialog.accepted.connect(lambda: self._start(dialog.answer()))
         dialog.open()
+
+    def _tell_of_batch(self, text: str) -> None:
+        """Say that the batch has ended, also where a recording is shown, and offer its page."""
+        from tracking.batch.report import report_path
+
+        page = report_path(self.project.batches.out)
+        if page.is_file():
+            self._window.tell_ended(text, page, passing=False)
+        else:
+            self._window.notice.say(text)
 
     def compare(self) -> None:
         """Show how far annotators agree over all recordings with several sessions."""

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtGui import QImage
 
 from app.core.commands.conditions import ControllerT
 from app.core.controller import Controller
 from app.core.document.document import Document
-from app.core.feature import FeatureContext, ShownFrame
+from app.core.feature import FeatureContext, Marker, ShownFrame
 from app.core.playback.playback import Playback
+from app.core.playback.thumbnails import Thumbnails
 from app.core.projection.extent import Bounds
 from app.core.scenes import Side, TransportScene
 from app.core.tracks.frame_state import ViewOptions
@@ -44,6 +46,7 @@ class RecordingController(Controller):
         self.document = document
         self.scenes = RecordingScenes(document)
         self.playback = Playback(document.recording, self)
+        self.thumbnails = Thumbnails(document.recording, self)
         self.colouring = ColourWorker(document, self)
         self.editing = EditController(document, self.playback, self)
         self.dragging = DragController(document, self.playback, self.editing)
@@ -100,6 +103,8 @@ class RecordingController(Controller):
             picker.track_picked.connect(self.editing.pick)
             picker.track_added.connect(self.editing.add)
         view.timeline.frame_sought.connect(self.playback.go)
+        view.timeline.overview.hovered.connect(self._ask_thumbnail)
+        self.thumbnails.ready.connect(self._show_thumbnail, Qt.ConnectionType.QueuedConnection)
         view.timeline.cut_moved.connect(self.editing.put_cut)
         view.transport.play_toggled.connect(self.toggle)
         view.transport.frame_sought.connect(self.playback.go)
@@ -131,8 +136,18 @@ class RecordingController(Controller):
         view.overhead.person_dragged.connect(self.dragging.drag_person)
         view.overhead.person_dropped.connect(self.dragging.drop)
 
+    def _ask_thumbnail(self, frame: int) -> None:
+        image = self.thumbnails.get(frame) if frame >= 0 else None
+        if image is not None:
+            self._workspace.timeline.overview.show_thumbnail(image)
+
+    def _show_thumbnail(self, _: int, image: QImage) -> None:
+        self._workspace.timeline.overview.show_thumbnail(image)
+
     def close(self) -> None:
         """End all threads and let the recording go."""
+        self.thumbnails.close()
+        self._workspace.timeline.overview.hide_thumbnail()
         self.live.close()
         self.colouring.close()
         self.reviewing.close()
@@ -250,6 +265,12 @@ class RecordingController(Controller):
         self._show_selected()
         self.drawn.emit()
 
+    def markers(self) -> tuple[Marker, ...]:
+        """What draws over pictures of any frame as it is drawn over the one that is shown."""
+        options, found = self.view_options, [self.labelling.marker(self.view_options)]
+        found += [feature.marker(options) for feature in self._features]
+        return tuple(one for one in found if one is not None)
+
     def _floor_bounds(self) -> Bounds:
         return self.scenes.overhead.bounds
 
@@ -277,12 +298,13 @@ class RecordingController(Controller):
         parts = self.of(PartsController).presenter
         self.scenes.take_score(parts.score() if self.view_options.parts else None)
         self._workspace.timeline.show_scene(
-            self.scenes.timeline(clock.frame, frame, loaded, tracker.no_lanes)
+            self.scenes.timeline(clock.frame, frame, loaded, tracker.no_lanes, clock.loop)
         )
         self._workspace.transport.show_scene(
             TransportScene(
                 playing=clock.playing,
-                speed=abs(clock.rate) if clock.playing else clock.speed,
+                speed=abs(clock.pace) if clock.playing else clock.speed,
+                loops=clock.loop is not None,
                 frame=clock.frame,
                 frame_count=clock.frame_count,
                 time_s=document.recording.time_s(clock.frame),

@@ -38,12 +38,14 @@ class RecordingScenes:
         frame: int,
         loaded: tuple[tuple[int, int], ...] = (),
         no_lanes: str = "",
+        loop: tuple[int, int] | None = None,
     ) -> TimelineScene:
         """The timeline with its playhead; lanes are those of `frame`.
 
-        `loaded` are the half-open ranges of frames at hand; `no_lanes` is said without lanes.
+        `loaded` are the half-open ranges of frames at hand; `no_lanes` is said without lanes. A
+        `loop` is marked where no range is set.
         """
-        flow, marked = self._document.flow, self._document.correcting.range_shown
+        flow, marked = self._document.flow, self._document.correcting.range_shown or loop
         cut = flow.cut if flow is not None and flow.has_cut else None
         state = self._document.corrected_state(frame)
         return self._timeline.scene(playhead, state, loaded, cut, no_lanes, marked)

@@ -11,6 +11,7 @@ from PySide6.QtCore import QObject
 from app.core.i18n import N_, tr
 from app.core.projection.other_people import OtherPeople
 from app.core.scenes import Side
+from app.core.scenes.other_people import Divider
 from app.core.widgets.questions import choose_file
 from app.core.widgets.work import Work
 from app.features.comparison.agreement import (
@@ -35,6 +36,9 @@ class SessionsBeside(QObject):
         self._window = window
         self._work = work
         self._shown: AgreementPresenter | None = None
+        self._share: float | None = None
+        for picture in (window.workspace.left, window.workspace.right):
+            picture.divider_moved.connect(self.divide)
         panel = window.workspace.compare
         panel.stretch_sought.connect(self._go)
         panel.again_asked.connect(self._again)
@@ -65,9 +69,38 @@ class SessionsBeside(QObject):
         self._shown = None
         self.draw()
 
+    @property
+    def compares(self) -> bool:
+        """Whether two versions are compared: of runs, or of two people."""
+        controller = self._window.controller
+        runs = controller is not None and controller.comparing.shown
+        return runs or self._shown is not None
+
+    @property
+    def share(self) -> float | None:
+        """How much of the pictures is left of the divider; None: there is none."""
+        return self._share
+
+    def divide(self, share: float | None) -> None:
+        """Draw one version left of a line through the pictures and the other one right of it."""
+        self._share = None if share is None else min(max(share, 0.0), 1.0)
+        self.draw()
+
+    def _divider(self, controller: RecordingController) -> Divider | None:
+        if self._share is None:
+            return None
+        if controller.comparing.dashed is not None:
+            left, right = controller.comparing.versions
+        else:
+            left = tr("this session")
+            right = self._shown.other.name if self._shown is not None else ""
+        return Divider(self._share, left, right)
+
     def draw(self) -> None:
         """Draw other people at the frame that is shown; those of a compared run go first."""
         controller, shown = self._window.controller, self._shown
+        if not self.compares:
+            self._share = None
         session = controller.document.session if controller is not None else None
         panel = shown.panel(session.tracks.revision) if shown and session is not None else None
         self._window.workspace.compare.show_scene(panel)
@@ -82,9 +115,12 @@ class SessionsBeside(QObject):
         if controller is None or people is None:
             for picture in (view.left, view.right):
                 picture.show_others(())
+                picture.show_divider(None)
             view.overhead.show_others(())
             return
-        frame = controller.playback.number
+        frame, divider = controller.playback.number, self._divider(controller)
+        for picture in (view.left, view.right):
+            picture.show_divider(divider)
         view.left.show_others(people.picture(Side.LEFT, frame))
         view.right.show_others(
             people.picture(Side.RIGHT, frame) if controller.cameras == "both" else ()

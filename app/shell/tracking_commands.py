@@ -64,7 +64,12 @@ TRACK: Final[tuple[Command[WindowApp], ...]] = (
         lambda app: app.open.tracking.stop(),
     ),
     Command(
-        "tracks.runs", "Runs...", "Tracks", ("Ctrl+R",), session, lambda app: show_runs(app.open)
+        "tracks.runs",
+        "Runs...",
+        "Tracks",
+        ("Ctrl+R",),
+        session,
+        lambda app: show_runs(app.open, app.files.beside.divide),
     ),
 )
 AGAIN: Final[tuple[Command[WindowApp], ...]] = (

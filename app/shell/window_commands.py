@@ -9,6 +9,7 @@ from app.core.commands.command import Command
 from app.core.commands.conditions import (
     drawable,
     editable,
+    floor,
     pending,
     recording,
     replaceable,
@@ -105,6 +106,24 @@ FILES: Final = (
         lambda app: app.files.exporting.ask_tracks(),
         icon="export",
     ),
+    Command[WindowApp](
+        "file.export_clip",
+        "Export a clip...",
+        "File/Export for others",
+        ("Ctrl+Shift+E",),
+        session,
+        lambda app: app.files.clips.ask(),
+        also="video mp4 gif movie film overlays",
+    ),
+    Command[WindowApp](
+        "file.export_floor",
+        "Export the overhead view...",
+        "File/Export for others",
+        (),
+        floor,
+        lambda app: app.files.clips.ask_floor(),
+        also="picture png svg image floor map",
+    ),
     _file(
         "export_report",
         "Export a score report...",
@@ -112,16 +131,18 @@ FILES: Final = (
         reportable,
         lambda app: app.files.exporting.ask_report(),
     ),
-    _file(
-        "export_counts",
+    Command[WindowApp](
+        "file.export_counts",
         "Export counts...",
+        "File/Export for others",
         (),
         session,
         lambda app: app.files.exporting.ask_counts(),
     ),
-    _file(
-        "export_log",
+    Command[WindowApp](
+        "file.export_log",
         "Export the edit history...",
+        "File/Export for others",
         (),
         session,
         lambda app: app.files.exporting.ask_log(),
@@ -132,6 +153,15 @@ FILES: Final = (
         (),
         session,
         lambda app: app.files.beside.ask(),
+    ),
+    Command[WindowApp](
+        "view.jobs",
+        "Running and finished work...",
+        "File",
+        ("Ctrl+J",),
+        _at_any_time,
+        lambda app: app.window.show_jobs(),
+        also="jobs progress cancel background queue",
     ),
     _file(
         "close",

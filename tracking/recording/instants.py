@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Generator
 from contextlib import closing
 from dataclasses import replace
 
@@ -41,7 +41,7 @@ class Instants:
         frame = self.recording.read(number, min(max(wanted, 0), last))
         return frame if 0 <= wanted <= last else replace(frame, right_lag=None)
 
-    def frames(self, start: int, stop: int) -> Iterator[StereoFrame]:
+    def frames(self, start: int, stop: int) -> Generator[StereoFrame]:
         """Frames start to stop (half-open) in order, each picture decoded once.
 
         After a change of the lag reading begins anew at the frame that comes next.

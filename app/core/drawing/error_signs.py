@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 from math import ceil
 
 from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QIcon, QPainter, QPen, QPixmap, QPixmapCache
+from PySide6.QtGui import QColor, QIcon, QImage, QPainter, QPen, QPixmap
 
-from app.core.look.theme import Theme, current_theme
+from app.core.look.theme import Theme, current_theme, load_theme
 from app.core.scenes.ground_truth import ERROR_COLOURS
 from tracking.scoring import ErrorKind
 
@@ -33,10 +34,10 @@ def draw_signs(
         return
     device = painter.device()
     ratio = device.devicePixelRatioF() if device is not None else 1.0
-    sign = _drawn(kind, round(reach, 1), theme, ratio)
+    sign = _drawn(kind, round(reach, 1), theme.name, ratio)
     half = QPointF(_side(reach) / 2, _side(reach) / 2)
     for place in at:
-        painter.drawPixmap(place - half, sign)
+        painter.drawImage(place - half, sign)
 
 
 def _side(reach: float) -> int:
@@ -44,15 +45,13 @@ def _side(reach: float) -> int:
     return 2 * ceil(reach + _HALO_PX)
 
 
-def _drawn(kind: ErrorKind, reach: float, theme: Theme, ratio: float) -> QPixmap:
+@lru_cache(maxsize=64)
+def _drawn(kind: ErrorKind, reach: float, theme_name: str, ratio: float) -> QImage:
     """A sign drawn once: hundreds of them on a lane are then put down in a moment."""
-    key, kept = f"error {kind.name} {reach} {theme.name} {ratio}", QPixmap()
-    if QPixmapCache.find(key, kept):
-        return kept
-    side = _side(reach)
-    picture = QPixmap(QSize(side, side) * ratio)
+    theme, side = load_theme(theme_name), _side(reach)
+    picture = QImage(QSize(side, side) * ratio, QImage.Format.Format_ARGB32_Premultiplied)
     picture.setDevicePixelRatio(ratio)
-    picture.fill(Qt.GlobalColor.transparent)
+    picture.fill(0)
     painter = QPainter(picture)
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     painter.setBrush(Qt.BrushStyle.NoBrush)
@@ -60,7 +59,6 @@ def _drawn(kind: ErrorKind, reach: float, theme: Theme, ratio: float) -> QPixmap
         painter.setPen(QPen(colour, width, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap))
         _draw_sign(painter, kind, QPointF(side / 2, side / 2), reach)
     painter.end()
-    QPixmapCache.insert(key, picture)
     return picture
 
 

@@ -13,7 +13,7 @@ from app.core.scenes.detections import NO_DETECTIONS, PicturedDetections
 from app.core.scenes.flow_map import FlowScene
 from app.core.scenes.ground_truth import FlooredTruth, PicturedTruth
 from app.core.scenes.labels import FloorLabels, PictureLabels
-from app.core.scenes.other_people import OtherMark, OtherPlace
+from app.core.scenes.other_people import Divider, OtherMark, OtherPlace
 from app.core.scenes.pictured_parts import PicturedParts
 
 
@@ -26,12 +26,14 @@ class PictureSurface(Canvas):
         track_added(int): the same with Shift.
         part_picked(int): a body part of the selected person was clicked.
         picture_clicked(float, float): where a click was, in pixels as recorded.
+        divider_moved(float): the divider was dragged; the share of the picture left of it.
     """
 
     track_picked = Signal(int)
     track_added = Signal(int)
     part_picked = Signal(int)
     picture_clicked = Signal(float, float)
+    divider_moved = Signal(float)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(upward=False, parent=parent)
@@ -40,6 +42,7 @@ class PictureSurface(Canvas):
         self._others: tuple[OtherMark, ...] = ()
         self._truth = PicturedTruth()
         self._detections: PicturedDetections = NO_DETECTIONS
+        self._divider: Divider | None = None
 
     def show_labels(self, labels: PictureLabels) -> None:
         """Draw what people drew and said at this instant."""
@@ -55,6 +58,12 @@ class PictureSurface(Canvas):
         """Draw another session's people, thin and dashed."""
         if others or self._others:
             self._others = others
+            self.update()
+
+    def show_divider(self, divider: Divider | None) -> None:
+        """Show one's own people left of it alone, and the others right of it; None: both."""
+        if divider != self._divider:
+            self._divider = divider
             self.update()
 
     def show_detections(self, detections: PicturedDetections) -> None:

@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
-from app.core.playback.clock import PlaybackClock
+from app.core.playback.clock import LEAD_S, PlaybackClock
 from app.core.playback.frames import FrameReader
 from tracking.recording import Recording, StereoFrame
 
@@ -104,6 +104,21 @@ class Playback(QObject):
         """Faster (1) or slower (-1)."""
         self.clock.change_speed(steps)
         self._changed()
+
+    def set_loop(self, frames: tuple[int, int] | None) -> None:
+        """Play a half-open range again and again, or all once; a loop begins to play."""
+        self.clock.loop = frames
+        if frames is not None and not self.clock.playing:
+            self.clock.play()
+        self._moved_by_hand()
+
+    def set_event(self, frame: int | None) -> None:
+        """Play slowly around a frame, beginning a moment before it; None: nowhere any more."""
+        self.clock.event = frame
+        if frame is not None:
+            self.clock.seek(frame - round(LEAD_S * self.clock.fps))
+            self.clock.play()
+        self._moved_by_hand()
 
     def close(self) -> None:
         """Stop the timer and the reader's thread."""

@@ -28,3 +28,16 @@ class OtherPlace:
     trail: Points
     label: str
     colour: Colour
+
+
+@dataclass(frozen=True, slots=True)
+class Divider:
+    """Left of it the picture shows one of two compared versions, right of it the other.
+
+    Attributes:
+        share: of the picture that is left of it, 0..1. left, right: the versions by name.
+    """
+
+    share: float
+    left: str
+    right: str

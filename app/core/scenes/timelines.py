@@ -107,4 +107,5 @@ class TransportScene:
     tracker: str
     status: str  # e.g. "live 43 fps", "tracked", "no tracker"
     live: bool = False  # a tracker is at work and has found something
+    loops: bool = False  # a stretch is played again and again
     following: bool | None = None  # whether the playhead goes with the tracker; None: none works

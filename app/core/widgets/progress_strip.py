@@ -92,9 +92,14 @@ class ProgressStrip(QFrame):
     def _said(self, seconds: float | None) -> str:
         if self._stopping:
             return tr("Stopping...")
-        if seconds is None:
-            return ""
-        minutes, rest = divmod(max(0, round(seconds)), 60)
-        if minutes:
-            return tr("{0} min {1:02d} s left").format(minutes, rest)
-        return tr("{0} s left").format(rest)
+        return time_left_text(seconds)
+
+
+def time_left_text(seconds: float | None) -> str:
+    """How long it will still take, in words; "" where that is not known."""
+    if seconds is None:
+        return ""
+    minutes, rest = divmod(max(0, round(seconds)), 60)
+    if minutes:
+        return tr("{0} min {1:02d} s left").format(minutes, rest)
+    return tr("{0} s left").format(rest)

@@ -75,6 +75,11 @@ class ComparisonController(Controller):
         """The run's people, to be drawn dashed in all views; None where none is compared."""
         return self._dashed
 
+    @property
+    def versions(self) -> tuple[str, str]:
+        """What is drawn solid and what dashed, by name; "" where nothing is compared."""
+        return self._comparison.versions if self._comparison is not None else ("", "")
+
     def correct(self, number: int) -> None:
         """Have a run's tracks be the ones to correct: at once, or by taking them over the edits.
 

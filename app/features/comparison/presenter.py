@@ -304,6 +304,11 @@ class Comparison:
         )
 
     @property
+    def versions(self) -> tuple[str, str]:
+        """What is drawn solid and what dashed, by name."""
+        return self._side(self.base).title, self._side(self.run).title
+
+    @property
     def _can_drop(self) -> bool:
         session = self._session
         last = self.run == len(session.runs) - 1

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 from PySide6.QtCore import Qt
 
-from app.core.feature import FeatureContext, FeatureController, ShownFrame
+from app.core.feature import FeatureContext, FeatureController, Marker, ShownFrame
 from app.core.jobs.latest_job import LatestJob
 from app.core.scenes import Side
 from app.core.scenes.detections import NO_DETECTIONS
-from app.core.tracks.frame_state import FrameState
+from app.core.scenes.picture_marks import PictureMarks
+from app.core.tracks.frame_state import FrameState, ViewOptions
 from app.features.detections.presenter import (
     UsedDetections,
     boxes_of,
@@ -57,6 +59,21 @@ class DetectionsController(FeatureController):
         known = self._found is not None and self._found[0] == given
         boxes = self._found[1] if self._found is not None and known else None
         self._show(boxes, shown.state.frame, shown.right if shown.cameras == "both" else None)
+
+    def marker(self, view_options: ViewOptions) -> Marker | None:
+        """The boxes, as far as they have been read by now."""
+        if not view_options.detections:
+            return None
+        found = self._found[1] if self._found is not None else None
+
+        def mark(marks: PictureMarks, side: Side, state: FrameState, number: int) -> PictureMarks:
+            if network := network_of(state.run):
+                return replace(marks, detections=network_picture(state, network, side))
+            if found is None:
+                return marks
+            return replace(marks, detections=picture(found, side, number))
+
+        return mark
 
     def _show_network(self, shown: ShownFrame, network: str) -> None:
         """The boxes that a network found for what is shown; the right camera where it is seen."""

@@ -8,16 +8,15 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
     QComboBox,
     QDialog,
-    QDialogButtonBox,
     QFormLayout,
     QListWidget,
     QListWidgetItem,
-    QPushButton,
     QVBoxLayout,
     QWidget,
 )
 
 from app.core.i18n import tr
+from app.core.widgets.dialog_ends import dialog_ends
 from app.core.widgets.parts import quiet
 from app.features.files.export_formats import ExportFormat
 
@@ -59,7 +58,7 @@ class ExportDialog(QDialog):
         form = QFormLayout()
         form.addRow(tr("&Tracks"), self._track_sources)
         rows.addLayout(form)
-        rows.addWidget(self._ends())
+        rows.addWidget(dialog_ends(self, tr("&Export...")))
         self._tell()
         self._list.setFocus()
 
@@ -81,16 +80,6 @@ class ExportDialog(QDialog):
         view.currentRowChanged.connect(self._tell)
         view.itemDoubleClicked.connect(self.accept)
         return view
-
-    def _ends(self) -> QDialogButtonBox:
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel, self)
-        export = QPushButton(tr("&Export..."), self)
-        export.setProperty("primary", True)
-        export.setDefault(True)
-        buttons.addButton(export, QDialogButtonBox.ButtonRole.AcceptRole)
-        buttons.accepted.connect(self.accept)
-        buttons.rejected.connect(self.reject)
-        return buttons
 
     def _tell(self) -> None:
         self._about.setText(self._formats[self._list.currentRow()].about)

@@ -11,10 +11,13 @@ from PySide6.QtWidgets import QWidget
 from app.core.controller import Controller
 from app.core.document.document import Document
 from app.core.drawing.surfaces import Surfaces
+from app.core.feature import Marker
 from app.core.i18n import tr
 from app.core.playback.playback import Playback
 from app.core.scenes import Side
 from app.core.scenes.labels import CountText, FloorLabels, PictureLabels, SuggestedPart, Tool
+from app.core.scenes.picture_marks import PictureMarks
+from app.core.tracks.frame_state import FrameState, ViewOptions
 from app.features.labelling.drawn_shapes import Shapes
 from app.features.labelling.panel import LabellingPanel
 from app.features.labelling.part_keys import PartKeys
@@ -274,6 +277,17 @@ class LabelController(Controller):
             self._parts.show_parts(left.parts, presenter.parts.choice.part)
         self._shapes.draw()
         self._panel.show_scene(self._completed(presenter.scene(frame)))
+
+    def marker(self, view_options: ViewOptions) -> Marker | None:
+        """Takes hold of what was drawn, for clips: occluders, lines and regions, uncounted."""
+        if not view_options.labels:
+            return None
+        drawn = {side: self._presenter.outlines(side) for side in (Side.LEFT, Side.RIGHT)}
+
+        def mark(marks: PictureMarks, side: Side, _: FrameState, __: int) -> PictureMarks:
+            return replace(marks, labels=PictureLabels(outlines=drawn[side]))
+
+        return mark
 
     def _completed(self, scene: LabellingScene | None) -> LabellingScene | None:
         """The scene with the suggestions, and why the last answer was not taken."""

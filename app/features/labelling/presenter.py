@@ -61,6 +61,10 @@ class LabellingPresenter:
 
     # what the views show
 
+    def outlines(self, side: Side) -> tuple[Outline, ...]:
+        """All that was drawn, in one camera."""
+        return self._drawn.picture(side, self.labels, (Tool.PARTS, -1))
+
     def picture(self, side: Side, frame: int, count_text: CountText) -> PictureLabels:
         """Everything drawn and said, in one camera; `count_text` tells what is counted at it."""
         outlines = _told(self._drawn.picture(side, self.labels, self._picked), count_text)

@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from PySide6.QtCore import QRectF
 
-from app.core.feature import FeatureContext, FeatureController, ShownFrame
+from app.core.feature import FeatureContext, FeatureController, Marker, ShownFrame
 from app.core.i18n import tr
+from app.core.scenes import Side
 from app.core.scenes.part_names import no_parts, part_name
+from app.core.scenes.picture_marks import PictureMarks
 from app.core.scenes.pictured_parts import PicturedParts
+from app.core.tracks.frame_state import FrameState, ViewOptions
 from app.features.parts.panel import CurvesPanel
+from app.features.parts.part_views import part_boxes
 from app.features.parts.presenter import PartsPresenter
 from app.features.parts.scene import Failure
 
@@ -42,6 +48,18 @@ class PartsController(FeatureController):
         self._picture.show_parts(parts)
         curves = self.presenter.curves(state) if "curves" in options.panels else None
         self._panel.show_scene(curves)
+
+    def marker(self, view_options: ViewOptions) -> Marker | None:
+        """The rectangles of the parts, without what is said of them."""
+        if not view_options.parts:
+            return None
+        part = self._labels.part
+
+        def mark(marks: PictureMarks, side: Side, state: FrameState, _: int) -> PictureMarks:
+            boxes = part_boxes(state, part) if side is Side.LEFT else ()
+            return replace(marks, parts=PicturedParts(boxes))
+
+        return mark
 
     def jump(self, step: int) -> bool:
         """Go to the next (1) or previous (-1) failure of the selected person, then of others.

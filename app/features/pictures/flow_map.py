@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QLineF, QRectF, Qt
-from PySide6.QtGui import QImage, QPainter, QPen, QPixmap
-from PySide6.QtWidgets import QWidget
+from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, QSizeF, Qt
+from PySide6.QtGui import QFont, QImage, QPainter, QPen
 
 from app.core.drawing.legend import draw_legend
 from app.core.drawing.viewport import Points, Viewport
@@ -20,28 +19,37 @@ _LEAST_PX = 7.0
 class FlowMapPainter:
     """Draws a :class:`FlowScene`; it is kept until the scene, the view or the look is another."""
 
-    def __init__(self, widget: QWidget) -> None:
-        self._widget = widget
+    def __init__(self) -> None:
         self._key: tuple[object, ...] = ()
-        self._drawn = QPixmap()
+        self._drawn = QImage()
 
-    def paint(self, painter: QPainter, scene: FlowScene, viewport: Viewport, theme: Theme) -> float:
-        """The map from its picture, then its legend in the lower left corner; where that begins."""
-        widget, ratio = self._widget, self._widget.devicePixelRatioF()
-        key = (id(scene), viewport, widget.size().toTuple(), ratio, theme.name)
+    def paint(
+        self,
+        painter: QPainter,
+        scene: FlowScene,
+        viewport: Viewport,
+        over: tuple[QSize, float, QFont],
+        theme: Theme,
+    ) -> float:
+        """The map from its picture, then its legend in the lower left corner; where that begins.
+
+        over: size of the view, pixels in one of its units, its font.
+        """
+        size, ratio, font = over
+        key = (id(scene), viewport, size.toTuple(), ratio, theme.name)
         if key != self._key:
             self._key = key
-            self._drawn = QPixmap(widget.size() * ratio)
+            self._drawn = QImage(size * ratio, QImage.Format.Format_ARGB32_Premultiplied)
             self._drawn.setDevicePixelRatio(ratio)
-            self._drawn.fill(Qt.GlobalColor.transparent)
+            self._drawn.fill(0)
             still = QPainter(self._drawn)
             still.setRenderHint(QPainter.RenderHint.Antialiasing)
             _draw_cells(still, scene, viewport)
             _draw_arrows(still, scene, viewport, theme)
             still.end()
-        painter.drawPixmap(0, 0, self._drawn)
-        painter.setFont(scaled_font(widget.font(), 0.85))
-        foot = inner_corner(painter.font(), QRectF(widget.rect()))
+        painter.drawImage(0, 0, self._drawn)
+        painter.setFont(scaled_font(font, 0.85))
+        foot = inner_corner(painter.font(), QRectF(QPointF(), QSizeF(size)))
         return foot.y() - draw_legend(painter, scene.legend, foot, theme)
 
 

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QPointF, QSize, Qt
-from PySide6.QtGui import QPainter, QPen, QPixmap, QPixmapCache
+from functools import lru_cache
+
+from PySide6.QtCore import QPointF, QSize
+from PySide6.QtGui import QColor, QImage, QPainter, QPen
 
 from app.core.drawing.viewport import Points
 from app.core.look.theme import Theme
@@ -14,25 +16,23 @@ _SIDE_PX = 10
 def draw_measured(painter: QPainter, points: Points, theme: Theme) -> None:
     """A dot at each of some places (n, 2) of the widget."""
     device = painter.device()
-    dot = _drawn(theme, device.devicePixelRatioF() if device is not None else 1.0)
+    ratio = device.devicePixelRatioF() if device is not None else 1.0
+    dot = _drawn(theme.measured.rgba(), theme.measured_rim.rgba(), ratio)
     half = QPointF(_SIDE_PX / 2, _SIDE_PX / 2)
     for x, y in points.tolist():
-        painter.drawPixmap(QPointF(x, y) - half, dot)
+        painter.drawImage(QPointF(x, y) - half, dot)
 
 
-def _drawn(theme: Theme, ratio: float) -> QPixmap:
-    """A dot drawn once: a pixmap takes a twentieth of an ellipse's time."""
-    key, kept = f"measured {theme.name} {ratio}", QPixmap()
-    if QPixmapCache.find(key, kept):
-        return kept
-    dot = QPixmap(QSize(_SIDE_PX, _SIDE_PX) * ratio)
+@lru_cache(maxsize=8)
+def _drawn(fill: int, rim: int, ratio: float) -> QImage:
+    """A dot drawn once: a picture takes a twentieth of an ellipse's time."""
+    dot = QImage(QSize(_SIDE_PX, _SIDE_PX) * ratio, QImage.Format.Format_ARGB32_Premultiplied)
     dot.setDevicePixelRatio(ratio)
-    dot.fill(Qt.GlobalColor.transparent)
+    dot.fill(0)
     painter = QPainter(dot)
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    painter.setPen(QPen(theme.measured_rim, 1.2))
-    painter.setBrush(theme.measured)
+    painter.setPen(QPen(QColor.fromRgba(rim), 1.2))
+    painter.setBrush(QColor.fromRgba(fill))
     painter.drawEllipse(QPointF(_SIDE_PX / 2, _SIDE_PX / 2), 3.2, 3.2)
     painter.end()
-    QPixmapCache.insert(key, dot)
     return dot

@@ -4,42 +4,24 @@ from __future__ import annotations
 
 import numpy as np
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt, Signal
-from PySide6.QtGui import QFontMetricsF, QPainter, QPixmap, QResizeEvent
+from PySide6.QtGui import QPainter, QResizeEvent
 from PySide6.QtWidgets import QPushButton, QWidget
 
-from app.core.drawing.compare_marks import draw_other_places
-from app.core.drawing.label_marks import (
-    draw_outline_names,
-    draw_outlines,
-    place_outline_names,
-)
-from app.core.drawing.legend import draw_legend
 from app.core.drawing.name_plates import draw_message
-from app.core.drawing.particles import darkened, draw_particles
-from app.core.drawing.people_marks import draw_fading_trail, draw_preview
 from app.core.drawing.surfaces import FloorSurface
-from app.core.drawing.truth_marks import draw_truth_places
 from app.core.i18n import tr
-from app.core.look.theme import Theme, scaled_font
-from app.core.projection.extent import unite
+from app.core.look.theme import Theme
 from app.core.scenes import FloorPerson, OverheadScene
-from app.features.pictures.floor import (
-    draw_camera,
-    draw_field_of_view,
-    draw_grid,
-    draw_scale_bar,
-    inner_corner,
+from app.features.pictures.floor_painter import (
+    FloorInput,
+    FloorMarks,
+    FloorPainter,
+    around_person,
+    floor_content,
+    person_radius,
 )
-from app.features.pictures.floor_legend import FloorLegend
-from app.features.pictures.floor_name_painter import FloorNameInput, FloorNamePainter
-from app.features.pictures.floor_people import draw_floor_ghost, draw_floor_person
-from app.features.pictures.flow_map import FlowMapPainter
-from app.features.pictures.measurement_marks import draw_measured
 
 _PICK_REACH_PX = 22.0
-_PERSON_RADIUS_M = 0.22
-_PARTICLE_RADIUS_M = 0.014
-_LEGEND_PX = 12.0  # between two of them
 _BUTTON_PX = 8  # below the button
 _GRIP_PX = 3.0  # around a person's ring
 
@@ -61,14 +43,10 @@ class OverheadView(FloorSurface):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._scene: OverheadScene | None = None
-        self._flow_drawing = FlowMapPainter(self)
         self._held: FloorPerson | None = None
         self._held_off = QPointF()
         self._dragged = False
-        self._naming = FloorNamePainter()
-        self._legend = FloorLegend()
-        self._floor_key: tuple[object, ...] = ()
-        self._floor_drawn = QPixmap()
+        self._painter = FloorPainter()
         self._explained = True
         self.setContentsMargins(12, 12, 12, 12)
         self.setAccessibleName(tr("Overhead view"))
@@ -98,9 +76,7 @@ class OverheadView(FloorSurface):
         people = self._scene.people if self._scene is not None else ()
         place = next((one.position for one in people if one.track == track), None)
         if place is not None:
-            around = QRectF(0, 0, 2 * _PERSON_RADIUS_M, 2 * _PERSON_RADIUS_M)
-            around.moveCenter(QPointF(*place))
-            self.bring_into_view(around)
+            self.bring_into_view(around_person(*place))
 
     @property
     def shows_floor(self) -> bool:
@@ -116,10 +92,7 @@ class OverheadView(FloorSurface):
 
     def content(self) -> QRectF:
         """The bounds of the scene and of the truth over it, in metres."""
-        if self._scene is None or self._scene.message:
-            return QRectF()
-        left, bottom, right, top = unite(self._scene.bounds, self._truth.bounds)
-        return QRectF(left, bottom, right - left, top - bottom)
+        return floor_content(self._scene, self._truth)
 
     def clicked_at(self, at: QPointF, extend: bool) -> None:
         """Report who and where."""
@@ -146,7 +119,7 @@ class OverheadView(FloorSurface):
         if person is None:
             return None
         apart = QLineF(self.viewport.point(*person.position), at).length()
-        return person if apart <= self._radius() + _GRIP_PX else None
+        return person if apart <= person_radius(self.viewport) + _GRIP_PX else None
 
     def drag_to(self, at: QPointF) -> None:
         """Tell where the person stands by now."""
@@ -181,10 +154,12 @@ class OverheadView(FloorSurface):
     def _person_at(self, at: QPointF) -> FloorPerson | None:
         if self._scene is None or self._scene.message:
             return None
-        named = next((track for track, plate in self._naming.plates if plate.contains(at)), 0)
+        named = next(
+            (track for track, plate in self._painter.naming.plates if plate.contains(at)), 0
+        )
         if named:  # what lies on top of people
             return next((one for one in self._scene.people if one.track == named), None)
-        reach = max(_PICK_REACH_PX, self._radius() + 4)
+        reach = max(_PICK_REACH_PX, person_radius(self.viewport) + 4)
         near = [
             (QLineF(self.viewport.point(*person.position), at).length(), person)
             for person in self._scene.people
@@ -192,92 +167,24 @@ class OverheadView(FloorSurface):
         hits = [hit for hit in near if hit[0] <= reach]
         return min(hits, key=lambda hit: hit[0])[1] if hits else None
 
-    def _radius(self) -> float:
-        return min(max(_PERSON_RADIUS_M * self.viewport.scale, 6.0), 40.0)
-
     def paint(self, painter: QPainter, theme: Theme) -> None:
-        """Floor, trails, particles, measured positions, people, plates; in this order."""
-        area, scene = QRectF(self.rect()), self._scene
-        if scene is None or scene.message:
-            text = scene.message if scene is not None else ""
-            draw_message(painter, area, text, theme)
+        """The floor and everybody on it."""
+        given = self.given(self.devicePixelRatioF())
+        if given is not None:
+            self._painter.paint(painter, given, theme)
             return
-        painter.drawPixmap(0, 0, self._floor(scene, theme))
-        foot = inner_corner(scaled_font(self.font(), 0.85), area)
-        if self._flow is not None:  # which has a legend of its own: the other stands upon it
-            top = self._flow_drawing.paint(painter, self._flow, self.viewport, theme)
-            foot.setY(top - _LEGEND_PX)
-        painter.setFont(scaled_font(self.font(), 0.92))
-        outlines = self._labels.outlines
-        draw_outlines(painter, outlines, self.viewport, theme)
-        labels = place_outline_names(QFontMetricsF(painter.font()), outlines, self.viewport, area)
-        draw_other_places(painter, self._others, self.viewport, theme, area)
-        self._draw_trails(painter, scene, theme)
-        self._draw_particles(painter, scene, theme)
-        for person in scene.ghosts:
-            draw_floor_ghost(painter, person, self.viewport, self._radius(), theme)
-        for person in scene.people:
-            draw_floor_person(painter, person, self.viewport, self._radius(), theme)
-        draw_measured(painter, self.viewport.to_widget(scene.measured), theme)
-        draw_truth_places(painter, self._truth, self.viewport, theme)
-        draw_preview(painter, scene.preview, self.viewport, theme.track)
-        draw_outline_names(painter, labels, theme)
-        self._naming.draw(painter, self._floored(scene), theme)
-        painter.setFont(scaled_font(self.font(), 0.85))
-        told = draw_legend(painter, self._truth.legend, foot, theme)
-        if self._explained and self._flow is None:
-            above = foot - QPointF(0, told + _LEGEND_PX) if told else foot
-            self._legend.draw(painter, scene, above, area, self._taken(scene), theme)
-        unit = tr("m, roughly") if scene.rough else tr("m")
-        draw_scale_bar(painter, area, self.viewport, theme, unit)
+        text = self._scene.message if self._scene is not None else ""
+        draw_message(painter, QRectF(self.rect()), text, theme)
 
-    def _taken(self, scene: OverheadScene) -> list[QRectF]:
-        """Where people and their names are drawn."""
-        side = 2 * self._radius()
-        places = [self.viewport.point(*person.position) for person in scene.people]
-        rings = [QRectF(at.x() - side / 2, at.y() - side / 2, side, side) for at in places]
-        return rings + [plate for _, plate in self._naming.plates]
+    def given(self, ratio: float, kept: bool = True) -> FloorInput | None:
+        """All that decides how the floor looks now; None where there is none to see.
 
-    def _floor(self, scene: OverheadScene, theme: Theme) -> QPixmap:
-        """What does not move, drawn again only where the view or the look is another."""
-        ratio = self.devicePixelRatioF()
-        seen = scene.field_of_view.tobytes()
-        key = (self.viewport, self.size().toTuple(), ratio, theme.name, seen, self.font().key())
-        if key != self._floor_key:
-            self._floor_key = key
-            self._floor_drawn = QPixmap(self.size() * ratio)
-            self._floor_drawn.setDevicePixelRatio(ratio)
-            self._floor_drawn.fill(theme.sunken)
-            painter = QPainter(self._floor_drawn)
-            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-            painter.setFont(scaled_font(self.font(), 0.85))
-            draw_grid(painter, QRectF(self.rect()), self.viewport, theme)
-            draw_field_of_view(painter, scene.field_of_view, self.viewport, theme)
-            draw_camera(painter, scene.camera, self.viewport, theme, scene.looks_down)
-            painter.end()
-        return self._floor_drawn
-
-    def _floored(self, scene: OverheadScene) -> FloorNameInput:
-        area, font = QRectF(self.rect()), self.font()
-        return FloorNameInput(scene, self._truth, self.viewport, self._radius(), area, font)
-
-    def _draw_trails(self, painter: QPainter, scene: OverheadScene, theme: Theme) -> None:
-        for person in scene.people:
-            points = self.viewport.to_widget(person.trail)
-            width = 3.0 if person.selected else 2.0
-            draw_fading_trail(painter, points, theme.track(person.colour), width)
-
-    def _draw_particles(self, painter: QPainter, scene: OverheadScene, theme: Theme) -> None:
-        if not len(scene.particles):
-            return
-        ratio, colours = self.devicePixelRatioF(), scene.particle_colours
-        radius_px = min(max(_PARTICLE_RADIUS_M * self.viewport.scale, 1.3), 2.6)
-        draw_particles(
-            painter,
-            self.viewport.to_widget(scene.particles) * ratio,
-            colours if theme.is_dark else darkened(colours),
-            scene.particle_weights,
-            (round(self.width() * ratio), round(self.height() * ratio)),
-            radius_px * ratio,
-            ratio,
+        ratio: pixels in one unit of the view. kept: see `FloorInput`.
+        """
+        if self._scene is None or self._scene.message:
+            return None
+        marks = FloorMarks(self._labels, self._others, self._truth, self._flow)
+        size, font = self.size(), self.font()
+        return FloorInput(
+            self._scene, marks, self.viewport, size, ratio, font, self._explained, kept
         )

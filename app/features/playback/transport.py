@@ -18,12 +18,11 @@ from PySide6.QtWidgets import (
 from app.core.i18n import tr
 from app.core.look.icons import IconButton
 from app.core.look.theme import current_theme, scaled_font
+from app.core.playback.clock import SPEEDS
 from app.core.scenes import TransportScene
 from app.core.widgets.literal import literal
 from app.core.widgets.parts import Swatch, quiet
 from app.features.playback.room_left import RoomLeft
-
-SPEEDS = (0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0)
 
 
 def clock_text(time_s: float) -> str:
@@ -183,8 +182,8 @@ class TransportBar(QFrame):
             name = tr("Pause") if scene.playing else tr("Play")
             self._play.setAccessibleName(name)
             self._play.setToolTip(tr("{0}  (Space)").format(name))
-        if before is None or before.speed != scene.speed:
-            self._show_speed(scene.speed)
+        if before is None or (before.speed, before.loops) != (scene.speed, scene.loops):
+            self._show_speed(scene.speed, scene.loops)
         if before is None or before.tracker != scene.tracker:
             self._tracker.setText(literal(scene.tracker))
             self._tracker.setVisible(bool(scene.tracker))
@@ -258,9 +257,12 @@ class TransportBar(QFrame):
         self._frame.setFixedWidth(metrics.horizontalAdvance(digits) + 22)
         self._count.setText(tr("/ {0}").format(scene.frame_count))
 
-    def _show_speed(self, speed: float) -> None:
-        self._speed.setText(self._speed_text(speed))
-        self._speed.setAccessibleName(tr("Speed: {0}").format(self._speed_text(speed)))
+    def _show_speed(self, speed: float, loops: bool) -> None:
+        text = self._speed_text(speed)
+        if loops:
+            text = tr("{speed}, loop", speed=text)
+        self._speed.setText(text)
+        self._speed.setAccessibleName(tr("Speed: {0}").format(text))
         if speed in self._speed_actions:
             self._speed_actions[speed].setChecked(True)
 

@@ -256,9 +256,14 @@ class ReviewController(Controller):
             return
         if not clock.playing:
             self._play_until = None
-        elif clock.frame >= self._play_until - 1:
+        elif clock.frame >= self._play_until - 1 and not self._loops_over(self._play_until):
             self._play_until = None
             self._playback.pause()
+
+    def _loops_over(self, end: int) -> bool:
+        """Whether the end of a stretch is where a loop begins again."""
+        loop = self._playback.clock.loop
+        return loop is not None and loop[0] < end <= loop[1]
 
     def _watch(self) -> None:
         self.watching.saw(self._playback.number)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from PySide6.QtCore import QItemSelectionModel, Qt, Signal
+from PySide6.QtCore import QItemSelectionModel, Qt, Signal, SignalInstance
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -24,6 +24,7 @@ from app.core.i18n import tr
 from app.core.jobs.jobs import Job
 from app.core.scenes.score_figures import Figure
 from app.core.widgets.parts import quiet
+from app.core.widgets.work_line import WorkLine
 from app.features.runs.presenter import CORRECTED, RUN_FIGURES, RunList, RunRow, RunsScene
 from tracking.scoring import Score
 
@@ -41,11 +42,13 @@ class RunsDialog(QDialog):
 
     Signals:
         compare_asked(int, int): a run with another one, or with `CORRECTED`.
+        beside_asked(int, int): the same, with the pictures divided between the two.
         correct_asked(int): have this run's tracks be the ones to correct.
         drop_asked(int): forget the last run.
     """
 
     compare_asked = Signal(int, int)
+    beside_asked = Signal(int, int)
     correct_asked = Signal(int)
     drop_asked = Signal(int)
 
@@ -65,6 +68,9 @@ class RunsDialog(QDialog):
         rows.addWidget(self._table, 1)
         rows.addLayout(self._build_frames())
         rows.addWidget(self._about)
+        self._working = WorkLine(tr("Cancel scoring the runs"), self)
+        self._working.cancelled.connect(self._cancel_scoring)
+        rows.addWidget(self._working)
         rows.addLayout(self._build_buttons())
         self._show(self._scene)
         line = self.fontMetrics().height()
@@ -121,7 +127,11 @@ class RunsDialog(QDialog):
         self._compare = QPushButton(tr("Compare"), self)
         self._compare.setProperty("primary", True)
         self._compare.setDefault(True)
-        self._compare.clicked.connect(self._ask_compare)
+        self._compare.clicked.connect(lambda: self._ask_compare(self.compare_asked))
+        self._beside = QPushButton(tr("Side by side"), self)
+        self._beside.setAutoDefault(False)
+        self._beside.setAccessibleName(tr("Compare side by side in the pictures"))
+        self._beside.clicked.connect(lambda: self._ask_compare(self.beside_asked))
         self._correct = QPushButton(tr("Correct this run"), self)
         self._correct.setAutoDefault(False)
         self._correct.clicked.connect(self._ask_correct)
@@ -136,6 +146,7 @@ class RunsDialog(QDialog):
         line.addStretch(1)
         line.addWidget(close)
         line.addWidget(self._correct)
+        line.addWidget(self._beside)
         line.addWidget(self._compare)
         return line
 
@@ -197,6 +208,8 @@ class RunsDialog(QDialog):
         said = why_not[runs[0]] if len(runs) == 1 and len(chosen) <= 2 else ""
         self._compare.setEnabled(len(chosen) in (1, 2) and bool(runs) and not said)
         self._compare.setToolTip(said)
+        self._beside.setEnabled(self._compare.isEnabled())
+        self._beside.setToolTip(said)
         if len(runs) == 2:
             text = tr("Compares the two runs; you can take differences from either.")
         elif runs and len(chosen) <= 2:
@@ -230,12 +243,12 @@ class RunsDialog(QDialog):
         self._show(self._runs.scene())
         self._score()
 
-    def _ask_compare(self) -> None:
+    def _ask_compare(self, asked: SignalInstance) -> None:
         chosen = self.chosen
         runs = [number for number in chosen if number != CORRECTED]
         if runs:
             self.accept()
-            self.compare_asked.emit(runs[-1], runs[0] if len(runs) == 2 else CORRECTED)
+            asked.emit(runs[-1], runs[0] if len(runs) == 2 else CORRECTED)
 
     def _ask_drop(self) -> None:
         self.drop_asked.emit(self._scene.rows[-1].number)
@@ -248,11 +261,18 @@ class RunsDialog(QDialog):
         job = Job("scoring the runs", work, self)
         job.done.connect(self._take)
         job.failed.connect(lambda error: self._end(explain(error)))
-        job.cancelled.connect(self._end)
+        job.cancelled.connect(lambda: self._end(tr("Not scored: you cancelled it")))
+        doing = tr("Scoring...")
+        job.progressed.connect(lambda n, total: self._working.show_work(doing, n / max(total, 1)))
         self._job = job
-        self._about.setText(tr("Scoring..."))
+        self._about.setText(doing)
+        self._working.show_work(doing)
         self._share.setEnabled(False)
         job.start()
+
+    def _cancel_scoring(self) -> None:
+        if self._job is not None:
+            self._job.cancel()
 
     def _take(self, figures: Mapping[int, Score]) -> None:
         self._runs.take(figures)
@@ -263,6 +283,7 @@ class RunsDialog(QDialog):
         if self._job is not None:
             self._job.deleteLater()
             self._job = None
+        self._working.show_work("")
         self._share.setEnabled(True)
         self._enable()
         if said:

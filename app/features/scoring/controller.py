@@ -9,12 +9,14 @@ from pathlib import Path
 from PySide6.QtCore import Qt, Signal
 
 from app.core.document.track_sources import SHOWN
-from app.core.feature import FeatureContext, FeatureController, ShownFrame
+from app.core.feature import FeatureContext, FeatureController, Marker, ShownFrame
 from app.core.i18n import N_, joined_text, tr
 from app.core.jobs.latest_job import LatestJob
 from app.core.plots.axis import TimeAxis
 from app.core.scenes import Side
 from app.core.scenes.ground_truth import NO_TRUTH
+from app.core.scenes.picture_marks import PictureMarks
+from app.core.tracks.frame_state import FrameState, ViewOptions
 from app.features.scoring.panel import ScorePanel
 from app.features.scoring.presenter import ScoringPresenter
 from app.features.scoring.subject import ScoreResult, ScoreSubject, score_subject
@@ -81,6 +83,17 @@ class ScoreController(FeatureController):
             self._draw_truth(shown)
         else:
             self._show_nothing()
+
+    def marker(self, view_options: ViewOptions) -> Marker | None:
+        """The truth, where it is shown."""
+        people = self.presenter.people if view_options.truth else None
+        if people is None:
+            return None
+
+        def mark(marks: PictureMarks, side: Side, state: FrameState, _: int) -> PictureMarks:
+            return replace(marks, truth=people.picture(side, state))
+
+        return mark
 
     def _ask(self) -> bool:
         """Have scored what is wanted; whether there is anything to be."""

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
     QHelpEvent,
+    QImage,
     QMouseEvent,
     QPainter,
     QPaintEvent,
@@ -22,6 +23,7 @@ from app.core.plots.axis import TimeAxis
 from app.core.scenes import TimelineScene
 from app.core.widgets.still_picture import StillPicture
 from app.features.timeline.overview_picture import draw_band, draw_overview
+from app.features.timeline.thumbnail import ThumbnailPopup
 
 _NOTCH, _ZOOM_PER_NOTCH = 120.0, 1.25
 
@@ -32,11 +34,13 @@ class OverviewStrip(QWidget):
     Signals:
         frame_sought(int): a click or drag. window_sought(int): the lanes shall show that frame.
         zoomed(float): the wheel; closer by a factor.
+        hovered(int): the mouse rests on a frame; -1: on none any more.
     """
 
     frame_sought = Signal(int)
     window_sought = Signal(int)
     zoomed = Signal(float)
+    hovered = Signal(int)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -44,6 +48,9 @@ class OverviewStrip(QWidget):
         self._shown: TimeAxis | None = None
         self._still = StillPicture(self)
         self._review_items: NDArray[np.int64] = np.zeros(0, np.int64)
+        self._over = -1
+        self.thumbnail = ThumbnailPopup(self)
+        self.setMouseTracking(True)
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self.setAccessibleName(tr("Overview of the whole recording"))
 
@@ -67,6 +74,19 @@ class OverviewStrip(QWidget):
             self._still.forget()
         self._shown = axis
         self.update()
+
+    def show_thumbnail(self, image: QImage) -> None:
+        """Show the picture of the frame under the mouse, which was asked for."""
+        if self._scene is None or self._over < 0:
+            return
+        time_s = self._over / max(self._scene.fps, 1e-6)
+        words = tr("frame {0}, {1}").format(self._over, time_text(time_s))
+        self.thumbnail.show_at(self._axis().x_of(self._over + 0.5), words, image)
+
+    def hide_thumbnail(self) -> None:
+        """Nothing is under the mouse."""
+        self._over = -1
+        self.thumbnail.hide()
 
     def sizeHint(self) -> QSize:  # noqa: N802 - Qt's name
         """Two lines of text high."""
@@ -166,6 +186,23 @@ class OverviewStrip(QWidget):
     def mouseMoveEvent(self, event: QMouseEvent) -> None:  # noqa: N802
         """Go on while dragging."""
         self._seek(event)
+        self._hover(event)
+
+    def leaveEvent(self, event: QEvent) -> None:  # noqa: N802
+        """The mouse is elsewhere."""
+        super().leaveEvent(event)
+        self.hide_thumbnail()
+        self.hovered.emit(-1)
+
+    def _hover(self, event: QMouseEvent) -> None:
+        """Ask for the picture there; while a button is held the views show that very frame."""
+        inside = event.position().x() >= self._axis().left and not event.buttons()
+        over = self._axis().frame_at(event.position().x()) if inside else -1
+        if over < 0:
+            self.hide_thumbnail()
+        elif over != self._over:
+            self._over = over
+            self.hovered.emit(over)
 
     def _seek(self, event: QMouseEvent) -> None:
         held, button = event.buttons(), Qt.MouseButton

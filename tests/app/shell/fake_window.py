@@ -32,6 +32,7 @@ def window_app(**given: Any) -> Any:
         else None,
         tracks=SimpleNamespace(ids=(1,) if now["tracks"] else ()),
         selection=bool(now["selected"]),
+        correcting=SimpleNamespace(marked=None),
         flow=None,
         in_the_way=now["in_the_way"],
         shows_further_run=now["further"],
@@ -74,8 +75,13 @@ def window_app(**given: Any) -> Any:
             comparing=SimpleNamespace(shown=False),
             tracking=SimpleNamespace(best="flow", why_not="", following=SimpleNamespace(on=False)),
             live=SimpleNamespace(stopping=False),
+            playback=SimpleNamespace(clock=SimpleNamespace(loop=None, event=None)),
         ),
-        files=SimpleNamespace(detectors=detectors, projects=projects),
+        files=SimpleNamespace(
+            detectors=detectors,
+            projects=projects,
+            beside=SimpleNamespace(compares=False, share=None),
+        ),
         window=SimpleNamespace(look_choice=SimpleNamespace(look=None)),
     )
 

@@ -73,7 +73,7 @@ def test_what_a_format_does_not_hold_stays_said_until_it_is_read(
     window.files.exporting.tracks_to(tmp_path / "tracks.txt", "pedpy-txt")
     at_rest(window, qtbot)
     assert "PedPy text has none: boxes, velocities" in window.notice.text
-    assert window.statusBar().currentMessage().startswith("Exported: ")
+    assert window.notice.text.startswith("Exported: ")
 
 
 def test_an_export_that_was_cancelled_writes_nothing(

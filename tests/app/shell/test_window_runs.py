@@ -3,8 +3,11 @@
 from dataclasses import replace
 
 import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
 from shifted_runs import boxes, items, place
 
+from app.features.pictures.divider import halves
 from app.features.runs.presenter import CORRECTED
 from app.features.runs.runs_dialog import RunsDialog
 from app.shell.again import show_runs
@@ -227,3 +230,37 @@ def test_runs_open_with_the_table_in_use_and_a_run_chosen_that_is_not_corrected(
     assert dialog.focusWidget() is dialog._table
     assert dialog._table.currentRow() == 1
     dialog.reject()
+
+
+def test_two_runs_are_compared_side_by_side_in_the_picture(
+    window, controller, qtbot, tiny_run, monkeypatch
+):
+    controller.document.session.add_run(replace(tiny_run, seed=7), adopt=False)
+    window.run_command("tracks.runs")
+    dialog = window.findChild(RunsDialog)
+    dialog.choose(0, 1)
+    dialog._beside.click()
+    left = window.workspace.left
+    qtbot.waitUntil(lambda: left._divider is not None)
+    assert left._divider.share == 0.5
+    assert left._divider.left.startswith("run 0")
+    assert left._divider.right.startswith("run 1")
+    given = left._pictured()
+    place = left.viewport.rect(left.content())
+    own, other = halves(given.marks.divider, place, given.shown)
+    assert own.right() == pytest.approx(other.left()) == pytest.approx(place.center().x())
+    middle = place.center().toPoint()
+    QTest.mousePress(left, Qt.MouseButton.LeftButton, pos=middle)
+    QTest.mouseMove(left, middle + QPoint(40, 0))
+    QTest.mouseMove(left, middle + QPoint(60, 0))
+    QTest.mouseRelease(left, Qt.MouseButton.LeftButton, pos=middle + QPoint(60, 0))
+    qtbot.waitUntil(lambda: left._divider.share > 0.51)
+    assert left._divider.share == pytest.approx(0.5 + 60 / place.width(), abs=0.02)
+    before = left._divider.share
+    window.run_command("view.divide_left")
+    assert left._divider.share == pytest.approx(before - 0.05)
+    window.run_command("view.divide")
+    assert left._divider is None
+    controller.comparing.close()
+    window.bring_up_to_date()
+    assert not window.menus.actions["view.divide"].isEnabled()

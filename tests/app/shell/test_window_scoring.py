@@ -91,7 +91,8 @@ def test_a_report_is_written_into_a_folder_of_its_own(window, scored, qtbot, tmp
     mota = scored.of(ScoreController).presenter.scored.whole.clear.mota
     assert f'"MOTA": {mota}' in json.dumps(told)
     assert "Corrected tracks" in (folder / "report.html").read_text()
-    assert str(folder / "report.html") in window.statusBar().currentMessage()
+    assert str(folder / "report.html") in window.notice.text
+    assert window.notice.action_text == "Open"
 
 
 def test_a_report_can_be_had_before_anything_was_scored(window, controller, qtbot, tmp_path):

@@ -88,8 +88,8 @@ def test_shuttling_back_stops_at_the_start(clock):
 def test_speed_goes_up_and_down_the_steps_and_stays_in_range(clock):
     clock.change_speed(1)
     assert clock.speed == 2.0
-    clock.change_speed(-5)
-    assert clock.speed == 0.25
+    clock.change_speed(-6)
+    assert clock.speed == 0.1
     clock.set_speed(99)
     assert clock.speed == 8.0
 
@@ -111,3 +111,72 @@ def test_the_frame_is_always_within_the_recording(steps, frame_count):
     for name, value in steps:
         getattr(clock, name)(value)
         assert 0 <= clock.frame < frame_count
+
+
+def test_a_loop_begins_again_where_it_ends_and_loses_no_time(clock):
+    clock.loop = (10, 20)
+    clock.play()
+    assert clock.frame == 10  # it began outside
+    clock.advance(0.45)
+    assert clock.frame == 19
+    clock.advance(0.1)
+    assert (clock.frame, clock.playing) == (11, True)
+
+
+def test_a_loop_backwards_goes_on_at_its_end(clock):
+    clock.loop = (10, 20)
+    clock.seek(12)
+    clock.shuttle(-1)
+    clock.advance(0.2)
+    assert (clock.frame, clock.playing) == (18, True)
+
+
+def test_a_loop_over_the_whole_recording_never_stops(clock):
+    clock.loop = (0, 100)
+    clock.seek(95)
+    clock.play()
+    frames = []
+    for _ in range(20):
+        clock.advance(0.05)
+        frames.append(clock.frame)
+    assert clock.playing
+    assert frames[:5] == [96, 97, 98, 99, 0]
+
+
+def test_who_plays_behind_a_loop_plays_on(clock):
+    clock.loop = (10, 20)
+    clock.play()
+    clock.seek(50)
+    clock.advance(0.5)
+    assert clock.frame == 60
+
+
+def test_motion_is_slow_near_an_event_and_as_chosen_before_and_after(clock):
+    clock.event, clock.speed = 50, 2.0
+    clock.seek(20)
+    clock.play()
+    assert clock.pace == 2.0
+    clock.advance(0.25)
+    assert clock.frame == 30
+    clock.seek(50)
+    assert clock.pace == 0.25
+    clock.advance(0.4)
+    assert clock.frame == 52
+    clock.seek(80)
+    clock.advance(0.5)
+    assert clock.frame == 99
+
+
+def test_a_late_tick_does_not_leap_over_an_event(clock):
+    clock.event = 50
+    clock.seek(34)
+    clock.play()
+    clock.advance(0.5)  # it would be frame 44 without: slow from frame 35 on
+    assert 35 <= clock.frame <= 38
+
+
+def test_slow_motion_never_makes_faster(clock):
+    clock.event, clock.speed = 50, 0.1
+    clock.seek(50)
+    clock.play()
+    assert clock.pace == 0.1

@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 from PySide6.QtCore import QPointF, QRectF
 
 from app.features.pictures.floor_names import WantedName, discs, place_floor_names
+from app.features.pictures.floor_painter import person_radius
 from app.features.pictures.overhead_view import OverheadView
 
 AREA = QRectF(0, 0, 400, 300)
@@ -81,7 +82,7 @@ def test_a_name_overhead_hides_no_other_ring(qtbot, dark):
     view.show_scene(overhead(floor_person(12, (0, 5)), floor_person(2, (0.5, 5.45))))
     view.grab()
     ring = view.viewport.point(0.5, 5.45)
-    assert len(view._naming.plates) == 2
-    for _, plate in view._naming.plates:
-        assert apart(plate, ring.x(), ring.y()) >= view._radius()
+    assert len(view._painter.naming.plates) == 2
+    for _, plate in view._painter.naming.plates:
+        assert apart(plate, ring.x(), ring.y()) >= person_radius(view.viewport)
         assert view.rect().contains(QPointF(plate.center()).toPoint())

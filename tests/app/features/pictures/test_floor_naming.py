@@ -38,7 +38,7 @@ def show(view, places, truth) -> None:
 
 def test_names_of_a_truth_and_of_tracks_at_the_same_places_lie_on_none_of_each_other(view):
     show(view, HEAP, tuple(true_person(*one) for one in enumerate(HEAP, 1)))
-    people, truth = view._naming.plates, view._naming.truth_plates
+    people, truth = view._painter.naming.plates, view._painter.naming.truth_plates
     assert len(people) == len(truth) == len(HEAP)
     rects = [rect for _, rect in (*people, *truth)]
     assert not any(one.intersects(other) for one, other in combinations(rects, 2))
@@ -47,7 +47,7 @@ def test_names_of_a_truth_and_of_tracks_at_the_same_places_lie_on_none_of_each_o
 def test_a_name_of_the_truth_hides_no_ring_and_one_of_a_track_no_cross(view):
     crosses = [(x + 0.5, y + 0.2) for x, y in HEAP]
     show(view, HEAP, tuple(true_person(*one) for one in enumerate(crosses, 1)))
-    rects = [rect for _, rect in (*view._naming.plates, *view._naming.truth_plates)]
+    rects = [rect for _, rect in (*view._painter.naming.plates, *view._painter.naming.truth_plates)]
     assert rects
     for at in (*HEAP, *crosses):
         middle = view.viewport.point(*at)
@@ -58,7 +58,7 @@ def test_who_is_missed_is_named_before_anybody_who_is_found(view):
     crowd = [(x / 4, y / 4) for x in range(-20, 20) for y in range(40)]
     missed = true_person(9, (0.1, 5.1), ErrorKind.MISS)
     show(view, crowd, (true_person(8, (0.6, 5.1)), missed))
-    assert [name for name, _ in view._naming.truth_plates] == ["T9"]
+    assert [name for name, _ in view._painter.naming.truth_plates] == ["T9"]
 
 
 def test_names_are_placed_once_for_a_picture_that_is_painted_again(view, monkeypatch):

@@ -12,6 +12,7 @@ from app.core.scenes import LegendEntry, PreviewTrail
 from app.core.scenes.flow_map import FlowScene
 from app.core.scenes.ground_truth import FlooredTruth
 from app.features.pictures.floor import nice_step
+from app.features.pictures.floor_painter import person_radius
 from app.features.pictures.overhead_view import OverheadView
 
 LEFT = Qt.MouseButton.LeftButton
@@ -43,7 +44,7 @@ def test_a_click_picks_the_nearest_person(view, qtbot):
 def test_a_click_on_a_number_picks_whose_it_is(view, qtbot):
     view.show_scene(overhead(floor_person(3, (0, 5)), floor_person(4, (0, 5.02))))
     view.grab()
-    spots = dict(view._naming.plates)
+    spots = dict(view._painter.naming.plates)
     for track in (3, 4):
         with qtbot.waitSignal(view.track_picked) as picked:
             qtbot.mouseClick(view, LEFT, pos=spots[track].center().toPoint())
@@ -129,7 +130,7 @@ def test_the_dashes_of_who_is_not_seen_stand_out_among_the_particles(view, drawn
     view.show_scene(
         overhead(person, particles=cloud, particle_colours=red, particle_weights=np.ones(9000))
     )
-    shot, at, radius = drawn(view), view.viewport.point(0, 5), view._radius()
+    shot, at, radius = drawn(view), view.viewport.point(0, 5), person_radius(view.viewport)
     round_it = np.linspace(0, 2 * np.pi, 200)
     ring = [
         shot.pixelColor((at + radius * QPointF(np.cos(one), np.sin(one))).toPoint())

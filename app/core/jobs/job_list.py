@@ -1,0 +1,126 @@
+"""All long work of the window: what runs, how far it is, and what came of what ended."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from enum import Enum, auto
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Signal
+
+_MOST_ENDED = 20
+"""Of what ended so many are remembered."""
+_BRIEF_S = 2.0
+_TELL_LEFT_AFTER_S = 1.0
+
+
+class JobState(Enum):
+    """Where a job stands."""
+
+    RUNS = auto()
+    DONE = auto()
+    STOPPED = auto()
+    FAILED = auto()
+
+
+@dataclass(frozen=True, slots=True)
+class JobLine:
+    """One job as the list shows it.
+
+    Attributes:
+        number: of the job, never used again. title: what it does.
+        share: done, 0..1; None where that is not known. seconds_left: None likewise.
+        cancel: asks it to stop; None where it cannot be.
+        place: the file or folder that came of it. word: why it failed.
+    """
+
+    number: int
+    title: str
+    state: JobState = JobState.RUNS
+    share: float | None = None
+    seconds_left: float | None = None
+    cancel: Callable[[], object] | None = None
+    place: Path | None = None
+    word: str = ""
+
+    @property
+    def runs(self) -> bool:
+        """Whether it is at work."""
+        return self.state is JobState.RUNS
+
+
+class JobList(QObject):
+    """Keeps a line for each job; whoever runs it tells how far it is.
+
+    Signals: `changed()`, one began, moved or ended.
+    """
+
+    changed = Signal()
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._lines: dict[int, JobLine] = {}
+        self._began_s: dict[int, float] = {}
+        self._next = 1
+
+    @property
+    def lines(self) -> tuple[JobLine, ...]:
+        """Those that run, in the order they began; then those that ended, the last one first."""
+        running = [one for one in self._lines.values() if one.runs]
+        ended = [one for one in self._lines.values() if not one.runs]
+        return (*running, *reversed(ended))
+
+    @property
+    def running(self) -> tuple[JobLine, ...]:
+        """Those at work."""
+        return tuple(one for one in self._lines.values() if one.runs)
+
+    def begin(self, title: str, cancel: Callable[[], object] | None = None) -> int:
+        """A job begins; its number, by which it is told of from now on."""
+        number, self._next = self._next, self._next + 1
+        self._lines[number] = JobLine(number, title, cancel=cancel)
+        self._began_s[number] = time.monotonic()
+        self.changed.emit()
+        return number
+
+    def progress(self, number: int, done: int, total: int) -> None:
+        """So many of its steps are done."""
+        if total <= 0 or number not in self._began_s:
+            return
+        passed_s = time.monotonic() - self._began_s[number]
+        known = done > 0 and passed_s > _TELL_LEFT_AFTER_S
+        self.show(number, done / total, passed_s * (total - done) / done if known else None)
+
+    def show(self, number: int, share: float | None, seconds_left: float | None) -> None:
+        """It is so far, whoever worked that out."""
+        line = self._lines.get(number)
+        if line is not None and line.runs:
+            self._lines[number] = replace(line, share=share, seconds_left=seconds_left)
+            self.changed.emit()
+
+    def end(self, number: int, state: JobState, place: Path | None = None, word: str = "") -> None:
+        """It has ended; what ended goes behind all that ended before, and the oldest goes.
+
+        What was done in a moment, with nothing to open, is not worth a line any more.
+        """
+        line, began_s = self._lines.pop(number, None), self._began_s.pop(number, 0.0)
+        if line is None:
+            return
+        brief = time.monotonic() - began_s < _BRIEF_S and place is None
+        if brief and state is not JobState.FAILED:
+            self.changed.emit()
+            return
+        self._lines[number] = replace(
+            line, state=state, seconds_left=None, cancel=None, place=place, word=word
+        )
+        ended = [one.number for one in self._lines.values() if not one.runs]
+        for old in ended[:-_MOST_ENDED]:
+            del self._lines[old]
+        self.changed.emit()
+
+    def forget(self) -> None:
+        """Forget what ended."""
+        self._lines = {number: one for number, one in self._lines.items() if one.runs}
+        self.changed.emit()

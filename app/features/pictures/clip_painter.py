@@ -1,0 +1,230 @@
+"""The pictures of a clip, painted off the GUI thread."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QPointF, QRectF, QSize, QSizeF
+from PySide6.QtGui import QFont, QFontMetricsF, QImage, QPainter
+
+from app.core.drawing.name_plates import draw_note, note_size
+from app.core.drawing.viewport import Viewport
+from app.core.i18n import time_text, tr
+from app.core.projection.right_image import boxes_in_right_image
+from app.core.projection.trails import floor_points
+from app.core.scenes import Side
+from app.core.tracks.frame_state import NO_OVERLAY, FrameState, PictureOverlay
+from app.features.pictures.clip import ClipChoice, ClipSource
+from app.features.pictures.clip_crop import follow
+from app.features.pictures.floor_painter import FloorInput, FloorMarks, FloorPainter
+from app.features.pictures.overhead_presenter import OverheadPresenter
+from app.features.pictures.overlays import OverlayPainter
+from app.features.pictures.picture_painter import (
+    PictureInput,
+    PicturePainter,
+    image_from_bgr,
+    image_from_rgba,
+)
+from app.features.pictures.presenter import PicturePresenter
+from app.features.pictures.ramp_overlay import RampPainter
+from tracking.errors import EditError
+from tracking.recording import StereoFrame
+from tracking.tracks import Columns
+from tracking.tracks.columns import box_columns, boxes_of
+
+Bgr = NDArray[np.uint8]
+
+_LINES = 34
+"""So many lines of text are as high as the clip: names can be read and hide little."""
+_LEAST_FONT_PX, _EDGE_PX = 9, 6.0
+_FLOOR_ASPECT = (0.6, 1.4)
+"""The floor is at least, and at most, so much wider than high."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Pane:
+    """A part of the clip: where it stands, what draws it."""
+
+    rect: QRectF
+    draw: Callable[[QPainter, QRectF, StereoFrame, FrameState], None]
+
+
+class ClipPainter:
+    """Paints one picture after the other, of frames in order.
+
+    Attributes:
+        size: width and height of the pictures in px; both even, as videos want them.
+
+    Raises:
+        EditError: the person to be followed is not in the range.
+        CalibrationError: what is laid over the pictures cannot be made of this recording.
+    """
+
+    def __init__(self, source: ClipSource, choice: ClipChoice) -> None:
+        self._source, self._choice = source, choice
+        self._options = choice.view_options(source.view_options)
+        self._pictures = PicturePresenter(source.recording)
+        self._painters = {side: PicturePainter() for side in (Side.LEFT, Side.RIGHT)}
+        self._floor, self._overhead = FloorPainter(), OverheadPresenter(source.recording)
+        self._overlay = self._begin_overlay()
+        self._parts = {side: self._followed(side) for side in self._sides}
+        self._font = QFont(source.font)
+        self._font.setPixelSize(max(_LEAST_FONT_PX, round(choice.height_px / _LINES)))
+        self._panes, width = self._lay_out()
+        self.size = (_even(width), _even(choice.height_px))
+
+    def paint(self, frame: StereoFrame) -> Bgr:
+        """(height, width, 3) the frame with everything over it."""
+        image = QImage(QSize(*self.size), QImage.Format.Format_RGB32)
+        image.fill(self._source.theme.sunken)
+        state = self._source.state_at(frame.number)
+        painter = QPainter(image)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        for pane in self._panes:
+            painter.save()
+            painter.translate(pane.rect.topLeft())
+            area = QRectF(QPointF(), pane.rect.size())
+            painter.setClipRect(area)
+            pane.draw(painter, area, frame, state)
+            painter.restore()
+        if self._choice.stamp:
+            self._draw_stamp(painter, frame)
+        painter.end()
+        return _as_bgr(image)
+
+    @property
+    def _sides(self) -> tuple[Side, ...]:
+        both = self._choice.right and self._source.recording.is_stereo
+        return (Side.LEFT, Side.RIGHT) if both else (Side.LEFT,)
+
+    # where everything stands
+
+    def _lay_out(self) -> tuple[list[_Pane], float]:
+        """The panes side by side, all as high as the clip; how wide they are together."""
+        panes, x, high = [], 0.0, float(_even(self._choice.height_px))
+        for side in self._sides:
+            size = QSizeF(high * self._aspect(side), high)
+            panes.append(_Pane(QRectF(QPointF(x, 0), size), self._drawn_picture(side)))
+            x += size.width()
+        if self._choice.floor and self._source.recording.view is not None:
+            left, bottom, right, top = self._source.bounds
+            aspect = float(np.clip((right - left) / max(top - bottom, 1e-6), *_FLOOR_ASPECT))
+            panes.append(_Pane(QRectF(x, 0, round(high * aspect), high), self._draw_floor))
+            x += round(high * aspect)
+        return panes, x
+
+    def _aspect(self, side: Side) -> float:
+        parts = self._parts[side]
+        width, height = self._source.recording.size if parts is None else parts[0, 2:].tolist()
+        return float(width / height)
+
+    def _followed(self, side: Side) -> NDArray[np.float64] | None:
+        """The part of a camera's picture in each frame; None: all of it."""
+        choice, recording = self._choice, self._source.recording
+        if not choice.follow:
+            return None
+        rows = self._source.tracks.of_track(choice.follow)
+        if side is Side.RIGHT:
+            rows = self._seen_right(rows)
+        parts = follow(rows, (choice.start, choice.stop), recording.size, recording.fps)
+        if parts is None and side is Side.LEFT:
+            raise EditError("Person {track} is not in these frames", track=choice.follow)
+        return parts
+
+    def _seen_right(self, rows: Columns) -> Columns:
+        """The rows with boxes of the right camera; as they are where that cannot be known."""
+        rig = self._source.recording.rectification
+        if rig is None or self._source.recording.ground is None:
+            return rows
+        every = np.ones(len(rows["frame"]), bool)
+        boxes = boxes_in_right_image(rig, boxes_of(rows, every), floor_points(rows))
+        return {**rows, **box_columns(boxes)}
+
+    # drawing
+
+    def _drawn_picture(
+        self, side: Side
+    ) -> Callable[[QPainter, QRectF, StereoFrame, FrameState], None]:
+        def draw(painter: QPainter, area: QRectF, frame: StereoFrame, state: FrameState) -> None:
+            self._draw_picture(side, painter, area, frame, state)
+
+        return draw
+
+    def _draw_picture(
+        self, side: Side, painter: QPainter, area: QRectF, frame: StereoFrame, state: FrameState
+    ) -> None:
+        laid = self._laid(frame) if side is Side.LEFT else NO_OVERLAY
+        scene = self._pictures.scene(side, frame, state, self._options, laid)
+        scene = replace(scene, people=scene.people if self._choice.people else ())
+        image = image_from_bgr(scene.image)
+        content, parts = QRectF(-0.5, -0.5, image.width(), image.height()), self._parts[side]
+        if parts is not None:
+            content = QRectF(*parts[frame.number - self._choice.start].tolist())
+        given = PictureInput(
+            scene,
+            self._source.marks(side, state),
+            image,
+            image_from_rgba(scene.overlay),
+            Viewport.fitting(content, area),
+            area,
+            self._font,
+            QFontMetricsF(self._font).lineSpacing(),
+            captions=False,
+        )
+        self._painters[side].paint(painter, given, self._source.theme)
+
+    def _draw_floor(
+        self,
+        painter: QPainter,
+        area: QRectF,
+        frame: StereoFrame,  # noqa: ARG002 - as all panes
+        state: FrameState,
+    ) -> None:
+        bounds = self._source.bounds
+        scene = replace(self._overhead.scene(state), bounds=bounds)
+        left, bottom, right, top = bounds
+        viewport = Viewport.fitting(
+            QRectF(left, bottom, right - left, top - bottom), area, upward=True
+        )
+        given = FloorInput(
+            scene,
+            FloorMarks(),
+            viewport,
+            area.size().toSize(),
+            1.0,
+            self._font,
+            explained=False,
+        )
+        self._floor.paint(painter, given, self._source.theme)
+
+    def _draw_stamp(self, painter: QPainter, frame: StereoFrame) -> None:
+        """Frame number and time, at the upper left, where captions of recordings stand too."""
+        painter.setFont(self._font)
+        text = tr("frame {0}, {1}").format(frame.number, time_text(frame.time_s))
+        size = note_size(QFontMetricsF(self._font), text, self.size[0])
+        draw_note(painter, QRectF(QPointF(_EDGE_PX, _EDGE_PX), size), text, self._source.theme)
+
+    def _begin_overlay(self) -> OverlayPainter | RampPainter | None:
+        """What paints foreground, distances or the ramp; None where they are not shown."""
+        kinds, recording, run = self._options.kinds, self._source.recording, self._source.state.run
+        if not kinds:
+            return None
+        return RampPainter(recording, run) if kinds.ramp else OverlayPainter(recording, run)
+
+    def _laid(self, frame: StereoFrame) -> PictureOverlay:
+        if self._overlay is None:
+            return NO_OVERLAY
+        return PictureOverlay(self._overlay.paint(frame, self._options.kinds))
+
+
+def _even(length: float) -> int:
+    return max(2, 2 * round(length / 2))
+
+
+def _as_bgr(image: QImage) -> Bgr:
+    bits = np.frombuffer(image.constBits(), np.uint8)
+    rows = bits.reshape(image.height(), image.bytesPerLine() // 4, 4)
+    return np.ascontiguousarray(rows[:, : image.width(), :3])

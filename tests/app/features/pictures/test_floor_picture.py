@@ -1,0 +1,55 @@
+"""The overhead view as a picture of its own."""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ET
+
+import pytest
+from drawn_scenes import floor_person, overhead
+from PySide6.QtCore import QRectF, QSize
+from PySide6.QtGui import QFont, QImage
+
+from app.core.drawing.viewport import Viewport
+from app.core.look.theme import load_theme
+from app.features.pictures.floor_painter import FloorInput, FloorMarks
+from app.features.pictures.floor_picture import write_floor
+from tracking.errors import OutputError
+
+
+@pytest.fixture
+def given(qapp):
+    scene = overhead(floor_person(4, (1.0, 4.0), label="4 <red> & coat"))
+    viewport = Viewport.fitting(QRectF(-5, 0, 10, 10), QRectF(0, 0, 400, 400), upward=True)
+    return FloorInput(
+        scene, FloorMarks(), viewport, QSize(400, 400), 2.0, QFont(), explained=False, kept=False
+    )
+
+
+def test_a_png_has_twice_the_pixels_of_the_view_and_the_person_in_it(given, tmp_path, near):
+    path = tmp_path / "floor.png"
+    write_floor(given, load_theme("dark"), path)
+    image = QImage(str(path))
+    assert image.size() == QSize(800, 800)
+    colour = load_theme("dark").track((220, 40, 40))
+    at = given.viewport.point(1.0, 4.0) * 2
+    around = [
+        image.pixelColor(int(at.x()) + dx, int(at.y()) + dy)
+        for dx in range(-24, 25, 2)
+        for dy in range(-24, 25, 2)
+    ]
+    assert any(near(one, colour) for one in around)
+
+
+def test_an_svg_is_sound_xml_with_names_as_words(given, tmp_path):
+    path = tmp_path / "floor.SVG"
+    write_floor(given, load_theme("light"), path)
+    root = ET.fromstring(path.read_text("utf-8"))
+    assert root.tag.endswith("svg")
+    words = "".join(root.itertext())
+    assert "<red> & coat" in words
+
+
+def test_nothing_is_written_where_no_file_can_be(given, tmp_path):
+    with pytest.raises(OutputError):
+        write_floor(given, load_theme("dark"), tmp_path / "missing" / "floor.png")
+    assert list(tmp_path.iterdir()) == []
