@@ -80,6 +80,17 @@ COMMANDS: Final[tuple[Command[WindowState], ...]] = (
         run=lambda app: app.of(ReviewController).look_through(),
     ),
     Command(
+        "review.hand_made",
+        "Flag hand-made boxes, too",
+        "Review",
+        enabled=session,
+        run=lambda app: app.of(ReviewController).flag_hand_made(
+            not app.of(ReviewController).flags_hand_made
+        ),
+        checked=lambda app: app.document is not None and app.of(ReviewController).flags_hand_made,
+        also="quiet labels ground truth imported corrected",
+    ),
+    Command(
         "review.measure",
         "Measure the queue against ground truth",
         "Review",

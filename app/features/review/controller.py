@@ -68,7 +68,7 @@ class ReviewController(Controller):
         self._play_until: int | None = None
         self._fixing: ReviewItem | None = None
         self._problem = ""
-        self._hand_made = self._asked = False
+        self._hand_made = False
         self._connect()
 
     def _connect(self) -> None:
@@ -111,7 +111,8 @@ class ReviewController(Controller):
                     self._meter = MeterWords(session.labels, session.history)
                 if anew:
                     self.queue.take((), session.labels)  # the same ids are other people
-                    self._hand_made, self._asked = is_hand_made(session.corrected_run), False
+                    self._hand_made = is_hand_made(session.corrected_run)
+                    self._search.hand_made = False
                 if not self.waits:
                     self._search.look(at_once=anew)
             before, self._labels = self._labels, session.labels
@@ -132,15 +133,31 @@ class ReviewController(Controller):
     @property
     def waits(self) -> bool:
         """No tracker made the tracks: nothing is flagged in them until somebody asks."""
-        return self._hand_made and not self._asked and not self._is_hidden
+        return self._hand_made and not self._search.hand_made and not self._is_hidden
+
+    @property
+    def flags_hand_made(self) -> bool:
+        """Whether what people made is flagged, too."""
+        return self._search.hand_made
 
     def look_through(self) -> None:
         """Look for what may be wrong also in tracks that no tracker made."""
-        if self._document.session is not None and self.waits:
-            self._asked = True
+        if self.waits:
+            self.flag_hand_made(True)
+
+    def flag_hand_made(self, flags: bool) -> None:
+        """Flag also what people drew, corrected or imported as labels; or no more."""
+        session = self._document.session
+        if session is None or self._is_hidden:
+            return
+        self._search.hand_made = flags
+        if self.waits:
+            self._search.stop()
+            self.queue.take((), session.labels)
+        else:
             self._search.look(at_once=True)
-            self._show()
-            self.changed.emit()
+        self._show()
+        self.changed.emit()
 
     def _return_to(self, undecided: Set[ReviewItemKey]) -> None:
         """A decision or an edit was undone: its item is looked at again; of several none is."""

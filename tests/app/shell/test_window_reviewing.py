@@ -397,6 +397,18 @@ def test_nothing_is_flagged_in_imported_ground_truth_unless_asked(imported, wind
     assert not panel._ask.isVisible()
 
 
+@pytest.mark.parametrize("imported", [np.ones_like], indirect=True, ids=["ground truth"])
+def test_what_was_made_by_hand_is_flagged_as_long_as_that_is_asked(imported, window, qtbot):
+    reviewing, action = imported.reviewing, window.menus.actions["review.hand_made"]
+    qtbot.waitUntil(action.isEnabled)
+    action.trigger()
+    qtbot.waitUntil(lambda: bool(reviewing.queue.items))
+    qtbot.waitUntil(action.isChecked)
+    action.trigger()
+    assert not reviewing.queue.items
+    assert window.workspace.review._ask.isVisible()
+
+
 @pytest.mark.parametrize("imported", [np.asarray], indirect=True, ids=["a tracker's"])
 def test_what_another_tracker_found_is_looked_through_unasked(imported, qtbot):
     qtbot.waitUntil(lambda: bool(imported.reviewing.queue.items))
