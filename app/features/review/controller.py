@@ -12,6 +12,7 @@ from app.core.editing.edits import edit_named
 from app.core.editing.review_target import find_first_frame
 from app.core.i18n import joined_text, span_text, tr
 from app.core.playback.playback import Playback
+from app.core.projection.concern import Concern
 from app.features.review.edited_items import EditedItems
 from app.features.review.no_items import empty_words, waiting_words
 from app.features.review.panel import ReviewPanel
@@ -38,10 +39,12 @@ class ReviewController(Controller):
     """The review queue of a document on its panel.
 
     `changed`: what commands can do is another. Signals: `edited()`, the labels or what is selected
-    are others than before; `fix_asked(kind)`, an edit of who is selected is to be begun.
+    are others than before; `concerned(concern)`, people are looked at, None for nobody any more;
+    `fix_asked(kind)`, an edit of who is selected is to be begun.
     """
 
     edited = Signal()
+    concerned = Signal(object)
     fix_asked = Signal(object)
 
     def __init__(
@@ -164,8 +167,10 @@ class ReviewController(Controller):
         if len(undecided) == 1:
             (key,) = undecided
             if self.queue.current_key != key or self.queue.current is None:
-                self.queue.return_to(key)
+                back = self.queue.return_to(key)
                 self._select(key[1])
+                if back is not None:
+                    self.concerned.emit(self._concern_of(back))
         elif undecided:
             self.queue.choose(None)
 
@@ -232,12 +237,14 @@ class ReviewController(Controller):
     def _look_at(self, review_item: ReviewItem | None) -> None:
         """Select its people and go to just before it."""
         if review_item is None:
+            self.concerned.emit(None)
             self._show()
             self.changed.emit()
             return
         self._document.correcting.leave()
         self._select(review_item.tracks)
         self._playback.pause()
+        self.concerned.emit(self._concern_of(review_item))
         self._playback.go(self._start_of(review_item))
         if self.plays:
             self.play()
@@ -249,6 +256,16 @@ class ReviewController(Controller):
         return (
             review_item.start if session is None else find_first_frame(review_item, session.tracks)
         )
+
+    def _concern_of(self, review_item: ReviewItem) -> Concern | None:
+        """Its people while they are watched."""
+        session = self._document.session
+        if session is None:
+            return None
+        start = min(review_item.start, self._start_of(review_item))
+        there = [track for track in review_item.tracks if track in session.tracks]
+        rows = session.tracks.of_tracks(there, start, review_item.end)
+        return Concern(rows, start, review_item.end)
 
     def _select(self, tracks: tuple[int, ...]) -> None:
         selection = self._document.selection
