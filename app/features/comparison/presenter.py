@@ -10,10 +10,10 @@ import numpy as np
 
 from app.core.colours.track_colours import ColourOf
 from app.core.i18n import N_, span_text, tr
+from app.core.projection.concern import CONCERNED, Concern
 from app.core.scenes import PreviewTrail
 from app.core.scenes.queue_rows import ReviewPerson
 from app.core.tracks.session_tracks import SessionTracks
-from app.core.projection.concern import CONCERNED, Concern
 from app.core.tracks.two_versions import PointsOf
 from app.features.comparison.difference_search import ComparisonResult, search_in
 from app.features.comparison.differences_scene import (

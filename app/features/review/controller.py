@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Set
+from collections.abc import Callable, Sequence, Set
 
 from PySide6.QtCore import QObject, Signal
 
@@ -13,6 +13,8 @@ from app.core.editing.review_target import find_first_frame
 from app.core.i18n import joined_text, span_text, tr
 from app.core.playback.playback import Playback
 from app.core.projection.concern import Concern
+from app.features.review.alike import AlikeGroup, groups_alike, plan_decisions
+from app.features.review.alike_dialog import AlikeDialog
 from app.features.review.edited_items import EditedItems
 from app.features.review.no_items import empty_words, waiting_words
 from app.features.review.panel import ReviewPanel
@@ -127,6 +129,8 @@ class ReviewController(Controller):
                 edited = self._document.edited
                 item = self._edited.follow(session.history, self.queue.current_key, edited)
                 undecided = before.verdicts.keys() - session.labels.verdicts.keys()
+                if item is not None and item in undecided:
+                    undecided = {item}  # of many that were decided at once
                 self._return_to(undecided or ({item} if item is not None else set()))
             self.queue.take_names(
                 {track: label.name for track, label in session.labels.tracks.items()}
@@ -306,6 +310,41 @@ class ReviewController(Controller):
             return
         labels = session.labels
         if self._do(lambda: plan_review_verdict(current, decision, labels)):
+            self.walk(1)
+
+    def groups_alike(self) -> tuple[AlikeGroup, ...]:
+        """What the decision on the current review item may go for as well."""
+        current, session = self.current, self._document.session
+        if current is None or session is None:
+            return ()
+        labels = session.labels.tracks
+
+        def name_of(track: int) -> str:
+            return f"{track} {labels[track].name if track in labels else ''}".rstrip()
+
+        return groups_alike(current, self.queue.open, name_of)
+
+    def ask_alike(self) -> None:
+        """Show what can be decided together with the current review item."""
+        groups = self.groups_alike()
+        if not groups:
+            self.said.emit(tr("No other review item is like this one"))
+        else:
+            fps = self._document.recording.fps
+            window = self._panel.window()
+            dialog = AlikeDialog(groups, fps, window)
+            dialog.finished.connect(window.activateWindow)  # not every desktop does so
+            dialog.decided.connect(self.decide_alike)
+            dialog.open()
+
+    def decide_alike(self, items: Sequence[ReviewItem], decision: str) -> None:
+        """Say "right" or "dismissed" of review items as one step, and go to the next one left."""
+        session, current = self._document.session, self.queue.current
+        if session is None:
+            return
+        labels = session.labels
+        first = sorted(items, key=lambda one: current is None or one.key != current.key)
+        if self._do(lambda: plan_decisions(first, decision, labels)):
             self.walk(1)
 
     def fix(self) -> None:

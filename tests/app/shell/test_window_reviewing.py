@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QApplication, QLineEdit
 from app.core.document import document_loader
 from app.core.editing import EditScope, edits
 from app.core.playback.clock import LONGEST_STALL_S
+from app.features.review.alike_dialog import AlikeDialog
 from app.features.review.panel import ReviewPanel
 from app.features.review.scene import Order
 from tracking.editing import plan_rename
@@ -359,6 +360,34 @@ def test_the_list_can_be_narrowed_sorted_and_clicked(controller, window, qtbot):
     at = panel._list.visualRect(panel._model.index(0)).center()
     qtbot.mouseClick(panel._list.viewport(), Qt.MouseButton.LeftButton, pos=at)
     assert controller.reviewing.queue.current.key == item.key
+
+
+def test_many_are_decided_in_one_step_and_undone_to_the_one_it_was_asked_at(
+    controller, window, press, qtbot
+):
+    reviewing = controller.reviewing
+    press(Key.Key_N)
+    press(Key.Key_N)
+    first, left = reviewing.queue.current, len(reviewing.queue.open)
+    window.run_command("review.alike")
+    dialog = window.findChild(AlikeDialog)
+    frame = controller.playback.clock.frame
+    assert dialog is not None
+    group = max(reviewing.groups_alike(), key=lambda one: len(one.items))
+    many = len(group.items)
+    dialog.choices.button(
+        [one.title for one in reviewing.groups_alike()].index(group.title)
+    ).click()
+    assert controller.playback.clock.frame == frame
+    dialog.right.click()
+    decided = _verdicts(controller)
+    assert len(decided) == many
+    assert set(decided.values()) == {"right"}
+    assert len(reviewing.queue.open) <= left - many
+    controller.editing.undo()
+    assert _verdicts(controller) == {}
+    assert len(reviewing.queue.open) == left
+    assert reviewing.queue.current == first
 
 
 def test_the_queue_is_empty_again_once_the_recording_is_closed(controller, window):
