@@ -27,6 +27,7 @@ from app.features.review.presenter import (
 from app.features.review.review_meter import MeterWords
 from app.features.review.review_search import ReviewSearch
 from app.features.review.scene import Order, ReviewScene
+from app.features.review.strip_search import StripSearch
 from app.features.review.watched_ranges import WatchedRanges
 from tracking.editing import Change, plan_mark_reviewed, plan_unmark_reviewed
 from tracking.errors import TrackwrightError
@@ -65,6 +66,7 @@ class ReviewController(Controller):
         self._panel = panel
         document.correcting.item_looked_at = lambda: self.queue.current
         self._search = ReviewSearch(self._subject, recording, self)
+        self._strip = StripSearch(document, playback, self)
         self._looked_at: tuple[Session | None, int, int | None] = None, 0, None
         self._labels: Labels | None = None
         self._edited = EditedItems()
@@ -77,6 +79,7 @@ class ReviewController(Controller):
         self._connect()
 
     def _connect(self) -> None:
+        self._strip.made.connect(self._panel.strip.show_scene)
         self._search.found.connect(self._take)
         self._search.failed.connect(self._tell_problem)
         self._search.changed.connect(self._show)
@@ -92,6 +95,7 @@ class ReviewController(Controller):
         """Look no further, and leave the panel empty."""
         self._search.blockSignals(True)
         self._search.stop()
+        self._strip.close()
         self._panel.show_scene(ReviewScene())
 
     # what there is to look at
@@ -424,6 +428,7 @@ class ReviewController(Controller):
             self._marked = left
             self._document.take_review_items(self.queue.marks() if left else ())
         self._panel.show_scene(self._scene())
+        self._strip.show(self.current)
 
     def _scene(self) -> ReviewScene:
         current = self.queue.current

@@ -390,6 +390,20 @@ def test_many_are_decided_in_one_step_and_undone_to_the_one_it_was_asked_at(
     assert reviewing.queue.current == first
 
 
+def test_pictures_of_the_current_item_come_with_it_and_go_with_it(controller, window, press, qtbot):
+    strip = window.workspace.review.strip
+    assert strip.isHidden()
+    press(Key.Key_N)
+    qtbot.waitUntil(lambda: len(strip._images) == 3)
+    current = controller.reviewing.queue.current
+    assert all(str(track) in strip.accessibleDescription() for track in current.tracks)
+    before = strip._scene
+    press(Key.Key_N)
+    qtbot.waitUntil(lambda: strip._scene is not before and len(strip._images) == 3)
+    window.files.close_without_asking()
+    assert not strip._images
+
+
 def test_the_queue_is_empty_again_once_the_recording_is_closed(controller, window):
     window.files.close_without_asking()
     assert window.workspace.review._model.rowCount() == 0
