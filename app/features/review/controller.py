@@ -109,7 +109,7 @@ class ReviewController(Controller):
             self._play_until = None
             self._looked_at, self._labels = (None, 0, None), None
             self._hand_made = False
-            self.queue.take((), Labels())
+            self.queue.forget()
         elif not self._document.is_live:
             now = (session, session.tracks.revision, session.adopted_run)
             first = self._looked_at[0] is not session
@@ -119,7 +119,7 @@ class ReviewController(Controller):
                 if first:
                     self._meter = MeterWords(session.labels, session.history)
                 if anew:
-                    self.queue.take((), session.labels)  # the same ids are other people
+                    self.queue.forget()  # the same ids are other people
                     self._hand_made = is_hand_made(session.corrected_run)
                     self._search.hand_made = False
                 if not self.waits:
@@ -132,6 +132,7 @@ class ReviewController(Controller):
             else:
                 edited = self._document.edited
                 item = self._edited.follow(session.history, self.queue.current_key, edited)
+                self.queue.take_corrected(self._edited.corrected, session.labels)
                 undecided = before.verdicts.keys() - session.labels.verdicts.keys()
                 if item is not None and item in undecided:
                     undecided = {item}  # of many that were decided at once
@@ -444,6 +445,8 @@ class ReviewController(Controller):
             order=self.queue.order,
             plays=self.plays,
             also=self._also(current) if current is not None else "",
+            learned=self.queue.learned_text(),
+            all_learned="\n".join(self.queue.learned_texts()),
             doing=self._search.doing,
             title=title,
             text=text,

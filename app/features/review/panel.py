@@ -66,9 +66,10 @@ class ReviewPanel(Panel):
         self._also = FewLines(self)
         self._also.setFont(scaled_font(self.font(), 0.88))
         self.strip = StripView(self)
+        self.learned = quiet("", self)
         self._doing = quiet("", self, "faint")
         self._meter = quiet("", self, "faint")
-        for label in (self._doing, self._meter):
+        for label in (self.learned, self._doing, self._meter):
             label.setFont(scaled_font(self.font(), 0.88))
             label.setWordWrap(True)
         self._decisions = QHBoxLayout()
@@ -80,6 +81,7 @@ class ReviewPanel(Panel):
         body.addWidget(self._list, 1)
         body.addWidget(self._also)
         body.addWidget(self.strip)
+        body.addWidget(self.learned)
         body.addLayout(self._decisions)
         for words in (self._title, self._text, self._ask, self._doing, self._meter):
             body.addWidget(words)
@@ -178,6 +180,8 @@ class ReviewPanel(Panel):
         self._say(self._title, "" if listed else scene.title)
         self._say(self._text, "" if listed else scene.text)
         self._ask.setVisible(scene.waits)
+        self._say(self.learned, scene.learned if listed else "")
+        self.learned.setToolTip(scene.all_learned)
         self._say(self._doing, scene.doing)
         self._say(self._meter, scene.meter)
         self.keep_low(not listed)

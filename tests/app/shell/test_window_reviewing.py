@@ -390,6 +390,25 @@ def test_many_are_decided_in_one_step_and_undone_to_the_one_it_was_asked_at(
     assert reviewing.queue.current == first
 
 
+def test_the_panel_says_what_came_of_the_kind_and_an_edit_by_hand_counts_as_an_error(
+    controller, window, press, to_the_swap, qtbot
+):
+    current, learned = to_the_swap(), window.workspace.review.learned
+    assert learned.isHidden()
+    controller.editing.begin(edits.SWAP)
+    controller.playback.go(current.frame)
+    controller.editing.put_cut(current.frame)
+    controller.editing.confirm()
+    records = controller.reviewing.queue.records
+    assert (records[current.kind].decided, records[current.kind].errors) == (1, 1)
+    controller.editing.undo()
+    assert not controller.reviewing.queue.records
+    press(Key.Key_Z)
+    queue = controller.reviewing.queue
+    assert sum(one.decided for one in queue.records.values()) == 1
+    assert any("0 of 1 was an error here" in said for said in queue.learned_texts())
+
+
 def test_pictures_of_the_current_item_come_with_it_and_go_with_it(controller, window, press, qtbot):
     strip = window.workspace.review.strip
     assert strip.isHidden()
