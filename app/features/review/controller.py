@@ -24,6 +24,7 @@ from app.features.review.presenter import (
     plan_review_verdict,
     with_fixed_verdict,
 )
+from app.features.review.progress_words import ProgressWords
 from app.features.review.review_meter import MeterWords
 from app.features.review.review_search import ReviewSearch
 from app.features.review.scene import Order, ReviewScene
@@ -71,6 +72,7 @@ class ReviewController(Controller):
         self._labels: Labels | None = None
         self._edited = EditedItems()
         self._meter: MeterWords | None = None
+        self._progress = ProgressWords()
         self._marked: tuple[ReviewItem, ...] | None = None
         self._play_until: int | None = None
         self._fixing: ReviewItem | None = None
@@ -465,7 +467,8 @@ class ReviewController(Controller):
         if session is None or self._meter is None:
             return ""
         done = self._meter.text(session.labels, session.history, self.watching.minutes)
-        return "\n".join(line for line in (done, self._search.measures) if line)
+        so_far = "" if self.waits else self._progress.text(self.queue.figures, session)
+        return "\n".join(line for line in (so_far, done, self._search.measures) if line)
 
     def _empty_words(self) -> tuple[str, str]:
         """What is said where nothing is listed."""

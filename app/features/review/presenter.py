@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import Final
 
 from app.core.colours.track_colours import ColourOf
@@ -12,6 +13,7 @@ from app.core.scenes.queue_rows import ReviewPerson, ReviewRow
 from app.features.review.scene import Order, ReviewKind
 from tracking.editing import Change, plan_verdict, with_verdict
 from tracking.review import (
+    DecidedItems,
     KindRecord,
     ReviewItem,
     ReviewItemKey,
@@ -44,6 +46,8 @@ _KINDS: Final = {
 }
 _FIXES: Final = frozenset({"swap", "split", "merge", "delete"})
 """Edits that can be begun for a review item; others can only be looked at."""
+Outcome = tuple[ReviewItemKey, float, bool]
+"""A decided item, what was stated of it, and whether it was an error."""
 _UNKNOWN: Final = 0.5
 """Likelihood of a decided item of a kind that is not found any more."""
 
@@ -62,6 +66,23 @@ def is_fixable(item: ReviewItem) -> bool:
     return item.fix in _FIXES
 
 
+@dataclass(frozen=True, slots=True)
+class QueueFigures:
+    """How far the queue is.
+
+    Attributes:
+        found: how many items there are. decided: those of them that are decided or reviewed.
+        outcome: what came of decided items. stated: sum of the likelihoods, as found, of all items,
+            those put right among them. stated_left: of those left.
+    """
+
+    found: int = 0
+    decided: tuple[ReviewItem, ...] = ()
+    outcome: DecidedItems = field(default_factory=DecidedItems)
+    stated: float = 0.0
+    stated_left: float = 0.0
+
+
 class ReviewQueue:
     """Review items less those that are decided, walked one after the other.
 
@@ -70,7 +91,7 @@ class ReviewQueue:
 
     Attributes:
         kind: the one that is listed, "" for all. order: of the list.
-        records: what came of the decided items, by kind.
+        records: what came of the decided items, by kind. figures: how far the queue is.
     """
 
     def __init__(self, fps: float, colour_of: ColourOf) -> None:
@@ -82,6 +103,7 @@ class ReviewQueue:
         self._stated: dict[ReviewItemKey, float] = {}
         self._corrected: frozenset[ReviewItemKey] = frozenset()
         self.records: Mapping[str, KindRecord] = {}
+        self.figures = QueueFigures()
         self._open: tuple[ReviewItem, ...] = ()
         self._shown: tuple[ReviewItem, ...] = ()
         self._current: ReviewItemKey | None = None
@@ -133,12 +155,28 @@ class ReviewQueue:
 
     def take_labels(self, labels: Labels) -> None:
         """Take what people have decided by now, and learn from it."""
-        records = records_of(self._outcomes(labels))
+        outcomes = tuple(self._outcomes(labels))
+        records = records_of((kind, stated, error) for (kind, *_), stated, error in outcomes)
         if records != self.records:
             self.records = records
             self._learned = with_learned_likelihoods(self._found, records)
         self._open = filter_undecided(self._learned, labels, self._fps, self._table)
+        self.figures = self._figures_of(outcomes)
         self._list()
+
+    def _figures_of(self, outcomes: Sequence[Outcome]) -> QueueFigures:
+        every = {key: stated for key, stated, _ in outcomes}
+        every |= {one.key: one.likelihood for one in self._found}
+        left = {one.key for one in self._open}
+        return QueueFigures(
+            found=len(self._found),
+            decided=tuple(one for one in self._found if one.key not in left),
+            outcome=DecidedItems(
+                sum(stated for _, stated, _ in outcomes), sum(error for *_, error in outcomes)
+            ),
+            stated=sum(every.values()),
+            stated_left=sum(every[key] for key in left),
+        )
 
     def take_corrected(self, corrected: frozenset[ReviewItemKey], labels: Labels) -> None:
         """Take at which items tracks were corrected by hand in this sitting: they were errors."""
@@ -151,8 +189,8 @@ class ReviewQueue:
         self._stated, self._corrected = {}, frozenset()
         self.take((), Labels())
 
-    def _outcomes(self, labels: Labels) -> Iterator[tuple[str, float, bool]]:
-        """Kind, stated likelihood and whether it was an error, of each decided item.
+    def _outcomes(self, labels: Labels) -> Iterator[Outcome]:
+        """What came of each decided item.
 
         What was dismissed says nothing. Where an item was put right before it was found here, it
         is taken for one like the others of its kind.
@@ -165,7 +203,7 @@ class ReviewQueue:
             return
         usual = self._usual_likelihoods()
         for key, error in errors.items():
-            yield key[0], self._stated.get(key, usual.get(key[0], _UNKNOWN)), error
+            yield key, self._stated.get(key, usual.get(key[0], _UNKNOWN)), error
 
     def _usual_likelihoods(self) -> dict[str, float]:
         """By kind, the mean of what was stated."""

@@ -1,5 +1,6 @@
 """The review queue walked, decided and put right with keys in the real window."""
 
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -14,7 +15,7 @@ from app.core.playback.clock import LONGEST_STALL_S
 from app.features.review.alike_dialog import AlikeDialog
 from app.features.review.panel import ReviewPanel
 from app.features.review.scene import Order
-from tracking.editing import plan_rename
+from tracking.editing import plan_mark_reviewed, plan_rename
 from tracking.recording import open_recording
 from tracking.session import IMPORTED, Session
 from tracking.tracks import SIGNAL_COLUMNS, TRACK_COLUMNS, empty
@@ -318,6 +319,25 @@ def test_the_meter_tells_what_was_done_and_nothing_of_the_truth(controller, pres
     said = window.workspace.review._meter.text()
     assert "1 decided" in said
     assert "truth" not in said
+
+
+def test_the_panel_tells_how_far_the_review_is_and_what_risk_is_left(
+    controller, press, window, qtbot
+):
+    meter, queue = window.workspace.review._meter, controller.reviewing.queue
+    begun = meter.text()
+    assert begun.startswith(f"Reviewed: 0% of the footage, 0 of {len(queue.open)} items.")
+    assert re.search(r"About \d+ errors? left \(likely \d+ to \d+\)", begun)
+    press(Key.Key_N)
+    press(Key.Key_Z)
+    assert meter.text() != begun
+    assert "0% of the footage" not in meter.text()
+    frames, labels = controller.playback.clock.frame_count, controller.document.session.labels
+    table = controller.document.session.tracks
+    controller.document.apply(plan_mark_reviewed(labels, 0, 0, frames, table))
+    controller.draw()
+    assert "Reviewed: 100% of the footage" in meter.text()
+    assert "About 0 errors left (likely 0 to 0)." in meter.text()
 
 
 def test_how_good_the_queue_is_is_told_where_that_is_asked_and_as_long(controller, window, qtbot):

@@ -86,3 +86,15 @@ def test_another_run_s_tracks_are_other_people(queue):
     queue.forget()
     assert queue.records == {}
     assert queue.open == ()
+
+
+def test_figures_are_of_what_was_stated_and_of_what_came_of_it(queue):
+    assert queue.figures.stated == pytest.approx(5 * 0.5 + 0.45)
+    queue.take_labels(_decided(LOST[:2], "fixed"))
+    labels = _decided(LOST[:2], "fixed")
+    queue.take(LOST[2:], labels)  # put right: not found any more
+    figures = queue.figures
+    assert (figures.outcome.errors, figures.outcome.stated) == (2, pytest.approx(1.0))
+    assert figures.stated == pytest.approx(5 * 0.5)
+    assert figures.stated_left == pytest.approx(3 * 0.5)
+    assert (figures.found, figures.decided) == (3, ())
