@@ -101,3 +101,11 @@ class AlikeDialog(QDialog):
         items = self._groups[self.choices.checkedId()].items
         self.accept()
         self.decided.emit(items, decision)
+
+
+def open_alike_dialog(groups: Sequence[AlikeGroup], fps: float, window: QWidget) -> AlikeDialog:
+    """Open the dialog over a window."""
+    dialog = AlikeDialog(groups, fps, window)
+    dialog.finished.connect(window.activateWindow)  # not every desktop does so
+    dialog.open()
+    return dialog

@@ -9,14 +9,12 @@ from PySide6.QtCore import QObject, Signal
 from app.core.controller import Controller
 from app.core.document.document import Document
 from app.core.editing.edits import edit_named
-from app.core.editing.review_target import find_first_frame
-from app.core.i18n import joined_text, span_text, tr
+from app.core.i18n import tr
 from app.core.playback.playback import Playback
 from app.core.projection.concern import Concern
 from app.features.review.alike import AlikeGroup, groups_alike, plan_decisions
-from app.features.review.alike_dialog import AlikeDialog
+from app.features.review.alike_dialog import open_alike_dialog
 from app.features.review.edited_items import EditedItems
-from app.features.review.no_items import empty_words, waiting_words
 from app.features.review.panel import ReviewPanel
 from app.features.review.presenter import (
     ReviewQueue,
@@ -24,10 +22,9 @@ from app.features.review.presenter import (
     plan_review_verdict,
     with_fixed_verdict,
 )
-from app.features.review.progress_words import ProgressWords
-from app.features.review.review_meter import MeterWords
 from app.features.review.review_search import ReviewSearch
 from app.features.review.scene import Order, ReviewScene
+from app.features.review.scene_maker import SceneMaker
 from app.features.review.strip_search import StripSearch
 from app.features.review.watched_ranges import WatchedRanges
 from tracking.editing import Change, plan_mark_reviewed, plan_unmark_reviewed
@@ -68,15 +65,13 @@ class ReviewController(Controller):
         document.correcting.item_looked_at = lambda: self.queue.current
         self._search = ReviewSearch(self._subject, recording, self)
         self._strip = StripSearch(document, playback, self)
+        self._scenes = SceneMaker(document, self.queue, self._search, self.watching)
         self._looked_at: tuple[Session | None, int, int | None] = None, 0, None
         self._labels: Labels | None = None
         self._edited = EditedItems()
-        self._meter: MeterWords | None = None
-        self._progress = ProgressWords()
         self._marked: tuple[ReviewItem, ...] | None = None
         self._play_until: int | None = None
         self._fixing: ReviewItem | None = None
-        self._problem = ""
         self._hand_made = False
         self._connect()
 
@@ -117,9 +112,9 @@ class ReviewController(Controller):
             first = self._looked_at[0] is not session
             anew = first or self._looked_at[2] != session.adopted_run
             if now != self._looked_at:
-                self._looked_at, self._problem = now, ""
+                self._looked_at, self._scenes.problem = now, ""
                 if first:
-                    self._meter = MeterWords(session.labels, session.history)
+                    self._scenes.begin(session)
                 if anew:
                     self.queue.forget()  # the same ids are other people
                     self._hand_made = is_hand_made(session.corrected_run)
@@ -200,7 +195,7 @@ class ReviewController(Controller):
             self.changed.emit()
 
     def _tell_problem(self, error: Exception) -> None:
-        self._problem = tr(message_of(error))
+        self._scenes.problem = tr(message_of(error))
         self._show()
         self.failed.emit(error)
 
@@ -256,24 +251,17 @@ class ReviewController(Controller):
         self._select(review_item.tracks)
         self._playback.pause()
         self.concerned.emit(self._concern_of(review_item))
-        self._playback.go(self._start_of(review_item))
+        self._playback.go(self._scenes.start_of(review_item))
         if self.plays:
             self.play()
         self.edited.emit()
-
-    def _start_of(self, review_item: ReviewItem) -> int:
-        """Where watching it starts: just before it, with its people in sight."""
-        session = self._document.session
-        return (
-            review_item.start if session is None else find_first_frame(review_item, session.tracks)
-        )
 
     def _concern_of(self, review_item: ReviewItem) -> Concern | None:
         """Its people while they are watched."""
         session = self._document.session
         if session is None:
             return None
-        start = min(review_item.start, self._start_of(review_item))
+        start = min(review_item.start, self._scenes.start_of(review_item))
         there = [track for track in review_item.tracks if track in session.tracks]
         rows = session.tracks.of_tracks(there, start, review_item.end)
         return Concern(rows, start, review_item.end)
@@ -290,7 +278,7 @@ class ReviewController(Controller):
         current = self.queue.current
         if current is None:
             return
-        self._playback.go(self._start_of(current))
+        self._playback.go(self._scenes.start_of(current))
         if not self._playback.clock.playing:
             self._playback.toggle()
         self._play_until = current.end
@@ -321,15 +309,8 @@ class ReviewController(Controller):
 
     def groups_alike(self) -> tuple[AlikeGroup, ...]:
         """What the decision on the current review item may go for as well."""
-        current, session = self.current, self._document.session
-        if current is None or session is None:
-            return ()
-        labels = session.labels.tracks
-
-        def name_of(track: int) -> str:
-            return f"{track} {labels[track].name if track in labels else ''}".rstrip()
-
-        return groups_alike(current, self.queue.open, name_of)
+        current = self.current
+        return () if current is None else groups_alike(current, self.queue.open, self.queue.name_of)
 
     def ask_alike(self) -> None:
         """Show what can be decided together with the current review item."""
@@ -337,12 +318,8 @@ class ReviewController(Controller):
         if not groups:
             self.said.emit(tr("No other review item is like this one"))
         else:
-            fps = self._document.recording.fps
-            window = self._panel.window()
-            dialog = AlikeDialog(groups, fps, window)
-            dialog.finished.connect(window.activateWindow)  # not every desktop does so
-            dialog.decided.connect(self.decide_alike)
-            dialog.open()
+            fps, window = self._document.recording.fps, self._panel.window()
+            open_alike_dialog(groups, fps, window).decided.connect(self.decide_alike)
 
     def decide_alike(self, items: Sequence[ReviewItem], decision: str) -> None:
         """Say "right" or "dismissed" of review items as one step, and go to the next one left."""
@@ -430,52 +407,7 @@ class ReviewController(Controller):
         if self._marked is not left:
             self._marked = left
             self._document.take_review_items(self.queue.marks() if left else ())
-        self._panel.show_scene(self._scene())
-        self._strip.show(self.current)
-
-    def _scene(self) -> ReviewScene:
-        current = self.queue.current
-        title, text = self._empty_words()
-        if self._is_hidden:
-            return ReviewScene(order=self.queue.order, plays=self.plays, title=title, text=text)
-        return ReviewScene(
-            items=self.queue.items,
-            current=self.queue.place,
-            left=len(self.queue.open),
-            kinds=self.queue.kinds(),
-            kind=self.queue.kind,
-            order=self.queue.order,
-            plays=self.plays,
-            also=self._also(current) if current is not None else "",
-            learned=self.queue.learned_text(),
-            all_learned="\n".join(self.queue.learned_texts()),
-            doing=self._search.doing,
-            title=title,
-            text=text,
-            meter=self._meter_text(),
-            waits=self.waits,
+        self._panel.show_scene(
+            self._scenes.scene(hidden=self._is_hidden, waits=self.waits, plays=self.plays)
         )
-
-    def _also(self, review_item: ReviewItem) -> str:
-        """What there is to watch, from a little before, and further reasons."""
-        fps = self._document.recording.fps
-        span = span_text(self._start_of(review_item) / fps, (review_item.end - 1) / fps)
-        return joined_text("; ", (tr("Watch {span}", span=span), *review_item.others))
-
-    def _meter_text(self) -> str:
-        session = self._document.session
-        if session is None or self._meter is None:
-            return ""
-        done = self._meter.text(session.labels, session.history, self.watching.minutes)
-        so_far = "" if self.waits else self._progress.text(self.queue.figures, session)
-        return "\n".join(line for line in (so_far, done, self._search.measures) if line)
-
-    def _empty_words(self) -> tuple[str, str]:
-        """What is said where nothing is listed."""
-        session = self._document.session
-        if session is not None and self.waits:
-            return waiting_words(session)
-        if self._search.doing:
-            return "", ""
-        known = None if self._document.is_untouched else session
-        return empty_words(known, live=self._is_hidden, problem=self._problem)
+        self._strip.show(self.current)

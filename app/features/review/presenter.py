@@ -228,6 +228,10 @@ class ReviewQueue:
             self._names = dict(names)
             self._list()
 
+    def name_of(self, track: int) -> str:
+        """A track's number, and its name where it has one."""
+        return f"{track} {self._names.get(track, '')}".rstrip()
+
     def narrow(self, kind: str) -> None:
         """List one kind alone; "" for all."""
         self.kind = kind
@@ -313,9 +317,7 @@ class ReviewQueue:
             key=item.key,
             title=kind_title(item.kind),
             people=tuple(
-                ReviewPerson(
-                    track, f"{track} {self._names.get(track, '')}".rstrip(), self._colour_of(track)
-                )
+                ReviewPerson(track, self.name_of(track), self._colour_of(track))
                 for track in item.tracks
             ),
             frame=item.frame,
