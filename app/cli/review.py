@@ -9,33 +9,36 @@ from typing import Any
 
 from app.cli.output import print_json, print_line, progress
 from app.cli.sessions import open_session
+from tracking.progress import Progress
 from tracking.review import ReviewItem, filter_undecided, find_review_items, rank
+from tracking.session import Session
+from tracking.session.hand_made import is_hand_made
 from tracking.translation import msg
 
 
-def run_review(path: Path, order: str, most: int | None, *, as_json: bool) -> None:
-    """Print the review items that nobody has decided yet."""
+def run_review(
+    path: Path, order: str, most: int | None, *, hand_made: bool = False, as_json: bool
+) -> None:
+    """Print the review items that nobody has decided yet.
+
+    hand_made: also those of what people drew, and of imported labels.
+    """
     with (
         closing(open_session(path)) as session,
         progress(msg("looking through the tracks")) as told,
     ):
         fps, labels = session.recording.fps, session.labels
-        found = find_review_items(
-            session.tracks,
-            session.corrected_run,
-            fps,
-            labels,
-            progress=told,
-            size=session.recording.size,
-        )
+        quiet = not hand_made and is_hand_made(session.corrected_run)
+        found = () if quiet else _found(session, hand_made, told)
         left = filter_undecided(found, labels, fps, session.tracks)
     shown = rank(left, order)[:most]
     if as_json:
         entries = [_entry(one, fps) for one in shown]
-        print_json({"found": len(found), "open": len(left), "review_items": entries})
+        counts = {"searched": not quiet, "found": len(found), "open": len(left)}
+        print_json({**counts, "review_items": entries})
         return
     if not shown:
-        print_line(_nothing(len(found)))
+        print_line(_quiet() if quiet else _nothing(len(found)))
         return
     print_line(msg("   frame  sure    rows  what may be wrong (what would correct it)"))
     for one in shown:
@@ -49,6 +52,23 @@ def run_review(path: Path, order: str, most: int | None, *, as_json: bool) -> No
                 fix=one.fix,
             )
         )
+
+
+def _found(session: Session, hand_made: bool, told: Progress) -> tuple[ReviewItem, ...]:
+    return find_review_items(
+        session.tracks,
+        session.corrected_run,
+        session.recording.fps,
+        session.labels,
+        progress=told,
+        size=session.recording.size,
+        hand_made=hand_made,
+    )
+
+
+def _quiet() -> str:
+    """What is said of tracks that no tracker made."""
+    return msg("Labels that people made are not searched; --hand-made searches them.")
 
 
 def _nothing(found: int) -> str:

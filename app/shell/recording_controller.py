@@ -23,6 +23,7 @@ from app.features.parts.controller import PartsController
 from app.features.pictures.controller import OverlayController
 from app.features.review.controller import ReviewController
 from app.features.scoring.controller import ScoreController
+from app.shell.close_up import CloseUp
 from app.shell.colour_worker import ColourWorker
 from app.shell.features import FEATURES
 from app.shell.recording_scenes import RecordingScenes
@@ -65,6 +66,13 @@ class RecordingController(Controller):
         self.tracking = TrackerAtWork(document, self.playback, self.comparing, self)
         self.live = self.tracking.live
         self.reviewing = ReviewController(document, self.playback, workspace.review, self)
+        self.close_up = CloseUp(
+            document.recording,
+            self.playback,
+            (workspace.left, workspace.right, workspace.overhead),
+            lambda: self.view_options.close_up,
+            self,
+        )
         self.view_options = ViewOptions()
         self.cameras = "left"
         self._told_unread = ""
@@ -83,7 +91,10 @@ class RecordingController(Controller):
         for part in (self.reviewing, self.comparing):
             part.changed.connect(self.changed)
             part.edited.connect(self.editing.changed)
+            part.concerned.connect(self.close_up.look_at)
         self.reviewing.changed.connect(self.draw_playhead)  # whose marks stand on the timeline
+        self.of(ScoreController).concerned.connect(self.close_up.look_at)
+        self.close_up.changed.connect(self.changed)
         self.reviewing.fix_asked.connect(self.editing.begin)
         self.overlaying.changed.connect(self.draw_frame)
         for one in (self.labelling, *self._features):
@@ -177,11 +188,16 @@ class RecordingController(Controller):
         raise LookupError(f"no controller is a {kind.__name__}")
 
     def leave(self) -> None:
-        """Esc: leave the labelling, else the edit that waits, else let the person go."""
+        """Esc: leave the labelling, else the edit that waits, else let the person go.
+
+        With the person the views closed up on them are left, too.
+        """
         if self.labelling.tool is not None:
             self.labelling.leave()
-        else:
-            self.editing.leave()
+            return
+        if self.document.flow is None:
+            self.close_up.end()
+        self.editing.leave()
 
     # playing
 
@@ -212,6 +228,8 @@ class RecordingController(Controller):
     def set_view_options(self, view_options: ViewOptions) -> None:
         """Lay other things over the pictures."""
         self.view_options = view_options
+        if not view_options.close_up:
+            self.close_up.end()
         self.draw_frame()
         self.draw_playhead()
         self.changed.emit()

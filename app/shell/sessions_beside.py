@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject
 
 from app.core.i18n import N_, tr
+from app.core.projection.concern import Concern
 from app.core.projection.other_people import OtherPeople
 from app.core.scenes import Side
 from app.core.scenes.other_people import Divider
@@ -148,6 +149,11 @@ class SessionsBeside(QObject):
         if controller is None:
             return
         controller.playback.pause()
+        session = controller.document.session
+        if session is not None:
+            known = [track] if track in session.tracks else []
+            rows = session.tracks.of_tracks(known, frame, frame + 1)
+            controller.close_up.look_at(Concern(rows, frame, frame + 1))
         controller.playback.go(frame)  # first: it may show the session's tracks again
         if track and controller.document.flow is None:
             controller.document.selection.choose(track)

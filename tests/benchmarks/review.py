@@ -7,8 +7,10 @@ what shows most: about the best there is, not a bound. `--fresh` reports on scen
 chosen by, `--fit` fits hazards and likelihoods anew on other scenes. What is rendered and tracked
 is kept; the first time takes an hour.
 
-`--crowds` tells it of each labelled recording of the footage that trackers are judged by, with each
-tracker that suits it and no swaps; "flagged" is what all of its review items together show.
+`--crowds` tells it of each labelled recording of the footage that trackers are judged by, with
+each tracker that suits it and no swaps; "flagged" is what all of its review items together show.
+`--risk` holds the errors that review items state against those there are, on the same footage, and
+prints the figures of `tracking.review.risk`.
 """
 
 from __future__ import annotations
@@ -31,6 +33,7 @@ from tests.benchmarks.review_cases import (
     crowded_cases,
 )
 from tests.benchmarks.review_fit import fit
+from tests.benchmarks.review_risk import print_risks, risk_of
 from tracking.review import ReviewMeasures, find_review_items, rank, review_measures
 from tracking.scoring import FloorMatch
 
@@ -47,10 +50,14 @@ def main() -> None:
     parser.add_argument("--fit", action="store_true", help="fit the likelihoods anew")
     parser.add_argument("--fresh", action="store_true", help="scenes nothing was chosen by")
     parser.add_argument("--crowds", action="store_true", help="by recording and tracker")
+    parser.add_argument("--risk", action="store_true", help="stated against found errors")
     parser.add_argument("--only", nargs="+", metavar="NAME", help="crowds of these recordings")
     parser.add_argument("--data", type=Path, default=real_data(), help="folder of recordings")
     asked = parser.parse_args()
     cv2.setNumThreads(1)
+    if asked.risk:
+        print_risks([risk_of(case) for case in crowded_cases(asked.data, asked.only)])
+        return
     if asked.crowds:
         crowds = crowded_cases(asked.data, asked.only)
         _print_crowds([(case, _measured(case)) for case in crowds])

@@ -28,6 +28,7 @@ from tracking.editing import (
     plan_unlabel_part,
     plan_unmark_reviewed,
     plan_verdict,
+    plan_verdicts,
     state_as_text,
     state_from_text,
     with_parts_carried,
@@ -47,6 +48,7 @@ from tracking.tracks import (
     Verdict,
     empty,
 )
+from tracking.translation import msg
 
 BOX = (10.0, 20.0, 30.0, 40.0)
 HEAD = PartLabel(5, 4, 0, BOX)
@@ -371,3 +373,25 @@ def test_labels_that_are_not_as_planned_on_are_not_changed(
     with pytest.raises(EditError, match="not what the edit was planned on"):
         apply_change(table, labels, change)
     assert 1 in table
+
+
+def test_many_verdicts_are_one_change_and_one_undo() -> None:
+    others = [Verdict("jump", (track,), 10 * track, "right") for track in (4, 7)]
+    before = made(Labels(), plan_verdict(Labels(), others[0]))
+    change = plan_verdicts(before, others, msg("two"))
+    after = made(before, change)
+    assert set(after.verdicts.values()) == set(others)
+    assert made(after, change.inverse) == before
+    assert change.frame == 70  # of the one that was not said yet
+
+
+def test_verdicts_said_already_or_of_two_minds_are_refused() -> None:
+    labels = made(Labels(), plan_verdict(Labels(), CROSSING))
+    with pytest.raises(EditError, match="already"):
+        plan_verdicts(labels, [CROSSING], msg("one"))
+    two = [
+        replace(CROSSING, frame=frame, decision=said)
+        for frame, said in ((1, "right"), (2, "dismissed"))
+    ]
+    with pytest.raises(EditError, match="one decision"):
+        plan_verdicts(labels, two, msg("two"))

@@ -33,6 +33,7 @@ from tracking.editing.labels.review_labels import (
     plan_mark_reviewed,
     plan_unmark_reviewed,
     plan_verdict,
+    plan_verdicts,
     with_verdict,
 )
 from tracking.editing.labels.shapes import plan_lines, plan_occluders, plan_regions

@@ -12,7 +12,8 @@ from tracking.review.core.material import REACH_M, Material, extent_of_boxes
 from tracking.review.footage import AROUND_S, Footage
 from tracking.review.hazard.expected_errors import Hazards
 from tracking.review.likelihood import LEAST_WEIGHT, WEIGHTS, likelihoods
-from tracking.review.reason_groups import join_places, stack_findings
+from tracking.review.made_by_hand import made_by_hand
+from tracking.review.reason_groups import Places, Reasons, join_places, stack_findings
 from tracking.review.reason_phrases import fix
 from tracking.review.reason_texts import Speaker
 from tracking.review.reasons import REASONS
@@ -35,6 +36,7 @@ class Scene:
         fps: frames a second. stop: one past the last frame.
         size: of the picture in px; of what the boxes reach where no camera is known.
         usual_px: see `tracking.review.core.evidence.body_px`.
+        hand_made: what a person made is flagged, too.
     """
 
     fps: float
@@ -42,6 +44,7 @@ class Scene:
     size: tuple[float, float]
     usual_px: int
     occluders: tuple[Occluder, ...]
+    hand_made: bool = False
 
     @classmethod
     def of(
@@ -51,11 +54,14 @@ class Scene:
         fps: float,
         size: tuple[float, float] | None,
         occluders: tuple[Occluder, ...],
+        *,
+        hand_made: bool = False,
     ) -> Scene:
         """size: of the picture in px, None where it is not known."""
         columns = footage.columns
         stop = max(int(columns["frame"].max()) + 1, run.frames[1] if run else 0)
-        return cls(fps, stop, size or extent_of_boxes(boxes(columns)), body_px(columns), occluders)
+        reach = size or extent_of_boxes(boxes(columns))
+        return cls(fps, stop, reach, body_px(columns), occluders, hand_made)
 
     @property
     def around(self) -> int:
@@ -96,10 +102,10 @@ def search_block(
     material = Material.of(evidence, scene.size, scene.occluders)
     inside = (evidence.frame >= start) & (evidence.frame < end)
     meeting = evidence.key[inside & (material.near.nearest_m < REACH_M)]
-    return _told(material, meeting, start, end)
+    return _told(material, meeting, start, end, hand_made=scene.hand_made)
 
 
-def _told(material: Material, meeting: Rows, start: int, end: int) -> Block:
+def _told(material: Material, meeting: Rows, start: int, end: int, *, hand_made: bool) -> Block:
     """The review items whose frame lies in the range."""
     evidence = material.evidence
     found = [look(material) for look in REASONS.values()]
@@ -109,8 +115,11 @@ def _told(material: Material, meeting: Rows, start: int, end: int) -> Block:
     likely = likelihoods(reasons.kinds, places.strength, watched.expected)
     frame = watched.frame
     told = np.flatnonzero((likely >= _LEAST) & (frame >= start) & (frame < end))
+    tracks = _whom(reasons, places, told)
+    if not hand_made:
+        made = made_by_hand(evidence, tracks, watched.start[told], watched.end[told])
+        told, tracks = told[~made], tracks[~made]
     leader = places.leader[told]
-    tracks = np.stack((reasons.first[leader], reasons.second[leader]), axis=1)
     columns = (leader, frame[told], watched.start[told], watched.end[told], likely[told])
     figures = (column.tolist() for column in columns)
     speaker = Speaker.of(reasons, places, evidence.fps, on_floor=evidence.on_floor)
@@ -119,6 +128,12 @@ def _told(material: Material, meeting: Rows, start: int, end: int) -> Block:
         for place, *numbers in zip(told.tolist(), *figures, strict=True)
     ]
     return Block(items, frame[told], likely[told], tracks, meeting)
+
+
+def _whom(reasons: Reasons, places: Places, told: Rows) -> Rows:
+    """(k, 2) whom places are about, 0 for nobody else."""
+    leader = places.leader[told]
+    return np.stack((reasons.first[leader], reasons.second[leader]), axis=1)
 
 
 def _review_item(

@@ -33,11 +33,13 @@ def find_review_items(
     progress: Progress | None = None,
     *,
     size: tuple[int, int] | None = None,
+    hand_made: bool = False,
 ) -> tuple[ReviewItem, ...]:
     """Places where the tracks are likely wrong, those that are worth most first.
 
-    A jump between two boxes that a person made or kept is not flagged, see `jumps`. Verdicts and
-    reviewed ranges are not looked at here: see `filter_undecided`.
+    A jump between two boxes that a person made or kept is not flagged, see `jumps`, nor what shows
+    nothing but such boxes, see `made_by_hand`. Verdicts and reviewed ranges are not looked at here:
+    see `filter_undecided`.
 
     Args:
         table: the corrected tracks; not changed, so a snapshot can be handed to another thread.
@@ -48,8 +50,11 @@ def find_review_items(
         view: the camera, whose picture's borders do so too; None where it is not known.
         progress: told how far it is; what it raises ends the search.
         size: of the picture in px, where there is no view.
+        hand_made: flag also what shows nothing but boxes that a person made.
     """
-    return ReviewItemFinder().find(table, run, fps, labels, view, progress, size=size)
+    return ReviewItemFinder().find(
+        table, run, fps, labels, view, progress, size=size, hand_made=hand_made
+    )
 
 
 class ReviewItemFinder:
@@ -74,6 +79,7 @@ class ReviewItemFinder:
         progress: Progress | None = None,
         *,
         size: tuple[int, int] | None = None,
+        hand_made: bool = False,
     ) -> tuple[ReviewItem, ...]:
         """See `find_review_items`. Work done before progress raised is kept for next time."""
         tell = progress or _untold
@@ -84,7 +90,8 @@ class ReviewItemFinder:
             tell(1, 1)
             return ()
         occluders = labels.occluders if labels else ()
-        scene = Scene.of(footage, run, fps, view.camera.size if view else size, occluders)
+        extent = view.camera.size if view else size
+        scene = Scene.of(footage, run, fps, extent, occluders, hand_made=hand_made)
         blocks = self._blocks(footage, run, scene, tell)
         return rank(_worth_most(blocks, footage, fps), "worth")
 

@@ -88,12 +88,18 @@ def review(
     most: Annotated[
         int | None, typer.Option(min=1, help="Largest number of review items.", show_default="all")
     ] = None,
+    hand_made: Annotated[
+        bool,
+        typer.Option(
+            "--hand-made", help="Search also labels, imported ground truth and corrected ranges."
+        ),
+    ] = False,
     json: options.Json = False,
 ) -> None:
     """List where a session's tracks are likely wrong, and why."""
     from app.cli.review import run_review
 
-    run_review(session, order, most, as_json=json)
+    run_review(session, order, most, hand_made=hand_made, as_json=json)
 
 
 @program.command(cls=HelpCommand)

@@ -46,6 +46,8 @@ class Canvas(QWidget, metaclass=AbstractQt):
         self._viewport = Viewport(upward=upward)
         self._seen_in = QRectF()  # where content was fitted to as the viewport was made
         self._fitted = True
+        self._stepped_close = False
+        self._before = QRectF()  # what was in sight until then; empty: all
         self._pressed_at: QPoint | None = None
         self._panning = False
         self._holding = False
@@ -102,6 +104,7 @@ class Canvas(QWidget, metaclass=AbstractQt):
     def fit(self) -> None:
         """Show the whole content, and keep doing so when the widget is resized."""
         self._fitted, self._seen_in = True, self._area()
+        self._stepped_close = False
         content = self.content()
         if not content.isEmpty():
             self._viewport = Viewport.fitting(content, self._area(), self._viewport.upward)
@@ -114,6 +117,36 @@ class Canvas(QWidget, metaclass=AbstractQt):
         )
         if not self.content().isEmpty() and not around.isEmpty():
             self._look(Viewport.fitting(around, QRectF(self.rect()), self._viewport.upward))
+
+    def step_close(self, content: QRectF) -> None:
+        """Show a part of the content as large as fits until `step_back`, or the user looks on."""
+        if self.content().isEmpty() or content.isEmpty():
+            return
+        if not self._stepped_close:
+            self._before = QRectF() if self._fitted else self._in_sight()
+        self._look(Viewport.fitting(content, self._area(), self._viewport.upward))
+        self._stepped_close = True
+
+    def step_back(self) -> None:
+        """Show what was in sight before `step_close`, unless the user has moved the view since."""
+        if not self._stepped_close:
+            return
+        self._stepped_close = False
+        if self._before.isEmpty():
+            self.fit()
+        else:
+            self._look(Viewport.fitting(self._before, self._area(), self._viewport.upward))
+
+    @property
+    def is_close(self) -> bool:
+        """Whether a part is shown until `step_back`."""
+        return self._stepped_close
+
+    def _in_sight(self) -> QRectF:
+        """The part of the content that fills the widget."""
+        area = self._area()
+        one, other = (self._viewport.to_content(at) for at in (area.topLeft(), area.bottomRight()))
+        return QRectF(one, other).normalized()
 
     def bring_into_view(self, content: QRectF) -> None:
         """Shift a zoomed view so that a part of the content that is not seen whole is."""
@@ -141,6 +174,7 @@ class Canvas(QWidget, metaclass=AbstractQt):
         content = self.content()
         if content.isEmpty():
             return
+        self._stepped_close = False
         scale = self._viewport.scale * factor
         whole = Viewport.fitting(content, self._area()).scale
         if abs(scale / whole - 1.0) < _AS_FITTED:
@@ -201,6 +235,7 @@ class Canvas(QWidget, metaclass=AbstractQt):
             return
         if self._fitted:  # all of it is in sight: a slip of the mouse is no choice of a view
             return
+        self._stepped_close = False
         self._look(self._viewport.moved(QPointF(moved)))
         self._pressed_at = at
         self.setCursor(Qt.CursorShape.ClosedHandCursor)

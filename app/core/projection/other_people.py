@@ -12,7 +12,7 @@ from app.core.projection.trails import floor_points, trails_by_track
 from app.core.scenes import Side
 from app.core.scenes.other_people import OtherMark, OtherPlace
 from tracking.recording import Recording
-from tracking.tracks import TrackTable
+from tracking.tracks import Columns, TrackTable
 
 _TRAIL_S = 2.0
 
@@ -29,6 +29,10 @@ class OtherPeople:
         self._recording = recording
         self._tracks = tracks
         self._colour_of = colour_of
+
+    def rows(self, frame: int) -> Columns:
+        """`TRACK_COLUMNS` of everybody."""
+        return self._tracks.of_frame(frame)
 
     def picture(self, side: Side, frame: int) -> tuple[OtherMark, ...]:
         """Everybody in one camera."""

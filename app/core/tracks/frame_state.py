@@ -38,6 +38,7 @@ class ViewOptions:
     evaluation: bool = False
     ramp: bool = False
     truth: bool = False
+    close_up: bool = True
     panels: frozenset[str] = frozenset()
 
     @property
@@ -69,6 +70,7 @@ _LASTING = (
         "counts",
     ),
     "floor_legend",
+    "close_up",
 )
 """Panels, and what is worked out on request, are asked for anew in each recording."""
 

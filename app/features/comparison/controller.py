@@ -27,10 +27,12 @@ class ComparisonController(Controller):
     """The comparison that is shown, and what is taken from it.
 
     `changed`: another one or none is shown. Signals: `edited()`, the tracks or what is selected are
-    others than before; `scene_changed(scene)`, for the panel, None for no comparison.
+    others than before; `scene_changed(scene)`, for the panel, None for no comparison;
+    `concerned(concern)`, people are looked at, None for nobody any more.
     """
 
     edited = Signal()
+    concerned = Signal(object)
     scene_changed = Signal(object)
 
     def __init__(
@@ -132,6 +134,7 @@ class ComparisonController(Controller):
         if self._comparison is not None:
             self._comparison = self._dashed = self._document.comparison = None
             self.scene_changed.emit(None)
+            self.concerned.emit(None)
             self.edited.emit()
             self.changed.emit()
 
@@ -262,6 +265,7 @@ class ComparisonController(Controller):
         if one is not None and self._comparison is not None:
             before = round(_BEFORE_S * self._document.recording.fps)
             self._playback.pause()
+            self.concerned.emit(self._comparison.concern_of(one, before))
             self._playback.go(self._comparison.first_shown(one, before))
             self._document.selection.choose(
                 one.track if one.track in self._document.tracks.ids else 0

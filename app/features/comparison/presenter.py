@@ -10,6 +10,7 @@ import numpy as np
 
 from app.core.colours.track_colours import ColourOf
 from app.core.i18n import N_, span_text, tr
+from app.core.projection.concern import CONCERNED, Concern
 from app.core.scenes import PreviewTrail
 from app.core.scenes.queue_rows import ReviewPerson
 from app.core.tracks.session_tracks import SessionTracks
@@ -177,6 +178,15 @@ class Comparison:
             return start
         frames = [rows["frame"] for rows in self._versions(one, start, one.end)]
         return int(min((part.min() for part in frames if len(part)), default=one.start))
+
+    def concern_of(self, one: Difference, before: int) -> Concern | None:
+        """Its people in both versions, for as long as they are looked at."""
+        if self._found is None:
+            return None
+        start, end = self.first_shown(one, before), min(one.end, one.start + 2 * before + 1)
+        versions = self._versions(one, min(start, one.start), end)
+        rows = {name: np.concatenate([part[name] for part in versions]) for name in CONCERNED}
+        return Concern(rows, min(start, one.start), max(end, start + 1))
 
     # taking
 

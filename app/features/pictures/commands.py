@@ -87,6 +87,13 @@ OVERLAYS: Final = (
     ),
     view_command("region", "Region of interest on the image", "View/What the tracker sees"),
     view_command("floor_legend", "Legend on the floor", "View", (), floor),
+    view_command(
+        "close_up",
+        "Zoom to who is concerned",
+        "View",
+        also="review item error difference closer enlarge",
+        separated=True,
+    ),
 )
 ONE_CAMERA: Final = (
     view_command(

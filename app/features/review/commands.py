@@ -29,6 +29,13 @@ def _fixable(app: WindowState) -> str:
     return tr("no edit is proposed for this item: correct it by hand, or say that it is right")
 
 
+def _of_many(app: WindowState) -> str:
+    """A review item must be looked at that is not the last one."""
+    if _decidable(app) or len(app.of(ReviewController).queue.open) > 1:
+        return _decidable(app)
+    return tr("no other review item is left")
+
+
 def _watched(app: WindowState) -> str:
     """A stretch must have been watched."""
     if editable(app) or app.of(ReviewController).watching.stretch[1] > 0:
@@ -80,6 +87,17 @@ COMMANDS: Final[tuple[Command[WindowState], ...]] = (
         run=lambda app: app.of(ReviewController).look_through(),
     ),
     Command(
+        "review.hand_made",
+        "Flag hand-made boxes, too",
+        "Review",
+        enabled=session,
+        run=lambda app: app.of(ReviewController).flag_hand_made(
+            not app.of(ReviewController).flags_hand_made
+        ),
+        checked=lambda app: app.document is not None and app.of(ReviewController).flags_hand_made,
+        also="quiet labels ground truth imported corrected",
+    ),
+    Command(
         "review.measure",
         "Measure the queue against ground truth",
         "Review",
@@ -113,6 +131,14 @@ COMMANDS: Final[tuple[Command[WindowState], ...]] = (
         ("Backspace",),
         _decidable,
         lambda app: app.of(ReviewController).decide("dismissed"),
+    ),
+    Command(
+        "review.alike",
+        "Decide for all alike...",
+        "Review",
+        enabled=_of_many,
+        run=lambda app: app.of(ReviewController).ask_alike(),
+        also="batch many same kind person chance dismiss right",
     ),
     Command(
         "review.mark",

@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Set
+from collections.abc import Callable, Sequence, Set
 
 from PySide6.QtCore import QObject, Signal
 
 from app.core.controller import Controller
 from app.core.document.document import Document
 from app.core.editing.edits import edit_named
-from app.core.editing.review_target import find_first_frame
-from app.core.i18n import joined_text, span_text, tr
+from app.core.i18n import tr
 from app.core.playback.playback import Playback
+from app.core.projection.concern import Concern
+from app.features.review.alike import AlikeGroup, groups_alike, plan_decisions
+from app.features.review.alike_dialog import open_alike_dialog
 from app.features.review.edited_items import EditedItems
-from app.features.review.no_items import empty_words, waiting_words
 from app.features.review.panel import ReviewPanel
 from app.features.review.presenter import (
     ReviewQueue,
@@ -21,9 +22,10 @@ from app.features.review.presenter import (
     plan_review_verdict,
     with_fixed_verdict,
 )
-from app.features.review.review_meter import MeterWords
 from app.features.review.review_search import ReviewSearch
 from app.features.review.scene import Order, ReviewScene
+from app.features.review.scene_maker import SceneMaker
+from app.features.review.strip_search import StripSearch
 from app.features.review.watched_ranges import WatchedRanges
 from tracking.editing import Change, plan_mark_reviewed, plan_unmark_reviewed
 from tracking.errors import TrackwrightError
@@ -38,10 +40,12 @@ class ReviewController(Controller):
     """The review queue of a document on its panel.
 
     `changed`: what commands can do is another. Signals: `edited()`, the labels or what is selected
-    are others than before; `fix_asked(kind)`, an edit of who is selected is to be begun.
+    are others than before; `concerned(concern)`, people are looked at, None for nobody any more;
+    `fix_asked(kind)`, an edit of who is selected is to be begun.
     """
 
     edited = Signal()
+    concerned = Signal(object)
     fix_asked = Signal(object)
 
     def __init__(
@@ -60,18 +64,19 @@ class ReviewController(Controller):
         self._panel = panel
         document.correcting.item_looked_at = lambda: self.queue.current
         self._search = ReviewSearch(self._subject, recording, self)
+        self._strip = StripSearch(document, playback, self)
+        self._scenes = SceneMaker(document, self.queue, self._search, self.watching)
         self._looked_at: tuple[Session | None, int, int | None] = None, 0, None
         self._labels: Labels | None = None
         self._edited = EditedItems()
-        self._meter: MeterWords | None = None
         self._marked: tuple[ReviewItem, ...] | None = None
         self._play_until: int | None = None
         self._fixing: ReviewItem | None = None
-        self._problem = ""
-        self._hand_made = self._asked = False
+        self._hand_made = False
         self._connect()
 
     def _connect(self) -> None:
+        self._strip.made.connect(self._panel.strip.show_scene)
         self._search.found.connect(self._take)
         self._search.failed.connect(self._tell_problem)
         self._search.changed.connect(self._show)
@@ -87,6 +92,7 @@ class ReviewController(Controller):
         """Look no further, and leave the panel empty."""
         self._search.blockSignals(True)
         self._search.stop()
+        self._strip.close()
         self._panel.show_scene(ReviewScene())
 
     # what there is to look at
@@ -100,18 +106,19 @@ class ReviewController(Controller):
             self._play_until = None
             self._looked_at, self._labels = (None, 0, None), None
             self._hand_made = False
-            self.queue.take((), Labels())
+            self.queue.forget()
         elif not self._document.is_live:
             now = (session, session.tracks.revision, session.adopted_run)
             first = self._looked_at[0] is not session
             anew = first or self._looked_at[2] != session.adopted_run
             if now != self._looked_at:
-                self._looked_at, self._problem = now, ""
+                self._looked_at, self._scenes.problem = now, ""
                 if first:
-                    self._meter = MeterWords(session.labels, session.history)
+                    self._scenes.begin(session)
                 if anew:
-                    self.queue.take((), session.labels)  # the same ids are other people
-                    self._hand_made, self._asked = is_hand_made(session.corrected_run), False
+                    self.queue.forget()  # the same ids are other people
+                    self._hand_made = is_hand_made(session.corrected_run)
+                    self._search.hand_made = False
                 if not self.waits:
                     self._search.look(at_once=anew)
             before, self._labels = self._labels, session.labels
@@ -122,7 +129,10 @@ class ReviewController(Controller):
             else:
                 edited = self._document.edited
                 item = self._edited.follow(session.history, self.queue.current_key, edited)
+                self.queue.take_corrected(self._edited.corrected, session.labels)
                 undecided = before.verdicts.keys() - session.labels.verdicts.keys()
+                if item is not None and item in undecided:
+                    undecided = {item}  # of many that were decided at once
                 self._return_to(undecided or ({item} if item is not None else set()))
             self.queue.take_names(
                 {track: label.name for track, label in session.labels.tracks.items()}
@@ -132,23 +142,41 @@ class ReviewController(Controller):
     @property
     def waits(self) -> bool:
         """No tracker made the tracks: nothing is flagged in them until somebody asks."""
-        return self._hand_made and not self._asked and not self._is_hidden
+        return self._hand_made and not self._search.hand_made and not self._is_hidden
+
+    @property
+    def flags_hand_made(self) -> bool:
+        """Whether what people made is flagged, too."""
+        return self._search.hand_made
 
     def look_through(self) -> None:
         """Look for what may be wrong also in tracks that no tracker made."""
-        if self._document.session is not None and self.waits:
-            self._asked = True
+        if self.waits:
+            self.flag_hand_made(True)
+
+    def flag_hand_made(self, flags: bool) -> None:
+        """Flag also what people drew, corrected or imported as labels; or no more."""
+        session = self._document.session
+        if session is None or self._is_hidden:
+            return
+        self._search.hand_made = flags
+        if self.waits:
+            self._search.stop()
+            self.queue.take((), session.labels)
+        else:
             self._search.look(at_once=True)
-            self._show()
-            self.changed.emit()
+        self._show()
+        self.changed.emit()
 
     def _return_to(self, undecided: Set[ReviewItemKey]) -> None:
         """A decision or an edit was undone: its item is looked at again; of several none is."""
         if len(undecided) == 1:
             (key,) = undecided
             if self.queue.current_key != key or self.queue.current is None:
-                self.queue.return_to(key)
+                back = self.queue.return_to(key)
                 self._select(key[1])
+                if back is not None:
+                    self.concerned.emit(self._concern_of(back))
         elif undecided:
             self.queue.choose(None)
 
@@ -167,7 +195,7 @@ class ReviewController(Controller):
             self.changed.emit()
 
     def _tell_problem(self, error: Exception) -> None:
-        self._problem = tr(message_of(error))
+        self._scenes.problem = tr(message_of(error))
         self._show()
         self.failed.emit(error)
 
@@ -215,23 +243,28 @@ class ReviewController(Controller):
     def _look_at(self, review_item: ReviewItem | None) -> None:
         """Select its people and go to just before it."""
         if review_item is None:
+            self.concerned.emit(None)
             self._show()
             self.changed.emit()
             return
         self._document.correcting.leave()
         self._select(review_item.tracks)
         self._playback.pause()
-        self._playback.go(self._start_of(review_item))
+        self.concerned.emit(self._concern_of(review_item))
+        self._playback.go(self._scenes.start_of(review_item))
         if self.plays:
             self.play()
         self.edited.emit()
 
-    def _start_of(self, review_item: ReviewItem) -> int:
-        """Where watching it starts: just before it, with its people in sight."""
+    def _concern_of(self, review_item: ReviewItem) -> Concern | None:
+        """Its people while they are watched."""
         session = self._document.session
-        return (
-            review_item.start if session is None else find_first_frame(review_item, session.tracks)
-        )
+        if session is None:
+            return None
+        start = min(review_item.start, self._scenes.start_of(review_item))
+        there = [track for track in review_item.tracks if track in session.tracks]
+        rows = session.tracks.of_tracks(there, start, review_item.end)
+        return Concern(rows, start, review_item.end)
 
     def _select(self, tracks: tuple[int, ...]) -> None:
         selection = self._document.selection
@@ -245,7 +278,7 @@ class ReviewController(Controller):
         current = self.queue.current
         if current is None:
             return
-        self._playback.go(self._start_of(current))
+        self._playback.go(self._scenes.start_of(current))
         if not self._playback.clock.playing:
             self._playback.toggle()
         self._play_until = current.end
@@ -277,6 +310,30 @@ class ReviewController(Controller):
             return
         labels = session.labels
         if self._do(lambda: plan_review_verdict(current, decision, labels)):
+            self.walk(1)
+
+    def groups_alike(self) -> tuple[AlikeGroup, ...]:
+        """What the decision on the current review item may go for as well."""
+        current = self.current
+        return () if current is None else groups_alike(current, self.queue.open, self.queue.name_of)
+
+    def ask_alike(self) -> None:
+        """Show what can be decided together with the current review item."""
+        groups = self.groups_alike()
+        if not groups:
+            self.said.emit(tr("No other review item is like this one"))
+        else:
+            fps, window = self._document.recording.fps, self._panel.window()
+            open_alike_dialog(groups, fps, window).decided.connect(self.decide_alike)
+
+    def decide_alike(self, items: Sequence[ReviewItem], decision: str) -> None:
+        """Say "right" or "dismissed" of review items as one step, and go to the next one left."""
+        session, current = self._document.session, self.queue.current
+        if session is None:
+            return
+        labels = session.labels
+        first = sorted(items, key=lambda one: current is None or one.key != current.key)
+        if self._do(lambda: plan_decisions(first, decision, labels)):
             self.walk(1)
 
     def fix(self) -> None:
@@ -355,48 +412,7 @@ class ReviewController(Controller):
         if self._marked is not left:
             self._marked = left
             self._document.take_review_items(self.queue.marks() if left else ())
-        self._panel.show_scene(self._scene())
-
-    def _scene(self) -> ReviewScene:
-        current = self.queue.current
-        title, text = self._empty_words()
-        if self._is_hidden:
-            return ReviewScene(order=self.queue.order, plays=self.plays, title=title, text=text)
-        return ReviewScene(
-            items=self.queue.items,
-            current=self.queue.place,
-            left=len(self.queue.open),
-            kinds=self.queue.kinds(),
-            kind=self.queue.kind,
-            order=self.queue.order,
-            plays=self.plays,
-            also=self._also(current) if current is not None else "",
-            doing=self._search.doing,
-            title=title,
-            text=text,
-            meter=self._meter_text(),
-            waits=self.waits,
+        self._panel.show_scene(
+            self._scenes.scene(hidden=self._is_hidden, waits=self.waits, plays=self.plays)
         )
-
-    def _also(self, review_item: ReviewItem) -> str:
-        """What there is to watch, from a little before, and further reasons."""
-        fps = self._document.recording.fps
-        span = span_text(self._start_of(review_item) / fps, (review_item.end - 1) / fps)
-        return joined_text("; ", (tr("Watch {span}", span=span), *review_item.others))
-
-    def _meter_text(self) -> str:
-        session = self._document.session
-        if session is None or self._meter is None:
-            return ""
-        done = self._meter.text(session.labels, session.history, self.watching.minutes)
-        return "\n".join(line for line in (done, self._search.measures) if line)
-
-    def _empty_words(self) -> tuple[str, str]:
-        """What is said where nothing is listed."""
-        session = self._document.session
-        if session is not None and self.waits:
-            return waiting_words(session)
-        if self._search.doing:
-            return "", ""
-        known = None if self._document.is_untouched else session
-        return empty_words(known, live=self._is_hidden, problem=self._problem)
+        self._strip.show(self.current)

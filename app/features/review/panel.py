@@ -27,6 +27,7 @@ from app.core.widgets.parts import Panel, bring_into_view, quiet
 from app.core.widgets.queue_list import ReviewDelegate, ReviewModel, row_height
 from app.features.review.queue_view import FewLines, QueueView
 from app.features.review.scene import Order, ReviewScene
+from app.features.review.strip_view import StripView
 
 _ROWS = 2  # seen at least
 _SIGNS = {"Backspace": "\u232b", "Return": "\u21b5"}
@@ -64,9 +65,11 @@ class ReviewPanel(Panel):
         self._ask.clicked.connect(self.search_asked)
         self._also = FewLines(self)
         self._also.setFont(scaled_font(self.font(), 0.88))
+        self.strip = StripView(self)
+        self.learned = quiet("", self)
         self._doing = quiet("", self, "faint")
         self._meter = quiet("", self, "faint")
-        for label in (self._doing, self._meter):
+        for label in (self.learned, self._doing, self._meter):
             label.setFont(scaled_font(self.font(), 0.88))
             label.setWordWrap(True)
         self._decisions = QHBoxLayout()
@@ -77,6 +80,8 @@ class ReviewPanel(Panel):
         body.addLayout(self._choices)
         body.addWidget(self._list, 1)
         body.addWidget(self._also)
+        body.addWidget(self.strip)
+        body.addWidget(self.learned)
         body.addLayout(self._decisions)
         for words in (self._title, self._text, self._ask, self._doing, self._meter):
             body.addWidget(words)
@@ -171,9 +176,12 @@ class ReviewPanel(Panel):
             self._list.scrollToTop()
         self._also.setText(scene.also)
         self._also.setVisible(listed and bool(scene.also))  # else the rows have its room
+        self.strip.setVisible(listed and scene.current >= 0)
         self._say(self._title, "" if listed else scene.title)
         self._say(self._text, "" if listed else scene.text)
         self._ask.setVisible(scene.waits)
+        self._say(self.learned, scene.learned if listed else "")
+        self.learned.setToolTip(scene.all_learned)
         self._say(self._doing, scene.doing)
         self._say(self._meter, scene.meter)
         self.keep_low(not listed)

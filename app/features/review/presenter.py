@@ -2,16 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import Final
 
 from app.core.colours.track_colours import ColourOf
-from app.core.i18n import N_, time_text, tr
+from app.core.i18n import N_, count_text, time_text, tr
 from app.core.scenes import MarkKind, TimelineMark
 from app.core.scenes.queue_rows import ReviewPerson, ReviewRow
 from app.features.review.scene import Order, ReviewKind
 from tracking.editing import Change, plan_verdict, with_verdict
-from tracking.review import ReviewItem, ReviewItemKey, filter_undecided, rank
+from tracking.review import (
+    DecidedItems,
+    KindRecord,
+    ReviewItem,
+    ReviewItemKey,
+    filter_undecided,
+    rank,
+    records_of,
+    with_learned_likelihoods,
+)
 from tracking.tracks import Labels, TrackTable, Verdict
 from tracking.translation import Message, joined, msg
 
@@ -36,6 +46,10 @@ _KINDS: Final = {
 }
 _FIXES: Final = frozenset({"swap", "split", "merge", "delete"})
 """Edits that can be begun for a review item; others can only be looked at."""
+Outcome = tuple[ReviewItemKey, float, bool]
+"""A decided item, what was stated of it, and whether it was an error."""
+_UNKNOWN: Final = 0.5
+"""Likelihood of a decided item of a kind that is not found any more."""
 
 
 def kind_title(kind: str) -> str:
@@ -52,10 +66,32 @@ def is_fixable(item: ReviewItem) -> bool:
     return item.fix in _FIXES
 
 
+@dataclass(frozen=True, slots=True)
+class QueueFigures:
+    """How far the queue is.
+
+    Attributes:
+        found: how many items there are. decided: those of them that are decided or reviewed.
+        outcome: what came of decided items. stated: sum of the likelihoods, as found, of all items,
+            those put right among them. stated_left: of those left.
+    """
+
+    found: int = 0
+    decided: tuple[ReviewItem, ...] = ()
+    outcome: DecidedItems = field(default_factory=DecidedItems)
+    stated: float = 0.0
+    stated_left: float = 0.0
+
+
 class ReviewQueue:
     """Review items less those that are decided, walked one after the other.
 
-    The current one is kept by its key, so that it stays the same where the list is found anew.
+    The current one is kept by its key, so that it stays the same where the list is found anew. The
+    likelihoods of those left follow what came of the decided ones, see `tracking.review.learning`.
+
+    Attributes:
+        kind: the one that is listed, "" for all. order: of the list.
+        records: what came of the decided items, by kind. figures: how far the queue is.
     """
 
     def __init__(self, fps: float, colour_of: ColourOf) -> None:
@@ -63,6 +99,11 @@ class ReviewQueue:
         self.order = Order.WORTH
         self._fps, self._colour_of = fps, colour_of
         self._found: tuple[ReviewItem, ...] = ()
+        self._learned: tuple[ReviewItem, ...] = ()
+        self._stated: dict[ReviewItemKey, float] = {}
+        self._corrected: frozenset[ReviewItemKey] = frozenset()
+        self.records: Mapping[str, KindRecord] = {}
+        self.figures = QueueFigures()
         self._open: tuple[ReviewItem, ...] = ()
         self._shown: tuple[ReviewItem, ...] = ()
         self._current: ReviewItemKey | None = None
@@ -103,22 +144,93 @@ class ReviewQueue:
         self, found: Sequence[ReviewItem], labels: Labels, table: TrackTable | None = None
     ) -> None:
         """Take what was found in a table, less what people have decided or reviewed."""
-        self._found, self._table = tuple(found), table
+        self._found = self._learned = tuple(found)
+        self._table = table
+        self._stated |= {one.key: one.likelihood for one in found}
+        self.records = {}
         self.take_labels(labels)
         if self._returns_to is not None:
             self.return_to(self._returns_to)
             self._returns_to = None
 
     def take_labels(self, labels: Labels) -> None:
-        """Take what people have decided by now."""
-        self._open = filter_undecided(self._found, labels, self._fps, self._table)
+        """Take what people have decided by now, and learn from it."""
+        outcomes = tuple(self._outcomes(labels))
+        records = records_of((kind, stated, error) for (kind, *_), stated, error in outcomes)
+        if records != self.records:
+            self.records = records
+            self._learned = with_learned_likelihoods(self._found, records)
+        self._open = filter_undecided(self._learned, labels, self._fps, self._table)
+        self.figures = self._figures_of(outcomes)
         self._list()
+
+    def _figures_of(self, outcomes: Sequence[Outcome]) -> QueueFigures:
+        every = {key: stated for key, stated, _ in outcomes}
+        every |= {one.key: one.likelihood for one in self._found}
+        left = {one.key for one in self._open}
+        return QueueFigures(
+            found=len(self._found),
+            decided=tuple(one for one in self._found if one.key not in left),
+            outcome=DecidedItems(
+                sum(stated for _, stated, _ in outcomes), sum(error for *_, error in outcomes)
+            ),
+            stated=sum(every.values()),
+            stated_left=sum(every[key] for key in left),
+        )
+
+    def take_corrected(self, corrected: frozenset[ReviewItemKey], labels: Labels) -> None:
+        """Take at which items tracks were corrected by hand in this sitting: they were errors."""
+        if corrected != self._corrected:
+            self._corrected = corrected
+            self.take_labels(labels)
+
+    def forget(self) -> None:
+        """The same ids are other people from now on."""
+        self._stated, self._corrected = {}, frozenset()
+        self.take((), Labels())
+
+    def _outcomes(self, labels: Labels) -> Iterator[Outcome]:
+        """What came of each decided item.
+
+        What was dismissed says nothing. Where an item was put right before it was found here, it
+        is taken for one like the others of its kind.
+        """
+        errors = dict.fromkeys(self._corrected, True)
+        for key, verdict in labels.verdicts.items():
+            if verdict.decision != "dismissed":
+                errors[key] = verdict.decision == "fixed"
+        if not errors:
+            return
+        usual = self._usual_likelihoods()
+        for key, error in errors.items():
+            yield key, self._stated.get(key, usual.get(key[0], _UNKNOWN)), error
+
+    def _usual_likelihoods(self) -> dict[str, float]:
+        """By kind, the mean of what was stated."""
+        sums: dict[str, list[float]] = {}
+        for key, stated in self._stated.items():
+            sums.setdefault(key[0], []).append(stated)
+        return {kind: sum(every) / len(every) for kind, every in sums.items()}
+
+    def learned_text(self) -> str:
+        """What came of the current item's kind here; "" where nothing did."""
+        current = self.current
+        record = self.records.get(current.kind) if current is not None else None
+        return "" if record is None or current is None else _record_text(current.kind, record)
+
+    def learned_texts(self) -> tuple[str, ...]:
+        """What came of each kind here."""
+        return tuple(_record_text(kind, record) for kind, record in sorted(self.records.items()))
 
     def take_names(self, names: Mapping[int, str]) -> None:
         """Take what people are called."""
         if names != self._names:
             self._names = dict(names)
             self._list()
+
+    def name_of(self, track: int) -> str:
+        """A track's number, and its name where it has one."""
+        return f"{track} {self._names.get(track, '')}".rstrip()
 
     def narrow(self, kind: str) -> None:
         """List one kind alone; "" for all."""
@@ -205,9 +317,7 @@ class ReviewQueue:
             key=item.key,
             title=kind_title(item.kind),
             people=tuple(
-                ReviewPerson(
-                    track, f"{track} {self._names.get(track, '')}".rstrip(), self._colour_of(track)
-                )
+                ReviewPerson(track, self.name_of(track), self._colour_of(track))
                 for track in item.tracks
             ),
             frame=item.frame,
@@ -216,6 +326,16 @@ class ReviewQueue:
             others=tuple(map(tr, item.others)),
             likelihood=item.likelihood,
         )
+
+
+def _record_text(kind: str, record: KindRecord) -> str:
+    return count_text(
+        record.decided,
+        "{kind}: {errors} of {n} was an error here",
+        "{kind}: {errors} of {n} were errors here",
+        kind=kind_title(kind),
+        errors=record.errors,
+    )
 
 
 def plan_review_verdict(item: ReviewItem, decision: str, labels: Labels) -> Change:

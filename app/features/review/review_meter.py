@@ -59,7 +59,12 @@ class MeterWords:
 
 
 def _corrections(history: History) -> int:
-    return sum(not entry.undone and entry.kind not in _NOT_CORRECTED for entry in history)
+    return sum(not entry.undone and is_correction(entry.kind) for entry in history)
+
+
+def is_correction(kind: str) -> bool:
+    """Whether edits of a kind change tracks, rather than say something of them."""
+    return kind not in _NOT_CORRECTED
 
 
 def measure_queue(

@@ -34,6 +34,7 @@ class ReviewSearch(QObject):
         doing: what goes on, in words; "" at rest.
         measuring: whether what is found is measured against the truth, where there is one.
         measures: how good it is, in words; "" where that is not asked, or without a truth.
+        hand_made: what shows nothing but boxes that a person made is flagged, too.
     """
 
     found = Signal(object)
@@ -46,7 +47,7 @@ class ReviewSearch(QObject):
         """`subject` is asked when a search begins, for a copy that nobody changes."""
         super().__init__(parent)
         self.doing = self.measures = ""
-        self.measuring = False
+        self.measuring = self.hand_made = False
         self._subject = subject
         self._recording = recording
         self._finder = ReviewItemFinder()
@@ -92,11 +93,13 @@ class ReviewSearch(QObject):
             return  # it begins when the one at work has let go
         self._again = False
         table, run, labels = self._subject()
-        recording, lookout = self._recording, self._finder
+        recording, lookout, hand_made = self._recording, self._finder, self.hand_made
 
         def find(progress: Progress) -> object:
             view, size = recording.view, recording.size
-            return lookout.find(table, run, recording.fps, labels, view, progress, size=size)
+            return lookout.find(
+                table, run, recording.fps, labels, view, progress, size=size, hand_made=hand_made
+            )
 
         self._tell(_looking(), self.measures)
         self._start(find, lambda found: self._take(found, table))

@@ -36,6 +36,7 @@ class ReviewScene:
         plays: a stretch is played as soon as it is jumped to.
         also: further reasons of the current one. doing: what goes on, "" at rest.
         title, text: said where there is nothing to list.
+        learned: what came of the current one's kind here. all_learned: of each kind, a line each.
         meter: how the review gets on.
         waits: nothing was looked for, as no tracker made the tracks; it is if somebody asks.
     """
@@ -51,5 +52,7 @@ class ReviewScene:
     doing: str = ""
     title: str = ""
     text: str = ""
+    learned: str = ""
+    all_learned: str = ""
     meter: str = ""
     waits: bool = False

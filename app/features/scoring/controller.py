@@ -33,9 +33,10 @@ class ScoreController(FeatureController):
 
     `changed`: there is another score. Signals: `truth_asked(filters)`, a file with the ground truth
     is to be chosen, and `choose_file` gets it; `error_lanes(lanes)`, the errors by frame for the
-    timeline, None for none.
+    timeline, None for none; `concerned(concern)`, people of one frame are looked at.
     """
 
+    concerned = Signal(object)
     truth_asked = Signal(str)
     error_lanes = Signal(object)
 
@@ -148,6 +149,7 @@ class ScoreController(FeatureController):
         """Show a frame, and select whom of the result it is about."""
         live = self._document.is_live
         self._playback.pause()
+        self.concerned.emit(self.presenter.concern_at(frame))
         self._playback.go(frame)
         if self._document.is_live is not live:  # the session's are shown again, others than scored
             self.said.emit(tr("Your own tracks are in view again: Shift+L shows the new ones"))

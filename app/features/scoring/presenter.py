@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
@@ -12,6 +13,7 @@ from app.core.document.document import Document
 from app.core.document.track_sources import SHOWN, capture_rows, list_track_sources, version_of
 from app.core.error_messages import explain
 from app.core.i18n import N_, tr
+from app.core.projection.concern import CONCERNED, Concern
 from app.core.scenes import HistoryItem
 from app.core.scenes.error_events import ErrorEvents
 from app.core.scenes.ground_truth import ERROR_COLOURS, ErrorLane, ErrorLanes
@@ -28,6 +30,7 @@ from app.features.scoring.subject import (
 from app.features.scoring.truth_people import TruthPeople
 from app.features.scoring.truths import TruthKind, TruthSource, capture_truth, name_of, refuse_own
 from tracking.scoring import ErrorKind
+from tracking.tracks import Columns
 
 _NAMES = {
     ErrorKind.SWITCH: N_("Switches"),
@@ -201,6 +204,18 @@ class ScoringPresenter:
             self._people = (scored, made)
         return self._people[1]
 
+    def concern_at(self, frame: int) -> Concern | None:
+        """Who the errors that begin in a frame are about, in the truth and in the result."""
+        events, people = self.events, self.people
+        if events is None or people is None:
+            return None
+        errors = events.beginning_at(frame)
+        found = [_rows_of(people.rows(frame), errors.truth.tolist())]
+        if self.track_source == SHOWN:
+            found.append(_rows_of(self._document.tracks.of_frame(frame), errors.tracks))
+        rows = {name: np.concatenate([part[name] for part in found]) for name in CONCERNED}
+        return Concern(rows, frame, frame + 1)
+
     def annotate_edits(self, items: tuple[HistoryItem, ...]) -> tuple[HistoryItem, ...]:
         """The edits with how each of them moved the score, where that is known."""
         moved = self._moves.by_edit
@@ -307,6 +322,11 @@ class ScoringPresenter:
 
 def _key(source: TruthSource) -> tuple[TruthKind, Path | None, int]:
     return source.kind, source.path, source.run
+
+
+def _rows_of(rows: Columns, tracks: Sequence[int]) -> Columns:
+    kept = np.isin(rows["track"], tracks)
+    return {name: rows[name][kept] for name in CONCERNED}
 
 
 def _at_once(events: ErrorEvents, frame_count: int) -> NDArray[np.uint16]:

@@ -63,6 +63,10 @@ class TruthPeople:
         found = tuple(TruthPlace(place[None], "", ErrorKind.FALSE_ALARM) for place in xy)
         return FlooredTruth(people, found, legend(), self._bounds)
 
+    def rows(self, frame: int) -> Columns:
+        """Everybody of the truth, as rows of tracks."""
+        return self._people.rows(frame)
+
     def _wrong(self, frame: int) -> tuple[set[int], set[int]]:
         """Who is missed in a frame, and which tracks are nobody there."""
         first, stop = np.searchsorted(self._errors.frame, (frame, frame + 1)).tolist()

@@ -87,3 +87,23 @@ def test_what_is_no_session_is_told(trackwright: Trackwright, tmp_path: Path) ->
     status, printed, said = trackwright("review", tmp_path / "none.h5")
     assert (status, printed) == (1, "")
     assert "there is no such session" in said
+
+
+def test_imported_ground_truth_is_quiet_unless_asked(
+    trackwright: Trackwright, session: Path, tiny_recording: Path, tmp_path: Path
+) -> None:
+    swapped(session)
+    truth, imported = tmp_path / "truth.txt", tmp_path / "truth.h5"
+    assert trackwright("export", session, "-o", truth, "--format", "mot")[0] == 0
+    rows = [line.split(",") for line in truth.read_text("utf-8").splitlines()]
+    sure = [",".join((*row[:6], "1", *row[7:])) for row in rows]
+    truth.write_text("\n".join(sure), encoding="utf-8")
+    assert trackwright("import", "-r", tiny_recording, truth, "-o", imported)[0] == 0
+    status, printed, _ = trackwright("review", imported)
+    assert status == 0
+    assert "--hand-made" in printed
+    told = json.loads(trackwright("review", imported, "--json")[1])
+    assert (told["searched"], told["found"]) == (False, 0)
+    asked = json.loads(trackwright("review", imported, "--hand-made", "--json")[1])
+    assert asked["searched"]
+    assert asked["found"] > 0

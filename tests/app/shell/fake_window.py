@@ -51,6 +51,8 @@ def window_app(**given: Any) -> Any:
         plays=False,
         measures=False,
         watching=SimpleNamespace(stretch=(0, 0)),
+        flags_hand_made=False,
+        queue=SimpleNamespace(open=()),
     )
     controllers: dict[type, Any] = {
         PartsController: SimpleNamespace(presenter=parts),
@@ -73,6 +75,7 @@ def window_app(**given: Any) -> Any:
             labelling=controllers[LabelController],
             reviewing=controllers[ReviewController],
             comparing=SimpleNamespace(shown=False),
+            close_up=SimpleNamespace(active=False),
             tracking=SimpleNamespace(best="flow", why_not="", following=SimpleNamespace(on=False)),
             live=SimpleNamespace(stopping=False),
             playback=SimpleNamespace(clock=SimpleNamespace(loop=None, event=None)),

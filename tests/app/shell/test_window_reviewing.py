@@ -1,5 +1,6 @@
 """The review queue walked, decided and put right with keys in the real window."""
 
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -11,9 +12,10 @@ from PySide6.QtWidgets import QApplication, QLineEdit
 from app.core.document import document_loader
 from app.core.editing import EditScope, edits
 from app.core.playback.clock import LONGEST_STALL_S
+from app.features.review.alike_dialog import AlikeDialog
 from app.features.review.panel import ReviewPanel
 from app.features.review.scene import Order
-from tracking.editing import plan_rename
+from tracking.editing import plan_mark_reviewed, plan_rename
 from tracking.recording import open_recording
 from tracking.session import IMPORTED, Session
 from tracking.tracks import SIGNAL_COLUMNS, TRACK_COLUMNS, empty
@@ -319,6 +321,25 @@ def test_the_meter_tells_what_was_done_and_nothing_of_the_truth(controller, pres
     assert "truth" not in said
 
 
+def test_the_panel_tells_how_far_the_review_is_and_what_risk_is_left(
+    controller, press, window, qtbot
+):
+    meter, queue = window.workspace.review._meter, controller.reviewing.queue
+    begun = meter.text()
+    assert begun.startswith(f"Reviewed: 0% of the footage, 0 of {len(queue.open)} items.")
+    assert re.search(r"About \d+ errors? left \(likely \d+ to \d+\)", begun)
+    press(Key.Key_N)
+    press(Key.Key_Z)
+    assert meter.text() != begun
+    assert "0% of the footage" not in meter.text()
+    frames, labels = controller.playback.clock.frame_count, controller.document.session.labels
+    table = controller.document.session.tracks
+    controller.document.apply(plan_mark_reviewed(labels, 0, 0, frames, table))
+    controller.draw()
+    assert "Reviewed: 100% of the footage" in meter.text()
+    assert "About 0 errors left (likely 0 to 0)." in meter.text()
+
+
 def test_how_good_the_queue_is_is_told_where_that_is_asked_and_as_long(controller, window, qtbot):
     meter, action = window.workspace.review._meter, window.menus.actions["review.measure"]
     qtbot.waitUntil(lambda: not controller.reviewing._search.busy)
@@ -361,6 +382,67 @@ def test_the_list_can_be_narrowed_sorted_and_clicked(controller, window, qtbot):
     assert controller.reviewing.queue.current.key == item.key
 
 
+def test_many_are_decided_in_one_step_and_undone_to_the_one_it_was_asked_at(
+    controller, window, press, qtbot
+):
+    reviewing = controller.reviewing
+    press(Key.Key_N)
+    press(Key.Key_N)
+    first, left = reviewing.queue.current, len(reviewing.queue.open)
+    window.run_command("review.alike")
+    dialog = window.findChild(AlikeDialog)
+    frame = controller.playback.clock.frame
+    assert dialog is not None
+    group = max(reviewing.groups_alike(), key=lambda one: len(one.items))
+    many = len(group.items)
+    dialog.choices.button(
+        [one.title for one in reviewing.groups_alike()].index(group.title)
+    ).click()
+    assert controller.playback.clock.frame == frame
+    dialog.right.click()
+    decided = _verdicts(controller)
+    assert len(decided) == many
+    assert set(decided.values()) == {"right"}
+    assert len(reviewing.queue.open) <= left - many
+    controller.editing.undo()
+    assert _verdicts(controller) == {}
+    assert len(reviewing.queue.open) == left
+    assert reviewing.queue.current == first
+
+
+def test_the_panel_says_what_came_of_the_kind_and_an_edit_by_hand_counts_as_an_error(
+    controller, window, press, to_the_swap, qtbot
+):
+    current, learned = to_the_swap(), window.workspace.review.learned
+    assert learned.isHidden()
+    controller.editing.begin(edits.SWAP)
+    controller.playback.go(current.frame)
+    controller.editing.put_cut(current.frame)
+    controller.editing.confirm()
+    records = controller.reviewing.queue.records
+    assert (records[current.kind].decided, records[current.kind].errors) == (1, 1)
+    controller.editing.undo()
+    assert not controller.reviewing.queue.records
+    press(Key.Key_Z)
+    queue = controller.reviewing.queue
+    assert sum(one.decided for one in queue.records.values()) == 1
+    assert any("0 of 1 was an error here" in said for said in queue.learned_texts())
+
+
+def test_pictures_of_the_current_item_come_with_it_and_go_with_it(controller, window, press, qtbot):
+    strip = window.workspace.review.strip
+    assert strip.isHidden()
+    press(Key.Key_N)
+    qtbot.waitUntil(lambda: len(strip._images) == 3)
+    current = controller.reviewing.queue.current
+    assert all(str(track) in strip.accessibleDescription() for track in current.tracks)
+    before = strip._scene
+    press(Key.Key_N)
+    qtbot.waitUntil(lambda: strip._scene is not before and len(strip._images) == 3)
+    window.files.close_without_asking()
+    assert not strip._images
+
+
 def test_the_queue_is_empty_again_once_the_recording_is_closed(controller, window):
     window.files.close_without_asking()
     assert window.workspace.review._model.rowCount() == 0
@@ -395,6 +477,18 @@ def test_nothing_is_flagged_in_imported_ground_truth_unless_asked(imported, wind
     qtbot.mouseClick(panel._ask, Qt.MouseButton.LeftButton)
     qtbot.waitUntil(lambda: bool(reviewing.queue.items))
     assert not panel._ask.isVisible()
+
+
+@pytest.mark.parametrize("imported", [np.ones_like], indirect=True, ids=["ground truth"])
+def test_what_was_made_by_hand_is_flagged_as_long_as_that_is_asked(imported, window, qtbot):
+    reviewing, action = imported.reviewing, window.menus.actions["review.hand_made"]
+    qtbot.waitUntil(action.isEnabled)
+    action.trigger()
+    qtbot.waitUntil(lambda: bool(reviewing.queue.items))
+    qtbot.waitUntil(action.isChecked)
+    action.trigger()
+    assert not reviewing.queue.items
+    assert window.workspace.review._ask.isVisible()
 
 
 @pytest.mark.parametrize("imported", [np.asarray], indirect=True, ids=["a tracker's"])

@@ -108,6 +108,27 @@ def plan_verdict(labels: Labels, verdict: Verdict, text: str = "") -> Change:
     return Change("verdict", line, verdict.frame, State(labels=before), State(labels=after))
 
 
+def plan_verdicts(labels: Labels, verdicts: Sequence[Verdict], text: Message) -> Change:
+    """Say what came of looking at several review items, as one step.
+
+    Those of which that was said already stay as they are. text: what they were, for the log.
+
+    Raises EditError for an unknown decision, for different decisions, and where nothing is new.
+    """
+    new = [one for one in verdicts if labels.verdicts.get(one.key) != one]
+    if not new:
+        raise EditError("all of these review items are decided like this already")
+    if len({one.decision for one in new}) > 1:
+        raise EditError("review items are decided together with one decision only")
+    sides = [_verdicts(labels, one) for one in new]
+    before, after = (
+        LabelState(verdicts=tuple(one for state in states for one in state.verdicts))
+        for states in zip(*sides, strict=True)
+    )
+    line = msg("{said}: {what}", said=_SAID[new[0].decision], what=text)
+    return Change("verdict", line, new[0].frame, State(labels=before), State(labels=after))
+
+
 def with_verdict(change: Change, labels: Labels, verdict: Verdict) -> Change:
     """The change with the verdict on the review item it settles, so that both are undone together.
 

@@ -1,0 +1,85 @@
+"""Who is concerned, and where they are in both pictures and on the floor while that matters."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.core.projection.right_image import boxes_in_right_image
+from app.core.projection.trails import floor_points
+from tracking.recording import Recording
+from tracking.tracks import Columns
+
+Part = tuple[float, float, float, float]
+"""Left, top (on the floor: bottom), width and height of a part of a view, in its own units."""
+CONCERNED = ("track", "left", "top", "width", "height", "x", "y")
+"""Columns that tell where people are."""
+_CLOSEST = 4.0
+"""A picture is enlarged at most so many times: beyond it nothing more is to be seen."""
+_AROUND_BODIES, _AROUND_M, _LEAST_M = 0.75, 1.5, 4.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Concern:
+    """People and when they are looked at.
+
+    Attributes:
+        rows: of them, `CONCERNED`. start, end: half-open range of frames.
+    """
+
+    rows: Columns
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class ConcernParts:
+    """The parts of the views that show them; None where that is not known."""
+
+    left: Part | None = None
+    right: Part | None = None
+    floor: Part | None = None
+
+
+def parts_concerned(recording: Recording, concern: Concern) -> ConcernParts:
+    """Where its people are, with room around them."""
+    rows = concern.rows
+    boxes = np.column_stack([rows[name] for name in ("left", "top", "width", "height")])
+    boxes = boxes.astype(np.float64)
+    right: NDArray[np.float64] = np.zeros((0, 4))
+    if recording.rectification is not None and recording.ground is not None and len(boxes):
+        right = boxes_in_right_image(recording.rectification, boxes, floor_points(rows))
+    size = recording.size
+    return ConcernParts(_around(boxes, size), _around(right, size), _on_floor(rows))
+
+
+def _around(boxes: NDArray[np.float64], size: tuple[int, int]) -> Part | None:
+    """What holds boxes, and most of a body more on each side."""
+    known = boxes[np.isfinite(boxes).all(axis=1)]
+    if not len(known):
+        return None
+    margin = _AROUND_BODIES * float(known[:, 3].max())
+    low = known[:, :2].min(axis=0) - margin
+    high = (known[:, :2] + known[:, 2:]).max(axis=0) + margin
+    return _at_least(low, high, np.array(size) / _CLOSEST)
+
+
+def _on_floor(rows: Columns) -> Part | None:
+    places = floor_points(rows)
+    places = places[np.isfinite(places).all(axis=1)]
+    if not len(places):
+        return None
+    low, high = places.min(axis=0) - _AROUND_M, places.max(axis=0) + _AROUND_M
+    return _at_least(low, high, np.full(2, _LEAST_M))
+
+
+def _at_least(
+    low: NDArray[np.float64], high: NDArray[np.float64], least: NDArray[np.float64]
+) -> Part:
+    """A part of the view, grown about its middle to a size."""
+    middle, size = (low + high) / 2, np.maximum(high - low, least)
+    left, top = (middle - size / 2).tolist()
+    width, height = size.tolist()
+    return left, top, width, height
