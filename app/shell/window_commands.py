@@ -248,7 +248,10 @@ def _to_leave(app: WindowApp) -> str:
     """There must be a selection, an edit or a label to leave."""
     document = app.document
     if document is not None and (
-        document.selection or document.flow is not None or app.open.labelling.tool is not None
+        document.selection
+        or document.flow is not None
+        or document.correcting.mode.drawing
+        or app.open.labelling.tool is not None
     ):
         return ""
     return tr("nobody is selected")

@@ -121,5 +121,5 @@ def test_a_box_that_cannot_be_copied_says_why(drawn, track, frame, end, why) -> 
 
 def test_copying_onto_copies_changes_nothing_and_says_so(drawn) -> None:
     apply_change(drawn, Labels(), plan_propagate(drawn, 1, 2, 7))
-    with pytest.raises(EditError, match="no frame to copy|nothing to change"):
+    with pytest.raises(EditError, match="no frame to copy"):
         plan_propagate(drawn, 1, 5, 7)

@@ -58,7 +58,8 @@ class FrameStateBuilder:
             colours=colours,
             movable=self._correcting.can_place,
             waits=self._correcting.waits,
-            drawing=flow is not None and flow.drawing,
+            drawing=flow.drawing if flow is not None else self._draws,
+            says=self._words(frame) if flow is None and self._draws else "",
         )
 
     def build_compared(self, frame: int, comparison: TwoVersions | None) -> FrameState:
@@ -84,6 +85,17 @@ class FrameStateBuilder:
             preview=comparison.trails(frame, floor_points),
             picture_preview=comparison.trails(frame, self._left_foot_points),
         )
+
+    @property
+    def _draws(self) -> bool:
+        """Whether boxes are drawn one after the other."""
+        return self._correcting.mode.drawing and self._correcting.can_place
+
+    def _words(self, frame: int) -> str:
+        """What the next drag over the picture does."""
+        track, names = self._selection.track, self._track_source.names
+        new = self._correcting.next_is_new(frame)
+        return self._correcting.mode.words("" if new else f"{track} {names.get(track, '')}".strip())
 
     def _emphasised(self, change: Change | None) -> tuple[int, ...]:
         """Who is drawn like the selected person: others selected too, and who is being drawn."""

@@ -38,6 +38,7 @@ class ViewOptions:
     evaluation: bool = False
     ramp: bool = False
     truth: bool = False
+    suggestions: bool = False
     panels: frozenset[str] = frozenset()
 
     @property
@@ -67,6 +68,7 @@ _LASTING = (
         "parts",
         "part_particles",
         "counts",
+        "suggestions",
     ),
     "floor_legend",
 )
@@ -112,6 +114,7 @@ class FrameState:
         replaced: the frame's rows that this edit moves elsewhere or takes out; None: none.
         colours: of the tracks.
         movable: boxes and people can be dragged. drawing: a box is to be drawn.
+        says: what the next drag over the picture does, while boxes are drawn one after the other.
         waits: an edit stands ready, which a drag of anybody else's box would drop.
     """
 
@@ -128,6 +131,7 @@ class FrameState:
     colours: TrackColours = field(default_factory=TrackColours)
     movable: bool = False
     drawing: bool = False
+    says: str = ""
     waits: bool = False
 
     @property

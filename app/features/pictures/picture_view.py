@@ -23,6 +23,7 @@ from app.core.drawing.name_plates import draw_message
 from app.core.drawing.part_cards import draw_cards
 from app.core.drawing.part_marks import draw_part_boxes, draw_part_particles, part_box_at, said_at
 from app.core.drawing.people_marks import draw_cross, draw_ghosts, draw_people, draw_preview
+from app.core.drawing.suggested_marks import draw_suggested
 from app.core.drawing.surfaces import PictureSurface
 from app.core.drawing.truth_marks import draw_truth_boxes
 from app.core.i18n import tr
@@ -249,6 +250,7 @@ class PictureView(PictureSurface):
         draw_ghosts(painter, self._scene.ghosts, self.viewport)
         draw_detections(painter, self._detections, self.viewport)
         draw_other_boxes(painter, self._others, self.viewport, theme, shown)
+        draw_suggested(painter, self._suggested, self.viewport, theme, shown)
         captions = self._lay_out_captions(area)
         draw_people(painter, self._scene.people, self.viewport)
         self._draw_parts(painter, shown)

@@ -6,6 +6,7 @@ from types import SimpleNamespace
 from typing import Any
 
 from app.core.commands import CommandRegistry
+from app.core.editing.annotation_mode import AnnotationMode
 from app.core.tracks.frame_state import ViewOptions
 from app.features.labelling.controller import LabelController
 from app.features.parts.controller import PartsController
@@ -33,6 +34,7 @@ def window_app(**given: Any) -> Any:
         tracks=SimpleNamespace(ids=(1,) if now["tracks"] else ()),
         selection=bool(now["selected"]),
         flow=None,
+        correcting=SimpleNamespace(mode=AnnotationMode()),
         in_the_way=now["in_the_way"],
         shows_further_run=now["further"],
         recording=SimpleNamespace(
