@@ -6,6 +6,7 @@ from PySide6.QtCore import QSize, QTimer
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QKeyEvent, QKeySequence
 from PySide6.QtWidgets import (
     QApplication,
+    QLabel,
     QMainWindow,
     QMenuBar,
     QPushButton,
@@ -20,6 +21,7 @@ from app.core.error_messages import explain
 from app.core.i18n import tr
 from app.core.look.icons import application_icon
 from app.core.widgets.notice import NoticeBar
+from app.core.widgets.parts import quiet
 from app.core.widgets.progress_strip import ProgressStrip
 from app.core.widgets.user_settings import UserSettings
 from app.core.widgets.work import Work
@@ -56,6 +58,7 @@ class MainWindow(QMainWindow):
         self.project_page = ProjectPage(lambda name: self.files.projects.project.image_of(name))
         self.notice = NoticeBar(self)
         self.progress = ProgressStrip(self)
+        self.meter: QLabel = quiet("", self)
         self.work = Work(self.progress, self)
         self.files = Files(self, self.work, remembered)
         self.app = WindowApp(self)
@@ -86,6 +89,7 @@ class MainWindow(QMainWindow):
         self.setCentralWidget(centre)
         # The line keeps its height, so that nothing above moves when work begins or ends.
         self.statusBar().setSizeGripEnabled(False)
+        self.statusBar().addWidget(self.meter)  # hidden by passing words
         self.statusBar().addPermanentWidget(self.progress, 3)
         least = max(self.statusBar().sizeHint().height(), self.notice.least_height)
         self.statusBar().setMinimumHeight(least)
@@ -188,6 +192,7 @@ class MainWindow(QMainWindow):
                 self.project_page.enable(item.command, item.why_not)
         self.setWindowTitle(self.files.title())
         self.setWindowModified(self.files.saving.unsaved)
+        self.meter.setText(self.controller.annotating.meter.text() if self.controller else "")
         self._show_progress()
         self._told.settle()
         self.files.leaving.settle()

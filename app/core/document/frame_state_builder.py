@@ -95,10 +95,13 @@ class FrameStateBuilder:
         """What the next drag over the picture does."""
         track, names = self._selection.track, self._track_source.names
         new = self._correcting.next_is_new(frame)
-        return self._correcting.mode.words("" if new else f"{track} {names.get(track, '')}".strip())
+        name = "" if new else f"{track} {names.get(track, '')}".strip()
+        guesses = len(self._correcting.ghosts_waiting(frame)) > 0
+        return self._correcting.mode.words(name, guesses=guesses)
 
     def _emphasised(self, change: Change | None) -> tuple[int, ...]:
         """Who is drawn like the selected person: others selected too, and who is being drawn."""
         flow = self._correcting.flow
-        new = change.tracks if change is not None and flow and not flow.track else ()
+        shown = change is not None and flow is not None and (flow.drawing or not flow.track)
+        new = change.tracks if change is not None and shown else ()
         return (*self._selection.also, *new)

@@ -54,9 +54,18 @@ class AnnotationMode:
         row = table.of_track(track, frame, frame + 1)
         return len(row["source"]) > 0 and row["source"][0] == Source.PERSON
 
-    def words(self, name: str) -> str:
-        """What the next drag over the picture does; name: of whom the box will be, "": new."""
+    def words(self, name: str, *, guesses: bool = False) -> str:
+        """What the next drag over the picture does.
+
+        Args:
+            name: of whom the box will be, "": somebody new.
+            guesses: it is given to who is expected where it lies.
+        """
         whose = tr("Drag to draw {name}", name=name) if name else tr("Drag to draw a new person")
+        if guesses and name:
+            whose = tr("Drag to draw who is expected there, else {name}", name=name)
+        elif guesses:
+            whose = tr("Drag to draw who is expected there, else a new person")
         on = count_text(self.step, "then {n} frame on", "then {n} frames on") if self.step else ""
         parts = (whose, on, tr("Esc ends drawing"))
         return "  \u00b7  ".join(part for part in parts if part)

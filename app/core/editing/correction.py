@@ -21,6 +21,7 @@ from app.core.editing.annotation_mode import AnnotationMode, NextBox
 from app.core.editing.gap_places import gap_near, next_filled
 from app.core.editing.nearness import followers_first, nearest_first
 from app.core.editing.review_target import is_near
+from app.core.editing.suggested_boxes import Ghost, ghosts_of_drawn, suggest_boxes
 from app.core.editing.swap_candidates import find_swap_candidates
 from app.core.i18n import tr
 from app.core.tracks.edit_context import EditContext
@@ -59,6 +60,8 @@ class CorrectionPresenter:
         self.mode = AnnotationMode()
         self.item_looked_at: Callable[[], ReviewItem | None] = _no_item
         self._let_go: tuple[int, ...] = ()
+        self._ghosts: tuple[Ghost, ...] = ()
+        self._else: EditFlow | None = None
         self._selection = selection
         self._geometry = geometry
         self._edit_context = edit_context
@@ -152,7 +155,20 @@ class CorrectionPresenter:
 
     def begin_next_box(self, frame: int) -> None:
         """A drag begins while boxes are drawn one after the other."""
+        ghosts = self.ghosts_waiting(frame)
         self.begin_drawing(frame, self.next_is_new(frame))
+        self._ghosts, self._else = ghosts, self.flow
+
+    def ghosts_waiting(self, frame: int) -> tuple[Ghost, ...]:
+        """Of whom the next box may be, where it lies near to where they are expected.
+
+        Nobody's where it is said whose it is, or the selected person alone is waited for.
+        """
+        on, selected = self._edit_context(), self._selection.track
+        if on is None or self.mode.next_box is not NextBox.AUTO:
+            return ()
+        ghosts = ghosts_of_drawn(on.table, frame, self._geometry.fps)
+        return ghosts if any(ghost.track != selected for ghost in ghosts) else ()
 
     def next_is_new(self, frame: int) -> bool:
         """Whether the next box in a frame begins a new track."""
@@ -265,7 +281,15 @@ class CorrectionPresenter:
         if self.flow is None or not self.flow.places or self.flow.spec is edits.FLOOR:
             self.begin(edits.MOVE, frame)
         if self.flow is not None:
-            self.change(replace(self.flow, box=self._geometry.kept_inside(box)))
+            flow = replace(self.flow, box=self._geometry.kept_inside(box))
+            self.change(self._given(flow) if self._ghosts and flow.drawing else flow)
+
+    def _given(self, flow: EditFlow) -> EditFlow:
+        """The box that is drawn, of who is expected near to it, else of whom it would be."""
+        track = suggest_boxes([flow.box], self._ghosts)[0].track if flow.box is not None else 0
+        if track:
+            return replace(flow, spec=edits.DRAW, track=track, scope=EditScope.JOINED)
+        return replace(self._else, box=flow.box, drawing=True) if self._else else flow
 
     def put_place(self, place: Place, frame: int) -> None:
         """The selected person is dragged over the floor."""
@@ -314,7 +338,7 @@ class CorrectionPresenter:
         self.flow = self.planned = self.begun_at = None
         for track in reversed(self._let_go if not self._selection else ()):
             self._selection.add(track)
-        self._let_go = ()
+        self._let_go = self._ghosts = ()
 
     def finish(self) -> None:
         """The edit was done: who was let go for it stays let go."""

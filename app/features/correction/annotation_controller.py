@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import time
+
 from PySide6.QtCore import QObject
 
 from app.core.controller import Controller
@@ -23,6 +25,7 @@ from app.core.tracks.frame_state import FrameState, ViewOptions
 from app.core.tracks.recording_geometry import box_of
 from app.features.correction.box_search import BoxSearch
 from app.features.correction.controller import EditController
+from app.features.correction.work_meter import WorkMeter
 from tracking.tracks import Box, TrackTable
 
 _FAR_PX = 10.0
@@ -32,6 +35,9 @@ class AnnotationController(Controller):
     """Puts boxes by keys, and shows those that can be put.
 
     `changed`: whose the next box is, or what is switched on, is another.
+
+    Attributes:
+        meter: how fast boxes are put.
     """
 
     def __init__(
@@ -48,6 +54,8 @@ class AnnotationController(Controller):
         self._search = BoxSearch(document, self)
         self._search.found.connect(self.changed)
         self._search.failed.connect(self.failed)
+        self.meter = WorkMeter(time.monotonic)
+        document.tell(self.meter)
         self._found: tuple[SuggestedBox, ...] = ()
         self._options = ViewOptions()
 
@@ -176,23 +184,23 @@ class AnnotationController(Controller):
         correcting = self._document.correcting
         shown = correcting.can_place and correcting.flow is None
         suggested = shown and (options.suggestions or correcting.mode.drawing)
-        ghost = self._ghost(state.frame) if shown else None
-        self._found = self._suggestions(state, ghost) if suggested else ()
+        mine = self._ghost(state.frame) if shown else None
+        everybody = self._ghosts(state.frame) if suggested else ()
+        ghosts = {one.track: one for one in (*everybody, *([mine] if mine is not None else []))}
+        self._found = self._suggestions(state, tuple(ghosts.values())) if suggested else ()
+        found = {one.track for one in self._found}
+        drawn = ghosts.values() if correcting.mode.drawing else [mine] if mine is not None else []
         marks = [self._mark(one, state) for one in self._found]
-        if ghost is not None:
-            marks.append(_ghost_mark(ghost, state))
+        marks += [_ghost_mark(one, state) for one in drawn if one is mine or one.track not in found]
         self._picture.show_suggested(tuple(marks))
 
-    def _suggestions(self, state: FrameState, mine: Ghost | None) -> tuple[SuggestedBox, ...]:
-        fps = self._document.recording.fps
-        boxes = self._search.boxes(state.frame, state.tracks)
-        ghosts = {ghost.track: ghost for ghost in self._ghosts(state.frame, fps)} if boxes else {}
-        if mine is not None:
-            ghosts[mine.track] = mine
-        return suggest_boxes(boxes, tuple(ghosts.values()))
+    def _suggestions(
+        self, state: FrameState, ghosts: tuple[Ghost, ...]
+    ) -> tuple[SuggestedBox, ...]:
+        return suggest_boxes(self._search.boxes(state.frame, state.tracks), ghosts)
 
-    def _ghosts(self, frame: int, fps: float) -> tuple[Ghost, ...]:
-        return ghosts_of_drawn(self._table(), frame, fps)
+    def _ghosts(self, frame: int) -> tuple[Ghost, ...]:
+        return ghosts_of_drawn(self._table(), frame, self._document.recording.fps)
 
     def _ghost(self, frame: int) -> Ghost | None:
         return find_ghost(self._table(), self._track, frame, self._document.recording.fps)

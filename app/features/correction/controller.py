@@ -93,6 +93,15 @@ class EditController(Controller):
     def pick(self, track: int) -> None:
         """A person was clicked in some view."""
         self._picked(lambda: self._document.correcting.pick(track))
+        self._draw_picked()
+
+    def _draw_picked(self) -> None:
+        """Whoever was picked between two boxes is drawn next."""
+        mode = self._document.correcting.mode
+        if mode.drawing and self._document.flow is None:
+            picked = bool(self._document.selection)
+            mode.next_box = NextBox.SELECTED if picked else NextBox.AUTO
+            self.changed.emit()
 
     def add(self, track: int) -> None:
         """A person was clicked with Shift: they are selected too."""
@@ -102,6 +111,7 @@ class EditController(Controller):
         """Tab or Shift+Tab."""
         here = self._document.people_at(self._playback.number)
         self._picked(lambda: self._document.correcting.pick_next(here, step), final=False)
+        self._draw_picked()
 
     def pick_typed(self, track: int) -> None:
         """The other person's id was typed or chosen among those that may be meant."""
@@ -203,7 +213,12 @@ class EditController(Controller):
         """Enter: do the edit; the playhead stays, unless boxes are drawn one after the other."""
         flow, mode = self._document.flow, self._document.correcting.mode
         done = self._do(self._confirm, tr("Done: {text}"))
-        if done and flow is not None and flow.places and mode.drawing and mode.step:
+        if not done or flow is None or not flow.places or not mode.drawing:
+            return
+        if flow.track and not flow.boxes and flow.track != self._document.selection.track:
+            self._document.selection.choose(flow.track)  # who was found by where the box is
+            self.changed.emit()
+        if mode.step:
             clock = self._playback.clock
             self._playback.go(min(clock.frame + mode.step, clock.last_frame))
 

@@ -114,6 +114,31 @@ def test_the_picture_says_whose_the_next_box_is(drawing):
     assert drawing.people(5) == [2]
 
 
+def test_a_box_drawn_where_somebody_is_expected_is_theirs_and_elsewhere_a_new_person_s(drawing):
+    _drag(drawing, 20)
+    _drag(drawing, 140)
+    drawing.go(7)
+    assert "who is expected there, else 2" in _said(drawing)
+    _drag(drawing, 30)
+    assert drawing.people(7) == [1]
+    assert drawing.controller.document.selection.track == 1
+    assert "who is expected there, else a new person" in _said(drawing)
+    _drag(drawing, 150)
+    assert drawing.people(7) == [1, 2]
+    assert "a new person" in _said(drawing)  # nobody is waited for any more
+    _drag(drawing, 80)
+    assert drawing.people(7) == [1, 2, 3]
+    assert drawing.frames(1) == list(range(2, 8))
+
+
+def test_a_box_of_a_new_person_is_theirs_wherever_it_lies(drawing):
+    _drag(drawing, 20)
+    drawing.go(7)
+    drawing.press(Key.Key_Insert)
+    _drag(drawing, 22)
+    assert drawing.people(7) == [2]
+
+
 def test_a_click_says_who_goes_on_and_escape_ends_drawing_first(drawing):
     _drag(drawing, 20)
     _drag(drawing, 80)
@@ -375,3 +400,11 @@ def test_marks_are_drawn_on_the_picture(detected, qtbot):
     at = detected.window.workspace.left.viewport.point(28, 30)
     colour = detected.window.workspace.left.grab().toImage().pixelColor(QPointF(at).toPoint())
     assert colour.value() != 46  # not the picture's own grey: the suggestion's line
+
+
+def test_the_status_bar_tells_how_much_was_done(drawing, qtbot):
+    assert drawing.window.meter.text() == ""
+    _drag(drawing, 20)
+    drawing.go(12)
+    _drag(drawing, 120)
+    qtbot.waitUntil(lambda: drawing.window.meter.text().startswith("11 boxes"))
