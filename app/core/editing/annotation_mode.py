@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import Enum
 
 from app.core.editing.flow import EditFlow
+from app.core.editing.suggested_boxes import Ghost
 from app.core.i18n import count_text, tr
 from tracking.tracks import Box, Source, TrackTable
 
@@ -28,6 +29,7 @@ class AnnotationMode:
         at_once: edits of one person are done without a preview. two_at_once: those of two people,
             too.
         next_box: whose the next box is. copied: the box that can be put elsewhere.
+        gone: who is waited for no more, by track, with the frame of their last box.
     """
 
     drawing: bool = False
@@ -36,6 +38,7 @@ class AnnotationMode:
     two_at_once: bool = False
     next_box: NextBox = NextBox.AUTO
     copied: Box | None = None
+    gone: dict[int, int] = field(default_factory=dict)
 
     def does_at_once(self, flow: EditFlow) -> bool:
         """Whether an edit is done as soon as it can be; one that puts a box waits for that."""
@@ -53,6 +56,10 @@ class AnnotationMode:
             return False
         row = table.of_track(track, frame, frame + 1)
         return len(row["source"]) > 0 and row["source"][0] == Source.PERSON
+
+    def is_waited_for(self, ghost: Ghost) -> bool:
+        """Whether somebody without a box may still come; a later box of theirs says so anew."""
+        return self.gone.get(ghost.track) != ghost.frame
 
     def words(self, name: str, *, guesses: bool = False) -> str:
         """What the next drag over the picture does.

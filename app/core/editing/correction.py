@@ -29,7 +29,7 @@ from app.core.tracks.recording_geometry import Place, RecordingGeometry
 from app.core.tracks.selection import Selection
 from tracking.editing import is_by_hand
 from tracking.review import ReviewItem
-from tracking.tracks import Box
+from tracking.tracks import Box, TrackTable
 
 _BOX_STEP_PX, _PLACE_STEP_M, _FAR = 1.0, 0.05, 10.0
 _MOST_OTHERS = 5
@@ -167,7 +167,7 @@ class CorrectionPresenter:
         on, selected = self._edit_context(), self._selection.track
         if on is None or self.mode.next_box is not NextBox.AUTO:
             return ()
-        ghosts = ghosts_of_drawn(on.table, frame, self._geometry.fps)
+        ghosts = self.ghosts_of_drawn(on.table, frame)
         return ghosts if any(ghost.track != selected for ghost in ghosts) else ()
 
     def next_is_new(self, frame: int) -> bool:
@@ -182,6 +182,14 @@ class CorrectionPresenter:
             self.begun_at = frame if self.flow is None else self.begun_at
             flow = EditFlow.begin(edits.PUT, min(boxes), frame, self._geometry.fps)
             self.change(replace(flow, boxes=tuple(sorted(boxes.items()))))
+
+    def ghosts_of_drawn(self, table: TrackTable, frame: int) -> tuple[Ghost, ...]:
+        """Those of everybody who is drawn by hand, may be in the picture and is waited for."""
+        found = ghosts_of_drawn(table, frame, self._geometry.fps)
+        size = self._geometry.size
+        return tuple(
+            ghost for ghost in found if self.mode.is_waited_for(ghost) and ghost.is_inside(size)
+        )
 
     @property
     def finishes_at_once(self) -> bool:

@@ -9,21 +9,26 @@ from typing import Final
 import numpy as np
 from scipy.optimize import linear_sum_assignment
 
-from tracking.arrays import Floats
+from tracking.arrays import Floats, Mask
 from tracking.tracks import Box, Columns, Source, TrackTable
-from tracking.tracks.boxes import overlaps
+from tracking.tracks.boxes import overlaps, share_inside
 from tracking.tracks.columns import boxes_of
 
 REACH_S: Final = 5.0
 """Who was seen longer ago has probably left."""
+_LEAST_INSIDE = 0.1
+"""Who is expected to be seen no more than this has left the picture."""
 _SPEED_S = 1.0
 """How fast somebody goes is told from so much of their track."""
 _SAME = 0.5
 """Boxes that overlap more, as intersection over union, are of one person, as scores take it."""
-_GATE_HEIGHTS = 0.5
-"""So far from where somebody is expected a box is theirs, in heights of theirs: most of a step."""
-_LARGEST_RATIO = 1.5
-"""Of heights: who is so much taller is somebody else."""
+_GATE = 3.0
+"""So many standard deviations from where somebody is expected a box may be theirs."""
+_DRAWN, _WALK, _STRAY = 0.1, 0.4, 0.15
+"""Standard deviations across, in heights of the person: of a box; of a second's walk (1.3 m/s, or
+0.76 heights, is usual) by who was seen once; of one that goes on as before."""
+_FEET, _TALLER = 0.5, 0.15
+"""Of the feet, as a share of that across; of the logarithm of the height."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,13 +37,19 @@ class Ghost:
 
     Attributes:
         track: who. frame: of that box, the last before, else the first after. box: it.
-        expected: the same box, gone on as fast as they went there.
+        expected: the same box, gone on as fast as they went there. spread: how far from there they
+            may be by now, a standard deviation in heights of theirs.
     """
 
     track: int
     frame: int
     box: Box
     expected: Box
+    spread: float
+
+    def is_inside(self, size: tuple[int, int]) -> bool:
+        """Whether some of the box that is expected lies in a picture of this size."""
+        return bool(share_inside(np.array([self.expected]), size)[0] > _LEAST_INSIDE)
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,15 +68,15 @@ def find_ghost(table: TrackTable, track: int, frame: int, fps: float) -> Ghost |
     before = table.of_track(track, max(0, frame - reach), frame)
     if len(before["frame"]):
         near = before["frame"] >= before["frame"][-1] - speed
-        return _ghost(track, frame, {name: column[near] for name, column in before.items()}, -1)
+        return _ghost(track, frame, fps, _some(before, near), -1)
     after = table.of_track(track, frame, frame + reach + 1)
     if not len(after["frame"]):
         return None
     near = after["frame"] <= after["frame"][0] + speed
-    return _ghost(track, frame, {name: column[near] for name, column in after.items()}, 0)
+    return _ghost(track, frame, fps, _some(after, near), 0)
 
 
-def _ghost(track: int, frame: int, rows: Columns, at: int) -> Ghost | None:
+def _ghost(track: int, frame: int, fps: float, rows: Columns, at: int) -> Ghost | None:
     """From the rows of a second, of which the one at an end is the nearest."""
     boxes, frames = boxes_of(rows, slice(None)), rows["frame"].astype(np.float64)
     if not np.isfinite(boxes[at]).all():
@@ -75,7 +86,13 @@ def _ghost(track: int, frame: int, rows: Columns, at: int) -> Ghost | None:
     speed = (middles[-1] - middles[0]) / span if span else np.zeros(2)
     moved = np.nan_to_num(speed) * (frame - frames[at])
     expected = np.concatenate((boxes[at, :2] + moved, boxes[at, 2:]))
-    return Ghost(track, int(frames[at]), _box(boxes[at]), _box(expected))
+    seconds = abs(frame - frames[at]) / fps
+    spread = _DRAWN + seconds * (_STRAY if span else _WALK)
+    return Ghost(track, int(frames[at]), _box(boxes[at]), _box(expected), float(spread))
+
+
+def _some(rows: Columns, chosen: Mask) -> Columns:
+    return {name: column[chosen] for name, column in rows.items()}
 
 
 def ghosts_of_drawn(table: TrackTable, frame: int, fps: float) -> tuple[Ghost, ...]:
@@ -119,15 +136,25 @@ def _assigned(boxes: Floats, ghosts: Sequence[Ghost]) -> Mapping[int, int]:
     if not len(boxes) or not ghosts:
         return {}
     expected = np.array([ghost.expected for ghost in ghosts], np.float64)
-    middles = [each[:, :2] + each[:, 2:] / 2 for each in (expected, boxes)]
-    apart = np.linalg.norm(middles[0][:, None] - middles[1][None], axis=2)
-    heights = expected[:, None, 3]
-    ratio = np.abs(np.log(boxes[None, :, 3] / heights))
-    cost = apart / heights / _GATE_HEIGHTS
-    near = (cost <= 1.0) & (ratio <= np.log(_LARGEST_RATIO))
-    rows, columns = linear_sum_assignment(np.where(near, cost, len(boxes) + len(ghosts)))
+    away = _away(expected, np.array([ghost.spread for ghost in ghosts]), boxes)
+    near = away <= _GATE**2
+    rows, columns = linear_sum_assignment(np.where(near, away, _GATE**2 * (1 + len(ghosts))))
     pairs = zip(rows.tolist(), columns.tolist(), strict=True)
     return {box: ghosts[ghost].track for ghost, box in pairs if near[ghost, box]}
+
+
+def _away(expected: Floats, spread: Floats, boxes: Floats) -> Floats:
+    """(g, b) squared Mahalanobis distances: across, at the feet and in height.
+
+    People walk along the picture more than towards it: feet go up and down less than across.
+    """
+    one, other = expected[:, None], boxes[None]
+    heights, spread = one[..., 3], spread[:, None]
+    across = (other[..., 0] + other[..., 2] / 2 - one[..., 0] - one[..., 2] / 2) / heights
+    feet = (other[..., 1] + other[..., 3] - one[..., 1] - one[..., 3]) / heights
+    taller = np.log(np.maximum(other[..., 3], 1e-9) / heights)
+    parts = across / spread, feet / (_FEET * spread), taller / _TALLER
+    return np.asarray(np.sum(np.square(parts), axis=0))
 
 
 def suggestion_at(found: Sequence[SuggestedBox], x: float, y: float) -> SuggestedBox | None:

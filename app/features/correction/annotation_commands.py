@@ -172,6 +172,15 @@ COMMANDS: Final[tuple[Command[CorrectionApp], ...]] = (
         lambda app: app.of(AnnotationController).accept_all(),
         also="detections take all",
     ),
+    Command(
+        "tracks.dismiss_ghost",
+        "Wait for this person no more",
+        _MENU,
+        ("Shift+Backspace",),
+        drawable,
+        lambda app: app.of(AnnotationController).dismiss_ghost(),
+        also="ghost left gone outside",
+    ),
     *_steps(),
     *_by_keys(),
 )

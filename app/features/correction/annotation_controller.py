@@ -13,7 +13,6 @@ from app.core.editing.suggested_boxes import (
     Ghost,
     SuggestedBox,
     find_ghost,
-    ghosts_of_drawn,
     suggest_boxes,
     suggestion_at,
 )
@@ -37,7 +36,7 @@ class AnnotationController(Controller):
     `changed`: whose the next box is, or what is switched on, is another.
 
     Attributes:
-        meter: how fast boxes are put.
+        meter: how fast boxes are put. suggested: what is shown in the frame.
     """
 
     def __init__(
@@ -56,8 +55,13 @@ class AnnotationController(Controller):
         self._search.failed.connect(self.failed)
         self.meter = WorkMeter(time.monotonic)
         document.tell(self.meter)
-        self._found: tuple[SuggestedBox, ...] = ()
+        self.suggested: tuple[SuggestedBox, ...] = ()
         self._options = ViewOptions()
+
+    @property
+    def busy(self) -> bool:
+        """Whether boxes to suggest are being read."""
+        return self._search.busy
 
     def close(self) -> None:
         """End the thread; leave nothing on the picture, which outlives the document."""
@@ -142,6 +146,21 @@ class AnnotationController(Controller):
         else:
             self._editing.put_box(ghost.box)
 
+    def dismiss_ghost(self) -> None:
+        """Wait no more for who is expected under the mouse, else for who is selected."""
+        frame, place = self._playback.clock.frame, self._pointed_place()
+        ghosts = {ghost.track: ghost for ghost in self._ghosts(frame)}
+        mine = self._ghost(frame)
+        expected = [SuggestedBox(ghost.expected, track) for track, ghost in ghosts.items()]
+        pointed = suggestion_at(expected, *place) if place is not None else None
+        ghost = ghosts[pointed.track] if pointed is not None else mine
+        if ghost is None:
+            self.said.emit(tr("Nobody is waited for here"))
+            return
+        self._document.correcting.mode.gone[ghost.track] = ghost.frame
+        self.said.emit(tr("{track} is waited for no more", track=ghost.track))
+        self.changed.emit()
+
     def accept_suggestion(self) -> None:
         """Take the suggested box under the mouse, else the one that may be the selected person's.
 
@@ -149,7 +168,7 @@ class AnnotationController(Controller):
         """
         pointed = self._pointed()
         if pointed is None:
-            mine = (one for one in self._found if self._track and one.track == self._track)
+            mine = (one for one in self.suggested if self._track and one.track == self._track)
             pointed = next(mine, None)
         if pointed is None:
             self.said.emit(tr("No suggested box is near: point at one with the mouse"))
@@ -163,18 +182,21 @@ class AnnotationController(Controller):
 
     def accept_all(self) -> None:
         """Take every suggested box that says whose it may be."""
-        boxes = {one.track: one.box for one in self._found if one.track}
+        boxes = {one.track: one.box for one in self.suggested if one.track}
         if boxes:
             self._editing.put_boxes(boxes)
         else:
             self.said.emit(tr("No suggested box is near to anybody who was here before"))
 
     def _pointed(self) -> SuggestedBox | None:
+        place = self._pointed_place()
+        return suggestion_at(self.suggested, *place) if place is not None else None
+
+    def _pointed_place(self) -> tuple[float, float] | None:
+        """Where the mouse is in the picture, in its pixels."""
         at = self._picture.pointed_at
-        if at is None:
-            return None
-        place = self._picture.viewport.to_content(at)
-        return suggestion_at(self._found, place.x(), place.y())
+        place = self._picture.viewport.to_content(at) if at is not None else None
+        return (place.x(), place.y()) if place is not None else None
 
     # drawing
 
@@ -187,11 +209,15 @@ class AnnotationController(Controller):
         mine = self._ghost(state.frame) if shown else None
         everybody = self._ghosts(state.frame) if suggested else ()
         ghosts = {one.track: one for one in (*everybody, *([mine] if mine is not None else []))}
-        self._found = self._suggestions(state, tuple(ghosts.values())) if suggested else ()
-        found = {one.track for one in self._found}
+        self.suggested = self._suggestions(state, tuple(ghosts.values())) if suggested else ()
+        found = {one.track for one in self.suggested}
         drawn = ghosts.values() if correcting.mode.drawing else [mine] if mine is not None else []
-        marks = [self._mark(one, state) for one in self._found]
-        marks += [_ghost_mark(one, state) for one in drawn if one is mine or one.track not in found]
+        marks = [self._mark(one, state) for one in self.suggested]
+        marks += [
+            _ghost_mark(one, state, last=one.track == self._track)
+            for one in drawn
+            if one is mine or one.track not in found
+        ]
         self._picture.show_suggested(tuple(marks))
 
     def _suggestions(
@@ -200,10 +226,12 @@ class AnnotationController(Controller):
         return suggest_boxes(self._search.boxes(state.frame, state.tracks), ghosts)
 
     def _ghosts(self, frame: int) -> tuple[Ghost, ...]:
-        return ghosts_of_drawn(self._table(), frame, self._document.recording.fps)
+        return self._document.correcting.ghosts_of_drawn(self._table(), frame)
 
     def _ghost(self, frame: int) -> Ghost | None:
-        return find_ghost(self._table(), self._track, frame, self._document.recording.fps)
+        ghost = find_ghost(self._table(), self._track, frame, self._document.recording.fps)
+        waited = ghost is not None and self._document.correcting.mode.is_waited_for(ghost)
+        return ghost if waited else None
 
     def _table(self) -> TrackTable:
         session = self._document.session
@@ -220,6 +248,10 @@ class AnnotationController(Controller):
         return SuggestedMark(one.box, label, state.colours.of(one.track))
 
 
-def _ghost_mark(ghost: Ghost, state: FrameState) -> SuggestedMark:
-    label = tr("{name} in frame {frame}", name=state.label(ghost.track), frame=ghost.frame)
-    return SuggestedMark(ghost.box, label, state.colours.of(ghost.track), ghost=True)
+def _ghost_mark(ghost: Ghost, state: FrameState, *, last: bool) -> SuggestedMark:
+    """Of the selected person their last box, which a key puts here; of others where they may be."""
+    name, colour = state.label(ghost.track), state.colours.of(ghost.track)
+    if last:
+        label = tr("{name} in frame {frame}", name=name, frame=ghost.frame)
+        return SuggestedMark(ghost.box, label, colour, ghost=True)
+    return SuggestedMark(ghost.expected, tr("{name}?", name=name), colour, ghost=True)

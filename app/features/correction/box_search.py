@@ -43,6 +43,11 @@ class BoxSearch(QObject):
         self._job.failed.connect(lambda _, error: self.failed.emit(error))
         self._job.changed.connect(self.found, Qt.ConnectionType.QueuedConnection)
 
+    @property
+    def busy(self) -> bool:
+        """Whether the file is being read."""
+        return self._job.busy
+
     def close(self) -> None:
         """End the thread."""
         self._job.stop()

@@ -273,6 +273,27 @@ def test_the_ghost_of_the_last_box_is_shown_and_accepted_where_it_is(drawing):
     assert _suggested(drawing) == []  # five seconds later nobody waits for them
 
 
+def test_who_has_left_is_waited_for_no_more_until_they_are_drawn_again(drawing):
+    _drag(drawing, 20)
+    _drag(drawing, 140)
+    drawing.go(6)
+    assert _suggested(drawing) == [("1?", True), ("2 in frame 2", True)]
+    _point(drawing, 30, 50)
+    drawing.press(Key.Key_Backspace, SHIFT)
+    assert _suggested(drawing) == [("2 in frame 2", True)]
+    _point(drawing, 250, 180)
+    drawing.press(Key.Key_Backspace, SHIFT)
+    assert _suggested(drawing) == []
+    _drag(drawing, 22)
+    assert drawing.people(6) == [2]  # whoever is selected goes on, where nobody is waited for
+    drawing.go(8)
+    assert _suggested(drawing) == [("2 in frame 6", True)]
+    drawing.press(Key.Key_Escape)
+    drawing.press(Key.Key_Escape)
+    drawing.press(Key.Key_Backspace, SHIFT)
+    assert "Nobody is waited for" in drawing.window.statusBar().currentMessage()
+
+
 # moved by keys
 
 

@@ -80,3 +80,9 @@ def test_of_boxes_around_a_place_the_smallest_is_meant():
     assert suggestion_at(found, 15, 15).box[2] == 20
     assert suggestion_at(found, 90, 90).box[2] == 100
     assert suggestion_at(found, 200, 0) is None
+
+
+def test_who_walks_out_of_the_picture_is_expected_no_more():
+    ghost = find_ghost(_table((1, 0, 20.0), (1, 5, 0.0)), 1, 12, FPS)
+    assert not ghost.is_inside((100, 100))
+    assert find_ghost(_table((1, 0, 20.0), (1, 5, 0.0)), 1, 6, FPS).is_inside((100, 100))
