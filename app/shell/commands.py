@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from app.core.commands.command import Command
+from app.features.correction import annotation_commands as annotation
 from app.features.correction import commands as correction
 from app.features.labelling import commands as labelling
 from app.features.pictures import commands as pictures
@@ -29,6 +30,7 @@ COMMANDS: Final[tuple[Command[WindowApp], ...]] = (
     *pictures.OVERLAYS,
     *labelling.VIEWS,
     *(command for feature in FEATURES for command in feature.commands),
+    *annotation.VIEWS,
     *pictures.ONE_CAMERA,
     *timeline.COMMANDS,
     *divider_commands.COMMANDS,
@@ -40,6 +42,7 @@ COMMANDS: Final[tuple[Command[WindowApp], ...]] = (
     *window_commands.LEAVE,
     *correction.SELECTED,
     *correction.CORRECT,
+    *annotation.COMMANDS,
     *correction.CONFIRM,
     *window_commands.SCOPE,
     *correction.CHANGE,

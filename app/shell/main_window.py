@@ -9,6 +9,7 @@ from PySide6.QtCore import QSize, QTimer
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QKeyEvent, QKeySequence
 from PySide6.QtWidgets import (
     QApplication,
+    QLabel,
     QMainWindow,
     QMenuBar,
     QPushButton,
@@ -25,6 +26,7 @@ from app.core.look.icons import application_icon
 from app.core.widgets.jobs_dialog import JobsButton, JobsDialog
 from app.core.widgets.notice import NoticeBar
 from app.core.widgets.opening import open_place
+from app.core.widgets.parts import quiet
 from app.core.widgets.progress_strip import ProgressStrip
 from app.core.widgets.user_settings import UserSettings
 from app.core.widgets.work import Work
@@ -64,6 +66,7 @@ class MainWindow(QMainWindow):
         self._project_page: ProjectPage | None = None
         self.notice = NoticeBar(self)
         self.progress = ProgressStrip(self)
+        self.meter: QLabel = quiet("", self)
         self.work = Work(self.progress, self)
         self.jobs_button = JobsButton(self.work.jobs, self)
         self.listed = ListedWork(self.work.jobs)
@@ -95,6 +98,7 @@ class MainWindow(QMainWindow):
         self.setCentralWidget(centre)
         # The line keeps its height, so that nothing above moves when work begins or ends.
         self.statusBar().setSizeGripEnabled(False)
+        self.statusBar().addWidget(self.meter)  # hidden by passing words
         self.statusBar().addPermanentWidget(self.progress, 3)
         self.statusBar().addPermanentWidget(self.jobs_button)
         least = max(self.statusBar().sizeHint().height(), self.notice.least_height)
@@ -211,6 +215,7 @@ class MainWindow(QMainWindow):
             page.enable_all({item.command: item.why_not for item in items})
         self.setWindowTitle(self.files.title())
         self.setWindowModified(self.files.saving.unsaved)
+        self.meter.setText(self.controller.annotating.meter.text() if self.controller else "")
         self._show_progress()
         self._told.settle()
         self.files.leaving.settle()

@@ -15,6 +15,7 @@ from app.core.projection.extent import Bounds
 from app.core.scenes import Side, TransportScene
 from app.core.tracks.frame_state import ViewOptions
 from app.features.comparison.controller import ComparisonController
+from app.features.correction.annotation_controller import AnnotationController
 from app.features.correction.controller import EditController
 from app.features.correction.drag_controller import DragController
 from app.features.counting.controller import CountController
@@ -53,6 +54,9 @@ class RecordingController(Controller):
         self.dragging = DragController(document, self.playback, self.editing)
         self.overlaying = OverlayController(document, self.playback, self)
         surfaces = workspace.surfaces
+        self.annotating = AnnotationController(
+            document, self.playback, surfaces.left, self.editing, self
+        )
         self.labelling = LabelController(
             document, self.playback, workspace.labelling, surfaces, self
         )
@@ -97,7 +101,7 @@ class RecordingController(Controller):
         self.close_up.changed.connect(self.changed)
         self.reviewing.fix_asked.connect(self.editing.begin)
         self.overlaying.changed.connect(self.draw_frame)
-        for one in (self.labelling, *self._features):
+        for one in (self.annotating, self.labelling, *self._features):
             one.changed.connect(self.draw)
         for feature in self._features:
             feature.marked.connect(self.draw_frame)
@@ -165,6 +169,7 @@ class RecordingController(Controller):
         self.comparing.end()
         self.overlaying.close()
         self.labelling.close()
+        self.annotating.close()
         for feature in self._features:
             feature.close()
         self.playback.close()
@@ -279,6 +284,7 @@ class RecordingController(Controller):
         self.labelling.draw(self.cameras == "both", self.view_options.labels, counted)
         for feature in self._features:
             feature.draw_frame(ShownFrame(state, self.view_options, self.cameras, right))
+        self.annotating.draw_frame(state, self.view_options)
         self._tell_unread()
         self._show_selected()
         self.drawn.emit()

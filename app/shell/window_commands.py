@@ -280,6 +280,7 @@ def _to_leave(app: WindowApp) -> str:
     if document is not None and (
         document.selection
         or document.flow is not None
+        or document.correcting.mode.drawing
         or app.open.labelling.tool is not None
         or app.open.close_up.active
     ):

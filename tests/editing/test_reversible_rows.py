@@ -26,6 +26,9 @@ from tracking.editing import (
     plan_merge_tracks,
     plan_move_box,
     plan_new_track,
+    plan_propagate,
+    plan_put_box,
+    plan_put_boxes,
     plan_reassign,
     plan_split,
     plan_swap,
@@ -189,6 +192,25 @@ def thin(table: TrackTable, data: st.DataObject) -> tuple[Change, set[int], rang
     return change, {track}, scope(start, end)
 
 
+def put(table: TrackTable, data: st.DataObject) -> tuple[Change, set[int], range]:
+    track, frame = data.draw(TRACKS), data.draw(FRAMES)
+    change = plan_put_box(table, track, frame, data.draw(BOXES), **data.draw(WAYS))
+    return change, {track}, near(table, track, frame)
+
+
+def put_all(table: TrackTable, data: st.DataObject) -> tuple[Change, set[int], range]:
+    tracks, frame = data.draw(SETS), data.draw(FRAMES)
+    boxes = {track: data.draw(BOXES) for track in tracks}
+    return plan_put_boxes(table, frame, boxes, **data.draw(WAYS)), set(tracks), whole()
+
+
+def propagate(table: TrackTable, data: st.DataObject) -> tuple[Change, set[int], range]:
+    track, frame, ways = data.draw(TRACKS), data.draw(FRAMES), data.draw(WAYS)
+    del ways["how"]
+    change = plan_propagate(table, track, frame, frame + data.draw(st.integers(1, 9)), **ways)
+    return change, {track}, whole()
+
+
 def near(table: TrackTable, track: int, frame: int) -> range:
     """From the nearest row before a frame that is not interpolated to the one after it."""
     rows = table.of_track(track)
@@ -199,7 +221,8 @@ def near(table: TrackTable, track: int, frame: int) -> range:
 
 PLANNERS = (
     swap, split, merge, merge_tracks, reassign, delete, occluded, move, drag, draw, join, new_track,
-    keyframe, no_keyframe, interpolate, fill_gap, fill_gaps, thin,
+    keyframe, no_keyframe, interpolate, fill_gap, fill_gaps, thin, put,
+    put_all, propagate,
 )  # fmt: skip
 
 

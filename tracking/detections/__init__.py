@@ -6,6 +6,7 @@ from tracking.detections.settings import DetectionSettings
 from tracking.detections.source import (
     RecordingDetections,
     detections_stage,
+    files_beside,
     load_detections,
     outside,
     place_of,
@@ -20,6 +21,7 @@ __all__ = [
     "Footage",
     "RecordingDetections",
     "detections_stage",
+    "files_beside",
     "learnt_threshold",
     "load_detections",
     "outside",

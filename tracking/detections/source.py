@@ -104,6 +104,22 @@ def _used_of(file: DetectionsFile, used: BoxTable) -> Message:
     )
 
 
+_NAMES = ("det.txt", "detections.txt", "det/det.txt", "detections.json", "labels")
+"""What other programs call them."""
+
+
+def files_beside(recording: Recording) -> tuple[str, ...]:
+    """Files in the recording's folder that are called as detections are, the likeliest first."""
+    return tuple(name for name in _NAMES if _is_there(recording.folder / name))
+
+
+def _is_there(path: Path) -> bool:
+    try:
+        return path.exists() and not path.is_symlink()
+    except OSError:  # a folder that may not be read
+        return False
+
+
 def detections_stage(settings: Any) -> DetectionSettings:
     """What a tracker's settings say of detections; no file where it has no such stage."""
     stage = getattr(settings, "detections", None)

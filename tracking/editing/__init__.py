@@ -11,6 +11,12 @@ from tracking.editing.boxes.keyframes import (
     plan_delete_keyframe,
     plan_interpolate,
 )
+from tracking.editing.boxes.put_boxes import (
+    is_by_hand,
+    plan_propagate,
+    plan_put_box,
+    plan_put_boxes,
+)
 from tracking.editing.boxes.rows import (
     plan_delete,
     plan_delete_tracks,

@@ -58,7 +58,8 @@ class FrameStateBuilder:
             colours=colours,
             movable=self._correcting.can_place,
             waits=self._correcting.waits,
-            drawing=flow is not None and flow.drawing,
+            drawing=flow.drawing if flow is not None else self._draws,
+            says=self._words(frame) if flow is None and self._draws else "",
         )
 
     def build_compared(self, frame: int, comparison: TwoVersions | None) -> FrameState:
@@ -85,8 +86,22 @@ class FrameStateBuilder:
             picture_preview=comparison.trails(frame, self._left_foot_points),
         )
 
+    @property
+    def _draws(self) -> bool:
+        """Whether boxes are drawn one after the other."""
+        return self._correcting.mode.drawing and self._correcting.can_place
+
+    def _words(self, frame: int) -> str:
+        """What the next drag over the picture does."""
+        track, names = self._selection.track, self._track_source.names
+        new = self._correcting.next_is_new(frame)
+        name = "" if new else f"{track} {names.get(track, '')}".strip()
+        guesses = len(self._correcting.ghosts_waiting(frame)) > 0
+        return self._correcting.mode.words(name, guesses=guesses)
+
     def _emphasised(self, change: Change | None) -> tuple[int, ...]:
         """Who is drawn like the selected person: others selected too, and who is being drawn."""
         flow = self._correcting.flow
-        new = change.tracks if change is not None and flow and not flow.track else ()
+        shown = change is not None and flow is not None and (flow.drawing or not flow.track)
+        new = change.tracks if change is not None and shown else ()
         return (*self._selection.also, *new)

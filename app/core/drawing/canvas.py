@@ -7,6 +7,7 @@ from abc import abstractmethod
 from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
     QContextMenuEvent,
+    QEnterEvent,
     QHelpEvent,
     QKeyEvent,
     QMouseEvent,
@@ -34,6 +35,9 @@ class Canvas(QWidget, metaclass=AbstractQt):
     a double click or the key 0 fits, + and - zoom. A click without a drag is given to
     :meth:`clicked_at`; a drag that begins at something that can be moved goes to :meth:`drag_to`.
 
+    Attributes:
+        pointed_at: where the mouse is over the widget; None: it is elsewhere.
+
     Signals:
         menu_asked(int, QPoint): a right click on a track (0: on none), or the menu key (-1: on who
             is selected); where on the screen.
@@ -51,6 +55,7 @@ class Canvas(QWidget, metaclass=AbstractQt):
         self._pressed_at: QPoint | None = None
         self._panning = False
         self._holding = False
+        self.pointed_at: QPointF | None = None
         self.setMouseTracking(True)
         self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
@@ -222,6 +227,7 @@ class Canvas(QWidget, metaclass=AbstractQt):
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:  # noqa: N802
         """Pan, or move what is held, once the mouse has really moved."""
+        self.pointed_at = event.position()
         at = event.position().toPoint()
         if self._pressed_at is None:
             self.setCursor(self.cursor_at(event.position()))
@@ -252,6 +258,16 @@ class Canvas(QWidget, metaclass=AbstractQt):
         self._pressed_at = None
         self._panning = self._holding = False
         self.setCursor(self.cursor_at(event.position()))
+
+    def enterEvent(self, event: QEnterEvent) -> None:  # noqa: N802
+        """The mouse points here, perhaps without having moved."""
+        super().enterEvent(event)
+        self.pointed_at = event.position()
+
+    def leaveEvent(self, event: QEvent) -> None:  # noqa: N802
+        """The mouse points elsewhere."""
+        super().leaveEvent(event)
+        self.pointed_at = None
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:  # noqa: N802
         """Ask for what can be done to who is under the cursor, or selected."""

@@ -15,6 +15,7 @@ from app.core.scenes.ground_truth import FlooredTruth, PicturedTruth
 from app.core.scenes.labels import FloorLabels, PictureLabels
 from app.core.scenes.other_people import Divider, OtherMark, OtherPlace
 from app.core.scenes.pictured_parts import PicturedParts
+from app.core.scenes.suggested import SuggestedMark
 
 
 class PictureSurface(Canvas):
@@ -43,6 +44,7 @@ class PictureSurface(Canvas):
         self._truth = PicturedTruth()
         self._detections: PicturedDetections = NO_DETECTIONS
         self._divider: Divider | None = None
+        self._suggested: tuple[SuggestedMark, ...] = ()
 
     def show_labels(self, labels: PictureLabels) -> None:
         """Draw what people drew and said at this instant."""
@@ -70,6 +72,12 @@ class PictureSurface(Canvas):
         """Draw the boxes of another program's detector, thin and dashed."""
         if detections != self._detections:
             self._detections = detections
+            self.update()
+
+    def show_suggested(self, suggested: tuple[SuggestedMark, ...]) -> None:
+        """Draw boxes that can be accepted, dashed."""
+        if suggested != self._suggested:
+            self._suggested = suggested
             self.update()
 
     def show_truth(self, truth: PicturedTruth) -> None:

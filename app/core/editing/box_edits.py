@@ -27,6 +27,9 @@ from tracking.editing import (
     plan_interpolate,
     plan_move_box,
     plan_new_track,
+    plan_propagate,
+    plan_put_box,
+    plan_put_boxes,
     plan_thin,
 )
 from tracking.errors import EditError
@@ -75,6 +78,22 @@ def _drag(flow: EditFlow, on: EditContext) -> Change:
         raise EditError("Move the person with the arrow keys, or drag them in the overhead view")
     view, fps = on.geometry.view, on.geometry.fps
     return plan_drag(on.table, flow.track, flow.cut, flow.place, view, fps=fps)
+
+
+def _put(flow: EditFlow, on: EditContext) -> Change:
+    view, fps = on.geometry.view, on.geometry.fps
+    if flow.boxes:
+        return plan_put_boxes(on.table, flow.cut, dict(flow.boxes), view=view, fps=fps)
+    if flow.box is None:
+        raise EditError("There is no box to put here: copy one (Ctrl+C), or draw it")
+    return plan_put_box(on.table, flow.track or None, flow.cut, flow.box, view=view, fps=fps)
+
+
+def _propagate(flow: EditFlow, on: EditContext) -> Change:
+    start, end = frame_bounds(flow, on)
+    geometry = on.geometry
+    end = min(end, geometry.frame_count)
+    return plan_propagate(on.table, flow.track, start, end, view=geometry.view, fps=geometry.fps)
 
 
 def _interpolate(flow: EditFlow, on: EditContext) -> Change:
@@ -147,6 +166,25 @@ def _thin(flow: EditFlow, on: EditContext) -> Change:
 
 DRAW: Final = EditSpec(
     "draw", "Draw a box of {a}", _draw, (EditScope.FRAME, EditScope.JOINED), places=True
+)
+
+PUT: Final = EditSpec(
+    "put", "Put a box of {a}", _put, (EditScope.FRAME,), places=True, at_once=True
+)
+
+PROPAGATE: Final = EditSpec(
+    "propagate",
+    "Copy the box of {a} onto the next frames",
+    _propagate,
+    (EditScope.RANGE,),
+    (
+        EditCommand(
+            "tracks.propagate",
+            "Copy the box onto the next frames",
+            ("Ctrl+B",),
+            submenu="Annotate",
+        ),
+    ),
 )
 
 MOVE: Final = EditSpec(
@@ -255,4 +293,16 @@ FILL_ALL: Final = EditSpec(
     first=tuple(LongestGap),
 )
 
-EDITS: Final = (DRAW, MOVE, FLOOR, KEYFRAME, NO_KEYFRAME, THIN, INTERPOLATE, FILL, FILL_ALL)
+EDITS: Final = (
+    DRAW,
+    PUT,
+    MOVE,
+    FLOOR,
+    KEYFRAME,
+    NO_KEYFRAME,
+    THIN,
+    INTERPOLATE,
+    FILL,
+    FILL_ALL,
+    PROPAGATE,
+)

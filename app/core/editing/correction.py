@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
-
-import numpy as np
 
 from app.core.editing import (
     EditFlow,
@@ -19,16 +17,19 @@ from app.core.editing import (
     propose_initial_box,
     propose_initial_place,
 )
+from app.core.editing.annotation_mode import AnnotationMode, NextBox
 from app.core.editing.gap_places import gap_near, next_filled
 from app.core.editing.nearness import followers_first, nearest_first
 from app.core.editing.review_target import is_near
+from app.core.editing.suggested_boxes import Ghost, ghosts_of_drawn, suggest_boxes
 from app.core.editing.swap_candidates import find_swap_candidates
 from app.core.i18n import tr
 from app.core.tracks.edit_context import EditContext
 from app.core.tracks.recording_geometry import Place, RecordingGeometry
 from app.core.tracks.selection import Selection
+from tracking.editing import is_by_hand
 from tracking.review import ReviewItem
-from tracking.tracks import Box
+from tracking.tracks import Box, TrackTable
 
 _BOX_STEP_PX, _PLACE_STEP_M, _FAR = 1.0, 0.05, 10.0
 _MOST_OTHERS = 5
@@ -41,6 +42,7 @@ class CorrectionPresenter:
         flow: as it stands; None: no edit is on its way. planned: what it would do.
         begun_at: the frame the user was at when the edit was begun; None: no edit is on its way.
         marked: the half-open range of frames the user has set for edits over a range.
+        mode: what an annotator has switched on.
         item_looked_at: gives the review item that is looked at, None for none.
     """
 
@@ -55,8 +57,11 @@ class CorrectionPresenter:
         self.planned: PlannedEdit | None = None
         self.begun_at: int | None = None
         self.marked: Range | None = None
+        self.mode = AnnotationMode()
         self.item_looked_at: Callable[[], ReviewItem | None] = _no_item
         self._let_go: tuple[int, ...] = ()
+        self._ghosts: tuple[Ghost, ...] = ()
+        self._else: EditFlow | None = None
         self._selection = selection
         self._geometry = geometry
         self._edit_context = edit_context
@@ -83,11 +88,19 @@ class CorrectionPresenter:
     # beginning
 
     def begin(
-        self, spec: EditSpec, frame: int, scope: EditScope | None = None, other: int = 0
+        self,
+        spec: EditSpec,
+        frame: int,
+        scope: EditScope | None = None,
+        other: int = 0,
+        box: Box | None = None,
     ) -> None:
-        """Begin an edit of who is selected at a frame, perhaps with the second person already."""
+        """Begin an edit of who is selected at a frame, perhaps with the second person already.
+
+        box: where the edit puts theirs, in place of the one it would propose.
+        """
         on = self._edit_context()
-        if on is None or not (self._selection or spec is edits.DRAW):
+        if on is None or not (self._selection or spec in (edits.DRAW, edits.PUT)):
             return
         if self.flow is None:
             self.begun_at = frame
@@ -105,6 +118,8 @@ class CorrectionPresenter:
         )
         if spec.of_several:
             flow = replace(flow, also=everybody[1:])
+        if box is not None:
+            flow = replace(flow, box=self._geometry.kept_inside(box))
         flow = replace(flow, others=self._others(flow, on, frame)[:_MOST_OTHERS])
         second = other or (everybody[1] if spec is edits.SWAP and len(everybody) == 2 else 0)
         self.change(self._with_other(flow, second) if second else _with_proposal(flow, on))
@@ -137,6 +152,49 @@ class CorrectionPresenter:
         self.begin(edits.MOVE if there else edits.DRAW, frame)
         if self.flow is not None:
             self.flow = replace(self.flow, drawing=True)
+
+    def begin_next_box(self, frame: int) -> None:
+        """A drag begins while boxes are drawn one after the other."""
+        ghosts = self.ghosts_waiting(frame)
+        self.begin_drawing(frame, self.next_is_new(frame))
+        self._ghosts, self._else = ghosts, self.flow
+
+    def ghosts_waiting(self, frame: int) -> tuple[Ghost, ...]:
+        """Of whom the next box may be, where it lies near to where they are expected.
+
+        Nobody's where it is said whose it is, or the selected person alone is waited for.
+        """
+        on, selected = self._edit_context(), self._selection.track
+        if on is None or self.mode.next_box is not NextBox.AUTO:
+            return ()
+        ghosts = self.ghosts_of_drawn(on.table, frame)
+        return ghosts if any(ghost.track != selected for ghost in ghosts) else ()
+
+    def next_is_new(self, frame: int) -> bool:
+        """Whether the next box in a frame begins a new track."""
+        on = self._edit_context()
+        return on is None or self.mode.begins_new(on.table, self._selection.track, frame)
+
+    def begin_boxes(self, frame: int, boxes: Mapping[int, Box]) -> None:
+        """Put boxes of several tracks in a frame."""
+        on = self._edit_context()
+        if on is not None and boxes:
+            self.begun_at = frame if self.flow is None else self.begun_at
+            flow = EditFlow.begin(edits.PUT, min(boxes), frame, self._geometry.fps)
+            self.change(replace(flow, boxes=tuple(sorted(boxes.items()))))
+
+    def ghosts_of_drawn(self, table: TrackTable, frame: int) -> tuple[Ghost, ...]:
+        """Those of everybody who is drawn by hand, may be in the picture and is waited for."""
+        found = ghosts_of_drawn(table, frame, self._geometry.fps)
+        size = self._geometry.size
+        return tuple(
+            ghost for ghost in found if self.mode.is_waited_for(ghost) and ghost.is_inside(size)
+        )
+
+    @property
+    def finishes_at_once(self) -> bool:
+        """Whether the edit on its way is to be done without waiting for Enter."""
+        return self.flow is not None and self.waits and self.mode.does_at_once(self.flow)
 
     # the second person
 
@@ -231,7 +289,15 @@ class CorrectionPresenter:
         if self.flow is None or not self.flow.places or self.flow.spec is edits.FLOOR:
             self.begin(edits.MOVE, frame)
         if self.flow is not None:
-            self.change(replace(self.flow, box=self._geometry.kept_inside(box)))
+            flow = replace(self.flow, box=self._geometry.kept_inside(box))
+            self.change(self._given(flow) if self._ghosts and flow.drawing else flow)
+
+    def _given(self, flow: EditFlow) -> EditFlow:
+        """The box that is drawn, of who is expected near to it, else of whom it would be."""
+        track = suggest_boxes([flow.box], self._ghosts)[0].track if flow.box is not None else 0
+        if track:
+            return replace(flow, spec=edits.DRAW, track=track, scope=EditScope.JOINED)
+        return replace(self._else, box=flow.box, drawing=True) if self._else else flow
 
     def put_place(self, place: Place, frame: int) -> None:
         """The selected person is dragged over the floor."""
@@ -280,10 +346,11 @@ class CorrectionPresenter:
         self.flow = self.planned = self.begun_at = None
         for track in reversed(self._let_go if not self._selection else ()):
             self._selection.add(track)
-        self._let_go = ()
+        self._let_go = self._ghosts = ()
 
     def finish(self) -> None:
         """The edit was done: who was let go for it stays let go."""
+        self.mode.next_box = NextBox.AUTO
         self._let_go = ()
         self.leave()
 
@@ -300,8 +367,7 @@ def _with_proposal(flow: EditFlow, on: EditContext) -> EditFlow:
         return flow if gap is None else replace(flow, cut=gap)
     if not flow.places:
         return flow
-    box, place = propose_initial_box(flow, on), propose_initial_place(flow, on)
-    made = on.table.of_track(flow.track)["source"]
-    by_hand = bool(flow.track) and len(made) > 0 and bool(np.any(made != 0))
-    joined = flow.spec is edits.DRAW and by_hand
+    box = flow.box or propose_initial_box(flow, on)
+    place = propose_initial_place(flow, on)
+    joined = flow.spec is edits.DRAW and is_by_hand(on.table, flow.track)
     return replace(flow, box=box, place=place, scope=EditScope.JOINED if joined else flow.scope)

@@ -49,6 +49,7 @@ class EditSpec:
         of_two: it asks for another person, or for another id.
         of_several: it is done to everybody who is selected.
         places: it puts one box or place, which the arrow keys move.
+        at_once: it is done without a preview: what it does is seen before.
         leads: whether the playhead goes to the cut when that is put elsewhere; None: where it has
             a cut.
         first, second: what the first and the second key choose between, in place of scopes and
@@ -64,6 +65,7 @@ class EditSpec:
     of_two: bool = False
     of_several: bool = False
     places: bool = False
+    at_once: bool = False
     leads: bool | None = None
     first: tuple[Option, ...] | None = None
     second: tuple[Option, ...] | None = None

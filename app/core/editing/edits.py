@@ -14,6 +14,8 @@ from app.core.editing.box_edits import (
     KEYFRAME,
     MOVE,
     NO_KEYFRAME,
+    PROPAGATE,
+    PUT,
     THIN,
 )
 from app.core.editing.edit_spec import EditSpec
@@ -33,6 +35,8 @@ __all__ = [
     "MOVE",
     "NO_KEYFRAME",
     "OCCLUDE",
+    "PROPAGATE",
+    "PUT",
     "REASSIGN",
     "REVIEW",
     "SHOW",

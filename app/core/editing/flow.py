@@ -29,6 +29,7 @@ class EditFlow:
         marked: the range the user has set, if any.
         has_floor: there are metres, so that a way along the floor can be chosen.
         box: drawn, moved or proposed, px of the left picture. place: the same on the floor, m.
+        boxes: of several tracks, put together.
         drawing: a box may be drawn with the mouse in place of the proposed one.
     """
 
@@ -49,6 +50,7 @@ class EditFlow:
     has_floor: bool = False
     box: Box | None = None
     place: Place | None = None
+    boxes: tuple[tuple[int, Box], ...] = ()
     drawing: bool = False
 
     @classmethod

@@ -85,7 +85,7 @@ class PictureScene:
             while nothing in it changed.
         legend: what the overlay's colours mean.
         grid: line segments (n, 2, 2) of the floor grid in pixels, or empty.
-        message: said in the middle where there is no picture.
+        message: said in the middle where there is no picture, else low down in it.
         preview: trails in pixels before (dashed) and after (solid) of an edit being previewed.
         ghosts: people where they are before that edit, as far as it moves or takes them out.
         drawing: a box is to be drawn. movable: anybody's box can be dragged.

@@ -39,6 +39,7 @@ class ViewOptions:
     ramp: bool = False
     truth: bool = False
     close_up: bool = True
+    suggestions: bool = False
     panels: frozenset[str] = frozenset()
 
     @property
@@ -68,6 +69,7 @@ _LASTING = (
         "parts",
         "part_particles",
         "counts",
+        "suggestions",
     ),
     "floor_legend",
     "close_up",
@@ -114,6 +116,7 @@ class FrameState:
         replaced: the frame's rows that this edit moves elsewhere or takes out; None: none.
         colours: of the tracks.
         movable: boxes and people can be dragged. drawing: a box is to be drawn.
+        says: what the next drag over the picture does, while boxes are drawn one after the other.
         waits: an edit stands ready, which a drag of anybody else's box would drop.
     """
 
@@ -130,6 +133,7 @@ class FrameState:
     colours: TrackColours = field(default_factory=TrackColours)
     movable: bool = False
     drawing: bool = False
+    says: str = ""
     waits: bool = False
 
     @property

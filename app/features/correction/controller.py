@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 from PySide6.QtCore import QObject, Signal
 
@@ -10,7 +10,8 @@ from app.core.controller import Controller
 from app.core.document import document_loader
 from app.core.document.document import Document
 from app.core.document.undo_frame import is_seen_at
-from app.core.editing import EditFlow, EditScope, EditSpec
+from app.core.editing import EditFlow, EditScope, EditSpec, edits
+from app.core.editing.annotation_mode import NextBox
 from app.core.i18n import tr
 from app.core.playback.playback import Playback
 from tracking.editing import (
@@ -20,6 +21,7 @@ from tracking.editing import (
     plan_set_notes,
 )
 from tracking.errors import TrackwrightError
+from tracking.tracks import Box
 
 
 class EditController(Controller):
@@ -43,8 +45,31 @@ class EditController(Controller):
         self._begun(lambda frame: self._document.correcting.begin(spec, frame, scope, other))
 
     def begin_drawing(self, new: bool = False) -> None:
-        """W: draw a box of who is selected, or (Ins) the first one of somebody new."""
+        """W: draw a box of who is selected, or (Ins) the first one of somebody new.
+
+        While boxes are drawn one after the other, this says whose the next one is.
+        """
+        mode = self._document.correcting.mode
+        if mode.drawing and self._document.flow is None:
+            mode.next_box = NextBox.NEW if new else NextBox.SELECTED
+            self.changed.emit()
+            return
         self._begun(lambda frame: self._document.correcting.begin_drawing(frame, new))
+
+    def begin_next_box(self) -> None:
+        """A box is dragged while boxes are drawn one after the other."""
+        self._begun(self._document.correcting.begin_next_box)
+
+    def put_box(self, box: Box) -> None:
+        """Put a box of who is selected, or of somebody new, in this frame at once."""
+        correcting = self._document.correcting
+        if correcting.flow is not None:
+            correcting.leave()
+        self._begun(lambda frame: correcting.begin(edits.PUT, frame, box=box))
+
+    def put_boxes(self, boxes: Mapping[int, Box]) -> None:
+        """Put boxes of several tracks in this frame at once."""
+        self._begun(lambda frame: self._document.correcting.begin_boxes(frame, boxes))
 
     def _begun(self, begin: Callable[[int], None]) -> None:
         self._playback.pause()
@@ -52,11 +77,31 @@ class EditController(Controller):
         flow = self._document.flow
         if flow is not None and flow.leads and flow.cut != self._playback.clock.frame:
             self._playback.go(flow.cut)
+        self._finish_at_once()
         self.changed.emit()
+
+    def _finish_at_once(self) -> None:
+        """Do an edit that is to be done without a preview; what cannot be done is told."""
+        correcting = self._document.correcting
+        flow, planned = correcting.flow, correcting.planned
+        if correcting.finishes_at_once:
+            self.confirm()
+        elif flow is not None and flow.spec.at_once and planned is not None:
+            correcting.leave()
+            self.said.emit(" ".join(planned.scene.details))
 
     def pick(self, track: int) -> None:
         """A person was clicked in some view."""
         self._picked(lambda: self._document.correcting.pick(track))
+        self._draw_picked()
+
+    def _draw_picked(self) -> None:
+        """Whoever was picked between two boxes is drawn next."""
+        mode = self._document.correcting.mode
+        if mode.drawing and self._document.flow is None:
+            picked = bool(self._document.selection)
+            mode.next_box = NextBox.SELECTED if picked else NextBox.AUTO
+            self.changed.emit()
 
     def add(self, track: int) -> None:
         """A person was clicked with Shift: they are selected too."""
@@ -65,7 +110,8 @@ class EditController(Controller):
     def pick_next(self, step: int) -> None:
         """Tab or Shift+Tab."""
         here = self._document.people_at(self._playback.number)
-        self._picked(lambda: self._document.correcting.pick_next(here, step))
+        self._picked(lambda: self._document.correcting.pick_next(here, step), final=False)
+        self._draw_picked()
 
     def pick_typed(self, track: int) -> None:
         """The other person's id was typed or chosen among those that may be meant."""
@@ -73,7 +119,7 @@ class EditController(Controller):
 
     def consider(self, track: int) -> None:
         """The other person's id was typed so far; 0: nothing of it is left."""
-        self._picked(lambda: self._document.correcting.consider(track))
+        self._picked(lambda: self._document.correcting.consider(track), final=False)
 
     def next_proposal(self, step: int) -> None:
         """Up or Down: another of the frames, or of the people, that were found."""
@@ -81,18 +127,21 @@ class EditController(Controller):
         if flow is not None and not flow.needs_other and len(flow.cuts) == 1:
             self.said.emit(tr("No other frame was found: Left / Right move this one"))
             return
-        self._picked(lambda: self._document.correcting.next_proposal(step))
+        self._picked(lambda: self._document.correcting.next_proposal(step), final=False)
 
     def put_proposed_cut(self, number: int) -> None:
         """One of the frames that were found was clicked."""
         self._put(lambda flow: flow.at_cut(number))
 
-    def _picked(self, pick: Callable[[], None]) -> None:
+    def _picked(self, pick: Callable[[], None], final: bool = True) -> None:
+        """Pick somebody or something; final: not one of several that are gone through."""
         before = self._document.flow
         pick()
         flow = self._document.flow
         if flow is not None and flow is not before and flow.leads:
             self._playback.go(flow.cut)
+        if final and flow is not before:
+            self._finish_at_once()
         self.changed.emit()
 
     def go_to_end_of_track(self, *, end: bool) -> None:
@@ -161,8 +210,17 @@ class EditController(Controller):
         self.changed.emit()
 
     def confirm(self) -> None:
-        """Enter: do the edit; the playhead stays where it is."""
-        self._do(self._confirm, tr("Done: {text}"))
+        """Enter: do the edit; the playhead stays, unless boxes are drawn one after the other."""
+        flow, mode = self._document.flow, self._document.correcting.mode
+        done = self._do(self._confirm, tr("Done: {text}"))
+        if not done or flow is None or not flow.places or not mode.drawing:
+            return
+        if flow.track and not flow.boxes and flow.track != self._document.selection.track:
+            self._document.selection.choose(flow.track)  # who was found by where the box is
+            self.changed.emit()
+        if mode.step:
+            clock = self._playback.clock
+            self._playback.go(min(clock.frame + mode.step, clock.last_frame))
 
     def _confirm(self) -> Change | None:
         """Do it; the first box anybody draws makes the session it is kept in."""
@@ -173,13 +231,15 @@ class EditController(Controller):
         return document.confirm_edit()
 
     def leave(self) -> None:
-        """Esc: leave the edit and go back to where it was begun, or let the selected person go."""
+        """Esc: leave the edit and go back to where it was begun; else end drawing, or let go."""
         correcting = self._document.correcting
         begun_at = correcting.begun_at
         if correcting.flow is not None:
             correcting.leave()
             if begun_at is not None and begun_at != self._playback.clock.frame:
                 self._playback.go(begun_at)
+        elif correcting.mode.drawing:
+            correcting.mode.drawing = False
         else:
             self._document.selection.choose(0)
         self.changed.emit()

@@ -33,7 +33,9 @@ class DragController(QObject):
             self._document.correcting.leave()
             self._document.selection.choose(track)
         flow = self._document.flow
-        if flow is None or not flow.places or flow.spec is edits.FLOOR:
+        if flow is None and not track and self._document.correcting.mode.drawing:
+            self._editing.begin_next_box()
+        elif flow is None or not flow.places or flow.spec is edits.FLOOR:
             self._editing.begin(edits.MOVE)
 
     def drag_box(self, box: Box) -> None:

@@ -26,6 +26,7 @@ from app.core.drawing.label_marks import (
 from app.core.drawing.part_cards import draw_cards
 from app.core.drawing.part_marks import draw_part_boxes, draw_part_particles
 from app.core.drawing.people_marks import draw_ghosts, draw_people, draw_preview
+from app.core.drawing.suggested_marks import draw_suggested
 from app.core.drawing.truth_marks import draw_truth_boxes
 from app.core.drawing.viewport import Viewport
 from app.core.look.theme import Theme, scaled_font
@@ -123,6 +124,7 @@ class PicturePainter:
         others = _as_people(marks.others) if marks.divider is not None else ()
         if marks.divider is None:
             draw_other_boxes(painter, marks.others, view, theme, other)
+        draw_suggested(painter, marks.suggested, view, theme, shown)
         captions = _lay_out_captions(given)
         with _within(painter, own):
             draw_people(painter, scene.people, view)

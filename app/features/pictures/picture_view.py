@@ -247,7 +247,7 @@ class PictureView(PictureSurface):
 
     def _pictured(self) -> PictureInput:
         drawn = self._labels, self._parts, self._others, self._truth, self._detections
-        marks = PictureMarks(*drawn, self._divider)
+        marks = PictureMarks(*drawn, self._divider, self._suggested)
         return PictureInput(
             self._scene,
             marks,

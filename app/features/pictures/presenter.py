@@ -62,7 +62,7 @@ class PicturePresenter:
             people=self._people(side, state, view_options),
             overlay=self._overlay(side, state, view_options, image, laid.image),
             grid=self._floor_grid(side) if view_options.grid else np.zeros((0, 2, 2)),
-            message=laid.message if side is Side.LEFT else _late_camera(frame),
+            message=(state.says or laid.message) if side is Side.LEFT else _late_camera(frame),
             preview=self._preview(side, state),
             ghosts=self._ghosts(side, state),
             drawing=state.drawing and side is Side.LEFT,

@@ -20,6 +20,7 @@ from app.core.widgets.user_settings import UserSettings
 from tracking.detections import (
     DetectionSettings,
     RecordingDetections,
+    files_beside,
     load_detections,
     outside,
     place_of,
@@ -37,8 +38,6 @@ FILE, RIGHT, USE = "detections.file", "detections.file_right", "detections.use"
 MODEL, APPEARANCE = "detections.model", "detections.appearance"
 FILLED_IN = (FILE, RIGHT, MODEL, USE)
 """Settings of trackers that stand here, not among the others."""
-_NAMES = ("det.txt", "detections.txt", "det/det.txt", "detections.json", "labels")
-"""What other programs call them; offered where one lies in the recording's folder."""
 _FILTER = "(*.txt *.json)"
 _NETWORK = ".toml"
 """How the name of a network's file ends."""
@@ -143,7 +142,7 @@ class DetectionsLine(QObject):
     def __init__(self, recording: Recording, remembered: UserSettings, parent: QWidget) -> None:
         """The controls; `add_to` gives them their places."""
         super().__init__(parent)
-        found = tuple(name for name in _NAMES if _is_there(recording.folder / name))
+        found = files_beside(recording)
         self._left = FileChoice(tr("Detections"), found, remembered, parent, network=True)
         self._offer_plugins(recording)
         self._right = FileChoice(tr("Detections of the right camera"), (), remembered, parent)
@@ -287,13 +286,6 @@ def _short(path: str) -> str:
     """A path with its name first, which shows however long the folder's is."""
     folder, name = str(Path(path).parent), Path(path).name
     return tr("{file} in {folder}", file=name, folder=folder) if Path(path).is_absolute() else path
-
-
-def _is_there(path: Path) -> bool:
-    try:
-        return path.exists() and not path.is_symlink()
-    except OSError:
-        return False
 
 
 def _reading(recording: Recording, settings: DetectionSettings) -> Callable[[Progress], _Read]:

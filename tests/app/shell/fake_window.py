@@ -6,6 +6,7 @@ from types import SimpleNamespace
 from typing import Any
 
 from app.core.commands import CommandRegistry
+from app.core.editing.annotation_mode import AnnotationMode
 from app.core.tracks.frame_state import ViewOptions
 from app.features.labelling.controller import LabelController
 from app.features.parts.controller import PartsController
@@ -32,8 +33,8 @@ def window_app(**given: Any) -> Any:
         else None,
         tracks=SimpleNamespace(ids=(1,) if now["tracks"] else ()),
         selection=bool(now["selected"]),
-        correcting=SimpleNamespace(marked=None),
         flow=None,
+        correcting=SimpleNamespace(mode=AnnotationMode(), marked=None),
         in_the_way=now["in_the_way"],
         shows_further_run=now["further"],
         recording=SimpleNamespace(

@@ -1,0 +1,84 @@
+"""How fast somebody annotates: boxes and edits an hour, of the time they were at it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from typing import Final
+
+import numpy as np
+
+from app.core.document.document_listener import Marks
+from app.core.i18n import count_text, tr
+from app.core.scenes import TimelineMark
+from app.core.tracks.track_reader import WholeTracks
+from tracking.editing import Change
+from tracking.trackers import StepResult
+from tracking.tracks import Columns, ReviewedRange, Source
+
+PAUSE_S: Final = 60.0
+"""Of a longer time without an edit no more counts: somebody had a break."""
+_LEAST_S: Final = 30.0
+"""A speed over less says nothing."""
+
+
+class WorkMeter:
+    """Follows the edits of a document since it was opened.
+
+    Attributes:
+        boxes: labelled by now: those put by hand and those interpolated, less what was undone.
+        edits: done, undone and done again.
+        worked_s: how long that took, in seconds.
+    """
+
+    def __init__(self, seconds: Callable[[], float]) -> None:
+        """`seconds` is a clock that never goes back."""
+        self.boxes = self.edits = 0
+        self.worked_s = 0.0
+        self._seconds, self._last_s = seconds, seconds()
+
+    def take_tracks(
+        self, tracks: WholeTracks, marks: Marks, reviewed: tuple[ReviewedRange, ...]
+    ) -> None:
+        """Other tracks are shown: what was done stays done."""
+
+    def take_live(self, tracks: WholeTracks, results: Iterable[StepResult]) -> None:
+        """A tracker's people are nobody's work."""
+
+    def take_change(
+        self,
+        change: Change,
+        tracks: WholeTracks,  # noqa: ARG002 - as all listeners are told
+        marks: Marks,  # noqa: ARG002
+        reviewed: tuple[ReviewedRange, ...],  # noqa: ARG002
+    ) -> None:
+        """Count an edit."""
+        now = self._seconds()
+        self.worked_s += min(now - self._last_s, PAUSE_S)
+        self._last_s = now
+        self.edits += 1
+        self.boxes += _labelled(change.after.rows) - _labelled(change.before.rows)
+
+    def take_review_items(self, review_items: Sequence[TimelineMark]) -> None:
+        """Suspicions are no edits."""
+
+    def colour_anew(self) -> None:
+        """Colours are no edits."""
+
+    def text(self) -> str:
+        """In a line; "" before anything was done."""
+        if not self.edits:
+            return ""
+        words = [
+            count_text(max(0, self.boxes), "{n} box", "{n} boxes"),
+            count_text(self.edits, "{n} edit", "{n} edits"),
+        ]
+        if self.worked_s >= _LEAST_S:
+            hours = self.worked_s / 3600
+            boxes, edits = round(max(0, self.boxes) / hours), round(self.edits / hours)
+            words.append(tr("{boxes} boxes and {edits} edits an hour", boxes=boxes, edits=edits))
+        return "  \u00b7  ".join(words)
+
+
+def _labelled(rows: Columns) -> int:
+    """How many rows a person stands for, drawn or interpolated."""
+    return int(np.count_nonzero(rows["source"] != Source.TRACKER))

@@ -1,0 +1,1 @@
+"""Keys and mouse actions that ground truth takes."""
