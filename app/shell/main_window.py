@@ -18,7 +18,9 @@ from app.core.commands import CommandRegistry
 from app.core.drawing.canvas import Canvas
 from app.core.error_messages import explain
 from app.core.i18n import tr
+from app.core.keymap import first_key
 from app.core.look.icons import application_icon
+from app.core.widgets.command_list import native_keys
 from app.core.widgets.notice import NoticeBar
 from app.core.widgets.progress_strip import ProgressStrip
 from app.core.widgets.user_settings import UserSettings
@@ -29,6 +31,7 @@ from app.shell.command_palette import CommandPalette
 from app.shell.commands import COMMANDS
 from app.shell.context_menu import ContextMenu
 from app.shell.files import Files
+from app.shell.key_choice import KeyChoice
 from app.shell.look_choice import LookChoice
 from app.shell.menus import Menus, TypingGuard
 from app.shell.recording_controller import RecordingController
@@ -60,6 +63,7 @@ class MainWindow(QMainWindow):
         self.files = Files(self, self.work, remembered)
         self.app = WindowApp(self)
         self.registry = CommandRegistry(COMMANDS, self.app)
+        self.key_choice: KeyChoice = KeyChoice(self, remembered)
         self.menus = Menus(self, self.registry.commands)
         self.look_choice = LookChoice(remembered, self)
         self.palette_of_commands = CommandPalette(self)
@@ -71,6 +75,7 @@ class MainWindow(QMainWindow):
         self._progressing = QTimer(self, singleShot=True, interval=_PROGRESS_MS)
         self._lay_out()
         self._connect()
+        self._show_keys()
         self._restore()
         self.show_welcome()
 
@@ -90,7 +95,7 @@ class MainWindow(QMainWindow):
         least = max(self.statusBar().sizeHint().height(), self.notice.least_height)
         self.statusBar().setMinimumHeight(least)
         self.notice.stand_over(centre, self.statusBar(), self.progress)
-        search = QPushButton(tr("Search commands   Ctrl+K"), self)
+        self._search = search = QPushButton(self)
         search.setProperty("search", True)
         search.setAccessibleName(tr("Search commands"))
         search.clicked.connect(lambda: self.run_command("edit.commands"))
@@ -136,6 +141,7 @@ class MainWindow(QMainWindow):
         self._refreshing.timeout.connect(self._refresh_now)
         self._progressing.timeout.connect(self._show_progress)
         self.look_choice.changed.connect(self.menus.draw_icons)
+        self.key_choice.changed.connect(self._show_keys)
         application = QApplication.instance()
         if application is not None:
             application.installEventFilter(self._guard)
@@ -191,6 +197,13 @@ class MainWindow(QMainWindow):
         self._show_progress()
         self._told.settle()
         self.files.leaving.settle()
+
+    def _show_keys(self) -> None:
+        """Give the commands their keys, wherever they are shown."""
+        self.menus.use_keys()
+        key = native_keys(first_key("edit.commands"))
+        self._search.setText(f"{tr('Search commands')}   {key}".rstrip())
+        self.refresh()
 
     def _progress_soon(self) -> None:
         if not self._progressing.isActive():

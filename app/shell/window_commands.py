@@ -154,6 +154,7 @@ def _show_keys(app: WindowApp) -> None:
     """Not every desktop gives the keys back to the window below once a dialog is closed."""
     dialog = ShortcutsDialog(app.window.registry.items(), app.window)
     dialog.finished.connect(app.window.activateWindow)
+    dialog.change_asked.connect(app.window.key_choice.edit)
     dialog.open()
 
 
@@ -194,11 +195,18 @@ EDIT: Final[tuple[Command[WindowApp], ...]] = (
         icon="search",
     ),
     Command(
+        "edit.keys",
+        "Keys...",
+        "Edit",
+        run=lambda app: app.window.key_choice.edit(),
+        also="shortcuts profile cvat sleap change rebind",
+        separated=True,
+    ),
+    Command(
         "file.author",
         "Your name in the history...",
         "Edit",
         run=lambda app: app.files.author.ask(),
-        separated=True,
     ),
 )
 LAYOUT: Final = (
