@@ -113,7 +113,7 @@ def test_keys_are_written_to_a_file_and_read_again(dialog, tmp_path):
     assert keys_of("tracks.swap") == ()
 
 
-def test_a_refusal_names_the_key_in_use(window, dialog, controller=None):
+def test_a_refusal_names_the_key_in_use(dialog):
     _choose(dialog, "tracks.new")
     dialog.remove.click()
     dialog.reject()
