@@ -11,7 +11,7 @@ from app.features.pictures import commands as pictures
 from app.features.review import commands as review
 from app.features.scoring import commands as scoring
 from app.features.timeline import commands as timeline
-from app.shell import playback_commands, tracking_commands, window_commands
+from app.shell import layout_commands, playback_commands, tracking_commands, window_commands
 from app.shell.features import FEATURES
 from app.shell.window_app import WindowApp
 
@@ -26,6 +26,7 @@ COMMANDS: Final[tuple[Command[WindowApp], ...]] = (
     *pictures.ONE_CAMERA,
     *timeline.COMMANDS,
     *window_commands.LAYOUT,
+    *layout_commands.COMMANDS,
     *playback_commands.COMMANDS,
     *tracking_commands.TRACK,
     *correction.NEXT,

@@ -117,7 +117,7 @@ class MainWindow(QMainWindow):
         self.project_page.command_asked.connect(self.run_command)
         self.welcome.project_asked.connect(self.files.projects.ask)
         self.welcome.setup_asked.connect(self.files.setup.ask)
-        self.workspace.overhead.setup_asked.connect(self.files.setup.metres)
+        self.workspace.setup_asked.connect(self.files.setup.metres)
         self.welcome.demo_asked.connect(self.files.open_demo)
         self.welcome.path_chosen.connect(self.files.open_path)
         self.welcome.dropped.connect(self.files.open_dropped)
@@ -126,6 +126,8 @@ class MainWindow(QMainWindow):
         )
         for panel in self.workspace.panels.values():
             panel.command_asked.connect(self.run_command)
+        self.workspace.docks.close_asked.connect(self._close_panel)
+        self.workspace.docks.changed.connect(self.refresh)
         self.workspace.transport.tracker_clicked.connect(lambda: self.run_command("tracks.track"))
         self.files.changed.connect(self.refresh)
         self.files.failed.connect(self.tell_error)
@@ -250,6 +252,11 @@ class MainWindow(QMainWindow):
         self.notice.give_way()
         self.registry.run(name)
         self.refresh()
+
+    def _close_panel(self, name: str) -> None:
+        """Close a panel by its command, which switches."""
+        own = f"view.panel_{name}"
+        self.run_command(own if own in self.menus.actions else f"view.{name}")
 
     def keyPressEvent(self, event: QKeyEvent) -> None:  # noqa: N802 - Qt's name
         """A key whose command cannot be done now comes here: say why not."""
