@@ -15,7 +15,7 @@ from app.core.keymap import in_brackets
 from app.shell.panel_docks import Dock
 from app.shell.window_app import WindowApp
 
-_PANELS, _LAYOUT = "View/Panels", "View/Layout"
+_PANELS = "View/Panels and layout"
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,11 +99,11 @@ def _layout(layout: Layout) -> Command[WindowApp]:
     return Command(
         f"view.layout_{layout.id}",
         layout.title,
-        _LAYOUT,
+        _PANELS,
         (),
         recording,
         lambda app: lay_out(app, layout),
-        separated=layout is FIRST,
+        separated=layout in (LAYOUTS[0], FIRST),
         also="preset panels operator annotator engineer",
     )
 

@@ -18,6 +18,10 @@ from app.shell.below_floor import BelowFloor
 from app.shell.screen_fit import keep_on_screen
 
 
+_AROUND_PX = 13
+"""Around an icon in a button; Qt adds room for an arrow where there is a menu."""
+
+
 class Dock(Enum):
     """A place for panels, with what the menu of a panel calls it."""
 
@@ -203,4 +207,5 @@ def _add_menu(panel: Panel, fill: partial[None]) -> None:
     menu.aboutToShow.connect(partial(fill, menu))
     button.setMenu(menu)
     button.setProperty("plain", True)
+    button.setMaximumWidth(button.iconSize().width() + _AROUND_PX)
     panel.set_menu(button)

@@ -223,7 +223,7 @@ LAYOUT: Final = (
     Command[WindowApp](
         "view.next_pane",
         "Go to the next part of the window",
-        "View",
+        "View/Panels and layout",
         ("F6",),
         recording,
         lambda app: app.window.workspace.focus_next_pane(),

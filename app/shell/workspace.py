@@ -47,7 +47,7 @@ from app.shell.panel_column import PanelColumn
 from app.shell.panel_docks import Dock, PanelDocks
 
 PanelT = TypeVar("PanelT", bound=FeaturePanel)
-_PANEL_LETTERS = 48
+_PANEL_LETTERS = 55
 _LOW_LINES = 36
 """A page of fewer lines of text is low."""
 

@@ -107,7 +107,7 @@ class HistoryPanel(FeaturePanel):
         self._by.setSizeAdjustPolicy(
             QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
         )
-        self._by.setMinimumContentsLength(4)
+        self._by.setMinimumContentsLength(3)
         self._by.currentIndexChanged.connect(self._narrow)
         self.add_to_heading(self._text, 3)
         self.add_to_heading(self._by, 3)
