@@ -4,8 +4,54 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QEvent, QObject
-from PySide6.QtWidgets import QStackedWidget, QTabBar, QVBoxLayout, QWidget
+from PySide6.QtCore import QEvent, QObject, QSize, Qt
+from PySide6.QtWidgets import (
+    QFrame,
+    QScrollArea,
+    QStackedWidget,
+    QTabBar,
+    QVBoxLayout,
+    QWidget,
+)
+
+_MOST_LETTERS, _MOST_LINES = 29, 14
+"""The least size of a panel is never more; what is larger can be scrolled there."""
+
+
+class _Page(QScrollArea):
+    """A panel that scrolls in a small window, and never makes it larger."""
+
+    def __init__(self, panel: QWidget, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.panel = panel
+        self.setWidget(panel)
+        self.setWidgetResizable(True)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        panel.installEventFilter(self)
+
+    def minimumSizeHint(self) -> QSize:  # noqa: N802 - Qt's name
+        """The panel's, but no larger than a small window has room for."""
+        letters = self.fontMetrics()
+        most = QSize(
+            _MOST_LETTERS * letters.averageCharWidth(), _MOST_LINES * letters.lineSpacing()
+        )
+        return self.needed.boundedTo(most)
+
+    @property
+    def needed(self) -> QSize:
+        """The least size in which the panel need not be scrolled."""
+        return self.panel.minimumSizeHint().expandedTo(self.panel.minimumSize())
+
+    def sizeHint(self) -> QSize:  # noqa: N802 - Qt's name
+        """The panel's."""
+        return self.panel.sizeHint()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:  # noqa: N802 - Qt's name
+        """The panel needs another size by now."""
+        if watched is self.panel and event.type() == QEvent.Type.LayoutRequest:
+            self.updateGeometry()
+        return super().eventFilter(watched, event)
 
 
 class BelowFloor(QWidget):
@@ -18,45 +64,66 @@ class BelowFloor(QWidget):
     def __init__(self, name: str, panels: Sequence[QWidget], parent: QWidget | None = None) -> None:
         """name: of its tabs, as screen readers say it."""
         super().__init__(parent)
-        self._panels = list(panels)
+        self._pages: dict[QWidget, _Page] = {}
         self._open: list[QWidget] = []
         self._tabs = QTabBar(self)
         self._tabs.setDrawBase(False)
         self._tabs.setExpanding(False)
         self._tabs.setAccessibleName(name)
         self._tabs.currentChanged.connect(self._show_tab)
-        self._pages = QStackedWidget(self)
-        for panel in self._panels:
-            page = QWidget(self)
-            inside = QVBoxLayout(page)
-            inside.setContentsMargins(0, 0, 0, 0)
-            inside.addWidget(panel)
-            self._pages.addWidget(page)
-            panel.installEventFilter(self)
+        self._stack = QStackedWidget(self)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
         column.addWidget(self._tabs)
-        column.addWidget(self._pages, 1)
+        column.addWidget(self._stack, 1)
         self._tabs.hide()
         self.hide()
+        for panel in panels:
+            self.add(panel)
+
+    def add(self, panel: QWidget) -> None:
+        """One more panel stands here; it is shown if it is open."""
+        is_open = not panel.isHidden()
+        page = self._pages[panel] = _Page(panel, self)
+        self._stack.addWidget(page)
+        panel.setVisible(is_open)
+        panel.installEventFilter(self)
+        if is_open and panel not in self._open:
+            self._begin(panel)
+
+    def remove(self, panel: QWidget) -> None:
+        """A panel stands here no longer; whoever takes it gives it another parent."""
+        panel.removeEventFilter(self)
+        if panel in self._open:
+            self._end(panel)
+        page = self._pages.pop(panel)
+        page.takeWidget()
+        self._stack.removeWidget(page)
+        page.deleteLater()
+
+    @property
+    def needed_px(self) -> int:
+        """The width in which the panel shown need not be scrolled; 0 while none is open."""
+        page = self._stack.currentWidget()
+        return page.needed.width() if self._open and isinstance(page, _Page) else 0
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:  # noqa: N802 - Qt's name
         """Follow panels that open and close."""
-        if isinstance(watched, QWidget) and watched in self._panels:
+        if isinstance(watched, QWidget) and watched in self._pages:
             if event.type() is QEvent.Type.ShowToParent and watched not in self._open:
-                self._add(watched)
+                self._begin(watched)
             elif event.type() is QEvent.Type.HideToParent and watched in self._open:
-                self._remove(watched)
+                self._end(watched)
         return super().eventFilter(watched, event)
 
-    def _add(self, panel: QWidget) -> None:
+    def _begin(self, panel: QWidget) -> None:
         self._open.append(panel)
         self._tabs.addTab(panel.accessibleName())
         self._tabs.setCurrentIndex(len(self._open) - 1)
         self._lay_out()
 
-    def _remove(self, panel: QWidget) -> None:
+    def _end(self, panel: QWidget) -> None:
         at = self._open.index(panel)
         self._open.remove(panel)
         self._tabs.removeTab(at)
@@ -69,4 +136,4 @@ class BelowFloor(QWidget):
 
     def _show_tab(self, at: int) -> None:
         if 0 <= at < len(self._open):
-            self._pages.setCurrentIndex(self._panels.index(self._open[at]))
+            self._stack.setCurrentWidget(self._pages[self._open[at]])

@@ -14,6 +14,7 @@ from app.features.scoring import commands as scoring
 from app.features.timeline import commands as timeline
 from app.shell import (
     divider_commands,
+    layout_commands,
     loop_commands,
     playback_commands,
     tracking_commands,
@@ -35,6 +36,7 @@ COMMANDS: Final[tuple[Command[WindowApp], ...]] = (
     *timeline.COMMANDS,
     *divider_commands.COMMANDS,
     *window_commands.LAYOUT,
+    *layout_commands.COMMANDS,
     *playback_commands.COMMANDS,
     *loop_commands.COMMANDS,
     *tracking_commands.TRACK,

@@ -13,6 +13,7 @@ from app.core.controller import Controller
 from app.core.document import document_loader
 from app.core.document.document import Document
 from app.core.i18n import joined, tr
+from app.core.keymap import in_brackets
 from app.core.widgets.questions import choose_file, choose_new_file
 from app.core.widgets.work import Work
 from app.features.counting.controller import CountController
@@ -168,7 +169,13 @@ class ExportController(Controller):
         """Ask for a place and write what is counted, step by step; told where nothing is."""
         controller = self._window.controller
         if controller is None or controller.of(CountController).work() is None:
-            self.said.emit(tr("Nothing is counted: draw a line (Alt+3) or a region (Alt+4) first"))
+            self.said.emit(
+                tr(
+                    "Nothing is counted: draw a line{line_key} or a region{region_key} first",
+                    line_key=in_brackets("labels.lines"),
+                    region_key=in_brackets("labels.regions"),
+                )
+            )
             return
         self._ask(tr("Export counts"), "counts.csv", "CSV (*.csv)", self.counts_to)
 

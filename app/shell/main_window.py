@@ -22,7 +22,9 @@ from app.core.commands import CommandRegistry
 from app.core.drawing.canvas import Canvas
 from app.core.error_messages import explain
 from app.core.i18n import tr
+from app.core.keymap import first_key
 from app.core.look.icons import application_icon
+from app.core.widgets.command_list import native_keys
 from app.core.widgets.jobs_dialog import JobsButton, JobsDialog
 from app.core.widgets.notice import NoticeBar
 from app.core.widgets.opening import open_place
@@ -35,6 +37,7 @@ from app.shell.command_palette import CommandPalette
 from app.shell.commands import COMMANDS
 from app.shell.context_menu import ContextMenu
 from app.shell.files import Files
+from app.shell.key_choice import KeyChoice
 from app.shell.listed_work import ListedWork
 from app.shell.look_choice import LookChoice
 from app.shell.menus import Menus, TypingGuard
@@ -73,6 +76,7 @@ class MainWindow(QMainWindow):
         self.files = Files(self, self.work, remembered)
         self.app = WindowApp(self)
         self.registry = CommandRegistry(COMMANDS, self.app)
+        self.key_choice: KeyChoice = KeyChoice(self, remembered)
         self.menus = Menus(self, self.registry.commands)
         self.look_choice = LookChoice(remembered, self)
         self.palette_of_commands = CommandPalette(self)
@@ -84,6 +88,7 @@ class MainWindow(QMainWindow):
         self._progressing = QTimer(self, singleShot=True, interval=_PROGRESS_MS)
         self._lay_out()
         self._connect()
+        self._show_keys()
         self._restore()
         self.show_welcome()
 
@@ -104,7 +109,7 @@ class MainWindow(QMainWindow):
         least = max(self.statusBar().sizeHint().height(), self.notice.least_height)
         self.statusBar().setMinimumHeight(least)
         self.notice.stand_over(centre, self.statusBar(), self.progress)
-        search = QPushButton(tr("Search commands   Ctrl+K"), self)
+        self._search = search = QPushButton(self)
         search.setProperty("search", True)
         search.setAccessibleName(tr("Search commands"))
         search.clicked.connect(lambda: self.run_command("edit.commands"))
@@ -125,7 +130,7 @@ class MainWindow(QMainWindow):
         self.welcome.open_asked.connect(self.files.ask_open)
         self.welcome.project_asked.connect(self.files.projects.ask)
         self.welcome.setup_asked.connect(self.files.setup.ask)
-        self.workspace.overhead.setup_asked.connect(self.files.setup.metres)
+        self.workspace.setup_asked.connect(self.files.setup.metres)
         self.welcome.demo_asked.connect(self.files.open_demo)
         self.welcome.path_chosen.connect(self.files.open_path)
         self.welcome.dropped.connect(self.files.open_dropped)
@@ -134,6 +139,8 @@ class MainWindow(QMainWindow):
         )
         for panel in self.workspace.panels.values():
             panel.command_asked.connect(self.run_command)
+        self.workspace.docks.close_asked.connect(self._close_panel)
+        self.workspace.docks.changed.connect(self.refresh)
         self.workspace.transport.tracker_clicked.connect(lambda: self.run_command("tracks.track"))
         self.files.changed.connect(self.refresh)
         self.files.failed.connect(self.tell_error)
@@ -151,6 +158,7 @@ class MainWindow(QMainWindow):
         self._refreshing.timeout.connect(self._refresh_now)
         self._progressing.timeout.connect(self._show_progress)
         self.look_choice.changed.connect(self.menus.draw_icons)
+        self.key_choice.changed.connect(self._show_keys)
         application = QApplication.instance()
         if application is not None:
             application.installEventFilter(self._guard)
@@ -220,6 +228,13 @@ class MainWindow(QMainWindow):
         self._told.settle()
         self.files.leaving.settle()
 
+    def _show_keys(self) -> None:
+        """Give the commands their keys, wherever they are shown."""
+        self.menus.use_keys()
+        key = native_keys(first_key("edit.commands"))
+        self._search.setText(f"{tr('Search commands')}   {key}".rstrip())
+        self.refresh()
+
     def _progress_soon(self) -> None:
         if not self._progressing.isActive():
             self._progressing.start()
@@ -286,6 +301,11 @@ class MainWindow(QMainWindow):
         self.notice.give_way()
         self.registry.run(name)
         self.refresh()
+
+    def _close_panel(self, name: str) -> None:
+        """Close a panel by its command, which switches."""
+        own = f"view.panel_{name}"
+        self.run_command(own if own in self.menus.actions else f"view.{name}")
 
     def keyPressEvent(self, event: QKeyEvent) -> None:  # noqa: N802 - Qt's name
         """A key whose command cannot be done now comes here: say why not."""

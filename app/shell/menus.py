@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
 
 from app.core.commands import MENUS, Command, menu_of
 from app.core.i18n import tr
+from app.core.keymap import keys_of
 from app.core.look.icons import icon
 from app.core.scenes import CommandItem
 from app.core.widgets.id_edit import IdEdit
@@ -77,6 +78,11 @@ class Menus(QObject):
                 action.setChecked(item.checked)
         self._filling = False
 
+    def use_keys(self) -> None:
+        """Give every command the keys that are in use."""
+        for name, action in self.actions.items():
+            action.setShortcuts([QKeySequence(key) for key in keys_of(name)])
+
     def command_of(self, keys: QKeySequence) -> str:
         """The command that has these keys; "" where none has."""
         having = (name for name, action in self.actions.items() if keys in action.shortcuts())
@@ -110,7 +116,6 @@ class Menus(QObject):
 
     def _action(self, command: Command[Any], window: QMainWindow) -> QAction:
         action = QAction(tr(command.title), window)
-        action.setShortcuts([QKeySequence(key) for key in command.keys])
         action.setIconText(tr(command.title).rstrip("."))
         action.setShortcutContext(Qt.ShortcutContext.WindowShortcut)
         action.setCheckable(command.checked is not None)

@@ -224,6 +224,7 @@ class RecordingController(Controller):
         """Show "left", "both" or "anaglyph"."""
         self.cameras = mode if self.document.recording.is_stereo else "left"
         width, height = self.document.recording.size
+        self._workspace.know_floor(self.document.recording.view is not None)
         self._workspace.show_cameras(
             self.cameras, width / height, self.document.recording.is_stereo
         )

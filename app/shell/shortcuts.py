@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QSize, Qt
+from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import (
     QDialog,
     QFrame,
@@ -10,6 +10,7 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
     QLineEdit,
+    QPushButton,
     QScrollArea,
     QVBoxLayout,
     QWidget,
@@ -27,7 +28,12 @@ _MARGIN, _SCROLL_BAR, _APART = 16, 16, 16
 
 
 class ShortcutsDialog(QDialog):
-    """All commands that have keys, grouped; a line above narrows them down."""
+    """All commands that have keys, grouped; a line above narrows them down.
+
+    Signals: `change_asked()`: other keys are wanted.
+    """
+
+    change_asked = Signal()
 
     def __init__(self, items: tuple[CommandItem, ...], parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -45,7 +51,14 @@ class ShortcutsDialog(QDialog):
         rows = QVBoxLayout(self)
         rows.setContentsMargins(_MARGIN, _MARGIN, _MARGIN, _MARGIN)
         rows.setSpacing(12)
-        rows.addWidget(self._find)
+        head = QHBoxLayout()
+        head.setSpacing(_APART)
+        head.addWidget(self._find, 1)
+        change = QPushButton(tr("Change keys..."), self)
+        change.setAutoDefault(False)
+        change.clicked.connect(self._change)
+        head.addWidget(change)
+        rows.addLayout(head)
         rows.addWidget(self._scroll, 1)
         self._columns = self._fitting_columns()
         self.narrow("")
@@ -55,6 +68,10 @@ class ShortcutsDialog(QDialog):
         """Show only commands whose title or key holds what is typed."""
         groups = self._groups(typed.strip().lower())
         self._scroll.setWidget(self._page(groups, self._columns))
+
+    def _change(self) -> None:
+        self.accept()
+        self.change_asked.emit()
 
     def _groups(self, wanted: str = "") -> dict[str, list[CommandItem]]:
         groups: dict[str, list[CommandItem]] = {}
@@ -85,7 +102,7 @@ class ShortcutsDialog(QDialog):
         page = self._page(self._groups(), columns)
         inner = page.sizeHint()
         page.deleteLater()
-        find = self._find.sizeHint().height() + 12
+        find = self._find.sizeHint().height() + 16
         return inner + QSize(2 * _MARGIN + _SCROLL_BAR, 2 * _MARGIN + find + 4)
 
     def _page(self, groups: dict[str, list[CommandItem]], count: int) -> QWidget:

@@ -184,6 +184,7 @@ def _show_keys(app: WindowApp) -> None:
     """Not every desktop gives the keys back to the window below once a dialog is closed."""
     dialog = ShortcutsDialog(app.window.registry.items(), app.window)
     dialog.finished.connect(app.window.activateWindow)
+    dialog.change_asked.connect(app.window.key_choice.edit)
     dialog.open()
 
 
@@ -224,11 +225,18 @@ EDIT: Final[tuple[Command[WindowApp], ...]] = (
         icon="search",
     ),
     Command(
+        "edit.keys",
+        "Keys...",
+        "Edit",
+        run=lambda app: app.window.key_choice.edit(),
+        also="shortcuts profile cvat sleap change rebind",
+        separated=True,
+    ),
+    Command(
         "file.author",
         "Your name in the history...",
         "Edit",
         run=lambda app: app.files.author.ask(),
-        separated=True,
     ),
 )
 LAYOUT: Final = (
@@ -245,7 +253,7 @@ LAYOUT: Final = (
     Command[WindowApp](
         "view.next_pane",
         "Go to the next part of the window",
-        "View",
+        "View/Panels and layout",
         ("F6",),
         recording,
         lambda app: app.window.workspace.focus_next_pane(),

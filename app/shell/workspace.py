@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from typing import TypeVar
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QAbstractScrollArea,
     QApplication,
     QFrame,
     QHBoxLayout,
+    QPushButton,
     QSizePolicy,
     QSplitter,
     QVBoxLayout,
@@ -20,9 +21,10 @@ from PySide6.QtWidgets import (
 from app.core.drawing.surfaces import Surfaces
 from app.core.feature import FeaturePanel, Place
 from app.core.i18n import tr
+from app.core.look.theme import scaled_font
 from app.core.scenes import Side
 from app.core.widgets.gripped_splitter import GrippedSplitter
-from app.core.widgets.parts import bring_into_view
+from app.core.widgets.parts import Panel, bring_into_view
 from app.core.widgets.user_settings import UserSettings
 from app.features.comparison.compare_panel import ComparePanel
 from app.features.comparison.differences_scene import DifferencesScene
@@ -39,17 +41,24 @@ from app.features.timeline.panel import TimelineView
 from app.shell.below_floor import BelowFloor
 from app.shell.features import FEATURES
 from app.shell.image_room import ImageRoom
+from app.shell.layout_shares import LayoutShares
 from app.shell.pane_ring import PaneRing
 from app.shell.panel_column import PanelColumn
+from app.shell.panel_docks import Dock, PanelDocks
 
 PanelT = TypeVar("PanelT", bound=FeaturePanel)
-_PANEL_LETTERS = 48
+_PANEL_LETTERS = 55
 _LOW_LINES = 36
 """A page of fewer lines of text is low."""
 
 
 class Workspace(QWidget):
-    """The pictures, the floor, the side panels, transport and timeline."""
+    """The pictures, the floor, the panels, transport and timeline.
+
+    Signals: `setup_asked()`: the floor is unknown, and is to be set up.
+    """
+
+    setup_asked = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -67,25 +76,28 @@ class Workspace(QWidget):
         self.timeline = TimelineView(self)
         self.surfaces = Surfaces(self.left, self.right, self.overhead)
         self._splitters: dict[str, QSplitter] = {}
+        self._shares = LayoutShares()
         self.panels: dict[str, FeaturePanel] = {}
-        self._placed: dict[Place, tuple[FeaturePanel, ...]] = dict.fromkeys(Place, ())
+        self._floor_known = self._floor_wanted = True
         for feature in FEATURES:
             if feature.panel is not None:
                 panel = self.panels[feature.id] = feature.panel(self)
-                self._placed[feature.place] += (panel,)
                 self.timeline.area.stretch.changed.connect(panel.show_axis)
         self._lay_out()
+        self._fit_places()
         self._ring = PaneRing(self)
 
     def _lay_out(self) -> None:
         cameras = self._split("eyes", Qt.Orientation.Vertical, (self.left, self.right), (1, 1))
-        below = BelowFloor(tr("Panels below the floor"), self._placed[Place.BELOW_FLOOR], self)
+        below = BelowFloor(tr("Panels below the floor"), (), self)
         below.setObjectName("below floor")
         parts = (self.overhead, below)
-        floor = self._split("floor and panels", Qt.Orientation.Vertical, parts, (5, 6))
-        views = (cameras, floor, self._side())
+        self._floor = self._split("floor and panels", Qt.Orientation.Vertical, parts, (5, 6))
+        self._side = self._build_side()
+        self._dock_panels(below)
+        views = (cameras, self._floor, self._side)
         top = self._split("top", Qt.Orientation.Horizontal, views, (9, 10, 6))
-        self._image_room = ImageRoom(top, cameras, views[-1])
+        self._image_room = ImageRoom(top, *views, lambda: below.needed_px)
         upper = QWidget(self)
         column = _unspaced(upper)
         column.addWidget(top, 1)
@@ -95,7 +107,23 @@ class Workspace(QWidget):
         whole = self._filled("whole", border, (upper, self.timeline), (3, 1))
         _unspaced(self).addWidget(whole)
 
-    def _side(self) -> QWidget:
+    def _dock_panels(self, below: BelowFloor) -> None:
+        """Put every panel where it stands at first."""
+        docks = {Place.SIDE: Dock.SIDE, Place.BELOW_FLOOR: Dock.BELOW}
+        panels: dict[str, tuple[Panel, Dock]] = {
+            "review": (self.review, Dock.SIDE),
+            "card": (self.card, Dock.SIDE),
+        }
+        for feature in FEATURES:
+            if feature.id in self.panels:
+                panels[feature.id] = (self.panels[feature.id], docks[feature.place])
+        self.docks = PanelDocks(panels, self._column, below, self)
+        self._column.setStretchFactor(0, 2)
+        self.docks.changed.connect(self._fit_places)
+        for widget in (self.preview, self.labelling, self.compare, self.differences):
+            widget.installEventFilter(self)
+
+    def _build_side(self) -> QWidget:
         """The panels, and above them what is being edited, labelled or compared.
 
         An edit that waits takes room from the panels alone: the pictures stay as large as before.
@@ -119,10 +147,9 @@ class Workspace(QWidget):
 
     def _scrolled_panels(self) -> PanelColumn:
         """On a low screen the panels scroll, so that they never make the window too high for it."""
-        listed = self._placed[Place.SIDE]
-        parts, shares = (self.review, self.card, *listed), (11, 5, *(5 for _ in listed))
-        side = self._split("side", Qt.Orientation.Vertical, parts, shares)
-        return PanelColumn(side, _PANEL_LETTERS * self.fontMetrics().averageCharWidth(), self)
+        self._column = self._split("side", Qt.Orientation.Vertical, (), ())
+        least_px = _PANEL_LETTERS * self.fontMetrics().averageCharWidth()
+        return PanelColumn(self._column, least_px, self)
 
     def _transport_line(self) -> QFrame:
         """Playback and, at its end, which cameras are shown: no picture is covered by a switch."""
@@ -131,6 +158,13 @@ class Workspace(QWidget):
         row = QHBoxLayout(line)
         row.setContentsMargins(0, 0, 12, 0)
         row.addWidget(self.transport, 1)
+        self.setup = QPushButton(tr("Set up this recording"), line)
+        self.setup.setFont(scaled_font(self.font(), 0.92))
+        self.setup.setToolTip(tr("Say where the floor is, to see people from above"))
+        self.setup.clicked.connect(self.setup_asked)
+        self.setup.hide()
+        row.addWidget(self.setup, 0, Qt.AlignmentFlag.AlignVCenter)
+        row.addSpacing(8)
         row.addWidget(self.camera_switch, 0, Qt.AlignmentFlag.AlignVCenter)
         return line
 
@@ -154,7 +188,7 @@ class Workspace(QWidget):
         for at, (part, share) in enumerate(zip(parts, shares, strict=True)):
             splitter.addWidget(part)
             splitter.setStretchFactor(at, share)
-        splitter.setSizes([100 * share for share in shares])
+        self._shares.add(name, splitter, shares)
         self._splitters[name] = splitter
         return splitter
 
@@ -162,6 +196,47 @@ class Workspace(QWidget):
         """The page is higher or lower."""
         super().resizeEvent(event)
         self.preview.set_terse(self.height() < _LOW_LINES * self.fontMetrics().lineSpacing())
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:  # noqa: N802 - Qt's name
+        """An edit, labels or a comparison need the column at the right."""
+        if event.type() in (QEvent.Type.ShowToParent, QEvent.Type.HideToParent):
+            self._fit_places()
+        return super().eventFilter(watched, event)
+
+    def _fit_places(self) -> None:
+        """Show the column at the right and the floor's where something stands in them."""
+        compared = not self.differences.isHidden()
+        at_work = (self.preview, self.labelling, self.compare)
+        self._panels.setVisible(self.docks.any_open(Dock.SIDE) and not compared)
+        self._side.setVisible(
+            compared
+            or self.docks.any_open(Dock.SIDE)
+            or any(not widget.isHidden() for widget in at_work)
+        )
+        self.overhead.setVisible(self._floor_known and self._floor_wanted)
+        self._floor.setVisible(not self.overhead.isHidden() or self.docks.any_open(Dock.BELOW))
+
+    @property
+    def floor_wanted(self) -> bool:
+        """Whether the overhead view is open; it is shown where the floor is known."""
+        return self._floor_wanted
+
+    @floor_wanted.setter
+    def floor_wanted(self, wanted: bool) -> None:
+        self._floor_wanted = wanted
+        self._fit_places()
+
+    def know_floor(self, known: bool) -> None:
+        """Whether the recording says where the floor is: there is no overhead view without."""
+        self._floor_known = known
+        self.setup.setHidden(known)
+        self._fit_places()
+
+    def reset_layout(self) -> None:
+        """Lay all out as at the first start."""
+        self.docks.reset()
+        self._shares.reset()
+        self._image_room.fit_again()
 
     def of(self, kind: type[PanelT]) -> PanelT:
         """The feature's panel of this kind. Raises LookupError where there is none."""
@@ -173,7 +248,7 @@ class Workspace(QWidget):
     def show_differences(self, scene: DifferencesScene | None) -> None:
         """Show a comparison in the place of the panels, or the panels again."""
         self.differences.show_scene(scene)
-        self._panels.setVisible(scene is None)
+        self._fit_places()
 
     def show_cameras(self, mode: str, aspect: float, stereo: bool) -> None:
         """Lay out for "left", "both" or "anaglyph"; pictures are `aspect` times wider than high."""
@@ -201,10 +276,10 @@ class Workspace(QWidget):
         Pictures, floor, panels below it, labelling, compared, queue, card, panels below them,
         timeline; a list among them can be walked then.
         """
-        below, listed = self._placed[Place.BELOW_FLOOR], self._placed[Place.SIDE]
-        lists = (*below, self.review, self.card, *listed, self.differences)
+        below, side = self.docks.at(Dock.BELOW), self.docks.at(Dock.SIDE)
+        lists = (*below, *side, self.differences)
         views, above = (self.left, self.right, self.overhead), (self.labelling, self.compare)
-        every = (*views, *below, *above, *lists[len(below) :], self.timeline)
+        every = (*views, *below, *above, *side, self.differences, self.timeline)
         panes = [pane for pane in every if pane.isVisible()]
         now = QApplication.focusWidget()
         inside = [now is not None and (now is pane or pane.isAncestorOf(now)) for pane in panes]
@@ -220,16 +295,14 @@ class Workspace(QWidget):
     def remember(self, remembered: UserSettings) -> None:
         """Keep how the parts are laid out."""
         remembered.set_text("workspace/eyes moved", str(self._image_room.moved or ""))
-        for name, splitter in self._splitters.items():
-            remembered.set_state(f"workspace/{name}", splitter.saveState())
+        self._shares.remember(remembered, self.screen())
+        self.docks.remember(remembered)
         self.timeline.area.controls.remember(remembered)
 
     def restore(self, remembered: UserSettings) -> None:
         """Lay the parts out as they were."""
-        for name, splitter in self._splitters.items():
-            state = remembered.state(f"workspace/{name}")
-            if state is not None:
-                splitter.restoreState(state)
+        self.docks.restore(remembered)
+        self._shares.restore(remembered, self.screen())
         beside = remembered.text("workspace/eyes moved")
         self._image_room.moved = {"1": 1, "2": 2}.get(beside, 0)
         self.timeline.area.controls.restore(remembered)

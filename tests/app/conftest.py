@@ -15,10 +15,12 @@ from pytestqt.qtbot import QtBot
 from run_with_parts import with_parts
 from view_fixtures import dark, drawn, heard, inked, near, theme, wheel  # noqa: F401 - fixtures
 
+from app.core import keymap
 from app.core.document import document_loader
 from app.core.playback import late_camera
 from app.core.widgets.user_settings import UserSettings
 from app.shell.application import start_application
+from app.shell.commands import COMMANDS
 from app.shell.main_window import MainWindow
 from tracking.people import first_lag, lag_looks
 from tracking.pipeline import track
@@ -112,6 +114,12 @@ def own_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     folder = tmp_path / "own"
     monkeypatch.setattr(document_loader, "user_data_path", lambda *_, **__: folder)
     return folder
+
+
+@pytest.fixture(autouse=True)
+def declared_keys() -> None:
+    """Commands have the keys they declare, which texts name, also without a window."""
+    keymap.declare(COMMANDS)
 
 
 @pytest.fixture

@@ -6,6 +6,7 @@ from typing import Protocol, TypeVar
 
 from app.core.document.document import Document
 from app.core.i18n import tr
+from app.core.keymap import in_brackets
 
 ControllerT = TypeVar("ControllerT")
 
@@ -45,7 +46,10 @@ def _has_session(now: WindowState) -> bool:
 def session(now: WindowState) -> str:
     """A session must be there, and no other work going on."""
     if not _has_session(now):
-        return recording(now) or tr("track the recording first, or draw a person (Ins)")
+        return recording(now) or tr(
+            "track the recording first, or draw a person{key}",
+            key=in_brackets("tracks.new"),
+        )
     return tr("wait until the work in progress is done") if now.busy else ""
 
 
@@ -78,7 +82,14 @@ def editable(now: WindowState) -> str:
 
 def replaceable(now: WindowState) -> str:
     """The session must be open for changes, and no tracker at work that would end in it."""
-    return tr("stop tracking first (Ctrl+Shift+T)") if now.live else editable(now)
+    return (
+        tr(
+            "stop tracking first{key}",
+            key=in_brackets("tracks.stop"),
+        )
+        if now.live
+        else editable(now)
+    )
 
 
 def somebody(now: WindowState) -> str:
@@ -107,13 +118,20 @@ def drawable(now: WindowState) -> str:
     if now.busy:
         return tr("wait until the work in progress is done")
     if now.unkept:
-        return tr("save the tracker's result first (Ctrl+S)")
+        return tr(
+            "save the tracker's result first{key}",
+            key=in_brackets("file.save"),
+        )
     return recording(now)
 
 
 def edit_waits() -> str:
     """What is said where a pending edit is in the way."""
-    return tr("an edit is in preview: apply it (Enter) or cancel it (Esc) first")
+    return tr(
+        "an edit is in preview: apply it{apply} or cancel it{cancel} first",
+        apply=in_brackets("tracks.confirm"),
+        cancel=in_brackets("tracks.none"),
+    )
 
 
 def live(now: WindowState) -> str:
@@ -139,7 +157,10 @@ def placing(now: WindowState) -> str:
 def trackable(now: WindowState) -> str:
     """No other work may be going on in a recording whose session can be saved."""
     if now.live:
-        return tr("a tracker is running: stop it first (Ctrl+Shift+T)")
+        return tr(
+            "a tracker is running: stop it first{key}",
+            key=in_brackets("tracks.stop"),
+        )
     if now.busy:
         return tr("wait until the work in progress is done")
     return _read_only(now) or recording(now)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Final, Generic, TypeVar
 
+from app.core import keymap
 from app.core.commands.command import Command
 from app.core.commands.conditions import WindowState
 from app.core.i18n import tr
@@ -35,6 +36,7 @@ class CommandRegistry(Generic[AppT]):
 
     def __init__(self, commands: Iterable[Command[AppT]], app: AppT) -> None:
         self.commands = tuple(sorted(commands, key=lambda one: MENUS.index(menu_of(one)[0])))
+        keymap.declare(self.commands)
         self._app = app
         self._by_id = {command.id: command for command in self.commands}
 
@@ -62,7 +64,7 @@ class CommandRegistry(Generic[AppT]):
             command=command.id,
             menu=f"{tr(menu)} \u203a {tr(submenu)}" if submenu else tr(menu),
             title=f"{title} ({note})" if note else title,
-            keys=command.keys,
+            keys=keymap.keys_of(command.id),
             enabled=not why_not,
             why_not=why_not,
             checked=command.checked(app) if command.checked is not None else None,

@@ -14,6 +14,7 @@ from app.core.editing.edit_spec import EditSpec
 from app.core.editing.flow import EditFlow
 from app.core.editing.nearness import metres_apart
 from app.core.i18n import count_text, joined_text, some_of, time_text, tr
+from app.core.keymap import key_or_title
 from app.core.scenes import ChoiceRow, EditPreview, Proposal
 from app.core.tracks.edit_context import EditContext
 from tracking.editing import Change
@@ -178,9 +179,21 @@ def _hint(flow: EditFlow, ready: bool) -> str:
         if flow.spec is not edits.FLOOR:
             keys.append(tr("Ctrl+arrows resize"))
     if flow.has_cut:
-        keys.append(tr("Left / Right move the frame"))
+        keys.append(
+            tr(
+                "{back} / {on} move the frame",
+                back=key_or_title("play.previous"),
+                on=key_or_title("play.next"),
+            )
+        )
     if flow.has_end:
-        keys.append(tr("Ctrl+Left / Right move the end"))
+        keys.append(
+            tr(
+                "{back} / {on} move the end",
+                back=key_or_title("play.previous_second"),
+                on=key_or_title("play.next_second"),
+            )
+        )
     if len(flow.cuts) > 1:
         keys.append(tr("Up / Down: other frames found"))
     if flow.spec is edits.FILL_ALL:

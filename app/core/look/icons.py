@@ -10,6 +10,7 @@ from PySide6.QtGui import QColor, QGuiApplication, QIcon, QPainter, QPalette, QP
 from PySide6.QtSvg import QSvgRenderer
 from PySide6.QtWidgets import QToolButton, QWidget
 
+from app.core.keymap import first_key
 from app.core.look.theme import current_theme
 
 _SIZES_PX = (16, 20, 24, 32, 48, 64)
@@ -60,13 +61,16 @@ def application_icon() -> QIcon:
 
 
 class IconButton(QToolButton):
-    """A tool button whose icon follows the theme; its name is told to screen readers."""
+    """A tool button whose icon follows the theme; its name is told to screen readers.
+
+    Where it does what a command does, its tooltip names the key of that command.
+    """
 
     def __init__(
         self,
         drawing: str,
         name: str,
-        key: str = "",
+        command: str = "",
         parent: QWidget | None = None,
         primary: bool = False,
     ) -> None:
@@ -75,10 +79,17 @@ class IconButton(QToolButton):
         self._primary = primary
         self.setProperty("primary", primary)
         self.setAccessibleName(name)
-        self.setToolTip(f"{name}  ({key})" if key else name)
+        self._name, self._command = name, command
+        self.setToolTip(self._tip())
         self.setIconSize(QSize(20, 20))
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # every one has a key of the window
         self._recolour()
+
+    def set_name(self, name: str) -> None:
+        """It does something else by now."""
+        self._name = name
+        self.setAccessibleName(name)
+        self.setToolTip(self._tip())
 
     def set_drawing(self, drawing: str) -> None:
         """Show another icon."""
@@ -86,11 +97,21 @@ class IconButton(QToolButton):
             self._icon_name = drawing
             self._recolour()
 
+    def event(self, event: QEvent) -> bool:
+        """Name the key in use, which the user may have changed."""
+        if event.type() == QEvent.Type.ToolTip and self._command:
+            self.setToolTip(self._tip())
+        return super().event(event)
+
     def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
         """Follow the theme."""
         super().changeEvent(event)
         if event.type() == QEvent.Type.PaletteChange:
             self._recolour()
+
+    def _tip(self) -> str:
+        key = first_key(self._command)
+        return f"{self._name}  ({key})" if key else self._name
 
     def _recolour(self) -> None:
         theme = current_theme()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from app.core.i18n import tr
+from app.core.keymap import in_brackets
 from tracking.trackers import body_part_tracker
 from tracking.tracks import PART_NAMES
 from tracking.translation import Message, msg
@@ -17,5 +18,7 @@ def part_name(part: int) -> str:
 def no_parts() -> Message:
     """What to do where no body parts were tracked."""
     return msg(
-        "No parts were tracked: track with {tracker} (Ctrl+T) first", tracker=body_part_tracker()
+        "No parts were tracked: track with {tracker}{key} first",
+        tracker=body_part_tracker(),
+        key=in_brackets("tracks.track"),
     )

@@ -30,6 +30,7 @@ class Panel(QFrame):
     def __init__(self, title: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._low = False
+        self._menu: QWidget | None = None
         self.setProperty("panel", True)
         self.setAccessibleName(title)
         self._rows = QVBoxLayout(self)
@@ -47,7 +48,13 @@ class Panel(QFrame):
 
     def add_to_heading(self, widget: QWidget, stretch: int = 0) -> None:
         """Put something small at the right of the title; `stretch` is its share of the rest."""
-        self._heading.addWidget(widget, stretch)
+        last = self._heading.count() - (1 if self._menu is not None else 0)
+        self._heading.insertWidget(last, widget, stretch)
+
+    def set_menu(self, button: QWidget) -> None:
+        """Put the button of the panel's own menu at the end of the title."""
+        self._heading.addWidget(button)
+        self._menu = button
 
     def layout_body(self, body: QLayout) -> None:
         """Put the panel's content under the title."""

@@ -119,19 +119,19 @@ class EditPanel(QFrame):
         line = QHBoxLayout(self._frames)
         line.setContentsMargins(0, 0, 0, 0)
         line.setSpacing(12)
-        cut, self._frame = self._nudge(tr("From"), tr("Left"), tr("Right"))
+        cut, self._frame = self._nudge(tr("From"), "play.previous", "play.next")
         self._cut_title = cut.title
         cut.moved.connect(self.cut_moved)
-        keys = tr("Ctrl+Left"), tr("Ctrl+Right")
-        self._until, self._end = self._nudge(tr("to"), *keys)
+        commands = "play.previous_second", "play.next_second"
+        self._until, self._end = self._nudge(tr("to"), *commands)
         self._until.moved.connect(self.end_moved)
         for widget in (cut, self._until):
             line.addWidget(widget)
         line.addStretch(1)
         rows.addWidget(self._frames)
 
-    def _nudge(self, title: str, back_key: str, on_key: str) -> tuple[_Nudge, QLabel]:
-        nudge = _Nudge(title, back_key, on_key, self._frames)
+    def _nudge(self, title: str, back: str, on: str) -> tuple[_Nudge, QLabel]:
+        nudge = _Nudge(title, back, on, self._frames)
         return nudge, nudge.label
 
     def _build_ends(self, rows: QVBoxLayout) -> None:
@@ -231,14 +231,14 @@ class _Nudge(QWidget):
 
     moved = Signal(int)
 
-    def __init__(self, title: str, back_key: str, on_key: str, parent: QWidget) -> None:
+    def __init__(self, title: str, back: str, on: str, parent: QWidget) -> None:
         super().__init__(parent)
         self.title = quiet(title, self)
         self.label = QLabel(self)
         self.label.setFont(scaled_font(parent.font(), 1.0, bold=True))
-        earlier = IconButton("step-back", tr("{0} a frame earlier").format(title), back_key, self)
+        earlier = IconButton("step-back", tr("{0} a frame earlier").format(title), back, self)
         earlier.clicked.connect(lambda: self.moved.emit(-1))
-        later = IconButton("step-forward", tr("{0} a frame later").format(title), on_key, self)
+        later = IconButton("step-forward", tr("{0} a frame later").format(title), on, self)
         later.clicked.connect(lambda: self.moved.emit(1))
         line = QHBoxLayout(self)
         line.setContentsMargins(0, 0, 0, 0)

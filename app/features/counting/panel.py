@@ -53,7 +53,7 @@ class CountingPanel(FeaturePanel):
         self._doing = quiet("", self)
         self.add_to_heading(self._doing)
         self._add_buttons()
-        close = IconButton("close", tr("Hide the counting"), "Shift+C", self)
+        close = IconButton("close", tr("Hide the counting"), "view.counting", self)
         close.clicked.connect(lambda: self.command_asked.emit("view.counting"))
         self.add_to_heading(close)
         self.tallies = TallyList(self)

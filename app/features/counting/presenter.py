@@ -11,6 +11,7 @@ from app.core.document.document import Document
 from app.core.document.track_sources import SHOWN, list_track_sources, version_of
 from app.core.error_messages import explain
 from app.core.i18n import tr
+from app.core.keymap import in_brackets
 from app.core.scenes.flow_map import FlowScene
 from app.core.scenes.labels import LINE_COLOUR, REGION_COLOUR, Tool
 from app.core.tracks.frame_state import FrameState
@@ -154,8 +155,10 @@ class CountingPresenter:
             return self._shown.why_not(rows[picked].is_line, rows[picked].name)
         if not rows:
             return tr(
-                "Draw a counting line (Alt+3) or a region (Alt+4) to count who crosses it and who"
-                " is inside, in the frame shown and over time."
+                "Draw a counting line{line_key} or a region{region_key} to count who crosses "
+                "it and who is inside, in the frame shown and over time.",
+                line_key=in_brackets("labels.lines"),
+                region_key=in_brackets("labels.regions"),
             )
         return ""
 

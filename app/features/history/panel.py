@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
 
 from app.core.feature import FeaturePanel
 from app.core.i18n import count_text, tr
+from app.core.keymap import first_key
 from app.core.look.icons import IconButton
 from app.core.scenes import HistoryItem
 from app.core.widgets.literal import literal
@@ -25,7 +26,6 @@ from app.features.history.history_model import ITEM, EditDelegate, HistoryModel,
 
 _ROWS = 4  # seen at least
 _LAID_AT_ONCE = 300
-_UNDO_ALONE_KEYS = "Ctrl+Alt+Z"
 
 
 class HistoryPanel(FeaturePanel):
@@ -47,9 +47,9 @@ class HistoryPanel(FeaturePanel):
         super().__init__(tr("History"), parent)
         self._items: tuple[HistoryItem, ...] = ()
         self._why_not_alone = ""
-        self._undo = IconButton("undo", tr("Undo"), "Ctrl+Z", self)
+        self._undo = IconButton("undo", tr("Undo"), "edit.undo", self)
         self._undo.clicked.connect(lambda: self.command_asked.emit("edit.undo"))
-        self._redo = IconButton("redo", tr("Redo"), "Ctrl+Shift+Z", self)
+        self._redo = IconButton("redo", tr("Redo"), "edit.redo", self)
         self._redo.clicked.connect(lambda: self.command_asked.emit("edit.redo"))
         self._add_filter()
         self.add_to_heading(self._undo)
@@ -107,7 +107,7 @@ class HistoryPanel(FeaturePanel):
         self._by.setSizeAdjustPolicy(
             QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
         )
-        self._by.setMinimumContentsLength(4)
+        self._by.setMinimumContentsLength(3)
         self._by.currentIndexChanged.connect(self._narrow)
         self.add_to_heading(self._text, 3)
         self.add_to_heading(self._by, 3)
@@ -184,7 +184,9 @@ class HistoryPanel(FeaturePanel):
         """Undo this one alone; where that cannot be, the reason stands below it."""
         self._why_not_alone = ""
         self.menu_opening.emit(item.edit)
-        alone: QAction = menu.addAction(tr("Undo only this edit") + f"\t{_UNDO_ALONE_KEYS}")
+        alone: QAction = menu.addAction(
+            tr("Undo only this edit") + f"\t{first_key('edit.undo_alone')}"
+        )
         alone.triggered.connect(lambda: self.alone_asked.emit(item.edit))
         if self._why_not_alone:
             alone.setEnabled(False)

@@ -13,6 +13,7 @@ from app.core.document.document import Document
 from app.core.error_messages import explain
 from app.core.i18n import time_text, tr
 from app.core.jobs.jobs import Job, Progress
+from app.core.keymap import in_brackets
 from app.core.scenes.labels import SuggestedPart, Tool
 from app.core.scenes.part_names import no_parts, part_name
 from app.features.labelling.scene import LabellingScene
@@ -83,8 +84,9 @@ class SuggestionSearch(QObject):
         if self._problem or self.queue.open:
             return self._problem
         return tr(
-            "No suggestions are left: train the part-failure detector (Ctrl+D) with the labels, "
-            "and track again with it."
+            "No suggestions are left: train the part-failure detector{key} with the "
+            "labels, and track again with it.",
+            key=in_brackets("detector.train"),
         )
 
     def _take(self, found: tuple[SuggestedPart, ...]) -> None:

@@ -8,6 +8,7 @@ from app.core.commands.command import Command
 from app.core.commands.conditions import editable, session
 from app.core.commands.view_state import ViewState, panel_command, toggle, view_command
 from app.core.i18n import tr
+from app.core.keymap import in_brackets
 from app.features.parts.controller import PartsController
 from tracking.trackers import body_part_tracker
 
@@ -17,9 +18,14 @@ def tracked(app: ViewState) -> str:
     if session(app) or app.of(PartsController).presenter.any_tracked:
         return session(app)
     if app.of(PartsController).presenter.tracked_elsewhere:
-        return tr("the run being corrected has no parts: correct one that has (Ctrl+R)")
+        return tr(
+            "the run being corrected has no parts: correct one that has{key}",
+            key=in_brackets("tracks.runs"),
+        )
     return tr(
-        "no parts were tracked: track with {tracker} (Ctrl+T) first", tracker=body_part_tracker()
+        "no parts were tracked: track with {tracker}{key} first",
+        tracker=body_part_tracker(),
+        key=in_brackets("tracks.track"),
     )
 
 

@@ -27,7 +27,7 @@ class CurvesPanel(FeaturePanel):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(tr("Parts over time"), parent)
-        close = IconButton("close", tr("Hide the parts over time"), "Shift+Q", self)
+        close = IconButton("close", tr("Hide the parts over time"), "view.curves", self)
         close.clicked.connect(lambda: self.command_asked.emit("view.curves"))
         self.add_to_heading(close)
         self.plot = CurvesPlot(self)

@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from app.core.i18n import joined, tr
+from app.core.keymap import in_brackets
 from app.core.scenes.part_curve import THRESHOLD, PartCurve
 from app.core.scenes.part_names import part_name
 from app.core.scenes.pictured_parts import PartBox, PicturedParts
@@ -105,9 +106,10 @@ def curves_scene(
 def _nothing(state: FrameState, some: bool) -> str:
     if state.selected or some:
         return tr(
-            "No parts were tracked of this person: track with {tracker} (Ctrl+T) to see head, "
+            "No parts were tracked of this person: track with {tracker}{key} to see head, "
             "torso and hip-leg here.",
             tracker=body_part_tracker(),
+            key=in_brackets("tracks.track"),
         )
     return tr("Click a person to see their parts over time.")
 

@@ -24,6 +24,7 @@ from PySide6.QtWidgets import (
 from app.core.error_messages import explain
 from app.core.i18n import N_, tr
 from app.core.jobs.jobs import Job, Progress
+from app.core.keymap import in_brackets
 from app.core.widgets.parts import heading, quiet
 from app.core.widgets.questions import choose_file
 from app.core.widgets.settings_form import SettingsForm
@@ -189,10 +190,11 @@ class TrainDialog(QDialog):
 
     def _no_samples(self, source: Source) -> str:
         return tr(
-            "{session} holds no labels of tracked parts: label some (Alt+6) in a session tracked "
-            "with {tracker}",
+            "{session} holds no labels of tracked parts: label some{key} in a session "
+            "tracked with {tracker}",
             session=source.title,
             tracker=body_part_tracker(),
+            key=in_brackets("detector.suggest"),
         )
 
     def _end(self, told: str) -> None:

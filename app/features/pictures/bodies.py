@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.core.i18n import tr
+from app.core.keymap import in_brackets
 from app.core.scenes import Colour, LegendEntry
 from app.core.scenes.okabe_ito import YELLOW
 from app.core.tracks.frame_state import FrameState, ViewOptions
@@ -161,13 +162,15 @@ def why_nothing(state: FrameState, name: str) -> str:
         return tr(failed.message)
     if name == "tracklets" and not len(tracks.tracklets(frame)["track"]):
         return tr(
-            "No points are tracked here: track with {tracker} (Ctrl+T) to see tracklets",
+            "No points are tracked here: track with {tracker}{key} to see tracklets",
             tracker=tracker_with(lambda spec: spec.overlays.tracklets).name,
+            key=in_brackets("tracks.track"),
         )
     if name == "outlines" and not len(tracks.particles(frame)["track"]):
         return tr(
-            "No hypotheses here: track with {tracker}, or two cameras (Ctrl+T), to see them",
+            "No hypotheses here: track with {tracker}, or two cameras{key}, to see them",
             tracker=tracker_with(lambda spec: spec.overlays.outlines).name,
+            key=in_brackets("tracks.track"),
         )
     if name == "evaluation" and not _has_regions(state.run):
         return _no_regions()
@@ -181,10 +184,11 @@ def _no_regions() -> str:
     spec = tracker_with(lambda one: one.overlays.evaluation)
     assert spec.overlays.evaluation is not None
     return tr(
-        "No region of evaluation here: only {tracker} with its setting '{setting}' has one; track "
-        "with that (Ctrl+T) to see it",
+        "No region of evaluation here: only {tracker} with its setting '{setting}' has "
+        "one; track with that{key} to see it",
         tracker=spec.name,
         setting=spec.overlays.evaluation.setting,
+        key=in_brackets("tracks.track"),
     )
 
 

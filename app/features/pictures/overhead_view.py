@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt, Signal
-from PySide6.QtGui import QPainter, QResizeEvent
-from PySide6.QtWidgets import QPushButton, QWidget
+from PySide6.QtGui import QPainter
+from PySide6.QtWidgets import QWidget
 
 from app.core.drawing.name_plates import draw_message
 from app.core.drawing.surfaces import FloorSurface
@@ -22,7 +22,6 @@ from app.features.pictures.floor_painter import (
 )
 
 _PICK_REACH_PX = 22.0
-_BUTTON_PX = 8  # below the button
 _GRIP_PX = 3.0  # around a person's ring
 
 
@@ -30,12 +29,10 @@ class OverheadView(FloorSurface):
     """Draws an :class:`OverheadScene`; forward is up.
 
     Signals:
-        setup_asked(): the floor is unknown, and is to be set up.
         person_grabbed(int), person_dragged(float, float), person_dropped(): somebody is taken hold
             of, is now at x, y in metres, is let go.
     """
 
-    setup_asked = Signal()
     person_grabbed = Signal(int)
     person_dragged = Signal(float, float)
     person_dropped = Signal()
@@ -50,9 +47,6 @@ class OverheadView(FloorSurface):
         self._explained = True
         self.setContentsMargins(12, 12, 12, 12)
         self.setAccessibleName(tr("Overhead view"))
-        self.setup = QPushButton(tr("Set up this recording"), self)
-        self.setup.clicked.connect(self.setup_asked)
-        self.setup.hide()
 
     def show_scene(self, scene: OverheadScene) -> None:
         """Draw another frame."""
@@ -60,16 +54,7 @@ class OverheadView(FloorSurface):
         self._scene = scene
         if self._fitted and self.content() != before:
             self.fit()
-        self.setup.setVisible(bool(scene.message))
         self.update()
-
-    def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802
-        """The button stays below the message."""
-        super().resizeEvent(event)
-        self.setup.adjustSize()
-        foot = self.height() - self.setup.height() - _BUTTON_PX
-        middle = self.height() // 2 + 4 * self.fontMetrics().lineSpacing()
-        self.setup.move((self.width() - self.setup.width()) // 2, max(0, min(middle, foot)))
 
     def show_person(self, track: int) -> None:
         """Have a person seen who may stand outside of a zoomed view."""

@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.core.i18n import tr
+from app.core.keymap import in_brackets
 from app.core.look.icons import IconButton
 from app.core.look.theme import current_theme, scaled_font
 from app.core.playback.clock import SPEEDS
@@ -89,15 +90,15 @@ class TransportBar(QFrame):
         row.addWidget(self._rest, 1)
 
     def _build_buttons(self, row: QHBoxLayout) -> None:
-        self._play = IconButton("play", tr("Play"), tr("Space"), self, primary=True)
+        self._play = IconButton("play", tr("Play"), "play.toggle", self, primary=True)
         self._play.clicked.connect(self.play_toggled)
-        first = IconButton("first", tr("First frame"), tr("Home"), self)
+        first = IconButton("first", tr("First frame"), "play.start", self)
         first.clicked.connect(lambda: self.frame_sought.emit(0))
-        back = IconButton("step-back", tr("Previous frame"), tr("Left"), self)
+        back = IconButton("step-back", tr("Previous frame"), "play.previous", self)
         back.clicked.connect(lambda: self.stepped.emit(-1))
-        forward = IconButton("step-forward", tr("Next frame"), tr("Right"), self)
+        forward = IconButton("step-forward", tr("Next frame"), "play.next", self)
         forward.clicked.connect(lambda: self.stepped.emit(1))
-        last = IconButton("last", tr("Last frame"), tr("End"), self)
+        last = IconButton("last", tr("Last frame"), "play.end", self)
         last.clicked.connect(lambda: self.frame_sought.emit(self._last_frame()))
         for button in (back, forward):
             button.setAutoRepeat(True)
@@ -130,7 +131,7 @@ class TransportBar(QFrame):
         self._frame.setAlignment(Qt.AlignmentFlag.AlignRight)
         self._frame.setFont(scaled_font(self.font(), 1.0, bold=True))
         self._frame.setAccessibleName(tr("Frame number"))
-        self._frame.setToolTip(tr("Type a frame number and press Enter  (G)"))
+        self._frame.setToolTip(tr("Type a frame number and press Enter") + in_brackets("play.goto"))
         self._frame.setValidator(QIntValidator(0, 2**31 - 1, self))
         self._frame.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
         self._frame.returnPressed.connect(self._seek_typed)
@@ -179,9 +180,7 @@ class TransportBar(QFrame):
         self._write_time(scene.time_s)
         if before is None or before.playing != scene.playing:
             self._play.set_drawing("pause" if scene.playing else "play")
-            name = tr("Pause") if scene.playing else tr("Play")
-            self._play.setAccessibleName(name)
-            self._play.setToolTip(tr("{0}  (Space)").format(name))
+            self._play.set_name(tr("Pause") if scene.playing else tr("Play"))
         if before is None or (before.speed, before.loops) != (scene.speed, scene.loops):
             self._show_speed(scene.speed, scene.loops)
         if before is None or before.tracker != scene.tracker:
@@ -218,9 +217,9 @@ class TransportBar(QFrame):
         self._follow.setVisible(following is not None)
         self._follow.setChecked(bool(following))
         self._follow.setText(tr("Following") if following else tr("Follow"))
-        on = tr("The views follow the tracker until you move the playhead  (Shift+L)")
-        off = tr("Follow the tracker: go to its frame and stay with it  (Shift+L)")
-        self._follow.setToolTip(on if following else off)
+        on = tr("The views follow the tracker until you move the playhead")
+        off = tr("Follow the tracker: go to its frame and stay with it")
+        self._follow.setToolTip((on if following else off) + in_brackets("play.follow"))
         self._rest.fit()
 
     def _ask_to_follow(self) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from app.core.i18n import tr
+from app.core.keymap import key_or_title
 from tracking.session import Session
 
 
@@ -21,8 +22,10 @@ def empty_words(session: Session | None, *, live: bool, problem: str) -> tuple[s
     """
     if session is None:
         return "", tr(
-            "Review items are listed here once the recording is tracked, or labelled by hand: W "
-            "or Ins draws a person."
+            "Review items are listed here once the recording is tracked, or labelled by hand: "
+            "{draw} or {new} draws a person.",
+            draw=key_or_title("tracks.draw"),
+            new=key_or_title("tracks.new"),
         )
     if live:
         return "", tr("The search for review items starts when the tracker is done.")
@@ -31,7 +34,10 @@ def empty_words(session: Session | None, *, live: bool, problem: str) -> tuple[s
     if not session.tracks.track_ids:
         return tr("Nobody is tracked"), tr(
             "There is nothing to review. Track again with other settings, or correct another "
-            "run: Ctrl+R lists them. W or Ins draws a person."
+            "run: {runs} lists them. {draw} or {new} draws a person.",
+            runs=key_or_title("tracks.runs"),
+            draw=key_or_title("tracks.draw"),
+            new=key_or_title("tracks.new"),
         )
     return tr("No review items left"), tr(
         "Every review item is decided. Watch what is not reviewed yet, or score the tracks."

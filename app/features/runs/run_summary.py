@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from app.core.i18n import count_text, joined_text, sentence, tr
+from app.core.keymap import in_brackets, key_or_title
 from tracking.session import Session
 from tracking.tracks import Columns, Run, row_keys
 from tracking.translation import Message, msg
@@ -125,36 +126,38 @@ def list_tracking_notes(session: Session) -> list[str]:
 def describe_first_run() -> str:
     """Where the first run of a recording is kept."""
     return tr(
-        "The result is on disk and ready to be corrected. Save (Ctrl+S) gives it a file of your "
-        "own."
+        "The result is on disk and ready to be corrected. Save{key} gives it a file of your own.",
+        key=in_brackets("file.save"),
     )
 
 
 def describe_added_first_run(number: int) -> str:
     """Where the first run of a session is kept that was begun without one."""
     return tr(
-        "Kept as run {n}; you now correct its tracks. The next Save (Ctrl+S) writes it to the "
-        "session's file.",
+        "Kept as run {n}; you now correct its tracks. The next Save{key} writes it to "
+        "the session's file.",
         n=number,
+        key=in_brackets("file.save"),
     )
 
 
 def describe_replacement(number: int, before: int) -> str:
     """Where a run is kept whose tracks took the place of others that nobody had corrected."""
     return tr(
-        "Kept as run {n}; you now correct its tracks. Those of run {before} stay under Runs "
-        "(Ctrl+R).",
+        "Kept as run {n}; you now correct its tracks. Those of run {before} stay under Runs{key}.",
         n=number,
         before=before,
+        key=in_brackets("tracks.runs"),
     )
 
 
 def describe_further_run(number: int) -> str:
     """Where a run is kept that did not replace the corrected tracks."""
     return tr(
-        "Kept as run {n}, and the corrected tracks stay as they are. Compare it or take from it "
-        "under Runs (Ctrl+R).",
+        "Kept as run {n}, and the corrected tracks stay as they are. Compare it or "
+        "take from it under Runs{key}.",
         n=number,
+        key=in_brackets("tracks.runs"),
     )
 
 
@@ -162,6 +165,7 @@ def describe_compared_run(number: int) -> str:
     """Where a run is kept that was made to put corrected tracks right."""
     return tr(
         "Kept as run {n}; nothing has changed yet. Tick the differences to take: they are one "
-        "edit, which Ctrl+Z undoes.",
+        "edit, which {undo} undoes.",
+        undo=key_or_title("edit.undo"),
         n=number,
     )

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from app.core.document.detector_choice import DETECTOR
 from app.core.i18n import strip_full_stop, tr
+from app.core.keymap import in_brackets
 from tracking.errors import TrackwrightError
 from tracking.recording import Recording
 from tracking.session import Session
@@ -52,7 +53,10 @@ class TrackerWords:
     def describe_rest(self, session: Session | None) -> TrackerState:
         """While none is."""
         if session is not None and session.adopted_run is None:
-            nobody = tr("Nobody is labelled yet. Draw a person in the image (Ins).")
+            nobody = tr(
+                "Nobody is labelled yet. Draw a person in the image{key}.",
+                key=in_brackets("tracks.new"),
+            )
             return TrackerState("", tr("labelled by hand"), nobody)
         if session is not None and session.corrected_run is not None:
             name = session.corrected_run.tracker

@@ -9,6 +9,7 @@ from app.core.commands.command import Command
 from app.core.commands.conditions import in_the_way, recording
 from app.core.commands.view_state import ViewState, panel_command, toggle, view_command
 from app.core.i18n import tr
+from app.core.keymap import in_brackets
 from app.features.scoring.controller import ScoreController
 
 
@@ -16,7 +17,10 @@ def scored(app: ViewState) -> str:
     """Tracks must have been compared with a ground truth."""
     if recording(app) or app.of(ScoreController).known:
         return recording(app)
-    return tr("score against ground truth first (Shift+S)")
+    return tr(
+        "score against ground truth first{key}",
+        key=in_brackets("view.score"),
+    )
 
 
 def reportable(app: ViewState) -> str:
@@ -28,9 +32,15 @@ def reportable(app: ViewState) -> str:
     if app.busy:
         return tr("wait until the work in progress is done")
     if document is not None and document.shows_further_run:
-        return tr("move the playhead to your own tracks, or stop tracking first (Ctrl+Shift+T)")
+        return tr(
+            "move the playhead to your own tracks, or stop tracking first{key}",
+            key=in_brackets("tracks.stop"),
+        )
     if app.live and (in_the_way(app) or document is None or document.session is None):
-        return tr("stop tracking first (Ctrl+Shift+T)")
+        return tr(
+            "stop tracking first{key}",
+            key=in_brackets("tracks.stop"),
+        )
     if document is not None and document.recording.truth_path is not None and document.tracks.ids:
         return ""
     return scored(app)

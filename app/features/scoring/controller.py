@@ -12,6 +12,7 @@ from app.core.document.track_sources import SHOWN
 from app.core.feature import FeatureContext, FeatureController, Marker, ShownFrame
 from app.core.i18n import N_, joined_text, tr
 from app.core.jobs.latest_job import LatestJob
+from app.core.keymap import in_brackets, key_or_title
 from app.core.plots.axis import TimeAxis
 from app.core.scenes import Side
 from app.core.scenes.ground_truth import NO_TRUTH
@@ -134,7 +135,12 @@ class ScoreController(FeatureController):
         """Go to the next error (1) or the one before (-1), of the kinds that are shown."""
         events, frame = self.presenter.events, self._playback.clock.frame
         if events is None:
-            self.said.emit(tr("Nothing is scored yet: choose the ground truth (Shift+S)"))
+            self.said.emit(
+                tr(
+                    "Nothing is scored yet: choose the ground truth{key}",
+                    key=in_brackets("view.score"),
+                )
+            )
             return
         there = events.next_start(frame, step)
         if there is None:
@@ -152,7 +158,12 @@ class ScoreController(FeatureController):
         self.concerned.emit(self.presenter.concern_at(frame))
         self._playback.go(frame)
         if self._document.is_live is not live:  # the session's are shown again, others than scored
-            self.said.emit(tr("Your own tracks are in view again: Shift+L shows the new ones"))
+            self.said.emit(
+                tr(
+                    "Your own tracks are in view again: {follow} shows the new ones",
+                    follow=key_or_title("play.follow"),
+                )
+            )
             tracks = ()
         there = [track for track in tracks if track in self._document.tracks.ids]
         if there and self._document.flow is None and self.presenter.track_source == SHOWN:

@@ -83,11 +83,11 @@ class ScorePanel(FeaturePanel):
         return label
 
     def _add_buttons(self) -> None:
-        for drawing, name, key, step in (
-            ("step-back", tr("Previous error"), "Shift+F4", -1),
-            ("step-forward", tr("Next error"), "F4", 1),
+        for drawing, name, command, step in (
+            ("step-back", tr("Previous error"), "review.previous_error", -1),
+            ("step-forward", tr("Next error"), "review.next_error", 1),
         ):
-            button = IconButton(drawing, name, key, self)
+            button = IconButton(drawing, name, command, self)
             button.clicked.connect(lambda _=False, step=step: self.next_asked.emit(step))
             self.add_to_heading(button)
         self._report = QToolButton(self)
@@ -96,7 +96,7 @@ class ScorePanel(FeaturePanel):
         self._report.setProperty("outlined", True)
         self._report.clicked.connect(lambda: self.command_asked.emit("file.export_report"))
         self.add_to_heading(self._report)
-        close = IconButton("close", tr("Hide the score"), "Shift+S", self)
+        close = IconButton("close", tr("Hide the score"), "view.score", self)
         close.clicked.connect(lambda: self.command_asked.emit("view.score"))
         self.add_to_heading(close)
 

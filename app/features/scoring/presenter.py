@@ -13,6 +13,7 @@ from app.core.document.document import Document
 from app.core.document.track_sources import SHOWN, capture_rows, list_track_sources, version_of
 from app.core.error_messages import explain
 from app.core.i18n import N_, tr
+from app.core.keymap import in_brackets
 from app.core.projection.concern import CONCERNED, Concern
 from app.core.scenes import HistoryItem
 from app.core.scenes.error_events import ErrorEvents
@@ -305,7 +306,10 @@ class ScoringPresenter:
     def why_nothing(self) -> str:
         """Why nothing is scored, and what to do; "" where something is, or will be."""
         if not self._document.tracks.ids:
-            return tr("Track the recording first (Ctrl+T): its tracks are scored then.")
+            return tr(
+                "Track the recording first{key}: its tracks are scored then.",
+                key=in_brackets("tracks.track"),
+            )
         if self.source is None:
             return tr(
                 "There is no truth.txt beside the recording: choose a file with ground truth, or "

@@ -43,12 +43,19 @@ class TimelineControls(QWidget):
         self._row.setSpacing(0)
         self._menu_button()
         self._buttons = [
-            self._button("zoom-out", tr("Zoom out"), "-", lambda: self.zoomed.emit(0.5)),
-            self._button("zoom-in", tr("Zoom in"), "+", lambda: self.zoomed.emit(2.0)),
-            self._button("fit-width", tr("Whole recording"), "0", self.fit_all.emit),
-            self._button("fit-track", tr("Selected track"), "Ctrl+0", self.fit_selected.emit),
             self._button(
-                "playhead", tr("A second around the playhead"), "Alt+0", self.fit_second.emit
+                "zoom-out", tr("Zoom out"), "view.time_out", lambda: self.zoomed.emit(0.5)
+            ),
+            self._button("zoom-in", tr("Zoom in"), "view.time_in", lambda: self.zoomed.emit(2.0)),
+            self._button("fit-width", tr("Whole recording"), "view.time_all", self.fit_all.emit),
+            self._button(
+                "fit-track", tr("Selected track"), "view.time_selected", self.fit_selected.emit
+            ),
+            self._button(
+                "playhead",
+                tr("A second around the playhead"),
+                "view.time_second",
+                self.fit_second.emit,
             ),
         ]
         self._row.addStretch(1)
@@ -93,8 +100,8 @@ class TimelineControls(QWidget):
         button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         button.setMenu(self.menu)
 
-    def _button(self, drawing: str, name: str, key: str, act: Callable[[], None]) -> IconButton:
-        button = self._small(IconButton(drawing, name, key, self))
+    def _button(self, drawing: str, name: str, command: str, act: Callable[[], None]) -> IconButton:
+        button = self._small(IconButton(drawing, name, command, self))
         button.clicked.connect(act)
         self.menu.addAction(name).triggered.connect(act)
         return button

@@ -64,6 +64,8 @@ def window_app(**given: Any) -> Any:
     batches = SimpleNamespace(watched=None)
     projects = SimpleNamespace(is_open=False, project=SimpleNamespace(batches=batches))
     detectors = SimpleNamespace(result=None, choice=SimpleNamespace(path="", name=""))
+    docks = SimpleNamespace(is_open=lambda _: False, with_keyboard=lambda _: "")
+    workspace = SimpleNamespace(docks=docks, floor_wanted=False)
     return SimpleNamespace(
         document=document if given.get("recording", True) else None,
         busy=given.get("busy", False),
@@ -86,7 +88,7 @@ def window_app(**given: Any) -> Any:
             projects=projects,
             beside=SimpleNamespace(compares=False, share=None),
         ),
-        window=SimpleNamespace(look_choice=SimpleNamespace(look=None)),
+        window=SimpleNamespace(look_choice=SimpleNamespace(look=None), workspace=workspace),
     )
 
 

@@ -13,6 +13,7 @@ from app.core.widgets.user_settings import Place
 from app.features.files import demonstration, left_behind
 from app.features.files.demonstration import Demonstration
 from app.features.timeline.tracks_area import TracksArea
+from app.shell.layout_shares import screen_key
 from tracking.errors import CancelledError
 from tracking.recording import open_recording
 
@@ -96,7 +97,7 @@ def test_the_layout_and_the_look_are_remembered(window, qtbot, remembered):
     assert remembered.text("look") == "dark"
     window.close()
     assert remembered.state("window/geometry") is not None
-    assert remembered.state("workspace/top") is not None
+    assert remembered.text(f"shares/{screen_key(window.screen())}/top")
 
 
 def test_unsaved_sessions_stand_on_the_first_page_after_a_crash(window, own_folder, tiny_session):

@@ -406,13 +406,14 @@ def test_an_open_recording_is_set_up_again_and_keeps_what_set_up_does_not_know(
     assert "[mine]\nkey = 1" in text
 
 
-def test_the_empty_overhead_view_leads_to_metres(
+def test_without_a_floor_there_is_no_overhead_view_and_a_button_leads_to_metres(
     user: SetupUser, window: MainWindow, card: Path, qtbot: QtBot
 ) -> None:
     window.files.open_path(card / "GX010035.mp4")
     qtbot.waitUntil(lambda: window.controller is not None)
-    qtbot.waitUntil(lambda: window.workspace.overhead.setup.isVisibleTo(window))
-    window.workspace.overhead.setup.click()
+    qtbot.waitUntil(lambda: window.workspace.setup.isVisibleTo(window))
+    assert not window.workspace.overhead.isVisibleTo(window)
+    window.workspace.setup.click()
     assert user.dialog.page is user.dialog.calibration
     assert user.dialog.cameras.editor.state.plan is not None
 

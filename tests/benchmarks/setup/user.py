@@ -140,9 +140,9 @@ def set_up_with_file(user: SetupUser, paths: Sequence[Path]) -> None:
     """Videos whose calibration lies beside them: the floor measured, written and tracked."""
     user.drop(paths)
     if len(paths) == 1 and paths[0].is_file():  # one video is opened at once
-        overhead = user.window.workspace.overhead
-        user.wait(lambda: user.window.controller is not None and overhead.setup.isVisible())
-        user.press(overhead.setup)
+        setup = user.window.workspace.setup
+        user.wait(lambda: user.window.controller is not None and setup.isVisible())
+        user.press(setup)
         user.wait_for_rest()
     else:
         user.wait(lambda: user.window.files.setup.dialog is not None)

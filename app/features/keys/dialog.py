@@ -1,0 +1,300 @@
+"""The dialog in which the keys of commands are changed."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import (
+    QComboBox,
+    QDialog,
+    QDialogButtonBox,
+    QHBoxLayout,
+    QHeaderView,
+    QLabel,
+    QLineEdit,
+    QPushButton,
+    QTableWidget,
+    QTableWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.core.error_messages import explain_in_sentence
+from app.core.i18n import count_text, tr
+from app.core.widgets.command_list import native_keys
+from app.core.widgets.questions import choose_file, choose_new_file
+from app.core.widgets.user_settings import LastFolder
+from app.features.keys.key_field import KeyField
+from app.features.keys.presenter import KeysPresenter
+from app.features.keys.profile_file import profile_text, read_profile
+from app.features.keys.scene import SHIPPED, KeyRow, OwnKeys
+from tracking.atomic_output import replace_with
+from tracking.errors import TrackwrightError
+
+_LETTERS, _ROWS = 96, 16
+_COMMAND = Qt.ItemDataRole.UserRole
+_FILES = "*.toml"
+
+
+class KeysDialog(QDialog):
+    """All commands with their keys.
+
+    Signals: `changed(object)`: the `OwnKeys` that are to be used from now on.
+    """
+
+    changed = Signal(object)
+
+    def __init__(self, presenter: KeysPresenter, last: LastFolder, parent: QWidget) -> None:
+        """last: the folder in which a file of keys was chosen last."""
+        super().__init__(parent)
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.setWindowTitle(tr("Keys"))
+        self._presenter, self._last = presenter, last
+        self._rows: tuple[KeyRow, ...] = ()
+        self._pending = ""
+        rows = QVBoxLayout(self)
+        rows.setContentsMargins(20, 20, 20, 16)
+        rows.setSpacing(10)
+        rows.addLayout(self._build_head())
+        self.table = self._build_table()
+        rows.addWidget(self.table, 1)
+        rows.addLayout(self._build_actions())
+        rows.addLayout(self._build_question())
+        rows.addWidget(self._build_ends())
+        self._show()
+        self.search.setFocus()
+        letter, line = self.fontMetrics().averageCharWidth(), self.fontMetrics().height()
+        room = self.screen().availableSize() * 0.9
+        self.resize(self.sizeHint().expandedTo(self.minimumSize()).boundedTo(room))
+        self.resize(min(_LETTERS * letter, room.width()), min((_ROWS + 12) * line, room.height()))
+
+    # parts
+
+    def _build_head(self) -> QHBoxLayout:
+        self.search = QLineEdit(self)
+        self.search.setPlaceholderText(tr("Find a command or a key"))
+        self.search.setAccessibleName(tr("Find a command or a key"))
+        self.search.setClearButtonEnabled(True)
+        self.search.textChanged.connect(self._show)
+        self.profile = QComboBox(self)
+        self.profile.setAccessibleName(tr("Profile of keys"))
+        for name, title in SHIPPED.items():
+            self.profile.addItem(title, name)
+        self.profile.activated.connect(self._choose_profile)
+        label = QLabel(tr("&Profile"), self)
+        label.setBuddy(self.profile)
+        line = QHBoxLayout()
+        line.setSpacing(8)
+        line.addWidget(self.search, 1)
+        line.addSpacing(12)
+        line.addWidget(label)
+        line.addWidget(self.profile)
+        return line
+
+    def _build_table(self) -> QTableWidget:
+        table = QTableWidget(0, 3, self)
+        table.setAccessibleName(tr("Commands and their keys"))
+        table.setHorizontalHeaderLabels([tr("Command"), tr("Menu"), tr("Keys")])
+        table.verticalHeader().hide()
+        table.setSelectionBehavior(QTableWidget.SelectionBehavior.SelectRows)
+        table.setSelectionMode(QTableWidget.SelectionMode.SingleSelection)
+        table.setEditTriggers(QTableWidget.EditTrigger.NoEditTriggers)
+        table.setTabKeyNavigation(False)
+        table.setWordWrap(False)
+        table.setShowGrid(False)
+        head = table.horizontalHeader()
+        head.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
+        head.setHighlightSections(False)
+        head.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
+        head.setSectionResizeMode(1, QHeaderView.ResizeMode.ResizeToContents)
+        head.setSectionResizeMode(2, QHeaderView.ResizeMode.ResizeToContents)
+        table.currentCellChanged.connect(self._enable)
+        table.cellDoubleClicked.connect(self._wait_for_key)
+        return table
+
+    def _build_actions(self) -> QHBoxLayout:
+        self.add = self._button(tr("&Add a key"), self._wait_for_key)
+        self.remove = self._button(tr("&Remove the last key"), self._remove)
+        self.reset = self._button(tr("Rese&t"), self._reset)
+        self.field = KeyField(self)
+        self.field.pressed.connect(self._take)
+        self.field.left.connect(self.field.hide)
+        self.field.hide()
+        line = QHBoxLayout()
+        line.setSpacing(8)
+        for widget in (self.add, self.remove, self.reset):
+            line.addWidget(widget)
+        line.addWidget(self.field, 1)
+        line.addStretch(1)
+        return line
+
+    def _build_question(self) -> QHBoxLayout:
+        """What a conflict asks, and what else is said."""
+        self.said = QLabel(self)
+        self.said.setTextFormat(Qt.TextFormat.PlainText)
+        self.said.setWordWrap(True)
+        self.take = self._button(tr("Take it"), self._take_over)
+        self.leave = self._button(tr("Leave it"), self._leave)
+        line = QHBoxLayout()
+        line.setSpacing(8)
+        line.addWidget(self.said, 1)
+        line.addWidget(self.take)
+        line.addWidget(self.leave)
+        self._ask("")
+        return line
+
+    def _build_ends(self) -> QDialogButtonBox:
+        box = QDialogButtonBox(QDialogButtonBox.StandardButton.Close, self)
+        role = QDialogButtonBox.ButtonRole.ActionRole
+        self.reset_all = self._button(tr("Reset all"), self._reset_all)
+        for button in (
+            self._button(tr("Import..."), self._import),
+            self._button(tr("Export..."), self._export),
+            self.reset_all,
+        ):
+            box.addButton(button, role)
+        box.button(QDialogButtonBox.StandardButton.Close).setAutoDefault(False)
+        box.rejected.connect(self.reject)
+        return box
+
+    def _button(self, text: str, act: Callable[[], object]) -> QPushButton:
+        button = QPushButton(text, self)
+        button.setAutoDefault(False)
+        button.clicked.connect(lambda: act())
+        return button
+
+    # what is shown
+
+    def _show(self, typed: str | None = None) -> None:
+        """Fill the table anew; the same command stays chosen."""
+        chosen = self._command
+        self._rows = self._presenter.rows(self.search.text() if typed is None else typed)
+        self.table.setRowCount(len(self._rows))
+        for line, row in enumerate(self._rows):
+            keys = "    ".join(map(native_keys, row.keys))
+            told = tr("{keys}  (changed)", keys=keys).strip() if row.changed else keys
+            for column, text in enumerate((row.title, row.menu, told)):
+                item = QTableWidgetItem(text)
+                item.setData(_COMMAND, row.command)
+                self.table.setItem(line, column, item)
+        names = [row.command for row in self._rows]
+        self.table.setCurrentCell(names.index(chosen) if chosen in names else 0, 0)
+        self.profile.setCurrentIndex(self.profile.findData(self._presenter.own.profile))
+        self._enable()
+
+    def _enable(self) -> None:
+        command = self._command
+        self.add.setEnabled(bool(command))
+        self.remove.setEnabled(bool(command) and bool(self._presenter.keys[command]))
+        self.reset.setEnabled(bool(command) and self._presenter.is_changed(command))
+        self.reset_all.setEnabled(bool(self._presenter.own.changes))
+
+    @property
+    def _command(self) -> str:
+        item = self.table.item(self.table.currentRow(), 0)
+        return str(item.data(_COMMAND)) if item is not None else ""
+
+    def _ask(self, text: str, key: str = "") -> None:
+        """Say something, with the two answers where a key is asked about."""
+        self._pending = key
+        self.said.setText(text)
+        self.take.setVisible(bool(key))
+        self.leave.setVisible(bool(key))
+
+    # what the user does
+
+    def _wait_for_key(self, *_: int) -> None:
+        if self._command:
+            self._ask("")
+            self.field.show()
+            self.field.setFocus()
+
+    def _take(self, key: str) -> None:
+        self.table.setFocus()
+        owner = self._presenter.owner(self._command, key)
+        if not owner:
+            self._presenter.add(self._command, key)
+            self._tell()
+            return
+        row = self._rows[self.table.currentRow()]
+        words = tr(
+            '{key} belongs to "{owner}". Take it for "{title}"?',
+            key=native_keys(key),
+            owner=owner.rstrip("."),
+            title=row.title.rstrip("."),
+        )
+        self._ask(words, key)
+        self.take.setFocus()
+
+    def _take_over(self) -> None:
+        self._presenter.add(self._command, self._pending)
+        self._leave()
+        self._tell()
+
+    def _leave(self) -> None:
+        self._ask("")
+        self.table.setFocus()
+
+    def _remove(self) -> None:
+        self._presenter.remove(self._command, self._presenter.keys[self._command][-1])
+        self._tell()
+
+    def _reset(self) -> None:
+        self._presenter.reset(self._command)
+        self._tell()
+
+    def _reset_all(self) -> None:
+        self._presenter.reset_all()
+        self._tell()
+
+    def _choose_profile(self) -> None:
+        """Another profile; changes of the user's own are of the one before, and go with it."""
+        self._presenter.choose(OwnKeys(self.profile.currentData()))
+        self._tell()
+
+    def _tell(self) -> None:
+        self._ask("")
+        self._show()
+        self.changed.emit(self._presenter.own)
+
+    def _import(self) -> None:
+        choose_file(self, tr("Import keys"), self._filter(), self.read, self._last)
+
+    def _export(self) -> None:
+        start = Path.home() / "trackwright-keys.toml"
+        choose_new_file(self, tr("Export keys"), start, self._filter(), self.write, self._last)
+
+    def read(self, path: Path) -> None:
+        """Use the profile in a file, or say why not."""
+        try:
+            own = read_profile(path, self._presenter.keys)
+        except TrackwrightError as error:
+            self._ask(explain_in_sentence(error))
+            return
+        self._presenter.choose(OwnKeys(own.profile, own.changes))
+        self._tell()
+        unknown = len(own.unknown)
+        if unknown:
+            self._ask(
+                count_text(
+                    unknown,
+                    "{n} command of the file is unknown here and left out: {names}",
+                    "{n} commands of the file are unknown here and left out: {names}",
+                    names=", ".join(own.unknown[:3]),
+                )
+            )
+
+    def write(self, path: Path) -> None:
+        """Write the profile to a file, or say why not."""
+        try:
+            replace_with(path, profile_text(self._presenter.own).encode())
+        except TrackwrightError as error:
+            self._ask(explain_in_sentence(error))
+            return
+        self._ask(tr("Written: {path}", path=path))
+
+    @staticmethod
+    def _filter() -> str:
+        return tr("Keys ({ending})", ending=_FILES)
