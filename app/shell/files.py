@@ -184,6 +184,16 @@ class Files(Controller):
     def _show(self, opened: OpenedDocument, from_start: bool) -> None:
         self.close()
         path = opened.path
+        if not document_loader.is_unsaved_place(path):
+            self._remembered.add_recent(path.resolve(), opened.document.recording.name)
+        controller = self.begin(opened)
+        self._tell_oddities(opened)
+        controller.view_options = parse_view_options(self._remembered.text("pictured"))
+        controller.set_cameras(self._remembered.text("eyes", "both"))
+        self._whereabouts.begin(controller, path, from_start)
+
+    def begin(self, opened: OpenedDocument) -> RecordingController:
+        """Show a document in the window."""
         self.controller = controller = RecordingController(
             opened.document, self._window.workspace, self
         )
@@ -197,14 +207,19 @@ class Files(Controller):
         controller.tracking.began.connect(self._window.notice.settle)
         controller.tracking.noted.connect(self._tell_of_tracking)
         controller.of(ScoreController).truth_asked.connect(self._ask_truth)
-        if not document_loader.is_unsaved_place(path):
-            self._remembered.add_recent(path.resolve(), opened.document.recording.name)
         self._window.workspace.show_whole()  # how another recording was zoomed says nothing here
         self._window.show_workspace()
-        self._tell_oddities(opened)
-        controller.view_options = parse_view_options(self._remembered.text("pictured"))
-        controller.set_cameras(self._remembered.text("eyes", "both"))
-        self._whereabouts.begin(controller, path, from_start)
+        return controller
+
+    @property
+    def opened_by(self) -> Path:
+        """The path that the open document was opened by."""
+        return self._whereabouts.opened_by
+
+    def note_place(self, path: Path) -> None:
+        """Note from now on where the user is in what was opened by a path."""
+        if self.controller is not None:
+            self._whereabouts.begin(self.controller, path, from_start=False)
 
     def greet_after_crash(self) -> None:
         """Say, with what is opened next, that it was open when the program ended in a crash."""
@@ -316,8 +331,11 @@ class Files(Controller):
         """Close the window."""
         self._window.close()
 
-    def close(self) -> None:
-        """Let the open document go; its threads have ended when this returns."""
+    def close(self, *, keep_open: bool = False) -> None:
+        """Let the open document go; its threads have ended when this returns.
+
+        keep_open: its files stay open, for another window.
+        """
         if self.controller is not None:
             controller, self.controller = self.controller, None
             self.keeping.drop()
@@ -329,7 +347,9 @@ class Files(Controller):
                 self._remembered.set_text("eyes", controller.cameras)
             self._remembered.set_text("pictured", controller.view_options.lasting)
             self._whereabouts.end()
-            controller.close()
+            controller.end()
+            if not keep_open:
+                controller.close()
             controller.deleteLater()
             QTimer.singleShot(GIVE_BACK_MS, give_back)
 

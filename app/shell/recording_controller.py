@@ -130,8 +130,8 @@ class RecordingController(Controller):
         view.overhead.person_dragged.connect(self.dragging.drag_person)
         view.overhead.person_dropped.connect(self.dragging.drop)
 
-    def close(self) -> None:
-        """End all threads and let the recording go."""
+    def end(self) -> None:
+        """End all threads, and leave nothing on the views; the document stays open."""
         self.live.close()
         self.colouring.close()
         self.reviewing.close()
@@ -141,6 +141,9 @@ class RecordingController(Controller):
         for feature in self._features:
             feature.close()
         self.playback.close()
+
+    def close(self) -> None:
+        """Let the recording go, and its session, once all threads have ended."""
         try:
             if self.document.session is not None:
                 self.document.session.close()
