@@ -7,6 +7,8 @@ from PySide6.QtWidgets import QSplitter, QWidget
 
 _LEAST_FLOOR = 0.4
 """Least share of the width of images and floor that the floor keeps."""
+_IMAGES, _FLOOR, _SIDE = range(3)
+"""What stands side by side."""
 _IMAGES_END = 1
 """Number of the border between images and floor."""
 
@@ -44,11 +46,14 @@ class ImageRoom(QObject):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:  # noqa: N802 - Qt's name
         """Follow the height of the pictures, and the panels, which take from their width."""
-        if event.type() is QEvent.Type.Resize and self._aspect:
+        if (event.type() is QEvent.Type.Resize and self._aspect) or (
+            event.type() is QEvent.Type.LayoutRequest and watched is self._top
+        ):
             self._soon.start()
         return super().eventFilter(watched, event)
 
     def _fit(self) -> None:
+        self._widen_floor()
         if self._aspect:
             between = self._cameras.handleWidth() * (self._count - 1)
             each = (self._top.height() - between) / self._count
@@ -57,8 +62,25 @@ class ImageRoom(QObject):
 
     def _give(self, width: int) -> None:
         cameras, floor, side = self._top.sizes()
+        width = min(width, cameras + floor - self._least(_FLOOR))
         if width > 0 and cameras + floor > width:
             self._top.setSizes([width, cameras + floor - width, side])
+
+    def _widen_floor(self) -> None:
+        """Give the floor, and panels opened below it, what they need of what the others do not."""
+        sizes = self._top.sizes()
+        least = [self._least(at) for at in range(len(sizes))]
+        for other in (_IMAGES, _SIDE):
+            short, spare = least[_FLOOR] - sizes[_FLOOR], sizes[other] - least[other]
+            if short > 0 and spare > 0:
+                sizes[_FLOOR] += min(short, spare)
+                sizes[other] -= min(short, spare)
+        if sizes != self._top.sizes():
+            self._top.setSizes(sizes)
+
+    def _least(self, at: int) -> int:
+        part = self._top.widget(at)
+        return max(part.minimumSizeHint().width(), part.minimumWidth())
 
     def _leave_it(self, _: int, border: int) -> None:
         """The user moved a border; the one between cameras and floor is where they want it."""

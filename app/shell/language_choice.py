@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import sys
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QLibraryInfo, QLocale, QObject, QTimer, QTranslator, Signal
-from PySide6.QtGui import QFontDatabase
+from PySide6.QtGui import QFontDatabase, QFontInfo
 from PySide6.QtWidgets import QApplication
 
 from app.core.i18n import language_in_use, tr, use_language
@@ -113,6 +114,7 @@ def show_language(application: QApplication, remembered: UserSettings) -> None:
         application.removeTranslator(old)
         old.setParent(None)
     _translate_qt(application)
+    _use_letters(application)
     # Numbers are typed as they are shown beside: never with a comma that parts thousands.
     numbers = QLocale(language_in_use() or ENGLISH)
     options = QLocale.NumberOption.OmitGroupSeparator | QLocale.NumberOption.RejectGroupSeparator
@@ -132,6 +134,31 @@ def _use_language_of_system() -> None:
             use_language(language)
             return
     use_language(ENGLISH)
+
+
+def _use_letters(application: QApplication) -> None:
+    """Draw letters that the usual font lacks as the language in use writes them.
+
+    Without a word from us the first font that has them is taken: Japanese in Chinese shapes.
+    """
+    if not sys.platform.startswith("linux"):
+        return
+    font = application.font()
+    usual = QFontInfo(font).family()  # "Sans Serif" alone would stand for the other one, too
+    script = _SCRIPTS.get(language_in_use())
+    having = QFontDatabase.families(script) if script is not None else []
+    best = [] if usual in having else sorted(having, key=_unlike)[:1]
+    if best or len(font.families()) > 1:
+        font.setFamilies([usual, *best])
+        application.setFont(font)
+
+
+def _unlike(family: str) -> tuple[bool, bool, str]:
+    """Sorts fonts made for Japanese first, and among them those without serifs or equal widths."""
+    words = family.split()
+    ours = bool({"JP", "Gothic", "PGothic", "IPAexGothic", "IPAPGothic", "UI"} & set(words))
+    plain = not {"Serif", "Mincho", "Mono"} & set(words)
+    return not ours, not plain, family
 
 
 def _translate_qt(application: QApplication) -> None:
