@@ -46,9 +46,8 @@ class ImageRoom(QObject):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:  # noqa: N802 - Qt's name
         """Follow the height of the pictures, and the panels, which take from their width."""
-        if (event.type() is QEvent.Type.Resize and self._aspect) or (
-            event.type() is QEvent.Type.LayoutRequest and watched is self._top
-        ):
+        resized = event.type() is QEvent.Type.Resize and self._aspect
+        if resized or (event.type() is QEvent.Type.LayoutRequest and watched is self._top):
             self._soon.start()
         return super().eventFilter(watched, event)
 
@@ -80,6 +79,8 @@ class ImageRoom(QObject):
 
     def _least(self, at: int) -> int:
         part = self._top.widget(at)
+        if part is None:
+            return 0
         return max(part.minimumSizeHint().width(), part.minimumWidth())
 
     def _leave_it(self, _: int, border: int) -> None:

@@ -120,7 +120,7 @@ class TrainDialog(QDialog):
         self._buttons.rejected.connect(self.reject)
         rows.addWidget(self._buttons)
         line, room = line_height(self.font()), self.screen().availableSize()
-        self.resize(min(44 * line, room.width()), min(42 * line, room.height() - 4 * line))
+        self.resize(min(44 * line, room.width()), min(50 * line, room.height() - 4 * line))
 
     def _list_buttons(self) -> QHBoxLayout:
         line = QHBoxLayout()

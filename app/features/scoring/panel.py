@@ -54,7 +54,7 @@ class ScorePanel(FeaturePanel):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(tr("Score"), parent)
         self._lists: dict[QComboBox, tuple[str, ...]] = {}
-        self._doing = quiet("", self)
+        self._doing = quiet_beside("", self)
         self.add_to_heading(self._doing)
         self._add_buttons()
         self.table = FiguresTable(self)
