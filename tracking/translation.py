@@ -19,6 +19,8 @@ import resources
 CATALOGUES: Final = Path(resources.__file__).parent / "translations"
 """LANGUAGE/LC_MESSAGES/trackwright.mo, and the texts to translate, trackwright.pot."""
 ENGLISH: Final = "en"
+FONT_PACKAGES: Final = {"ja": "fonts-noto-cjk"}
+"""Debian's packages with letters that a plain installation may have no font for, by language."""
 _DOMAIN = "trackwright"
 _VARIABLES: Final = ("LANGUAGE", "LC_ALL", "LC_MESSAGES", "LANG")
 """What names the language in the environment; the first that is set holds, as in gettext."""

@@ -178,9 +178,9 @@ def _lines_of(counts: Counts) -> list[str]:
     told = []
     if counts.lines:
         rows = [(one.line.name, *(str(n) for _, n in _ways(one))) for one in counts.lines]
-        told += _table(("line", "forward", "backward"), rows)
+        told += _table((tr("line"), tr("forward"), tr("backward")), rows)
     if counts.regions:
-        headings = ("region", "person-steps", "most people", "mean people")
+        headings = (tr("region"), tr("person-steps"), tr("most people"), tr("mean people"))
         told += _table(headings, [_region_row(one) for one in counts.regions])
     return told
 

@@ -14,6 +14,7 @@ from app.core.widgets.user_settings import UserSettings
 from app.shell.hand_over import why_not_now
 from tracking.translation import (
     ENGLISH,
+    FONT_PACKAGES,
     asked_language,
     environment_languages,
     forget_asked_language,
@@ -28,8 +29,6 @@ _KEY = "language"
 _LOOK_MS = 300
 _SCRIPTS = {"ja": QFontDatabase.WritingSystem.Japanese}
 """Writing systems that a plain installation may have no font for."""
-_FONTS = {"ja": "fonts-noto-cjk"}
-"""Debian's package with such a font."""
 
 
 class LanguageChoice(QObject):
@@ -99,7 +98,7 @@ def why_unreadable(language: str) -> str:
         "No font here has the letters of {language}: they would be empty boxes. Install one first, "
         "e.g. {package} on Debian and Ubuntu.",
         language=name_of_language(language),
-        package=_FONTS[language.partition("_")[0]],
+        package=FONT_PACKAGES[language.partition("_")[0]],
     )
 
 
