@@ -76,7 +76,9 @@ def window_app(**given: Any) -> Any:
             live=SimpleNamespace(stopping=False),
         ),
         files=SimpleNamespace(detectors=detectors, projects=projects),
-        window=SimpleNamespace(look_choice=SimpleNamespace(look=None)),
+        window=SimpleNamespace(
+            look_choice=SimpleNamespace(look=None), language_choice=SimpleNamespace(language=None)
+        ),
     )
 
 
