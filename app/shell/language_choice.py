@@ -121,6 +121,22 @@ def show_language(application: QApplication, remembered: UserSettings) -> None:
     QLocale.setDefault(numbers)
 
 
+class _QtTexts(QTranslator):
+    """Qt's own texts; where a newer Qt gives a text a letter to press, its older translation."""
+
+    def translate(
+        self, context: str, source: str, disambiguation: str | None = None, n: int = -1
+    ) -> str:
+        """A text of Qt in the language of the file; "": it has none."""
+        said = super().translate(context, source, disambiguation, n) or ""
+        at = source.find("&")
+        if said or at < 0 or at + 1 >= len(source):
+            return said
+        plain = super().translate(context, source.replace("&", ""), disambiguation, n) or ""
+        end = len(plain.rstrip(":"))
+        return f"{plain[:end]}(&{source[at + 1].upper()}){plain[end:]}" if plain else ""
+
+
 def _use_language_of_system() -> None:
     """What the environment names; where it names none, as on Windows, what the desktop says."""
     if environment_languages():
@@ -163,7 +179,7 @@ def _unlike(family: str) -> tuple[bool, bool, str]:
 def _translate_qt(application: QApplication) -> None:
     """Show Qt's own texts, as on buttons and in file dialogs, in the language of ours."""
     if language := language_in_use():
-        translator = QTranslator(application)
+        translator = _QtTexts(application)
         place = QLibraryInfo.path(QLibraryInfo.LibraryPath.TranslationsPath)
         if translator.load(QLocale(language), "qtbase", "_", place):
             application.installTranslator(translator)

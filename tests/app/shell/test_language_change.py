@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import pytest
 from PySide6.QtCore import QCoreApplication, QEvent, QLocale, QPointF
-from PySide6.QtWidgets import QDialogButtonBox
+from PySide6.QtWidgets import QDialogButtonBox, QFileDialog, QLabel
 
 from app.core.widgets.user_settings import UserSettings
 from app.shell import language_choice
@@ -86,6 +86,16 @@ def test_qts_own_texts_and_numbers_follow(host, qtbot) -> None:
     assert box.button(QDialogButtonBox.StandardButton.Cancel).text() == "キャンセル"
     assert QLocale().language() is QLocale.Language.Japanese
     assert QLocale().toString(1.5) == "1.5"
+
+
+def test_file_dialogs_of_qt_are_japanese(host, qtbot) -> None:
+    change(host, qtbot)
+    dialog = QFileDialog()
+    qtbot.addWidget(dialog)
+    dialog.setOption(QFileDialog.Option.DontUseNativeDialog)
+    dialog.show()
+    said = [label.text() for label in dialog.findChildren(QLabel)]
+    assert said == ["アドレス(&L):", "ファイル名(&N):", "ファイルの種類(&T):"]
 
 
 def test_recording_frame_selection_and_history_stay(opened, qtbot) -> None:
