@@ -78,7 +78,7 @@ class Files(Controller):
         self._work = work
         self._remembered = remembered
         self.open_recovery = OpenRecovery(self, window, work)
-        self._whereabouts = Whereabouts(remembered, self)
+        self.whereabouts: Whereabouts = Whereabouts(remembered, self)
         self._greeting = ""
         self.leaving: ClosePrompts = ClosePrompts(self, window)
         self.controller: RecordingController | None = None
@@ -190,7 +190,7 @@ class Files(Controller):
         self._tell_oddities(opened)
         controller.view_options = parse_view_options(self._remembered.text("pictured"))
         controller.set_cameras(self._remembered.text("eyes", "both"))
-        self._whereabouts.begin(controller, path, from_start)
+        self.whereabouts.begin(controller, path, from_start)
 
     def begin(self, opened: OpenedDocument) -> RecordingController:
         """Show a document in the window."""
@@ -210,16 +210,6 @@ class Files(Controller):
         self._window.workspace.show_whole()  # how another recording was zoomed says nothing here
         self._window.show_workspace()
         return controller
-
-    @property
-    def opened_by(self) -> Path:
-        """The path that the open document was opened by."""
-        return self._whereabouts.opened_by
-
-    def note_place(self, path: Path) -> None:
-        """Note from now on where the user is in what was opened by a path."""
-        if self.controller is not None:
-            self._whereabouts.begin(self.controller, path, from_start=False)
 
     def greet_after_crash(self) -> None:
         """Say, with what is opened next, that it was open when the program ended in a crash."""
@@ -346,7 +336,7 @@ class Files(Controller):
             if controller.document.recording.is_stereo:  # one camera leaves nothing to choose
                 self._remembered.set_text("eyes", controller.cameras)
             self._remembered.set_text("pictured", controller.view_options.lasting)
-            self._whereabouts.end()
+            self.whereabouts.end()
             controller.end()
             if not keep_open:
                 controller.close()

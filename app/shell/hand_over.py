@@ -101,7 +101,7 @@ def hand_over(window: MainWindow) -> OpenWork | None:
     work = OpenWork(
         document.recording,
         document.session,
-        files.opened_by,
+        files.whereabouts.opened_by,
         Playing(clock.frame, clock.speed, clock.playing and clock.rate > 0),
         document.selection.all[::-1],
         sight,
@@ -123,7 +123,7 @@ def take_over(files: Files, work: OpenWork) -> None:
     controller.view_options = work.sight.view_options
     controller.of(ScoreController).presenter.choice = work.score
     controller.set_cameras(work.sight.cameras)
-    files.note_place(work.path)
+    files.whereabouts.begin(controller, work.path, from_start=False)
     document.selection.choose_all(work.selected)
     controller.playback.set_speed(work.playing.speed)
     controller.playback.go(work.playing.frame)
