@@ -6,6 +6,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from PySide6.QtCore import Qt
+
 from app.core.document.document import Document
 from app.core.document.document_loader import OpenedDocument
 from app.core.drawing.viewport import Viewport
@@ -136,8 +138,15 @@ def look_again(window: MainWindow, work: OpenWork) -> None:
     if controller is None:
         return
     window.workspace.timeline.area.stretch.show(work.sight.axis)
-    for canvas, seen in zip(window.workspace.canvases, work.sight.views, strict=True):
-        if seen is not None:
-            canvas.look_at(seen)
+    views = tuple(zip(window.workspace.canvases, work.sight.views, strict=True))
+
+    def zoom() -> None:
+        for canvas, seen in views:
+            if seen is not None:
+                canvas.look_at(seen)
+
+    zoom()
+    if controller.playback.frame is None:  # a picture that comes first is shown whole
+        controller.playback.shown.connect(zoom, Qt.ConnectionType.SingleShotConnection)
     if work.playing.plays:
         controller.playback.toggle()
