@@ -11,6 +11,7 @@ import typer
 
 from app.cli.commands.program import program
 from app.cli.failure import MISUSED, run_reporting_errors
+from app.cli.language import obeyed_language
 from app.cli.output import escape_what_stdout_lacks, name_stdout_in_errors, say
 from app.cli.sessions import print_notes
 from app.cli.typer_texts import told_of
@@ -54,6 +55,7 @@ def run(arguments: Sequence[str]) -> int:
 
 def _obey(words: list[str]) -> None:
     """Run the command; what is wrongly asked for is told in a line like any other error."""
+    words = obeyed_language(words)
     try:
         status = program(words or ["--help"], prog_name="trackwright", standalone_mode=False)
     except typer.Abort as stop:

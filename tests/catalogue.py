@@ -1,8 +1,14 @@
-"""Extracts every text that is translated into resources/translations/trackwright.pot."""
+"""Extracts every text that is translated into resources/translations/trackwright.pot.
+
+The catalogues of all languages are brought up to it, and compiled. `--missing` lists what is not
+translated yet, in the form of a catalogue; `--add FILE` takes translations from such a file.
+"""
 
 from __future__ import annotations
 
+import argparse
 import ast
+import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
 from io import BytesIO
@@ -24,6 +30,7 @@ from app.core.interrupts import STOPPED
 from app.core.scenes.score_figures import FIGURES
 from app.features.parts.training_settings import TrainingSettings
 from app.shell.commands import COMMANDS
+from tests import languages
 from tracking import errors
 from tracking.formats import FORMATS
 from tracking.formats.track_format import Content
@@ -75,7 +82,8 @@ def extract() -> Catalog:
                 catalogue.add(text, locations=[(use.place, 0)])
     for texts, place in texts_of_templates():
         catalogue.add(texts if len(texts) > 1 else texts[0], locations=[(place, 0)])
-    for text in sorted(filter(None, declared_texts())):
+    declared = {getattr(text, "template", text) for text in declared_texts()}
+    for text in sorted(filter(None, declared)):
         catalogue.add(text, locations=[("declared values", 0)])
     return catalogue
 
@@ -173,6 +181,36 @@ def template_of(catalogue: Catalog) -> bytes:
     return stream.getvalue()
 
 
+def main() -> None:
+    """Write the template and the catalogues, or list what a catalogue lacks."""
+    parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
+    parser.add_argument("--missing", action="store_true", help="list what is not translated")
+    parser.add_argument(
+        "--add", type=Path, metavar="FILE", help="take translations from a .po file"
+    )
+    parser.add_argument("--language", default="ja", help="whose catalogue; ja unless given")
+    asked = parser.parse_args()
+    template = extract()
+    if asked.missing:
+        catalogue = languages.update_of(asked.language, template)
+        sys.stdout.buffer.write(languages.po_of(languages.missing(catalogue)))
+        return
+    TEMPLATE.write_bytes(template_of(template))
+    print(f"{len(template)} texts in {TEMPLATE.relative_to(ROOT)}")
+    added = {} if asked.add is None else languages.translations(languages.read(asked.add))
+    for unknown in languages.without(added, template):
+        print(f"no text of the program: {unknown[0]!r}")
+    for language in sorted({*languages.languages(), *([asked.language] if added else [])}):
+        catalogue = languages.update(
+            language, template, added if language == asked.language else {}
+        )
+        left = len(languages.missing(catalogue))
+        print(
+            f"{language}: {len(catalogue) - left} translated, {left} missing (--missing lists them)"
+        )
+        for fault in languages.faults(catalogue):
+            print(f"{language}: {fault}")
+
+
 if __name__ == "__main__":
-    TEMPLATE.write_bytes(template_of(extract()))
-    print(f"{len(extract())} texts in {TEMPLATE.relative_to(ROOT)}")
+    main()

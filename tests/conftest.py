@@ -13,6 +13,7 @@ from tests.pseudo import Pseudo
 from tracking.translation import use_catalogue
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+os.environ["LANGUAGE"] = "en"  # of whoever runs the tests
 
 # The same examples at every run, so that what passes here passes elsewhere;
 # HYPOTHESIS_PROFILE=search looks for new ones. No deadlines: machines are shared.

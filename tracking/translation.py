@@ -8,7 +8,9 @@ notes and the texts of edits are messages.
 from __future__ import annotations
 
 import gettext
+import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from itertools import takewhile
 from pathlib import Path
 from typing import Final, Self
 
@@ -16,8 +18,21 @@ import resources
 
 CATALOGUES: Final = Path(resources.__file__).parent / "translations"
 """LANGUAGE/LC_MESSAGES/trackwright.mo, and the texts to translate, trackwright.pot."""
+ENGLISH: Final = "en"
+FONT_PACKAGES: Final = {"ja": "fonts-noto-cjk"}
+"""Debian's packages with letters that a plain installation may have no font for, by language."""
 _DOMAIN = "trackwright"
+_VARIABLES: Final = ("LANGUAGE", "LC_ALL", "LC_MESSAGES", "LANG")
+"""What names the language in the environment; the first that is set holds, as in gettext."""
+_PLAIN: Final = frozenset({ENGLISH, "C", "POSIX"})
 _catalogue: gettext.NullTranslations = gettext.NullTranslations()
+_asked = ""
+
+
+def languages() -> tuple[str, ...]:
+    """The languages that texts can be shown in: English, and those that have a catalogue."""
+    found = (path.parents[1].name for path in CATALOGUES.glob(f"*/LC_MESSAGES/{_DOMAIN}.mo"))
+    return (ENGLISH, *sorted(found))
 
 
 def use_language(language: str | None = None) -> None:
@@ -26,8 +41,43 @@ def use_language(language: str | None = None) -> None:
     None: in the first one of LANGUAGE, LC_ALL, LC_MESSAGES and LANG that the environment names.
     Where there is no catalogue, texts stay English.
     """
-    languages = None if language is None else [language]
-    use_catalogue(gettext.translation(_DOMAIN, CATALOGUES, languages, fallback=True))
+    wanted = environment_languages() if language is None else [language]
+    known = list(takewhile(lambda one: not _is_english(one), wanted))
+    use_catalogue(gettext.translation(_DOMAIN, CATALOGUES, known, fallback=True))
+
+
+def ask_language(language: str) -> bool:
+    """Show texts in the language that the command line asks for, here and in programs begun here.
+
+    Returns whether texts can be shown in it. It holds over what the window remembers; `asked` then.
+    """
+    global _asked
+    if not (_is_english(language) or gettext.find(_DOMAIN, CATALOGUES, [language])):
+        return False
+    _asked = os.environ["LANGUAGE"] = language
+    use_language(language)
+    return True
+
+
+def asked_language() -> str:
+    """What the command line asked for; "": nothing."""
+    return _asked
+
+
+def forget_asked_language() -> None:
+    """Somebody chose another language since."""
+    global _asked
+    _asked = ""
+
+
+def environment_languages() -> list[str]:
+    """What the environment names, e.g. ["ja_JP.UTF-8"], the best first; empty: nothing."""
+    named = next(filter(None, (os.environ.get(one, "") for one in _VARIABLES)), "")
+    return [one for one in named.split(":") if one]
+
+
+def _is_english(language: str) -> bool:
+    return language.replace("-", "_").partition("_")[0].partition(".")[0] in _PLAIN
 
 
 def use_catalogue(catalogue: gettext.NullTranslations | None) -> None:
@@ -39,6 +89,11 @@ def use_catalogue(catalogue: gettext.NullTranslations | None) -> None:
 def language_in_use() -> str:
     """The language of the catalogue in use, e.g. "pt_BR"; "" for English."""
     return _catalogue.info().get("language", "")
+
+
+def language_environment() -> dict[str, str]:
+    """What a program that is begun from here is told, so that it speaks the language in use."""
+    return {"LANGUAGE": language_in_use() or ENGLISH}
 
 
 class Message(str):

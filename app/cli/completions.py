@@ -10,6 +10,8 @@ from collections.abc import Iterable
 
 import typer
 
+from tracking.translation import N_, tr
+
 _WIDEST = 50
 """Letters of what is told beside a proposal: shells take a second line of it for another one."""
 Proposals = list[tuple[str, str]]
@@ -41,7 +43,7 @@ def complete_export_formats(incomplete: str) -> Proposals:
     from tracking.formats import FORMATS
 
     known = [(one.name, one.title) for one in FORMATS.values() if one.write is not None]
-    parts = (("labels", "labels of body parts"), ("samples", "samples of body parts"))
+    parts = (("labels", N_("labels of body parts")), ("samples", N_("samples of body parts")))
     return _fitting((*known, *parts), incomplete)
 
 
@@ -56,7 +58,7 @@ def complete_import_formats(incomplete: str) -> Proposals:
 def _fitting(known: Iterable[tuple[str, str]], incomplete: str) -> Proposals:
     """Those that begin as typed, told in one short line."""
     return [
-        (name, textwrap.shorten(said, _WIDEST, placeholder=" ..."))
+        (name, textwrap.shorten(tr(said), _WIDEST, placeholder=" ..."))
         for name, said in known
         if name.startswith(incomplete)
     ]

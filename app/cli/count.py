@@ -36,6 +36,7 @@ from tracking.counting import (
 from tracking.errors import CountingError, SettingsError
 from tracking.session import Session
 from tracking.settings import settings_from
+from tracking.text_columns import columns_of, to_left, to_right
 from tracking.tracks import CountingLine, Region
 from tracking.translation import joined, msg, tr
 
@@ -177,9 +178,9 @@ def _lines_of(counts: Counts) -> list[str]:
     told = []
     if counts.lines:
         rows = [(one.line.name, *(str(n) for _, n in _ways(one))) for one in counts.lines]
-        told += _table(("line", "forward", "backward"), rows)
+        told += _table((tr("line"), tr("forward"), tr("backward")), rows)
     if counts.regions:
-        headings = ("region", "person-steps", "most people", "mean people")
+        headings = (tr("region"), tr("person-steps"), tr("most people"), tr("mean people"))
         told += _table(headings, [_region_row(one) for one in counts.regions])
     return told
 
@@ -193,11 +194,11 @@ def _region_row(one: Occupancy) -> tuple[str, ...]:
 def _table(headings: tuple[str, ...], rows: list[tuple[str, ...]]) -> list[str]:
     """Names to the left, numbers to the right."""
     lines = [[escape_controls(cell) for cell in row] for row in (headings, *rows)]
-    widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
+    widths = [max(map(columns_of, column)) for column in zip(*lines, strict=True)]
     return [
         "  ".join(
-            [row[0].ljust(widths[0])]
-            + [cell.rjust(width) for cell, width in zip(row[1:], widths[1:], strict=True)]
+            [to_left(row[0], widths[0])]
+            + [to_right(cell, width) for cell, width in zip(row[1:], widths[1:], strict=True)]
         )
         for row in lines
     ]

@@ -14,10 +14,13 @@ import typer
 from typer.core import TyperCommand, TyperGroup
 
 from app.cli.typer_texts import bind_words_of_help, usage_pieces
+from tracking.text_columns import columns_of, lines_of
 from tracking.translation import N_, tr
 
 WIDTH = 100
 """Of a page at most, in characters."""
+_NAMES, _BETWEEN = 30, 2
+"""Columns for names of options and commands at most, and beside them."""
 _LISTS = re.compile(r"<list\[(\w+)\]>")
 bind_words_of_help()
 _ARGUMENTS, _OPTIONS, _COMMANDS = N_("Arguments"), N_("Options"), N_("Commands")
@@ -35,7 +38,7 @@ def _write_parameters(command: Any, context: typer.Context, formatter: Any) -> N
     first = [name for name in (_ARGUMENTS, _OPTIONS) if name in groups]
     for name in (*first, *(one for one in groups if one not in first)):
         with formatter.section(tr(name)):
-            formatter.write_dl(groups[name])
+            _write_list(formatter, groups[name])
 
 
 def _one_of(found: re.Match[str]) -> str:
@@ -66,7 +69,23 @@ def clean_help(text: str) -> str:
 def _write_text(command: Any, formatter: Any) -> None:
     formatter.write_paragraph()
     with formatter.indentation():
-        formatter.write_text(tr(clean_help(command.help or "")))
+        width = formatter.width - formatter.current_indent
+        formatter.write_text(_broken(tr(clean_help(command.help or "")), width))
+
+
+def _write_list(formatter: Any, rows: list[tuple[str, str]]) -> None:
+    """Write names and what they are: as the formatter does, but with wide letters counted."""
+    first = min(max((len(name) for name, _ in rows), default=0), _NAMES) + _BETWEEN
+    width = formatter.width - first - _BETWEEN
+    formatter.write_dl([(name, _broken(told, width)) for name, told in rows], _NAMES, _BETWEEN)
+
+
+def _broken(text: str, width: int) -> str:
+    """A text with wide letters in lines that the formatter leaves as they are; others unchanged."""
+    if columns_of(text) == len(text):
+        return text
+    paragraphs = (" ".join(each.split("\n")) for each in text.split("\n\n"))
+    return "\n\n".join("\n".join(("\b", *lines_of(each, width))) for each in paragraphs)
 
 
 def _write_usage(command: Any, context: Any, formatter: Any) -> None:
@@ -106,10 +125,5 @@ class HelpGroup(TyperGroup):
         _write_parameters(self, ctx, formatter)
         commands = [(name, self.get_command(ctx, name)) for name in self.list_commands(ctx)]
         with formatter.section(tr(_COMMANDS)):
-            formatter.write_dl(
-                [
-                    (name, _summary(one))
-                    for name, one in commands
-                    if one is not None and not one.hidden
-                ]
-            )
+            shown = [(name, one) for name, one in commands if one is not None and not one.hidden]
+            _write_list(formatter, [(name, _summary(one)) for name, one in shown])

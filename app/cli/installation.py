@@ -6,6 +6,8 @@ import importlib
 import importlib.metadata
 import os
 import platform
+import shutil
+import subprocess
 import sys
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
@@ -16,7 +18,7 @@ import platformdirs
 from app.cli.installation_faults import IS_BUNDLE, find_faults
 from app.cli.session_faults import find_session_faults, recent_sessions
 from app.cli.system_libraries import this_machine
-from tracking.translation import Message, msg
+from tracking.translation import FONT_PACKAGES, Message, language_in_use, msg
 
 _PYTHON = (3, 11)
 """As pyproject.toml asks."""
@@ -59,6 +61,7 @@ def check_installation() -> Iterator[Check]:
         if extra not in offered or IS_BUNDLE:  # nobody can add to what is bundled
             continue
         yield from (_imported(name, extra) for name in names)
+    yield from _letters()
     for name, folder in _folders().items():
         yield _writable(name, folder)
     for name, said, needed in find_faults(_folders()):
@@ -92,6 +95,21 @@ def _display() -> Check:
         return Check("display", True, f"{named}={os.environ[named]}")
     said = msg("none; the window needs a screen, commands work without")
     return Check("display", False, said, needed=False)
+
+
+def _letters() -> Iterator[Check]:
+    """Whether a font has the letters of the language in use; nothing where that is not known."""
+    language = language_in_use().partition("_")[0]
+    asks = shutil.which("fc-list")
+    if language not in FONT_PACKAGES or asks is None or sys.platform != "linux":
+        return
+    found = subprocess.run([asks, f":lang={language}"], capture_output=True, check=False)
+    advice = msg(
+        "no font has the letters of the language; e.g. apt-get install {package}",
+        package=FONT_PACKAGES[language],
+    )
+    there = bool(found.stdout.strip())
+    yield Check("fonts", there, msg("there") if there else advice, needed=False)
 
 
 def _folders() -> dict[str, Path]:

@@ -23,6 +23,7 @@ import typer
 
 from tracking.errors import OutputError
 from tracking.progress import Progress
+from tracking.text_columns import columns_of, to_left
 from tracking.translation import N_, Message, msg, tr
 
 STDOUT = Path("-")
@@ -162,9 +163,9 @@ def print_json(document: Any) -> None:
 def print_table(rows: Sequence[tuple[str, object]]) -> None:
     """Names and values on stdout, one below the other."""
     shown = [[tr(cell) if isinstance(cell, Message) else cell for cell in row] for row in rows]
-    width = max((len(str(name)) for name, _ in shown), default=0)
+    width = max((columns_of(str(name)) for name, _ in shown), default=0)
     for name, value in shown:
-        print_line(f"{name:<{width}}  {value}")
+        print_line(f"{to_left(str(name), width)}  {value}")
 
 
 def say(message: object) -> None:

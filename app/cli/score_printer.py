@@ -19,6 +19,7 @@ from tracking.scoring.report import (
 )
 from tracking.scoring.report.measures import Measure, measures_by
 from tracking.scoring.report.tables import COMBINED, people_rows
+from tracking.text_columns import columns_of, to_left, to_right
 from tracking.translation import msg, tr
 
 
@@ -126,13 +127,13 @@ def comparison_text(overall: Mapping[str, Score]) -> str:
 def grid(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
     """Columns side by side; the first holds words, the others numbers."""
     lines = [[escape_controls(cell) for cell in row] for row in (head, *rows)]
-    widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
+    widths = [max(map(columns_of, column)) for column in zip(*lines, strict=True)]
     return "\n".join(_line(row, widths) for row in lines)
 
 
 def _line(cells: Sequence[str], widths: Sequence[int]) -> str:
-    first = cells[0].ljust(widths[0])
-    rest = [cell.rjust(width) for cell, width in zip(cells[1:], widths[1:], strict=True)]
+    first = to_left(cells[0], widths[0])
+    rest = [to_right(cell, width) for cell, width in zip(cells[1:], widths[1:], strict=True)]
     return "  ".join([first, *rest]).rstrip()
 
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import shutil
 import sys
-import textwrap
 from typing import Any
 
 from app.cli.output import print_json, print_line, print_lines, say
+from tracking.text_columns import lines_of
 from tracking.trackers import TRACKERS, SettingField, TrackerSpec, settings_fields, tracker_named
 from tracking.translation import Message, count_msg, joined, msg, tr
 
@@ -100,7 +100,7 @@ def _line(field: SettingField) -> str:
     if not sys.stdout.isatty():
         return text  # a line a setting, to be searched
     width = shutil.get_terminal_size().columns
-    return "\n".join(textwrap.wrap(text, width, subsequent_indent=" " * 8))
+    return "\n".join(lines_of(text, width, " " * 8))
 
 
 def _values(field: SettingField) -> Message:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from datetime import datetime
 
 from tracking.translation import (
     N_,
@@ -20,6 +21,7 @@ from tracking.translation import (
 __all__ = [
     "N_",
     "count_text",
+    "date_text",
     "joined",
     "joined_text",
     "language_in_use",
@@ -79,6 +81,11 @@ def time_text(seconds: float) -> str:
     hours, minutes = divmod(minutes, 60)
     clock = f"{minutes:02d}:{rest // 100:02d}.{rest % 100:02d}"
     return f"{hours}:{clock}" if hours else clock
+
+
+def date_text(moment: datetime) -> str:
+    """The day as it is written in the user's language, year first, e.g. "2026-05-31"."""
+    return tr("{year}-{month}-{day}", year=moment.year, month=f"{moment:%m}", day=f"{moment:%d}")
 
 
 def span_text(first_s: float, last_s: float) -> str:

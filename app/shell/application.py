@@ -13,24 +13,22 @@ from types import TracebackType
 from PySide6.QtCore import (
     QCoreApplication,
     QEventLoop,
-    QLibraryInfo,
-    QLocale,
     QLockFile,
     QSettings,
     QTimer,
-    QTranslator,
 )
 from PySide6.QtWidgets import QApplication
 
 from app.core.document import document_loader
-from app.core.i18n import language_in_use, use_language
 from app.core.look.icons import application_icon
 from app.core.look.theme import Look, apply_look
 from app.core.memory import map_large_blocks
 from app.core.widgets.user_settings import UserSettings
+from app.shell.language_choice import show_language
 from app.shell.look_choice import look_of
 from app.shell.main_window import MainWindow
 from app.shell.shutdown_signals import EndBySignal, EndSignals, take_down
+from app.shell.window_host import WindowHost
 from tracking.atomic_output import part_of
 from tracking.errors import OutputError, RecordingError
 from tracking.recording import OpenOptions
@@ -58,9 +56,10 @@ def run(
     remembered = UserSettings()
     application = start_application(remembered)
     signals = EndSignals(application)  # before the first widget
-    window = MainWindow(remembered)
-    _catch_bugs(window)
-    EndBySignal(signals, window)
+    host = WindowHost(application, remembered)
+    _catch_bugs(host)
+    EndBySignal(signals, host)
+    window = host.window
     alone = QLockFile(str(document_loader.window_lock()))
     left_open = remembered.left_open if alone.tryLock(0) else ()
     first = path or next(iter(left_open), None)
@@ -70,9 +69,10 @@ def run(
                 window.files.greet_after_crash()
             window.files.open_path(first, options=options, play=play, save_at=save_at)
         window.show()
+        window.tell_of_letters()
         return application.exec()
     finally:
-        take_down(window)
+        take_down(host.window)
 
 
 def start_application(remembered: UserSettings) -> QApplication:
@@ -84,19 +84,9 @@ def start_application(remembered: UserSettings) -> QApplication:
     application.setOrganizationName("trackwright")
     application.setDesktopFileName("trackwright")
     application.setWindowIcon(application_icon())
-    use_language()
-    _translate_qt(application)
+    show_language(application, remembered)
     apply_look(application, look_of(remembered))
     return application
-
-
-def _translate_qt(application: QApplication) -> None:
-    """Show Qt's own texts, as on buttons and in file dialogs, in the language of ours."""
-    if language := language_in_use():
-        translator = QTranslator(application)
-        place = QLibraryInfo.path(QLibraryInfo.LibraryPath.TranslationsPath)
-        if translator.load(QLocale(language), "qtbase", "_", place):
-            application.installTranslator(translator)
 
 
 def picture(
@@ -202,14 +192,14 @@ def wait_until(ready: Callable[[], bool], patience_ms: int = _PATIENCE_MS) -> bo
     return ready()
 
 
-def _catch_bugs(window: MainWindow) -> None:
+def _catch_bugs(host: WindowHost) -> None:
     """Show what nobody caught as a bug of the program, logged; the journal is safe on disk."""
 
     def caught(
         kind: type[BaseException], error: BaseException, trace: TracebackType | None
     ) -> None:
         if isinstance(error, Exception):
-            window.tell_error(error.with_traceback(trace))
+            host.window.tell_error(error.with_traceback(trace))
         else:
             sys.__excepthook__(kind, error, trace)
 

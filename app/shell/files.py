@@ -78,7 +78,7 @@ class Files(Controller):
         self._work = work
         self._remembered = remembered
         self.open_recovery = OpenRecovery(self, window, work)
-        self._whereabouts = Whereabouts(remembered, self)
+        self.whereabouts: Whereabouts = Whereabouts(remembered, self)
         self._greeting = ""
         self.leaving: ClosePrompts = ClosePrompts(self, window)
         self.controller: RecordingController | None = None
@@ -185,6 +185,16 @@ class Files(Controller):
     def _show(self, opened: OpenedDocument, from_start: bool) -> None:
         self.close()
         path = opened.path
+        if not document_loader.is_unsaved_place(path):
+            self._remembered.add_recent(path.resolve(), opened.document.recording.name)
+        controller = self.begin(opened)
+        self._tell_oddities(opened)
+        controller.view_options = parse_view_options(self._remembered.text("pictured"))
+        controller.set_cameras(self._remembered.text("eyes", "both"))
+        self.whereabouts.begin(controller, path, from_start)
+
+    def begin(self, opened: OpenedDocument) -> RecordingController:
+        """Show a document in the window."""
         self.controller = controller = RecordingController(
             opened.document, self._window.workspace, self
         )
@@ -198,14 +208,9 @@ class Files(Controller):
         controller.tracking.began.connect(self._window.notice.settle)
         controller.tracking.noted.connect(self._tell_of_tracking)
         controller.of(ScoreController).truth_asked.connect(self._ask_truth)
-        if not document_loader.is_unsaved_place(path):
-            self._remembered.add_recent(path.resolve(), opened.document.recording.name)
         self._window.workspace.show_whole()  # how another recording was zoomed says nothing here
         self._window.show_workspace()
-        self._tell_oddities(opened)
-        controller.view_options = parse_view_options(self._remembered.text("pictured"))
-        controller.set_cameras(self._remembered.text("eyes", "both"))
-        self._whereabouts.begin(controller, path, from_start)
+        return controller
 
     def greet_after_crash(self) -> None:
         """Say, with what is opened next, that it was open when the program ended in a crash."""
@@ -317,8 +322,11 @@ class Files(Controller):
         """Close the window."""
         self._window.close()
 
-    def close(self) -> None:
-        """Let the open document go; its threads have ended when this returns."""
+    def close(self, *, keep_open: bool = False) -> None:
+        """Let the open document go; its threads have ended when this returns.
+
+        keep_open: its files stay open, for another window.
+        """
         if self.controller is not None:
             controller, self.controller = self.controller, None
             self._work.leave_behind()  # it reads from this recording
@@ -330,8 +338,10 @@ class Files(Controller):
             if controller.document.recording.is_stereo:  # one camera leaves nothing to choose
                 self._remembered.set_text("eyes", controller.cameras)
             self._remembered.set_text("pictured", controller.view_options.lasting)
-            self._whereabouts.end()
-            controller.close()
+            self.whereabouts.end()
+            controller.end()
+            if not keep_open:
+                controller.close()
             controller.deleteLater()
             QTimer.singleShot(GIVE_BACK_MS, give_back)
 

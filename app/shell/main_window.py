@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
 from app.core.commands import CommandRegistry
 from app.core.drawing.canvas import Canvas
 from app.core.error_messages import explain
-from app.core.i18n import tr
+from app.core.i18n import language_in_use, tr
 from app.core.keymap import first_key
 from app.core.look.icons import application_icon
 from app.core.widgets.command_list import native_keys
@@ -38,6 +38,7 @@ from app.shell.commands import COMMANDS
 from app.shell.context_menu import ContextMenu
 from app.shell.files import Files
 from app.shell.key_choice import KeyChoice
+from app.shell.language_choice import LanguageChoice, why_unreadable
 from app.shell.listed_work import ListedWork
 from app.shell.look_choice import LookChoice
 from app.shell.menus import Menus, TypingGuard
@@ -79,6 +80,7 @@ class MainWindow(QMainWindow):
         self.key_choice: KeyChoice = KeyChoice(self, remembered)
         self.menus = Menus(self, self.registry.commands)
         self.look_choice = LookChoice(remembered, self)
+        self.language_choice: LanguageChoice = LanguageChoice(remembered, self)
         self.palette_of_commands = CommandPalette(self)
         self.context_menu = ContextMenu(self)
         self._pages = QStackedWidget(self)
@@ -118,7 +120,7 @@ class MainWindow(QMainWindow):
         self.setAcceptDrops(True)
         names = ("tracks.swap", "tracks.split", "tracks.merge", "tracks.end_here", "tracks.draw")
         self.workspace.card.set_actions([self.menus.actions[name] for name in names])
-        said = {"right": tr("Right"), "fix": tr("Correct..."), "dismiss": tr("Dismiss")}
+        said = {"right": tr("It is right"), "fix": tr("Correct..."), "dismiss": tr("Dismiss it")}
         self.workspace.review.set_actions(
             [(self.menus.actions[f"review.{name}"], word) for name, word in said.items()]
         )
@@ -290,6 +292,11 @@ class MainWindow(QMainWindow):
         dialog.finished.connect(self.activateWindow)
         dialog.show()
 
+    def tell_of_letters(self) -> None:
+        """Tell where no font can show the letters of the language in use."""
+        if why := why_unreadable(language_in_use()):
+            self.notice.say(why, is_error=True)
+
     # commands
 
     def run_command(self, name: str) -> None:
@@ -350,13 +357,17 @@ class MainWindow(QMainWindow):
             keep_on_screen(self)
         self.workspace.restore(self.remembered)
 
+    def remember_layout(self) -> None:
+        """Keep size and place of the window and of its parts."""
+        self.remembered.set_state("window/geometry", self.saveGeometry())
+        self.workspace.remember(self.remembered)
+
     def closeEvent(self, event: QCloseEvent) -> None:  # noqa: N802 - Qt's name
         """Ask about what is not saved; then end all work and remember the layout."""
         if not self.files.projects.may_close(self.close) or not self.files.may_leave(self.close):
             event.ignore()
             return
-        self.remembered.set_state("window/geometry", self.saveGeometry())
-        self.workspace.remember(self.remembered)
+        self.remember_layout()
         self.files.drops.close()
         self.files.projects.end()
         self.work.close()
@@ -365,6 +376,7 @@ class MainWindow(QMainWindow):
         if application is not None:
             application.removeEventFilter(self._guard)
         self.look_choice.close()
+        self.language_choice.close()
         super().closeEvent(event)
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:  # noqa: N802

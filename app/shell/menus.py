@@ -55,7 +55,7 @@ class Menus(QObject):
         self._commands = commands
         self.actions: dict[str, QAction] = {}
         self._filling = False
-        self.menus = {(name, ""): window.menuBar().addMenu("&" + tr(name)) for name in MENUS}
+        self.menus = {(name, ""): window.menuBar().addMenu(_with_letter(name)) for name in MENUS}
         for command in commands:
             menu = self._menu_of(command)
             action = self._action(command, window)
@@ -189,6 +189,12 @@ class TypingGuard(QObject):
             else:
                 self._holding.start()
         return True
+
+
+def _with_letter(name: str) -> str:
+    """A menu's name with the letter that opens it: behind it where the name has no such letters."""
+    shown = tr(name)
+    return f"&{shown}" if shown[:1].isascii() else f"{shown}(&{name[0]})"
 
 
 def _tip(item: CommandItem) -> str:

@@ -159,8 +159,8 @@ class RecordingController(Controller):
     def _show_thumbnail(self, _: int, image: QImage) -> None:
         self._workspace.timeline.overview.show_thumbnail(image)
 
-    def close(self) -> None:
-        """End all threads and let the recording go."""
+    def end(self) -> None:
+        """End all threads, and leave nothing on the views; the document stays open."""
         self.thumbnails.close()
         self._workspace.timeline.overview.hide_thumbnail()
         self.live.close()
@@ -173,6 +173,9 @@ class RecordingController(Controller):
         for feature in self._features:
             feature.close()
         self.playback.close()
+
+    def close(self) -> None:
+        """Let the recording go, and its session, once all threads have ended."""
         try:
             if self.document.session is not None:
                 self.document.session.close()

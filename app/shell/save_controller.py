@@ -32,6 +32,7 @@ class SaveController(Controller):
 
     Attributes:
         proposed: the place that is proposed for a session without one; None: beside the recording.
+        settled: the state of the session that is no change of ours.
     """
 
     def __init__(
@@ -41,11 +42,11 @@ class SaveController(Controller):
         self._files, self._window = files, window
         self._work, self._remembered = work, remembered
         self.proposed: Path | None = None
-        self._settled: object = None
+        self.settled: object = None
 
     def begin(self, session: Session | None) -> None:
         """A session as it was opened, if it was: nothing of it is changed here yet."""
-        self._settled = _state(session)
+        self.settled = _state(session)
 
     @property
     def changed_here(self) -> bool:
@@ -56,7 +57,7 @@ class SaveController(Controller):
         return self.unsaved and (
             self._files.tracker_found_some
             or self._files.keeping.holds
-            or _state(self._files.session) != self._settled
+            or _state(self._files.session) != self.settled
         )
 
     @property
@@ -108,7 +109,7 @@ class SaveController(Controller):
 
         def saved(_: object) -> None:
             document_loader.finish_save(session, pending)
-            self._settled = settled
+            self.settled = settled
             self._remembered.add_recent(path.resolve(), session.recording.name)
             self.said.emit(tr("Saved: {path}", path=path))
             self.changed.emit()

@@ -45,6 +45,11 @@ class SessionsBeside(QObject):
         panel.again_asked.connect(self._again)
         panel.left.connect(self.close)
 
+    @property
+    def shows(self) -> bool:
+        """Whether another session is shown."""
+        return self._shown is not None
+
     def ask(self) -> None:
         """Ask for the other session."""
         choose_file(

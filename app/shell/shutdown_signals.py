@@ -11,6 +11,7 @@ from PySide6.QtCore import QCoreApplication, QEvent, QObject, QSocketNotifier, S
 
 from app.core.error_messages import explain
 from app.shell.main_window import MainWindow
+from app.shell.window_host import WindowHost
 
 _SIGNALS = ("SIGINT", "SIGTERM", "SIGHUP")  # the last one is unknown to Windows
 
@@ -56,9 +57,9 @@ class EndBySignal(QObject):
     The terminal is told where work is that was not saved.
     """
 
-    def __init__(self, signals: EndSignals, window: MainWindow) -> None:
-        super().__init__(window)
-        self._window = window
+    def __init__(self, signals: EndSignals, host: WindowHost) -> None:
+        super().__init__(host)
+        self._host = host
         signals.arrived.connect(self._end)
 
     def _end(self) -> None:
@@ -68,11 +69,12 @@ class EndBySignal(QObject):
             QCoreApplication.quit()
 
     def _close(self) -> None:
-        self._window.workspace.take_typed()
-        lines = self._window.files.describe_unsaved()
-        self._window.files.failed.connect(lambda error: lines.append(explain(error)))
-        self._window.files.close_without_asking()
-        self._window.close()
+        window = self._host.window
+        window.workspace.take_typed()
+        lines = window.files.describe_unsaved()
+        window.files.failed.connect(lambda error: lines.append(explain(error)))
+        window.files.close_without_asking()
+        window.close()
         # The terminal may be gone, closed, or be none.
         with contextlib.suppress(OSError, ValueError, AttributeError):
             sys.stderr.write("".join(f"{line}\n" for line in lines))

@@ -35,6 +35,11 @@ class Whereabouts(QObject):
         self.note()
         self._timer.start()
 
+    @property
+    def opened_by(self) -> Path:
+        """The path that the document was opened by."""
+        return self._opened
+
     def note(self) -> None:
         """Write down where the user is, where that is another place than before."""
         if self._controller is None:

@@ -22,10 +22,13 @@ from app.core.scenes.labels import Tool
 from app.features.history.controller import HistoryWalk
 from app.features.scoring.commands import reportable
 from app.shell import project_commands
+from app.shell.language_choice import SYSTEM, name_of_language
 from app.shell.shortcuts import ShortcutsDialog
 from app.shell.window_app import WindowApp
+from tracking.translation import languages, msg
 
 _LOOK = "look colours"
+_LANGUAGE = "language English Japanese translation \u65e5\u672c\u8a9e"
 
 
 def _file(
@@ -206,6 +209,17 @@ def _look(look: Look, title: str, *, separated: bool = False) -> Command[WindowA
     )
 
 
+def _language(language: str, title: str) -> Command[WindowApp]:
+    return Command(
+        f"view.language_{language or 'system'}",
+        title,
+        "View/Language",
+        run=lambda app: app.window.language_choice.choose(language),
+        checked=lambda app: app.window.language_choice.language == language,
+        also=_LANGUAGE,
+    )
+
+
 EDIT: Final[tuple[Command[WindowApp], ...]] = (
     Command(
         "edit.undo_alone",
@@ -261,6 +275,8 @@ LAYOUT: Final = (
     _look(Look.SYSTEM, "Theme: as the system", separated=True),
     _look(Look.LIGHT, "Theme: light"),
     _look(Look.DARK, "Theme: dark"),
+    _language(SYSTEM, "Language: as the system"),
+    *(_language(one, msg("Language: {name}", name=name_of_language(one))) for one in languages()),
 )
 HELP: Final[tuple[Command[WindowApp], ...]] = (
     Command("help.keys", "All shortcuts", "Help", ("F1",), run=_show_keys),

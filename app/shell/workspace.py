@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.core.drawing.canvas import Canvas
 from app.core.drawing.surfaces import Surfaces
 from app.core.feature import FeaturePanel, Place
 from app.core.i18n import tr
@@ -259,9 +260,14 @@ class Workspace(QWidget):
         self.camera_switch.show_scene(mode, stereo)
         self.camera_switch.setVisible(stereo)
 
+    @property
+    def canvases(self) -> tuple[Canvas, ...]:
+        """The pictures and the floor."""
+        return self.left, self.right, self.overhead
+
     def show_whole(self) -> None:
         """Show all of the pictures and of the floor, and keep doing so."""
-        for view in (self.left, self.right, self.overhead):
+        for view in self.canvases:
             view.fit()
 
     def take_typed(self) -> None:

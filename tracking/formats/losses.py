@@ -83,7 +83,9 @@ def _contents_lost(
     if not lost:
         return ""
     told = msg(
-        "left out, as {title} has none: {lost}", title=kind.title, lost=joined(", ", map(msg, lost))
+        "left out, as {title} has none: {lost}",
+        title=msg(kind.title),
+        lost=joined(", ", map(msg, lost)),
     )
     reason = msg(
         "; places need the recording's camera and floor, which are not known or out of reach"

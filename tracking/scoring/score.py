@@ -22,6 +22,7 @@ from tracking.scoring.similarity import Match
 from tracking.scoring.table import ScoringTable
 from tracking.scoring.track_map import OVERLAPS, SUBSETS, TrackMap
 from tracking.scoring.track_map_matches import track_map
+from tracking.text_columns import columns_of, to_left, to_right
 from tracking.translation import msg, tr
 
 
@@ -87,8 +88,8 @@ class Score:
                     tr("{found} of {happened}", found=line.found, happened=line.happened),
                 )
             ]
-        width = max(len(name) for name, _ in named)
-        return "\n".join(f"{name:<{width}}  {value:>9}" for name, value in named)
+        width = max(columns_of(name) for name, _ in named)
+        return "\n".join(f"{to_left(name, width)}  {to_right(value, 9)}" for name, value in named)
 
 
 FIGURES: dict[str, Callable[[Score], float]] = {

@@ -9,6 +9,7 @@ import typer
 import tracking
 from app.cli.help_pages import WIDTH, HelpGroup
 from app.cli.output import print_line
+from tracking.translation import languages
 
 program = typer.Typer(
     name="trackwright",
@@ -30,6 +31,16 @@ def _say_version(asked: bool) -> None:
 @program.callback()
 def every_command(
     debug: Annotated[bool, typer.Option("--debug", help="Show the traceback of an error.")] = False,
+    language: Annotated[
+        str | None,
+        typer.Option(
+            "--language",
+            metavar="<language>",
+            help="Show texts in this language, e.g. ja; otherwise in that of LANGUAGE, LC_ALL or "
+            "LANG.",
+            autocompletion=languages,
+        ),
+    ] = None,
     version: Annotated[
         bool,
         typer.Option("--version", help="Show the version.", callback=_say_version, is_eager=True),

@@ -6,7 +6,7 @@ from datetime import datetime
 
 import numpy as np
 
-from app.core.i18n import tr
+from app.core.i18n import date_text, tr
 from app.core.scenes import Colour, HistoryItem, MarkKind, TimelineMark, TrackCard
 from app.core.tracks.track_reader import TrackReader
 from tracking.editing import Change, Entry, History
@@ -146,4 +146,6 @@ def local_time(time: str) -> str:
     except ValueError:
         return time
     today = datetime.now().astimezone().date()
-    return moment.strftime("%H:%M:%S" if moment.date() == today else "%Y-%m-%d %H:%M")
+    if moment.date() == today:
+        return moment.strftime("%H:%M:%S")
+    return f"{date_text(moment)} {moment:%H:%M}"

@@ -106,6 +106,15 @@ class Canvas(QWidget, metaclass=AbstractQt):
         """Where content is drawn now."""
         return self._viewport
 
+    @property
+    def zoomed_to(self) -> Viewport | None:
+        """The view that the user chose; None: the whole content is shown."""
+        return None if self._fitted else self._viewport
+
+    def look_at(self, viewport: Viewport) -> None:
+        """Show a view that was chosen before."""
+        self._look(viewport)
+
     def fit(self) -> None:
         """Show the whole content, and keep doing so when the widget is resized."""
         self._fitted, self._seen_in = True, self._area()

@@ -13,11 +13,12 @@ from importlib.resources import files
 from string import Template
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QColor, QFont, QGuiApplication, QPalette
+from PySide6.QtGui import QColor, QFont, QFontMetrics, QGuiApplication, QPalette
 from PySide6.QtWidgets import QApplication
 
 from app.core.colours import shown_colours
 from app.core.colours.shown_colours import readable_colour, theme_table
+from app.core.i18n import tr
 from app.core.scenes import Colour
 
 
@@ -155,6 +156,12 @@ def scaled_font(font: QFont, factor: float, bold: bool = False) -> QFont:
         changed.setWeight(QFont.Weight.DemiBold)
     changed.setFeature(QFont.Tag("tnum"), 1)
     return changed
+
+
+def line_height(font: QFont) -> int:
+    """How high a line is, px; letters of the language in use may come from a higher font."""
+    metrics = QFontMetrics(font)
+    return max(metrics.height(), metrics.boundingRect(tr("Frame")).height())
 
 
 def faded(colour: QColor, opacity: float) -> QColor:

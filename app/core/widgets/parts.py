@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
 
 from app.core.look.theme import current_theme, scaled_font
 from app.core.scenes import Colour
+from app.core.widgets.eliding_label import ElidingLabel
 
 NOTICE_MARGINS = (16, 10, 20, 10)
 """Of what stands above the panels: flush with their words, clear of the window's edge."""
@@ -38,13 +39,14 @@ class Panel(QFrame):
         self._rows.setSpacing(6)
         self._heading = QHBoxLayout()
         self._heading.setSpacing(4)
-        self._title = heading(title, self)
-        self._heading.addWidget(self._title, 1)
+        self._named = ElidingLabel(title, self)
+        self._named.setFont(scaled_font(self.font(), 1.0, bold=True))
+        self._heading.addWidget(self._named, 1)
         self._rows.addLayout(self._heading)
 
     def set_title(self, title: str) -> None:
         """Say in the title whose the content is."""
-        self._title.setText(title)
+        self._named.setText(title)
 
     def add_to_heading(self, widget: QWidget, stretch: int = 0) -> None:
         """Put something small at the right of the title; `stretch` is its share of the rest."""
@@ -78,6 +80,13 @@ class Panel(QFrame):
             height = max(height, rows.totalHeightForWidth(self.width()))
         self.setMinimumHeight(height if self._low else 0)
         self.setMaximumHeight(height if self._low else _UNLIMITED)
+
+
+def quiet_beside(text: str, parent: QWidget) -> ElidingLabel:
+    """A label in a softer colour beside what it names, which gives way where there is no room."""
+    label = ElidingLabel(text, parent)
+    label.setProperty("role", "muted")
+    return label
 
 
 def heading(text: str, parent: QWidget) -> QLabel:

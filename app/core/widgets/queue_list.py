@@ -16,11 +16,11 @@ from PySide6.QtCore import (
     QSize,
     Qt,
 )
-from PySide6.QtGui import QFont, QFontMetrics, QFontMetricsF, QPainter
+from PySide6.QtGui import QFont, QFontMetricsF, QPainter
 from PySide6.QtWidgets import QStyledItemDelegate, QStyleOptionViewItem
 
 from app.core.i18n import joined_text, tr
-from app.core.look.theme import current_theme, scaled_font
+from app.core.look.theme import current_theme, line_height, scaled_font
 from app.core.scenes.queue_rows import ReviewPerson, ReviewRow
 from app.core.widgets.abstract import AbstractQt
 from app.core.widgets.command_list import draw_row_ground
@@ -74,8 +74,8 @@ def _likely(item: ReviewRow) -> str:
 
 def row_height(font: QFont, lower_lines: int = 1) -> int:
     """A line, and below it so many smaller ones."""
-    small = QFontMetrics(scaled_font(font, _SMALL))
-    return QFontMetrics(font).height() + lower_lines * small.height() + 2 * _PAD
+    small = scaled_font(font, _SMALL)
+    return line_height(font) + lower_lines * line_height(small) + 2 * _PAD
 
 
 def lower_lines(font: QFont, text: str, width: float) -> int:
@@ -117,7 +117,7 @@ class PeopleDelegate(QStyledItemDelegate, metaclass=AbstractQt):
         inner = QRectF(option.rect).adjusted(_SIDE, _PAD, -_SIDE, -_PAD)
         self.lead(painter, item, inner)
         line = QRectF(inner)
-        line.setHeight(QFontMetricsF(option.font).height())
+        line.setHeight(line_height(option.font))
         inner.setTop(line.bottom())
         self._draw_first(painter, item, line, option.font)
         painter.setFont(scaled_font(option.font, _SMALL))

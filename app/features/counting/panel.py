@@ -4,9 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import (
-    QComboBox,
     QHBoxLayout,
-    QSizePolicy,
     QStackedWidget,
     QToolButton,
     QVBoxLayout,
@@ -17,8 +15,9 @@ from app.core.feature import FeaturePanel
 from app.core.i18n import tr
 from app.core.look.icons import IconButton
 from app.core.plots.axis import TimeAxis
+from app.core.widgets.eliding_list import ElidingList
 from app.core.widgets.number_boxes import NumberBox, tell_beside
-from app.core.widgets.parts import quiet
+from app.core.widgets.parts import quiet, quiet_beside
 from app.features.counting.counts_plot import CountsPlot
 from app.features.counting.scene import CountingScene
 from app.features.counting.steps_table import StepsTable
@@ -75,10 +74,7 @@ class CountingPanel(FeaturePanel):
         """Whose tracks are counted, how time is cut, what trembling is."""
         line = QHBoxLayout()
         line.setSpacing(6)
-        self._track_sources = QComboBox(self)
-        self._track_sources.setAccessibleName(tr("Whose tracks are counted"))
-        self._track_sources.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-        self._track_sources.setMinimumWidth(10 * self.fontMetrics().averageCharWidth())
+        self._track_sources = ElidingList(tr("Whose tracks are counted"), self)
         line.addWidget(self._track_sources, 1)
         self._step = self._number(tr("Step"), tr("How long a step is"), _MOST["step_s"], " s")
         self._jitter = self._number(
@@ -95,9 +91,9 @@ class CountingPanel(FeaturePanel):
         )
         self._jitter_px.setDecimals(1)
         self._jitter_px.setSingleStep(1.0)
-        line.addWidget(quiet(tr("Step"), self))
+        line.addWidget(quiet_beside(tr("Step"), self))
         line.addWidget(self._step)
-        line.addWidget(quiet(tr("Jitter"), self))
+        line.addWidget(quiet_beside(tr("Jitter"), self))
         line.addWidget(self._jitter)
         line.addWidget(self._jitter_px)
         return line

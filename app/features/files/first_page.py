@@ -8,7 +8,7 @@ from datetime import datetime
 from pathlib import Path
 
 from app.core.document.document_loader import unsaved_folder
-from app.core.i18n import tr
+from app.core.i18n import date_text, tr
 from app.core.scenes import RecentItem, WelcomeScene
 
 
@@ -47,7 +47,7 @@ def _kind(path: Path) -> str:
 
 def _item(path: Path, title: str, detail: str) -> RecentItem:
     try:
-        changed = datetime.fromtimestamp(path.stat().st_mtime).date().isoformat()
+        changed = date_text(datetime.fromtimestamp(path.stat().st_mtime))
     except (OSError, ValueError, OverflowError):  # also a damaged path, a date that is none
         return RecentItem(str(path), title, detail, exists=False)
     return RecentItem(str(path), title, f"{detail}  \u00b7  {changed}")

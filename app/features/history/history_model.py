@@ -14,7 +14,7 @@ from PySide6.QtGui import QFont, QFontMetrics, QPainter
 from PySide6.QtWidgets import QStyledItemDelegate, QStyleOptionViewItem
 
 from app.core.i18n import tr
-from app.core.look.theme import current_theme, scaled_font
+from app.core.look.theme import current_theme, line_height, scaled_font
 from app.core.scenes import HistoryItem
 from app.core.widgets.command_list import draw_row_ground
 
@@ -87,8 +87,7 @@ class HistoryModel(QAbstractListModel):
 
 def row_height(font: QFont) -> int:
     """Two lines, the lower one smaller."""
-    small = QFontMetrics(scaled_font(font, 0.85))
-    return QFontMetrics(font).height() + small.height() + 2 * _PAD
+    return line_height(font) + line_height(scaled_font(font, 0.85)) + 2 * _PAD
 
 
 class EditDelegate(QStyledItemDelegate):

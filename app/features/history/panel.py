@@ -5,7 +5,6 @@ from __future__ import annotations
 from PySide6.QtCore import QModelIndex, QPoint, Qt, Signal
 from PySide6.QtGui import QAction, QKeyEvent
 from PySide6.QtWidgets import (
-    QComboBox,
     QLineEdit,
     QListView,
     QMenu,
@@ -19,6 +18,7 @@ from app.core.i18n import count_text, tr
 from app.core.keymap import first_key
 from app.core.look.icons import IconButton
 from app.core.scenes import HistoryItem
+from app.core.widgets.eliding_list import ElidingList
 from app.core.widgets.literal import literal
 from app.core.widgets.parts import quiet
 from app.features.history.history_filter import HistoryFilter
@@ -101,13 +101,8 @@ class HistoryPanel(FeaturePanel):
             button.setAccessibleName(tr("Clear"))
         self._text.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
         self._text.textChanged.connect(self._narrow)
-        self._by = QComboBox(self)
-        self._by.setAccessibleName(tr("Whose edits, or of which kind"))
+        self._by = ElidingList(tr("Whose edits, or of which kind"), self)
         self._by.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
-        self._by.setSizeAdjustPolicy(
-            QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
-        )
-        self._by.setMinimumContentsLength(3)
         self._by.currentIndexChanged.connect(self._narrow)
         self.add_to_heading(self._text, 3)
         self.add_to_heading(self._by, 3)

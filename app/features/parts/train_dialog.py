@@ -25,6 +25,7 @@ from app.core.error_messages import explain
 from app.core.i18n import N_, tr
 from app.core.jobs.jobs import Job, Progress
 from app.core.keymap import in_brackets
+from app.core.look.theme import line_height
 from app.core.widgets.parts import heading, quiet
 from app.core.widgets.questions import choose_file
 from app.core.widgets.settings_form import SettingsForm
@@ -119,8 +120,8 @@ class TrainDialog(QDialog):
         self._buttons.accepted.connect(self.accept)
         self._buttons.rejected.connect(self.reject)
         rows.addWidget(self._buttons)
-        line, room = self.fontMetrics().height(), self.screen().availableSize()
-        self.resize(min(44 * line, room.width()), min(42 * line, room.height() - 4 * line))
+        line, room = line_height(self.font()), self.screen().availableSize()
+        self.resize(min(44 * line, room.width()), min(50 * line, room.height() - 4 * line))
 
     def _list_buttons(self) -> QHBoxLayout:
         line = QHBoxLayout()
@@ -151,8 +152,9 @@ class TrainDialog(QDialog):
             cells = tuple(QLabel(self) for _ in range(5))
             cells[4].setProperty("role", "muted")
             cells[4].setWordWrap(True)
-            for column, cell in enumerate(cells):
-                grid.addWidget(cell, row, column)
+            for column, cell in enumerate(cells[:4]):
+                grid.addWidget(cell, 2 * row - 1, column)
+            grid.addWidget(cells[4], 2 * row, 1, 1, 4)  # a line of its own: sentences may be long
             self._cells.append(cells)
         return grid
 
@@ -237,6 +239,7 @@ class TrainDialog(QDialog):
         texts = (count.name, str(count.on), str(count.off), people, count.missing)
         for cell, text in zip(cells, texts, strict=True):
             cell.setText(text)
+        cells[4].setVisible(bool(count.missing))
 
     def answer(self) -> tuple[TrainingSet, TrainingSettings]:
         """What is learnt from and the settings."""

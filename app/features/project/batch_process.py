@@ -11,6 +11,7 @@ from pathlib import Path
 
 from app.core.i18n import tr
 from tracking import child_program
+from tracking.translation import language_environment
 
 DONE, NONE_DONE, SOME_FAILED, INTERRUPTED = 0, 1, 3, 130
 _LONGEST_LINE = 4000
@@ -94,7 +95,7 @@ def _started(words: Sequence[str], errors: int) -> subprocess.Popen[bytes]:
     """A process of a session of its own: what ends the window's terminal does not end it."""
     return subprocess.Popen(
         child_program.command(*words),
-        env=child_program.environment(),
+        env=child_program.environment(language_environment()),
         stdin=subprocess.DEVNULL,
         stdout=subprocess.DEVNULL,
         stderr=errors,

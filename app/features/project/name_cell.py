@@ -7,7 +7,7 @@ from PySide6.QtGui import QFontMetrics, QPainter
 from PySide6.QtWidgets import QStyle, QStyledItemDelegate, QStyleOptionViewItem
 
 from app.core.look.icons import pixmap
-from app.core.look.theme import current_theme, scaled_font
+from app.core.look.theme import current_theme, line_height, scaled_font
 from app.features.project.list_model import ROW, RecordingModel
 from app.features.project.scene import Mood, RecordingRow
 
@@ -79,7 +79,7 @@ class NameCell(QStyledItemDelegate):
     ) -> None:
         theme = current_theme()
         small = scaled_font(option.font, _SMALL)
-        lines = QFontMetrics(option.font).height() + QFontMetrics(small).height()
+        lines = line_height(option.font) + line_height(small)
         top = room.top() + max(0, room.height() - lines) // 2
         middle, end = Qt.TextElideMode.ElideMiddle, Qt.TextElideMode.ElideRight
         muted = theme.danger if row.mood is Mood.BAD else theme.text_muted
@@ -92,7 +92,7 @@ class NameCell(QStyledItemDelegate):
             painter.setPen(ink)
             shown = metrics.elidedText(text, cut, room.width())
             painter.drawText(room.left(), top + metrics.ascent(), shown)
-            top += metrics.height()
+            top += line_height(font)
 
 
 def _image_width(height: int) -> int:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from PySide6.QtCore import QItemSelectionModel, Qt, Signal, SignalInstance
-from PySide6.QtGui import QCloseEvent
+from PySide6.QtGui import QCloseEvent, QResizeEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QCheckBox,
@@ -28,6 +28,8 @@ from app.core.widgets.work_line import WorkLine
 from app.features.runs.presenter import CORRECTED, RUN_FIGURES, RunList, RunRow, RunsScene
 from tracking.scoring import Score
 
+_WIDEST = 2
+"""The column of what was changed of settings."""
 _FIGURES = len(RUN_FIGURES)
 """Columns that only a truth fills, the last ones."""
 _MOST_ROWS = 10  # that are seen without scrolling
@@ -105,7 +107,7 @@ class RunsDialog(QDialog):
         table.setTabKeyNavigation(False)
         table.verticalHeader().hide()
         table.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
-        table.horizontalHeader().setSectionResizeMode(2, QHeaderView.ResizeMode.Stretch)
+        table.horizontalHeader().setSectionResizeMode(_WIDEST, QHeaderView.ResizeMode.Stretch)
         table.horizontalHeader().setHighlightSections(False)
         table.itemSelectionChanged.connect(self._enable)
         return table
@@ -189,6 +191,16 @@ class RunsDialog(QDialog):
             widget.setVisible(bool(text))
         self.choose(*(chosen or ([scene.proposed] if scene.proposed != CORRECTED else [])))
         self._enable()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802 - Qt's name
+        """The widest column takes the room that is left, and scrolls where that is too little."""
+        super().resizeEvent(event)
+        head = self._table.horizontalHeader()
+        others = sum(head.sectionSize(at) for at in range(head.count()) if at != _WIDEST)
+        left = self._table.viewport().width() - others
+        mode = QHeaderView.ResizeMode
+        fits = left >= head.sectionSizeHint(_WIDEST)
+        head.setSectionResizeMode(_WIDEST, mode.Stretch if fits else mode.ResizeToContents)
 
     def _height_of(self, rows: int) -> int:
         """So many rows, and the headings above, without a scroll bar."""

@@ -58,7 +58,7 @@ class TrackDialog(QDialog):
         asked: PartSettings | None = None,
     ) -> None:
         super().__init__(parent)
-        self.setWindowTitle(tr("Track"))
+        self.setWindowTitle(tr("Track...").rstrip("."))
         self._names = list(TRACKERS)
         self._why_not = {name: _why_not(name, recording) for name in self._names}
         fitting = [name for name in self._names if not self._why_not[name]]
@@ -155,7 +155,7 @@ class TrackDialog(QDialog):
         rows.addWidget(self._nothing)
         rows.addWidget(self._forms, 1)
         buttons = QDialogButtonBox(self)
-        start = QPushButton(tr("Track"), buttons)
+        start = QPushButton(tr("Track...").rstrip("."), buttons)
         start.setProperty("primary", True)  # before it is first polished, or it has no effect
         buttons.addButton(start, QDialogButtonBox.ButtonRole.AcceptRole)
         start.setDefault(True)

@@ -21,12 +21,13 @@ from app.core.look.icons import IconButton
 from app.core.scenes.ground_truth import ERROR_COLOURS
 from app.core.widgets.eliding_list import ElidingList
 from app.core.widgets.number_boxes import NumberBox, tell_beside
-from app.core.widgets.parts import quiet
+from app.core.widgets.parts import quiet, quiet_beside
 from app.features.scoring.figures_table import FiguresTable
 from app.features.scoring.scene import ErrorChoice, ScoreScene
 from tracking.scoring import ErrorKind
 
 _LEAST, _WIDEST_M = 0.05, 10.0
+_KINDS_APART = 4
 _ONE_LINE_LETTERS, _SHORTENED_LETTERS = 118, 84
 """A panel so wide asks for truth, result and pairing in one line; a low one shortens them first."""
 _LOW_LINES = 19
@@ -53,7 +54,7 @@ class ScorePanel(FeaturePanel):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(tr("Score"), parent)
         self._lists: dict[QComboBox, tuple[str, ...]] = {}
-        self._doing = quiet("", self)
+        self._doing = quiet_beside("", self)
         self.add_to_heading(self._doing)
         self._add_buttons()
         self.table = FiguresTable(self)
@@ -61,6 +62,7 @@ class ScorePanel(FeaturePanel):
         self._moved = self._words("muted")
         self._notes = self._words("muted")
         self._kinds: dict[ErrorKind, QToolButton] = {}
+        self._counted: dict[ErrorKind, tuple[str, str]] = dict.fromkeys(ERROR_COLOURS, ("", ""))
         body = QVBoxLayout()
         body.setSpacing(6)
         # Side by side where there is room: figures are what the panel is for.
@@ -108,9 +110,9 @@ class ScorePanel(FeaturePanel):
         self._truth.activated.connect(self.truth_chosen)
         self._result = ElidingList(tr("Whose tracks are scored"), self)
         self._result.activated.connect(self.result_chosen)
-        line.addWidget(quiet(tr("Ground truth"), self))
+        line.addWidget(quiet_beside(tr("Ground truth"), self))
         line.addWidget(self._truth, 6)
-        line.addWidget(quiet(tr("Result"), self))
+        line.addWidget(quiet_beside(tr("Result"), self))
         line.addWidget(self._result, 5)
         return line
 
@@ -128,7 +130,7 @@ class ScorePanel(FeaturePanel):
         self._threshold.setKeyboardTracking(False)
         self._threshold.setAccessibleName(tr("Limit for two boxes or positions to match"))
         self._threshold.valueChanged.connect(self.threshold_chosen)
-        line.addWidget(quiet(tr("Matched by"), self))
+        line.addWidget(quiet_beside(tr("Matched by"), self))
         line.addWidget(self._way, 1)
         line.addWidget(self._threshold)
         return line
@@ -136,7 +138,7 @@ class ScorePanel(FeaturePanel):
     def _errors(self) -> QHBoxLayout:
         """A button for each kind, with its sign: on, it is shown and walked through."""
         line = QHBoxLayout()
-        line.setSpacing(4)
+        line.setSpacing(_KINDS_APART)
         for kind in ERROR_COLOURS:
             button = QToolButton(self)
             button.setCheckable(True)
@@ -148,6 +150,17 @@ class ScorePanel(FeaturePanel):
             line.addWidget(button)
         line.addStretch(1)
         return line
+
+    def _fit_kinds(self) -> None:
+        """Buttons of errors without room for their words say how many, beside their sign."""
+        margins = self._rows.contentsMargins()
+        room = self.width() - margins.left() - margins.right()
+        for terse in (False, True):
+            for kind, button in self._kinds.items():
+                name, number = self._counted[kind]
+                button.setText(number if terse else f"{name} {number}".strip())
+            if sum(one.sizeHint().width() + _KINDS_APART for one in self._kinds.values()) <= room:
+                return
 
     # showing
 
@@ -169,6 +182,7 @@ class ScorePanel(FeaturePanel):
         self.table.show_scene(scene)
         for choice in scene.errors:
             self._show_kind(choice)
+        self._fit_kinds()
 
     def _fill(self, chooser: QComboBox, texts: tuple[str, ...], current: int) -> None:
         if self._lists.get(chooser) != texts:
@@ -195,7 +209,7 @@ class ScorePanel(FeaturePanel):
         button = self._kinds[choice.kind]
         number = str(choice.count) if choice.count >= 0 else ""
         blocked = button.blockSignals(True)
-        button.setText(f"{choice.name} {number}".strip())
+        self._counted[choice.kind] = choice.name, number
         button.setChecked(choice.shown)
         button.blockSignals(blocked)
         said = tr("shown") if choice.shown else tr("left out")
@@ -211,6 +225,7 @@ class ScorePanel(FeaturePanel):
     def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802 - Qt's name
         """What is asked takes as few lines as it can."""
         super().resizeEvent(event)
+        self._fit_kinds()
         metrics = self.fontMetrics()
         low = self.height() < _LOW_LINES * metrics.lineSpacing()
         letters = _SHORTENED_LETTERS if low else _ONE_LINE_LETTERS

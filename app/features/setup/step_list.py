@@ -16,6 +16,8 @@ from app.features.setup.scene import Mark
 
 _LETTERS = 23
 _SIDE_PX, _RING_PX = 18, 48
+_AROUND_PX = 30
+"""Around the words of a step and beside its mark."""
 
 
 class StepList(QListWidget):
@@ -29,7 +31,10 @@ class StepList(QListWidget):
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
         self.setAccessibleName(tr("Steps"))
-        self.setFixedWidth(_LETTERS * self.fontMetrics().averageCharWidth())
+        letters = self.fontMetrics()
+        widest = max(letters.horizontalAdvance(step_title(step)) for step in STEPS)
+        least = _LETTERS * letters.averageCharWidth()
+        self.setFixedWidth(max(least, widest + _SIDE_PX + _AROUND_PX))
         self.setIconSize(QSize(_SIDE_PX, _SIDE_PX))
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setWordWrap(True)

@@ -80,6 +80,7 @@ class WelcomePage(QWidget):
         said = tr("Track people in recorded stereo footage, and correct the errors.")
         line = quiet(said, self)
         line.setFont(scaled_font(self.font(), 1.1))
+        line.setWordWrap(True)
         words.addWidget(line)
         words.addStretch(1)
         row.addWidget(self._picture)

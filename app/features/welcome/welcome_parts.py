@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from PySide6.QtCore import QPointF, QRectF, QSize, Qt
+from PySide6.QtCore import QPointF, QRect, QRectF, QSize, Qt
 from PySide6.QtGui import (
     QColor,
     QFontMetrics,
@@ -13,17 +13,19 @@ from PySide6.QtGui import (
     QPainterPath,
     QPaintEvent,
     QPen,
+    QResizeEvent,
 )
 from PySide6.QtWidgets import QPushButton, QSizePolicy, QToolButton, QWidget
 
 from app.core.i18n import tr
 from app.core.look.icons import pixmap
-from app.core.look.theme import Theme, current_theme, faded, scaled_font
+from app.core.look.theme import Theme, current_theme, faded, line_height, scaled_font
 from app.core.scenes import RecentItem
 from app.core.scenes.okabe_ito import ORANGE, SKY_BLUE
 from app.core.widgets.command_list import native_keys
 
-_PAD = 18
+_PAD, _BESIDE, _BETWEEN = 18, 12, 6
+_LEAST_PX = 60
 _PATHS = (
     ((0.06, 0.99), (0.36, 0.80), (0.62, 0.96), (0.91, 0.66), QColor(*ORANGE)),
     ((0.95, 0.99), (0.66, 0.84), (0.40, 0.95), (0.09, 0.68), QColor(*SKY_BLUE)),
@@ -47,7 +49,7 @@ class ChoiceButton(QPushButton):
         self._keys = native_keys(keys) if keys else ""
         self.setProperty("choice", True)
         self.setAccessibleName(title)
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Minimum)
         self.setCursor(Qt.CursorShape.PointingHandCursor)
 
     def say(self, text: str) -> None:
@@ -57,18 +59,28 @@ class ChoiceButton(QPushButton):
         self.update()
 
     def sizeHint(self) -> QSize:  # noqa: N802 - Qt's name
-        """Title and three lines."""
-        title = QFontMetrics(scaled_font(self.font(), 1.2, bold=True))
-        lines = 3 * self.fontMetrics().lineSpacing()
-        width = max(260, self.minimumSizeHint().width())
-        return QSize(width, title.height() + lines + 2 * _PAD + 6)
+        """Title and three lines, or as many as the words take."""
+        title, said = self._heights()
+        least = 3 * self.fontMetrics().lineSpacing()
+        return QSize(260, title + max(least, said) + 2 * _PAD + _BETWEEN)
 
-    def minimumSizeHint(self) -> QSize:  # noqa: N802 - Qt's name
-        """The whole title, and the keys beside it."""
+    def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802 - Qt's name
+        """Words wrap at another place."""
+        super().resizeEvent(event)
+        self.setMinimumHeight(self.sizeHint().height())
+        self.updateGeometry()
+
+    def _heights(self) -> tuple[int, int]:
+        """Of the title and of the words below it, at the width there is."""
         title = QFontMetrics(scaled_font(self.font(), 1.2, bold=True))
-        keys = QFontMetrics(scaled_font(self.font(), 0.9)).horizontalAdvance(self._keys)
-        words = title.horizontalAdvance(self._title) + (keys + 12 if keys else 0)
-        return QSize(title.height() + 4 + 12 + words + 2 * _PAD, title.height() + 2 * _PAD)
+        room = max(self.width() - 2 * _PAD - title.height() - 4 - _BESIDE, _LEAST_PX)
+        flags = Qt.TextFlag.TextWordWrap
+        heights = (
+            letters.boundingRect(QRect(0, 0, room, 1 << 16), flags, text).height()
+            for letters, text in ((title, self._title), (self.fontMetrics(), self._said))
+        )
+        above, below = heights
+        return above, below
 
     def paintEvent(self, event: QPaintEvent) -> None:  # noqa: N802
         """The card from the stylesheet, then its content."""
@@ -77,20 +89,21 @@ class ChoiceButton(QPushButton):
         inner = self.rect().adjusted(_PAD, _PAD, -_PAD, -_PAD)
         font = scaled_font(self.font(), 1.2, bold=True)
         metrics, ratio = QFontMetrics(font), self.devicePixelRatioF()
-        side = metrics.height() + 4
+        side, above = metrics.height() + 4, self._heights()[0]
         drawn = pixmap(self._drawing, theme.accent, round(side * ratio))
         drawn.setDevicePixelRatio(ratio)
         painter.drawPixmap(inner.left(), inner.top() - 2, drawn)
         painter.setFont(font)
         painter.setPen(theme.text)
-        painter.drawText(inner.adjusted(side + 12, 0, 0, 0), Qt.AlignmentFlag.AlignTop, self._title)
+        words = inner.adjusted(side + _BESIDE, 0, 0, 0)
+        painter.drawText(words, Qt.AlignmentFlag.AlignTop | Qt.TextFlag.TextWordWrap, self._title)
         painter.setFont(scaled_font(self.font(), 0.9))
         painter.setPen(theme.text_faint)
         at_right = Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignRight
         painter.drawText(inner.adjusted(0, 2, 0, 0), at_right, self._keys)
         painter.setFont(self.font())
         painter.setPen(theme.text_muted)
-        below = inner.adjusted(side + 12, metrics.height() + 6, 0, 8)
+        below = words.adjusted(0, above + _BETWEEN, 0, 8)
         painter.drawText(below, Qt.TextFlag.TextWordWrap, self._said)
         painter.end()
 
@@ -109,8 +122,8 @@ class RecentRow(QToolButton):
 
     def sizeHint(self) -> QSize:  # noqa: N802 - Qt's name
         """Two lines of text."""
-        small = QFontMetrics(scaled_font(self.font(), 0.9))
-        return QSize(240, self.fontMetrics().height() + small.height() + 16)
+        small = scaled_font(self.font(), 0.9)
+        return QSize(240, line_height(self.font()) + line_height(small) + 16)
 
     def paintEvent(self, event: QPaintEvent) -> None:  # noqa: N802
         """The button's ground, then both lines."""

@@ -88,7 +88,11 @@ def window_app(**given: Any) -> Any:
             projects=projects,
             beside=SimpleNamespace(compares=False, share=None),
         ),
-        window=SimpleNamespace(look_choice=SimpleNamespace(look=None), workspace=workspace),
+        window=SimpleNamespace(
+            look_choice=SimpleNamespace(look=None),
+            language_choice=SimpleNamespace(language=None),
+            workspace=workspace,
+        ),
     )
 
 

@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.shell import application
+from app.shell import language_choice
 from app.shell.features import FEATURES
 from tests.pseudo import TRANSLATED, Pseudo
 from tracking.trackers import TRACKERS
@@ -37,7 +37,7 @@ _OF_QT = frozenset({"Cancel", "Close", "Save", "OK", "Scroll Left", "Scroll Righ
 
 @pytest.fixture
 def pseudo(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
-    monkeypatch.setattr(application, "use_language", lambda: use_catalogue(Pseudo()))
+    monkeypatch.setattr(language_choice, "use_language", lambda: use_catalogue(Pseudo()))
     yield
     use_catalogue(None)
 

@@ -10,7 +10,7 @@ from PySide6.QtCore import QSettings, QTranslator
 from PySide6.QtWidgets import QDialogButtonBox
 
 from app.core.widgets.user_settings import UserSettings
-from app.shell import application
+from app.shell import language_choice
 from app.shell.application import start_application
 from tracking.translation import use_catalogue
 
@@ -27,7 +27,7 @@ class German(gettext.NullTranslations):
 
 @pytest.fixture
 def german(monkeypatch: pytest.MonkeyPatch, qapp) -> Iterator[None]:
-    monkeypatch.setattr(application, "use_language", lambda: use_catalogue(German()))
+    monkeypatch.setattr(language_choice, "use_language", lambda: use_catalogue(German()))
     yield
     use_catalogue(None)
     for translator in qapp.findChildren(QTranslator):

@@ -29,7 +29,7 @@ def test_a_fault_in_closing_keeps_nobody_from_ending(monkeypatch):
 
 def _ended(monkeypatch, window):
     monkeypatch.setattr(shutdown_signals, "QCoreApplication", Mock())
-    stand_in = SimpleNamespace(_window=window)
+    stand_in = SimpleNamespace(_host=SimpleNamespace(window=window))
     stand_in._close = lambda: shutdown_signals.EndBySignal._close(stand_in)
     shutdown_signals.EndBySignal._end(stand_in)
     return shutdown_signals.QCoreApplication.quit.called

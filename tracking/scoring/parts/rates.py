@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from tracking.arrays import Floats
 from tracking.scoring.parts.part_verdicts import Judged
 from tracking.scoring.parts.rectangles import Bools
+from tracking.text_columns import to_left, to_right
 from tracking.tracks import PART_WORDS, PARTS
 from tracking.translation import Message, msg, tr
 
@@ -146,4 +147,6 @@ def _percent(shares: Floats) -> list[str]:
 
 
 def _line(name: Message, cells: Sequence[str], people: str) -> str:
-    return f"{tr(name):<24}" + "".join(f"{cell:>9}" for cell in cells) + f"{people:>8}"
+    return (
+        to_left(tr(name), 24) + "".join(to_right(cell, 9) for cell in cells) + to_right(people, 8)
+    )

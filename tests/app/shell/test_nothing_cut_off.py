@@ -1,0 +1,109 @@
+"""In Japanese and in a language half again as long nothing that is said is cut off."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import pytest
+from fitting import beyond, cut_off
+from PySide6.QtCore import QCoreApplication, QEvent
+from PySide6.QtWidgets import QDialog
+
+from app.core.widgets.user_settings import UserSettings
+from app.shell import language_choice
+from app.shell.application import start_application
+from app.shell.features import FEATURES
+from tests.pseudo import Longer
+from tracking.translation import use_catalogue, use_language
+
+SIZES = ((1000, 640), (1280, 800))
+LANGUAGES = ("ja", "longer")
+_PANELS = (*(f"view.{feature.id}" for feature in FEATURES if feature.opens), "labels.parts")
+_DIALOGS = (
+    *("tracks.track", "file.export", "file.author", "detector.train", "help.keys", "tracks.runs"),
+    *("file.restore", "file.setup_again", "edit.commands", "help.doctor"),
+)
+
+
+@pytest.fixture(params=LANGUAGES)
+def language(request, monkeypatch: pytest.MonkeyPatch) -> Iterator[str]:
+    """The language that the window is built in."""
+    uses = {"ja": lambda *_: use_language("ja"), "longer": lambda *_: use_catalogue(Longer())}
+    monkeypatch.setattr(language_choice, "use_language", uses[request.param])
+    yield request.param
+    use_catalogue(None)
+    monkeypatch.undo()
+
+
+@pytest.fixture(params=SIZES, ids=lambda size: "x".join(map(str, size)))
+def opened(language, window, qtbot, request, parted_session):
+    """The window on a session, somebody selected, nothing looked for any more."""
+    window.resize(*request.param)
+    window.files.open_path(parted_session)
+    qtbot.waitUntil(
+        lambda: window.controller is not None and window.controller.playback.frame is not None
+    )
+    controller = window.controller
+    controller.editing.pick(controller.document.tracks.ids[0])
+    controller.editing.rename(controller.document.tracks.ids[0], "Anna")
+    qtbot.waitUntil(lambda: not controller.reviewing._search.busy)
+    laid_out(qtbot)
+    return window
+
+
+@pytest.fixture(autouse=True)
+def english_again(qapp, remembered: UserSettings) -> Iterator[None]:
+    """Qt's own texts and letters are those of the other tests afterwards."""
+    yield
+    use_catalogue(None)
+    start_application(remembered)
+
+
+def laid_out(qtbot) -> None:
+    """Wait until everything has its place."""
+    qtbot.wait(60)
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+
+
+def faults(window) -> str:
+    return "\n".join((*cut_off(window), *beyond(window)))
+
+
+def test_the_window_and_its_panels(opened, qtbot) -> None:
+    found = [faults(opened)]
+    for name in _PANELS:
+        opened.run_command(name)
+        laid_out(qtbot)
+        found.append(f"{name}: {text}" if (text := faults(opened)) else "")
+        opened.run_command(name)
+        laid_out(qtbot)
+    opened.run_command("tracks.swap")
+    laid_out(qtbot)
+    found.append(faults(opened))
+    assert "\n".join(filter(None, found)) == ""
+
+
+def test_the_dialogs(opened, qtbot) -> None:
+    found = []
+    for name in _DIALOGS:
+        opened.run_command(name)
+        laid_out(qtbot)
+        dialogs = [one for one in opened.findChildren(QDialog) if one.isVisible()]
+        for dialog in dialogs or [opened.palette_of_commands]:
+            found += [f"{name}: {text}" for text in (*cut_off(dialog), *beyond(dialog))]
+            dialog.close()
+        laid_out(qtbot)
+    assert "\n".join(found) == ""
+
+
+@pytest.mark.parametrize("size", SIZES)
+def test_the_first_page(language, window, qtbot, size) -> None:
+    window.resize(*size)
+    laid_out(qtbot)
+    assert faults(window) == ""
+
+
+def test_the_menus_open_on_the_screen_with_all_they_say(opened) -> None:
+    room = opened.screen().availableSize()
+    for menu in opened.menus.menus.values():
+        assert menu.sizeHint().width() <= room.width()
