@@ -7,6 +7,7 @@ from typing import Final
 from app.core.commands.command import Command
 from app.core.commands.conditions import recording
 from app.core.i18n import tr
+from app.core.keymap import in_brackets
 from app.shell.window_app import WindowApp
 
 _MENU, _STEP = "Tracks/Comparison", 0.05
@@ -16,7 +17,9 @@ def _compared(app: WindowApp) -> str:
     """Two versions must be drawn."""
     if app.document is not None and app.files.beside.compares:
         return ""
-    return recording(app) or tr("compare two runs (Ctrl+R), or another session, first")
+    return recording(app) or tr(
+        "compare two runs{key}, or another session, first", key=in_brackets("tracks.runs")
+    )
 
 
 def _divided(app: WindowApp) -> str:

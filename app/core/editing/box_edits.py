@@ -12,6 +12,7 @@ from app.core.editing.edit_spec import EditCommand, EditSpec
 from app.core.editing.frame_bounds import frame_bounds
 from app.core.editing.gap_places import gap_near
 from app.core.i18n import tr
+from app.core.keymap import in_brackets
 from app.core.tracks.edit_context import EditContext
 from app.core.tracks.recording_geometry import box_of
 from tracking.editing import (
@@ -85,7 +86,10 @@ def _put(flow: EditFlow, on: EditContext) -> Change:
     if flow.boxes:
         return plan_put_boxes(on.table, flow.cut, dict(flow.boxes), view=view, fps=fps)
     if flow.box is None:
-        raise EditError("There is no box to put here: copy one (Ctrl+C), or draw it")
+        raise EditError(
+            "There is no box to put here: copy one{key}, or draw it",
+            key=in_brackets("tracks.copy_box"),
+        )
     return plan_put_box(on.table, flow.track or None, flow.cut, flow.box, view=view, fps=fps)
 
 

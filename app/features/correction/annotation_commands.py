@@ -11,6 +11,7 @@ from app.core.commands.conditions import drawable, selected
 from app.core.commands.view_state import view_command
 from app.core.editing.annotation_mode import AnnotationMode
 from app.core.i18n import tr
+from app.core.keymap import in_brackets
 from app.features.correction.annotation_controller import AnnotationController
 from app.features.correction.commands import CorrectionApp
 
@@ -25,7 +26,9 @@ def _mode(app: CorrectionApp) -> AnnotationMode:
 def _copied(app: CorrectionApp) -> str:
     """A box must have been copied."""
     copied = _mode(app).copied is not None
-    return drawable(app) or ("" if copied else tr("copy a box first (Ctrl+C)"))
+    return drawable(app) or (
+        "" if copied else tr("copy a box first{key}", key=in_brackets("tracks.copy_box"))
+    )
 
 
 def _set_step(app: CorrectionApp, frames: int) -> None:

@@ -17,6 +17,7 @@ from app.core.editing.suggested_boxes import (
     suggestion_at,
 )
 from app.core.i18n import tr
+from app.core.keymap import key_or_title
 from app.core.playback.playback import Playback
 from app.core.scenes.detections import DETECTION
 from app.core.scenes.suggested import SuggestedMark
@@ -107,7 +108,13 @@ class AnnotationController(Controller):
             self.said.emit(tr("{track} has no box in this frame", track=self._track))
             return
         self._document.correcting.mode.copied = box
-        self.said.emit(tr("Copied the box of {track}: Ctrl+V puts it", track=self._track))
+        self.said.emit(
+            tr(
+                "Copied the box of {track}; to put it: {key}",
+                track=self._track,
+                key=key_or_title("tracks.paste_box"),
+            )
+        )
         self.changed.emit()
 
     def paste_box(self) -> None:
