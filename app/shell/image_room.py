@@ -11,8 +11,8 @@ _LEAST_FLOOR = 0.4
 """Least share of the width of images and floor that the floor keeps beyond the images' half."""
 _IMAGES, _IMAGES_BESIDE_PANELS = 0.5, 0.38
 """Least share of the images in the width of all; beside a panel that needs more room."""
-_PANELS = 0.25
-"""Share of the panels at the right where there is no floor."""
+_PANELS = 0.24
+"""Share of the panels at the right."""
 _IMAGES_END = 1
 """Number of the border between images and floor."""
 
@@ -35,6 +35,7 @@ class ImageRoom(QObject):
 
     Attributes:
         moved: beside how many cameras the user moved the border; 0: it is where it fits.
+        side_moved: whether the user moved the border of the panels at the right.
     """
 
     def __init__(
@@ -54,7 +55,7 @@ class ImageRoom(QObject):
         self._needed_px = needed_px
         self._aspect = 0.0
         self._count = 0
-        self.moved = 0
+        self.moved, self.side_moved = 0, False
         self._soon = QTimer(self, singleShot=True, interval=0)
         self._soon.timeout.connect(self._fit)
         for watched in (top, floor, panels):
@@ -70,7 +71,7 @@ class ImageRoom(QObject):
 
     def fit_again(self) -> None:
         """Forget where the user moved the border."""
-        self.moved = 0
+        self.moved, self.side_moved = 0, False
         self._fit()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:  # noqa: N802 - Qt's name
@@ -82,14 +83,14 @@ class ImageRoom(QObject):
     def _fit(self) -> None:
         if not self._aspect or not self._top.height():
             return
-        cameras, floor, side = self._top.sizes()
-        if self._floor.isHidden() and not self.moved:
-            self._give_all(cameras + side)
-            return
         if self.moved:
-            self._turn(cameras)
+            self._turn(self._top.sizes()[0])
             return
-        room = cameras + floor
+        room = sum(self._top.sizes()) - self._side_px()
+        if self._floor.isHidden():
+            self._turn(room)
+            self._give(room, room)
+            return
         width, beside = self._top.width(), room - self._needed_px()
         least = min(round(_IMAGES * width), max(round(_IMAGES_BESIDE_PANELS * width), beside))
         most = max(least, min(round((1 - _LEAST_FLOOR) * room), beside))
@@ -99,13 +100,15 @@ class ImageRoom(QObject):
         }
         across = self._larger(wide)
         self._orient(across)
-        self._give(wide[across])
+        self._give(wide[across], room)
 
-    def _give_all(self, room: int) -> None:
-        """Without a floor the images have all that the panels leave."""
-        width = room if self._panels.isHidden() else round((1 - _PANELS) * room)
-        self._turn(width)
-        self._top.setSizes([width, 0, room - width])
+    def _side_px(self) -> int:
+        """The width of the panels at the right: their share, unless the user gave them another."""
+        if self._panels.isHidden():
+            return 0
+        if self.side_moved:
+            return self._top.sizes()[-1]
+        return max(self._panels.minimumSizeHint().width(), round(_PANELS * self._top.width()))
 
     def _turn(self, width: int) -> None:
         """Lay two images out anew in the width that the user gave them."""
@@ -133,13 +136,16 @@ class ImageRoom(QObject):
             self._cameras.setOrientation(wanted)
             self._cameras.setSizes([1, 1])
 
-    def _give(self, width: int) -> None:
-        cameras, floor, side = self._top.sizes()
-        if width > 0 and cameras + floor >= width:
-            self._top.setSizes([width, cameras + floor - width, side])
+    def _give(self, width: int, room: int) -> None:
+        """Give images this width of the room that the panels at the right leave."""
+        sizes = [width, room - width, sum(self._top.sizes()) - room]
+        if width > 0 and min(sizes) >= 0 and sizes != self._top.sizes():
+            self._top.setSizes(sizes)
 
     def _leave_it(self, _: int, border: int) -> None:
-        """The user moved a border; the one between cameras and floor is where they want it."""
+        """The user moved a border, which stays where they want it."""
+        if border != _IMAGES_END:
+            self.side_moved = True
         if border == _IMAGES_END or self._floor.isHidden():
             self.moved = self._count
             self._turn(self._top.sizes()[0])

@@ -121,6 +121,11 @@ class PanelDocks(QObject):
         """Whether a panel is open in a place."""
         return any(not panel.isHidden() for panel in self.at(dock))
 
+    @property
+    def _always_there(self) -> tuple[str, ...]:
+        """Panels that no recording opens and closes."""
+        return tuple(name for name, dock in self._first.items() if dock is Dock.SIDE)
+
     def reset(self) -> None:
         """Put every panel where it stood at first."""
         for name, dock in self._first.items():
@@ -130,11 +135,15 @@ class PanelDocks(QObject):
         """Keep where the panels stand."""
         for name, dock in self._stands.items():
             remembered.set_text(f"panels/{name}", dock.name)
+        for name in self._always_there:
+            remembered.set_text(f"panels/{name} closed", "" if self.is_open(name) else "closed")
         for name, window in self._windows.items():
             remembered.set_state(f"panels/{name} window", window.saveGeometry())
 
     def restore(self, remembered: UserSettings) -> None:
-        """Put the panels where they stood."""
+        """Put the panels where they stood, and leave those closed that were."""
+        for name in self._always_there:
+            self.set_open(name, not remembered.text(f"panels/{name} closed"))
         for name in self.panels:
             kept = remembered.text(f"panels/{name}")
             if kept in Dock.__members__:

@@ -301,16 +301,20 @@ class Workspace(QWidget):
     def remember(self, remembered: UserSettings) -> None:
         """Keep how the parts are laid out."""
         remembered.set_text("workspace/eyes moved", str(self._image_room.moved or ""))
+        remembered.set_text("workspace/side moved", "yes" if self._image_room.side_moved else "")
         self._shares.remember(remembered, self.screen())
         self.docks.remember(remembered)
+        remembered.set_text("panels/overhead closed", "" if self._floor_wanted else "closed")
         self.timeline.area.controls.remember(remembered)
 
     def restore(self, remembered: UserSettings) -> None:
         """Lay the parts out as they were."""
         self.docks.restore(remembered)
+        self.floor_wanted = not remembered.text("panels/overhead closed")
         self._shares.restore(remembered, self.screen())
         beside = remembered.text("workspace/eyes moved")
         self._image_room.moved = {"1": 1, "2": 2}.get(beside, 0)
+        self._image_room.side_moved = bool(remembered.text("workspace/side moved"))
         self.timeline.area.controls.restore(remembered)
 
 
