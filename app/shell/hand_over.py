@@ -72,7 +72,8 @@ def why_not_now(window: MainWindow) -> str:
     files, controller = window.files, window.controller
     if window.work.busy or files.keeping.holds:
         return tr("other work is still going on")
-    if files.projects.project.batches.is_own:
+    batches = files.projects.batches
+    if batches is not None and batches.is_own:
         return tr("a batch is at work")
     if files.setup.dialog is not None or files.doctor.page is not None:
         return tr("a dialog is open")

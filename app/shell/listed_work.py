@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 from app.core.i18n import tr
 from app.core.jobs.job_list import JobList, JobState
-from app.features.project.batch_watch import BatchWatch
 from app.features.runs.controller import LiveTracking
+
+if TYPE_CHECKING:  # most windows open no project
+    from app.features.project.batch_watch import BatchWatch
 
 
 class ListedWork:

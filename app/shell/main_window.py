@@ -245,7 +245,8 @@ class MainWindow(QMainWindow):
         """Show how far the tracker at work is; other work shows itself."""
         live = self.controller.live if self.controller is not None else None
         self.listed.take_tracking(live, self._drop_tracking)
-        self.listed.take_batch(self.files.projects.project.batches)
+        if (batches := self.files.projects.batches) is not None:
+            self.listed.take_batch(batches)
         if self.work.busy:
             return
         if live is not None and live.running:

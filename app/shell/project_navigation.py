@@ -17,6 +17,7 @@ from app.core.widgets.questions import choose_file
 # Most windows open no project: what one needs is imported with the first, as it takes long.
 if TYPE_CHECKING:
     from app.features.project.batch_process import BatchWish
+    from app.features.project.batch_watch import BatchWatch
     from app.features.project.controller import ProjectController
     from app.features.project.scene import RecordingRow
     from app.shell.main_window import MainWindow
@@ -53,9 +54,19 @@ class ProjectNavigation(Controller):
         return project
 
     @property
+    def batches(self) -> BatchWatch | None:
+        """The batch of the project, if there is one; None while no project was opened."""
+        return self._project.batches if self._project is not None else None
+
+    @property
+    def folder(self) -> Path | None:
+        """Of the open project; None: none is open."""
+        return self._project.folder if self._project is not None else None
+
+    @property
     def is_open(self) -> bool:
         """Whether a project is open, shown or not."""
-        return self._project is not None and self._project.folder is not None
+        return self.folder is not None
 
     @property
     def is_batch_at_work(self) -> bool:

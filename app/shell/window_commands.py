@@ -201,7 +201,7 @@ def _look(look: Look, title: str, *, separated: bool = False) -> Command[WindowA
     return Command(
         f"view.look_{look.value}",
         title,
-        "View/Theme",
+        "Edit/Theme",
         run=lambda app: app.window.look_choice.choose(look),
         checked=lambda app: app.window.look_choice.look is look,
         separated=separated,
@@ -257,7 +257,7 @@ LAYOUT: Final = (
     Command[WindowApp](
         "view.whole",
         "Show the whole image and floor",
-        "View",
+        "View/Zoom",
         ("Shift+A",),
         recording,
         lambda app: app.window.workspace.show_whole(),

@@ -30,7 +30,7 @@ class WindowHost(QObject):
     def build_again(self) -> None:
         """Build the window in the language that was chosen; nothing is closed, nothing asked."""
         old = self.window
-        project = old.files.projects.project.folder
+        project = old.files.projects.folder
         old.remember_layout()
         work = hand_over(old)
         show_language(self._application, self._remembered)

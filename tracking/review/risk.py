@@ -11,7 +11,6 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.stats import nbinom
 
 from tracking.review.review_item import ReviewItem
 from tracking.tracks import Labels, TrackTable
@@ -78,6 +77,8 @@ def errors_left(
     exposure = known.shown * stated_left + known.hidden * stated_hidden
     if exposure <= 0:
         return ErrorsLeft(0.0, 0, 0)
+    from scipy.stats import nbinom  # takes long to load, and most commands never need it
+
     spread = nbinom(shape, rate / (rate + exposure))
     return ErrorsLeft(shape / rate * exposure, int(spread.ppf(_LOW)), int(spread.ppf(_HIGH)))
 

@@ -90,7 +90,7 @@ OVERLAYS: Final = (
     view_command(
         "close_up",
         "Zoom to who is concerned",
-        "View",
+        "View/Zoom",
         also="review item error difference closer enlarge",
         separated=True,
     ),

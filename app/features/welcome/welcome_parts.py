@@ -74,13 +74,20 @@ class ChoiceButton(QPushButton):
         """Of the title and of the words below it, at the width there is."""
         title = QFontMetrics(scaled_font(self.font(), 1.2, bold=True))
         room = max(self.width() - 2 * _PAD - title.height() - 4 - _BESIDE, _LEAST_PX)
+        beside = max(room - self._keys_px(), _LEAST_PX)
         flags = Qt.TextFlag.TextWordWrap
+        words = ((title, self._title, beside), (self.fontMetrics(), self._said, room))
         heights = (
-            letters.boundingRect(QRect(0, 0, room, 1 << 16), flags, text).height()
-            for letters, text in ((title, self._title), (self.fontMetrics(), self._said))
+            letters.boundingRect(QRect(0, 0, width, 1 << 16), flags, text).height()
+            for letters, text, width in words
         )
         above, below = heights
         return above, below
+
+    def _keys_px(self) -> int:
+        """What the keys take from the title's room."""
+        letters = QFontMetrics(scaled_font(self.font(), 0.9))
+        return letters.horizontalAdvance(self._keys) + _BESIDE if self._keys else 0
 
     def paintEvent(self, event: QPaintEvent) -> None:  # noqa: N802
         """The card from the stylesheet, then its content."""
@@ -96,7 +103,8 @@ class ChoiceButton(QPushButton):
         painter.setFont(font)
         painter.setPen(theme.text)
         words = inner.adjusted(side + _BESIDE, 0, 0, 0)
-        painter.drawText(words, Qt.AlignmentFlag.AlignTop | Qt.TextFlag.TextWordWrap, self._title)
+        head = words.adjusted(0, 0, -self._keys_px(), 0)
+        painter.drawText(head, Qt.AlignmentFlag.AlignTop | Qt.TextFlag.TextWordWrap, self._title)
         painter.setFont(scaled_font(self.font(), 0.9))
         painter.setPen(theme.text_faint)
         at_right = Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignRight

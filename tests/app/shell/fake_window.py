@@ -62,7 +62,9 @@ def window_app(**given: Any) -> Any:
         ReviewController: reviewing,
     }
     batches = SimpleNamespace(watched=None)
-    projects = SimpleNamespace(is_open=False, project=SimpleNamespace(batches=batches))
+    projects = SimpleNamespace(
+        is_open=False, is_batch_at_work=False, project=SimpleNamespace(batches=batches)
+    )
     detectors = SimpleNamespace(result=None, choice=SimpleNamespace(path="", name=""))
     docks = SimpleNamespace(is_open=lambda _: False, with_keyboard=lambda _: "")
     workspace = SimpleNamespace(docks=docks, floor_wanted=False)

@@ -78,7 +78,7 @@ def test_names_of_files_at_the_beginning_of_a_sentence_stay_as_they_are(
     text.write_text("no video")
     user.window.files.setup.begin([next(iter(card.glob("GX*"))), text])
     user.wait_for_rest()
-    assert user.dialog.cameras.problem.text().startswith("a.mp4: not a video")
+    assert user.dialog.cameras.problem.text().startswith("a.mp4: text, not a video")
 
 
 def test_two_videos_of_different_scenes_are_told_and_others_can_be_dropped(

@@ -19,7 +19,7 @@ from app.core.plots.curves import whole_span
 from app.core.scenes import Side
 from app.core.scenes.part_curve import LaneScore, PartCurve
 from app.core.scenes.pictured_parts import CardLine, PartBox, PartCard, PicturedParts, Verdict
-from app.features.pictures import box_names
+from app.features.pictures import box_names, picture_painter
 from app.features.pictures import picture_view as picture_view
 from app.features.pictures.picture_view import PictureView
 from app.features.timeline.lane_score import _ink, draw_score
@@ -81,7 +81,7 @@ def test_in_a_crowd_parts_of_one_hide_no_number_of_another(qtbot, dark, drawn, m
 
 def test_cards_of_others_are_left_out_of_a_low_picture(qtbot, dark, monkeypatch):
     shown = []
-    monkeypatch.setattr(picture_view, "draw_cards", lambda _, cards, *__: shown.append(cards))
+    monkeypatch.setattr(picture_painter, "draw_cards", lambda _, cards, *__: shown.append(cards))
     view = PictureView(Side.LEFT)
     qtbot.addWidget(view)
     view.show_scene(picture())
