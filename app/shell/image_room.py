@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QSplitter, QWidget
 
 _LEAST_FLOOR = 0.4
 """Least share of the width of images and floor that the floor keeps beyond the images' half."""
-_IMAGES, _IMAGES_BESIDE_PANELS = 0.5, 0.38
+_IMAGES, _IMAGES_BESIDE_PANELS = 0.5, 0.37
 """Least share of the images in the width of all; beside a panel that needs more room."""
 _PANELS = 0.24
 """Share of the panels at the right."""

@@ -86,7 +86,7 @@ ERRORS: Final[tuple[Command[ViewState], ...]] = (
     Command(
         "review.choose_truth",
         "Score against a ground truth file...",
-        "Review",
+        "Review/Errors against ground truth",
         enabled=recording,
         run=_choose_truth,
         separated=True,
@@ -94,7 +94,7 @@ ERRORS: Final[tuple[Command[ViewState], ...]] = (
     Command(
         "review.next_error",
         "Next error against ground truth",
-        "Review",
+        "Review/Errors against ground truth",
         ("F4",),
         scored,
         lambda app: app.of(ScoreController).walk(1),
@@ -102,7 +102,7 @@ ERRORS: Final[tuple[Command[ViewState], ...]] = (
     Command(
         "review.previous_error",
         "Previous error against ground truth",
-        "Review",
+        "Review/Errors against ground truth",
         ("Shift+F4",),
         scored,
         lambda app: app.of(ScoreController).walk(-1),

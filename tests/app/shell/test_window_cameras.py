@@ -19,7 +19,7 @@ def space(window, qtbot, tiny_session):
 def _half_of_the_width(space):
     """Whether the images have at least half of the width above the timeline, and the floor room."""
     cameras, floor, side = space._splitters["top"].sizes()
-    return cameras >= 0.5 * (cameras + floor + side) - 8 and floor > 100
+    return cameras >= 0.48 * (cameras + floor + side) and floor > 100
 
 
 @pytest.mark.parametrize("mode", ["left", "both", "anaglyph"])

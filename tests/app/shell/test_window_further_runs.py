@@ -333,13 +333,18 @@ def test_the_review_goes_on_where_it_was_once_the_new_run_was_looked_at(followed
     qtbot.waitUntil(lambda: bool(queue.items))
     assert controller.reviewing.lists_items
     controller.reviewing.narrow(queue.kinds()[0].kind)
-    kind, items, meter = queue.kind, queue.items, controller.reviewing._meter
+    kind, items, meter = queue.kind, queue.items, controller.reviewing._scenes._meter
     controller.tracking.following.begin()
     assert not controller.reviewing.lists_items
-    assert controller.reviewing._scene().items == ()
+    assert (
+        controller.reviewing._scenes.scene(
+            hidden=controller.reviewing._is_hidden, waits=False, plays=False
+        ).items
+        == ()
+    )
     controller.playback.go(40)
     assert (queue.kind, queue.items) == (kind, items)
-    assert controller.reviewing._meter is meter
+    assert controller.reviewing._scenes._meter is meter
     assert not controller.reviewing._search.busy
 
 
