@@ -104,9 +104,9 @@ class BelowFloor(QWidget):
 
     @property
     def needed_px(self) -> int:
-        """The width in which the panel shown need not be scrolled; 0 while none is open."""
+        """The width that the panel shown would like to have; 0 while none is open."""
         page = self._stack.currentWidget()
-        return page.needed.width() if self._open and isinstance(page, _Page) else 0
+        return page.sizeHint().width() if self._open and isinstance(page, _Page) else 0
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:  # noqa: N802 - Qt's name
         """Follow panels that open and close."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from PySide6.QtCore import QEvent, Qt
+from PySide6.QtCore import QEvent, QSize, Qt
 from PySide6.QtGui import QColor, QResizeEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -69,6 +69,7 @@ class FiguresTable(QTableWidget):
                 self._write(number, row)
         self._rows = scene.rows
         self._give_names_room(scene.rows)
+        self.updateGeometry()
 
     # arranging
 
@@ -132,6 +133,18 @@ class FiguresTable(QTableWidget):
             for number, row in enumerate(self._rows):
                 self._write(number, row)
         self._give_names_room(self._rows)
+
+    def sizeHint(self) -> QSize:  # noqa: N802 - Qt's name
+        """As wide as all figures and their names."""
+        letters = self.fontMetrics().horizontalAdvance
+        names = max((letters(row.short or row.name) for row in self._rows), default=0)
+        figures = sum(
+            self.columnWidth(column)
+            for column in range(self.columnCount())
+            if column % _COLUMNS and not self.isColumnHidden(column)
+        )
+        width = figures + self.groups * (names + _PAD_PX) + 2 * self.frameWidth()
+        return QSize(width, super().sizeHint().height())
 
     def _give_names_room(self, rows: Sequence[ScoreRow]) -> None:
         """Three figures side by side: rather no arrows, which tooltips tell, than cut names."""

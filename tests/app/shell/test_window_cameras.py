@@ -77,7 +77,7 @@ def test_a_border_moved_beside_one_camera_stays_until_both_are_shown(space, wind
     space._splitters["top"].moveSplitter(300, 1)
     window.resize(1280, 720)
     qtbot.wait(20)
-    assert abs(space.left.width() - 300) < 3
+    assert abs(space.left.width() - 300) < 12
     window.run_command("view.both")
     qtbot.waitUntil(lambda: abs(space.left.width() - fitted) < 20)
 

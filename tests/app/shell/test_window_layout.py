@@ -61,7 +61,8 @@ def test_a_score_has_room_for_its_words_and_all_its_figures(window_on_a_laptop, 
     window.grab()
     table, chosen = panel.table, panel._truth
     qtbot.waitUntil(lambda: panel.visibleRegion().boundingRect() == panel.rect())
-    assert (table.verticalScrollBar().maximum(), table.horizontalScrollBar().maximum()) == (0, 0)
+    qtbot.waitUntil(lambda: table.horizontalScrollBar().maximum() == 0)
+    assert table.verticalScrollBar().maximum() == 0
     assert chosen.fontMetrics().horizontalAdvance(chosen.currentText()) < chosen.width()
 
 
