@@ -11,7 +11,7 @@ _LEAST_FLOOR = 0.4
 """Least share of the width of images and floor that the floor keeps beyond the images' half."""
 _IMAGES, _IMAGES_BESIDE_PANELS = 0.5, 0.37
 """Least share of the images in the width of all; beside a panel that needs more room."""
-_PANELS = 0.24
+_PANELS = 0.23
 """Share of the panels at the right."""
 _IMAGES_END = 1
 """Number of the border between images and floor."""
@@ -56,6 +56,8 @@ class ImageRoom(QObject):
         self._aspect = 0.0
         self._count = 0
         self.moved, self.side_moved = 0, False
+        self._share = 0.0
+        """Of the images, where the user moved their border; 0: as it is now."""
         self._soon = QTimer(self, singleShot=True, interval=0)
         self._soon.timeout.connect(self._fit)
         for watched in (top, floor, panels):
@@ -66,7 +68,7 @@ class ImageRoom(QObject):
         """So many images are shown, so much wider than high."""
         self._count, self._aspect = count, aspect
         if self.moved != count:
-            self.moved = 0
+            self.moved, self._share = 0, 0.0
         self._fit()
 
     def fit_again(self) -> None:
@@ -83,10 +85,12 @@ class ImageRoom(QObject):
     def _fit(self) -> None:
         if not self._aspect or not self._top.height():
             return
-        if self.moved:
-            self._turn(self._top.sizes()[0])
-            return
         room = sum(self._top.sizes()) - self._side_px()
+        if self.moved:
+            width = self._given()
+            self._turn(width)
+            self._give(width, room)
+            return
         if self._floor.isHidden():
             self._turn(room)
             self._give(room, room)
@@ -101,6 +105,12 @@ class ImageRoom(QObject):
         across = self._larger(wide)
         self._orient(across)
         self._give(wide[across], room)
+
+    def _given(self) -> int:
+        """The width of the images that the user gave them: their share, in a wider window, too."""
+        sizes = self._top.sizes()
+        self._share = self._share or sizes[0] / max(1, sum(sizes))
+        return round(self._share * sum(sizes))
 
     def _side_px(self) -> int:
         """The width of the panels at the right: their share, unless the user gave them another."""
@@ -147,5 +157,5 @@ class ImageRoom(QObject):
         if border != _IMAGES_END:
             self.side_moved = True
         if border == _IMAGES_END or self._floor.isHidden():
-            self.moved = self._count
-            self._turn(self._top.sizes()[0])
+            self.moved, self._share = self._count, 0.0
+            self._turn(self._given())

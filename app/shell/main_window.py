@@ -120,7 +120,7 @@ class MainWindow(QMainWindow):
         self.setAcceptDrops(True)
         names = ("tracks.swap", "tracks.split", "tracks.merge", "tracks.end_here", "tracks.draw")
         self.workspace.card.set_actions([self.menus.actions[name] for name in names])
-        said = {"right": tr("It is right"), "fix": tr("Correct..."), "dismiss": tr("Dismiss it")}
+        said = {"right": tr("Accept"), "fix": tr("Correct..."), "dismiss": tr("Dismiss")}
         self.workspace.review.set_actions(
             [(self.menus.actions[f"review.{name}"], word) for name, word in said.items()]
         )

@@ -65,7 +65,7 @@ class NoticeBar(QFrame):
         self._more = QPushButton(self)
         self._more.setCheckable(True)
         self._more.toggled.connect(self._place)
-        self._close = QPushButton(tr("Dismiss"), self)
+        self._close = QPushButton(tr("Close"), self)
         self._close.clicked.connect(self.hide)
         row.addWidget(self._text, 1)
         for button in (self._more, self._action, self._close):

@@ -19,7 +19,7 @@ def space(window, qtbot, tiny_session):
 def _half_of_the_width(space):
     """Whether the images have at least half of the width above the timeline, and the floor room."""
     cameras, floor, side = space._splitters["top"].sizes()
-    return cameras >= 0.48 * (cameras + floor + side) and floor > 100
+    return cameras >= 0.5 * (cameras + floor + side) - 1 and floor > 100
 
 
 @pytest.mark.parametrize("mode", ["left", "both", "anaglyph"])
@@ -50,7 +50,7 @@ def test_one_camera_fills_the_height_where_the_floor_keeps_its_share(space, wind
     fitted = space.left.width()
     window.resize(1280, 560)
     window.run_command("view.left")
-    qtbot.waitUntil(lambda: abs(_shown_px(space.left) - space.left.height()) < 30)
+    qtbot.waitUntil(lambda: abs(_shown_px(space.left) - space.left.height()) < 4)
     window.resize(1280, 700)
     window.run_command("view.both")
     qtbot.waitUntil(lambda: abs(space.left.width() - fitted) < 2)
@@ -77,14 +77,16 @@ def test_a_border_moved_beside_one_camera_stays_until_both_are_shown(space, wind
     space._splitters["top"].moveSplitter(300, 1)
     window.resize(1280, 720)
     qtbot.wait(20)
-    assert abs(space.left.width() - 300) < 12
+    assert abs(space.left.width() - 300) < 3
     window.run_command("view.both")
     qtbot.waitUntil(lambda: abs(space.left.width() - fitted) < 20)
 
 
 def _moved(window, qtbot, path):
     open_for_correcting(window, qtbot, path)
+    qtbot.wait(20)
     window.workspace._splitters["top"].moveSplitter(500, 1)
+    qtbot.wait(20)
     return window.workspace._splitters["top"].sizes()
 
 
@@ -94,7 +96,7 @@ def test_a_border_the_user_moved_stays_as_another_recording_is_opened(
     sizes = _moved(window, qtbot, tiny_session)
     window.files.close_recording()
     open_for_correcting(window, qtbot, tiny_session)
-    assert space._splitters["top"].sizes() == pytest.approx(sizes, abs=12)
+    qtbot.waitUntil(lambda: space._splitters["top"].sizes() == sizes)
 
 
 def test_a_border_the_user_moved_is_there_at_the_next_start(
@@ -106,7 +108,7 @@ def test_a_border_the_user_moved_is_there_at_the_next_start(
     space._splitters["top"].setSizes([900, 100, 200])
     space.restore(remembered)
     space.show_cameras("both", 4 / 3, stereo=True)
-    assert space._splitters["top"].sizes() == pytest.approx(sizes, abs=12)
+    qtbot.waitUntil(lambda: space._splitters["top"].sizes() == sizes)
 
 
 @pytest.fixture
@@ -135,8 +137,8 @@ def test_a_border_moved_beside_one_camera_is_there_for_one_at_the_next_start(sta
 
 
 def test_a_border_moved_beside_one_camera_is_not_kept_for_both_at_the_next_start(started_again):
-    both = started_again("both").parentWidget()
-    assert both.width() > 400
+    images = started_again("both").parentWidget()
+    assert images.width() == pytest.approx(images.parentWidget().width() / 2, abs=3)
 
 
 def test_a_border_the_user_moved_stays_where_it_is(space, window, qtbot):

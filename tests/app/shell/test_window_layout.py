@@ -53,7 +53,7 @@ def test_four_edits_and_the_whole_card_are_in_sight_beside_a_review_item(window_
 
 def test_a_score_has_room_for_its_words_and_all_its_figures(window_on_a_laptop, qtbot):
     window = window_on_a_laptop
-    window.resize(1500, 900)
+    window.resize(1400, 900)
     window.run_command("view.score")
     panel = window.workspace.of(ScorePanel)
     qtbot.waitUntil(lambda: window.controller.of(ScoreController).known)

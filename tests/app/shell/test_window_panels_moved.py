@@ -161,7 +161,7 @@ def test_the_images_have_half_in_every_layout(window, controller, qtbot, layout)
     for size in SIZES:
         window.resize(*size)
         top = window.workspace._splitters["top"]
-        least = 0.36 if "score" in layout.panels else 0.48
+        least = 0.369 if "score" in layout.panels else 0.499
         qtbot.waitUntil(lambda top=top, least=least: top.sizes()[0] >= least * sum(top.sizes()))
 
 
