@@ -17,36 +17,44 @@ def screen_key(screen: QScreen) -> str:
 
 
 class LayoutShares:
-    """How the parts of some splitters share their room."""
+    """How the parts of some splitters share their room.
+
+    Attributes:
+        splitters: by name.
+    """
 
     def __init__(self) -> None:
-        self._splitters: dict[str, QSplitter] = {}
+        self.splitters: dict[str, QSplitter] = {}
         self._first: dict[str, tuple[int, ...]] = {}
 
     def add(self, name: str, splitter: QSplitter, shares: tuple[int, ...]) -> None:
         """Keep those of one more splitter, which are these at the first start."""
-        self._splitters[name], self._first[name] = splitter, shares
+        self.splitters[name], self._first[name] = splitter, shares
         splitter.setSizes([_WHOLE * share for share in shares])
 
     def remember(self, remembered: UserSettings, screen: QScreen) -> None:
         """Keep the shares; a part that is hidden has the one it had last."""
-        for name, splitter in self._splitters.items():
-            sizes, whole = splitter.sizes(), max(1, sum(splitter.sizes()))
-            text = " ".join(f"{size / whole:.4f}" for size in sizes)
+        for name, splitter in self.splitters.items():
+            key, sizes = f"shares/{screen_key(screen)}/{name}", splitter.sizes()
+            before, whole = _shares(remembered.text(key)), max(1, sum(sizes))
+            if len(before) != len(sizes):
+                before = [0.0] * len(sizes)
+            shares = (size / whole or last for size, last in zip(sizes, before, strict=True))
             if any(sizes):
-                remembered.set_text(f"shares/{screen_key(screen)}/{name}", text)
+                remembered.set_text(key, " ".join(f"{share:.4f}" for share in shares))
 
     def restore(self, remembered: UserSettings, screen: QScreen) -> None:
         """Share the room as it was on such a screen; what was kept of other parts is left."""
-        for name, splitter in self._splitters.items():
+        for name, splitter in self.splitters.items():
             shares = _shares(remembered.text(f"shares/{screen_key(screen)}/{name}"))
             if len(shares) == splitter.count():
                 splitter.setSizes([round(_WHOLE * share) for share in shares])
 
     def reset(self) -> None:
         """Share the room as at the first start."""
-        for name, splitter in self._splitters.items():
-            splitter.setSizes([_WHOLE * share for share in self._first[name]])
+        for name, splitter in self.splitters.items():
+            if len(self._first[name]) == splitter.count():
+                splitter.setSizes([_WHOLE * share for share in self._first[name]])
 
 
 def _shares(text: str) -> list[float]:

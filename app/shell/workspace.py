@@ -76,7 +76,6 @@ class Workspace(QWidget):
         self.transport = TransportBar(self)
         self.timeline = TimelineView(self)
         self.surfaces = Surfaces(self.left, self.right, self.overhead)
-        self._splitters: dict[str, QSplitter] = {}
         self._shares = LayoutShares()
         self.panels: dict[str, FeaturePanel] = {}
         self._floor_known = self._floor_wanted = True
@@ -119,7 +118,7 @@ class Workspace(QWidget):
             if feature.id in self.panels:
                 panels[feature.id] = (self.panels[feature.id], docks[feature.place])
         self.docks = PanelDocks(panels, self._column, below, self)
-        self._column.setStretchFactor(0, 2)
+        self._keep_shares("side", self._column, (11, *(5 for _ in range(1, self._column.count()))))
         self.docks.changed.connect(self._fit_places)
         for widget in (self.preview, self.labelling, self.compare, self.differences):
             widget.installEventFilter(self)
@@ -148,7 +147,8 @@ class Workspace(QWidget):
 
     def _scrolled_panels(self) -> PanelColumn:
         """On a low screen the panels scroll, so that they never make the window too high for it."""
-        self._column = self._split("side", Qt.Orientation.Vertical, (), ())
+        self._column = QSplitter(Qt.Orientation.Vertical, self)
+        self._column.setChildrenCollapsible(False)
         least_px = _PANEL_LETTERS * self.fontMetrics().averageCharWidth()
         return PanelColumn(self._column, least_px, self)
 
@@ -186,12 +186,16 @@ class Workspace(QWidget):
         shares: tuple[int, ...],
     ) -> QSplitter:
         splitter.setChildrenCollapsible(False)
-        for at, (part, share) in enumerate(zip(parts, shares, strict=True)):
+        for part in parts:
             splitter.addWidget(part)
+        self._keep_shares(name, splitter, shares)
+        return splitter
+
+    def _keep_shares(self, name: str, splitter: QSplitter, shares: tuple[int, ...]) -> None:
+        """Share a splitter's room among its parts, from one start to the next."""
+        for at, share in enumerate(shares):
             splitter.setStretchFactor(at, share)
         self._shares.add(name, splitter, shares)
-        self._splitters[name] = splitter
-        return splitter
 
     def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802 - Qt's name
         """The page is higher or lower."""

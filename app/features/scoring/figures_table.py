@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
 
 from app.core.i18n import tr
 from app.core.look.theme import current_theme
-from app.core.scenes.score_figures import ScoreRow
+from app.core.scenes.score_figures import FIGURES, ScoreRow
 from app.core.widgets.table_cells import write_cell
 from app.features.scoring.scene import ScoreScene
 
@@ -62,7 +62,7 @@ class FiguresTable(QTableWidget):
         self._scene = scene
         if len(scene.rows) != len(self._rows):
             self._rows = ()
-            self._arrange(len(scene.rows))
+            self._arrange(len(scene.rows) or len(FIGURES))  # room for what is being scored
         self._tell_frames()
         for number, row in enumerate(scene.rows):
             if number >= len(self._rows) or self._rows[number] != row:
@@ -137,7 +137,8 @@ class FiguresTable(QTableWidget):
     def sizeHint(self) -> QSize:  # noqa: N802 - Qt's name
         """As wide as all figures and their names."""
         letters = self.fontMetrics().horizontalAdvance
-        names = max((letters(row.short or row.name) for row in self._rows), default=0)
+        named = self._rows or FIGURES
+        names = max(letters(tr(one.short or one.name)) for one in named)
         figures = sum(
             self.columnWidth(column)
             for column in range(self.columnCount())

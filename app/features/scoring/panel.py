@@ -177,7 +177,7 @@ class ScorePanel(FeaturePanel):
         self._say(self._message, scene.message)
         self._say(self._notes, "\n".join(map(tr, scene.notes)))
         self._say(self._moved, scene.moved)
-        self.table.setVisible(bool(scene.rows))
+        self.table.setVisible(bool(scene.rows) or not scene.message)
         self._report.setEnabled(bool(scene.rows))
         self.table.show_scene(scene)
         for choice in scene.errors:

@@ -18,7 +18,7 @@ def space(window, qtbot, tiny_session):
 
 def _half_of_the_width(space):
     """Whether the images have at least half of the width above the timeline, and the floor room."""
-    cameras, floor, side = space._splitters["top"].sizes()
+    cameras, floor, side = space._shares.splitters["top"].sizes()
     return cameras >= 0.5 * (cameras + floor + side) - 1 and floor > 100
 
 
@@ -38,7 +38,7 @@ def test_two_images_are_as_large_as_one_above_the_other_or_side_by_side(space, w
 
 
 def _as_large_as_can_be(space):
-    content, pane = space.left.content(), space._splitters["eyes"]
+    content, pane = space.left.content(), space._shares.splitters["eyes"]
     aspect = content.width() / content.height()
     above = min(pane.width(), aspect * pane.height() / 2)
     beside = min(pane.width() / 2, aspect * pane.height())
@@ -65,7 +65,7 @@ def test_without_a_floor_the_images_have_all_beside_the_panels(space, window, qt
     space.know_floor(False)
     qtbot.waitUntil(lambda: not space.overhead.isVisible())
     qtbot.waitUntil(
-        lambda: space._splitters["eyes"].width() > space.width() - space._side.width() - 20
+        lambda: space._shares.splitters["eyes"].width() > space.width() - space._side.width() - 20
     )
     space.know_floor(True)
     qtbot.waitUntil(lambda: _half_of_the_width(space))
@@ -74,7 +74,7 @@ def test_without_a_floor_the_images_have_all_beside_the_panels(space, window, qt
 def test_a_border_moved_beside_one_camera_stays_until_both_are_shown(space, window, qtbot):
     fitted = space.left.width()
     window.run_command("view.left")
-    space._splitters["top"].moveSplitter(300, 1)
+    space._shares.splitters["top"].moveSplitter(300, 1)
     window.resize(1280, 720)
     qtbot.wait(20)
     assert abs(space.left.width() - 300) < 3
@@ -85,9 +85,9 @@ def test_a_border_moved_beside_one_camera_stays_until_both_are_shown(space, wind
 def _moved(window, qtbot, path):
     open_for_correcting(window, qtbot, path)
     qtbot.wait(20)
-    window.workspace._splitters["top"].moveSplitter(500, 1)
+    window.workspace._shares.splitters["top"].moveSplitter(500, 1)
     qtbot.wait(20)
-    return window.workspace._splitters["top"].sizes()
+    return window.workspace._shares.splitters["top"].sizes()
 
 
 def test_a_border_the_user_moved_stays_as_another_recording_is_opened(
@@ -96,7 +96,7 @@ def test_a_border_the_user_moved_stays_as_another_recording_is_opened(
     sizes = _moved(window, qtbot, tiny_session)
     window.files.close_recording()
     open_for_correcting(window, qtbot, tiny_session)
-    qtbot.waitUntil(lambda: space._splitters["top"].sizes() == sizes)
+    qtbot.waitUntil(lambda: space._shares.splitters["top"].sizes() == sizes)
 
 
 def test_a_border_the_user_moved_is_there_at_the_next_start(
@@ -105,17 +105,17 @@ def test_a_border_the_user_moved_is_there_at_the_next_start(
     sizes = _moved(window, qtbot, tiny_session)
     remembered = UserSettings(QSettings(str(tmp_path / "kept.ini"), QSettings.Format.IniFormat))
     space.remember(remembered)
-    space._splitters["top"].setSizes([900, 100, 200])
+    space._shares.splitters["top"].setSizes([900, 100, 200])
     space.restore(remembered)
     space.show_cameras("both", 4 / 3, stereo=True)
-    qtbot.waitUntil(lambda: space._splitters["top"].sizes() == sizes)
+    qtbot.waitUntil(lambda: space._shares.splitters["top"].sizes() == sizes)
 
 
 @pytest.fixture
 def started_again(space, window, qtbot, tmp_path):
     """The next start after the border was moved beside one image; shows that many images."""
     window.run_command("view.left")
-    space._splitters["top"].moveSplitter(300, 1)
+    space._shares.splitters["top"].moveSplitter(300, 1)
     remembered = UserSettings(QSettings(str(tmp_path / "kept.ini"), QSettings.Format.IniFormat))
     space.remember(remembered)
     again = Workspace()
@@ -142,7 +142,7 @@ def test_a_border_moved_beside_one_camera_is_not_kept_for_both_at_the_next_start
 
 
 def test_a_border_the_user_moved_stays_where_it_is(space, window, qtbot):
-    top = space._splitters["top"]
+    top = space._shares.splitters["top"]
     top.moveSplitter(500, 1)
     window.resize(1280, 720)
     qtbot.wait(20)
@@ -150,6 +150,6 @@ def test_a_border_the_user_moved_stays_where_it_is(space, window, qtbot):
 
 
 def test_the_border_of_the_panels_at_the_side_is_none_of_the_cameras(space, window, qtbot):
-    top = space._splitters["top"]
+    top = space._shares.splitters["top"]
     top.moveSplitter(top.width() - 400, 2)
     assert not space._image_room.moved

@@ -122,7 +122,7 @@ def test_places_and_shares_are_kept_for_a_screen(window, controller, remembered)
     space.docks.move("history", Dock.BELOW)
     window.run_command("view.panel_card")
     window.run_command("view.panel_overhead")
-    whole = space._splitters["whole"]
+    whole = space._shares.splitters["whole"]
     whole.setSizes([500, 300])
     share = whole.sizes()[1] / sum(whole.sizes())
     space.remember(remembered)
@@ -160,7 +160,7 @@ def test_the_images_have_half_in_every_layout(window, controller, qtbot, layout)
     window.run_command(f"view.layout_{layout.id}")
     for size in SIZES:
         window.resize(*size)
-        top = window.workspace._splitters["top"]
+        top = window.workspace._shares.splitters["top"]
         least = 0.369 if "score" in layout.panels else 0.499
         qtbot.waitUntil(lambda top=top, least=least: top.sizes()[0] >= least * sum(top.sizes()))
 
@@ -178,3 +178,17 @@ def _cut_off(window):
             ):
                 outside.append(button)
     return outside
+
+
+def test_a_closed_part_keeps_the_share_it_had(window, controller, remembered, qtbot):
+    space = window.workspace
+    shared = space._shares.splitters["floor and panels"]
+    key = f"shares/{screen_key(window.screen())}/floor and panels"
+    window.run_command("view.counting")
+    qtbot.waitUntil(lambda: shared.sizes()[1] > 0)
+    space.remember(remembered)
+    share = float(remembered.text(key).split()[1])
+    window.run_command("view.counting")
+    qtbot.waitUntil(lambda: shared.sizes()[1] == 0)
+    space.remember(remembered)
+    assert float(remembered.text(key).split()[1]) == share > 0
