@@ -14,6 +14,7 @@ from PySide6.QtWidgets import (
     QHeaderView,
     QLabel,
     QLineEdit,
+    QMenu,
     QPushButton,
     QTableWidget,
     QTableWidgetItem,
@@ -22,7 +23,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.core.error_messages import explain_in_sentence
-from app.core.i18n import count_text, tr
+from app.core.i18n import count_text, some_of, tr
 from app.core.widgets.command_list import native_keys
 from app.core.widgets.questions import choose_file, choose_new_file
 from app.core.widgets.user_settings import LastFolder
@@ -34,6 +35,7 @@ from tracking.atomic_output import replace_with
 from tracking.errors import TrackwrightError
 
 _LETTERS, _ROWS = 96, 16
+_MOST_NAMED = 3
 _COMMAND = Qt.ItemDataRole.UserRole
 _FILES = "*.toml"
 
@@ -53,7 +55,7 @@ class KeysDialog(QDialog):
         self.setWindowTitle(tr("Keys"))
         self._presenter, self._last = presenter, last
         self._rows: tuple[KeyRow, ...] = ()
-        self._pending = ""
+        self._pending: Callable[[], object] | None = None
         rows = QVBoxLayout(self)
         rows.setContentsMargins(20, 20, 20, 16)
         rows.setSpacing(10)
@@ -116,7 +118,8 @@ class KeysDialog(QDialog):
 
     def _build_actions(self) -> QHBoxLayout:
         self.add = self._button(tr("&Add a key"), self._wait_for_key)
-        self.remove = self._button(tr("&Remove the last key"), self._remove)
+        self.remove = self._button(tr("&Remove a key"), self._ask_which)
+        self.keys_menu = QMenu(self)
         self.reset = self._button(tr("Rese&t"), self._reset)
         self.field = KeyField(self)
         self.field.pressed.connect(self._take)
@@ -135,14 +138,14 @@ class KeysDialog(QDialog):
         self.said = QLabel(self)
         self.said.setTextFormat(Qt.TextFormat.PlainText)
         self.said.setWordWrap(True)
-        self.take = self._button(tr("Take it"), self._take_over)
+        self.take = self._button("", self._answer)
         self.leave = self._button(tr("Leave it"), self._leave)
         line = QHBoxLayout()
         line.setSpacing(8)
         line.addWidget(self.said, 1)
         line.addWidget(self.take)
         line.addWidget(self.leave)
-        self._ask("")
+        self._say("")
         return line
 
     def _build_ends(self) -> QDialogButtonBox:
@@ -196,27 +199,36 @@ class KeysDialog(QDialog):
         item = self.table.item(self.table.currentRow(), 0)
         return str(item.data(_COMMAND)) if item is not None else ""
 
-    def _ask(self, text: str, key: str = "") -> None:
-        """Say something, with the two answers where a key is asked about."""
-        self._pending = key
+    def _say(self, text: str) -> None:
+        """Say something; what was asked is asked no longer."""
+        self._pending = None
         self.said.setText(text)
-        self.take.setVisible(bool(key))
-        self.leave.setVisible(bool(key))
+        self.take.hide()
+        self.leave.hide()
+
+    def _ask(self, text: str, answer: str, act: Callable[[], object]) -> None:
+        """Ask whether to do something; `answer` is what the button says that does it."""
+        self._say(text)
+        self._pending = act
+        self.take.setText(answer)
+        self.take.show()
+        self.leave.show()
+        self.take.setFocus()
 
     # what the user does
 
     def _wait_for_key(self, *_: int) -> None:
         if self._command:
-            self._ask("")
+            self._say("")
             self.field.show()
             self.field.setFocus()
 
     def _take(self, key: str) -> None:
         self.table.setFocus()
-        owner = self._presenter.owner(self._command, key)
+        command = self._command
+        owner = self._presenter.owner(command, key)
         if not owner:
-            self._presenter.add(self._command, key)
-            self._tell()
+            self._add(command, key)
             return
         row = self._rows[self.table.currentRow()]
         words = tr(
@@ -225,20 +237,38 @@ class KeysDialog(QDialog):
             owner=owner.rstrip("."),
             title=row.title.rstrip("."),
         )
-        self._ask(words, key)
-        self.take.setFocus()
+        self._ask(words, tr("Take it"), lambda: self._add(command, key))
 
-    def _take_over(self) -> None:
-        self._presenter.add(self._command, self._pending)
-        self._leave()
+    def _add(self, command: str, key: str) -> None:
+        self._presenter.add(command, key)
         self._tell()
 
+    def _answer(self) -> None:
+        pending = self._pending
+        self._leave()
+        if pending is not None:
+            pending()
+
     def _leave(self) -> None:
-        self._ask("")
+        self._say("")
+        self._show()
         self.table.setFocus()
 
-    def _remove(self) -> None:
-        self._presenter.remove(self._command, self._presenter.keys[self._command][-1])
+    def _ask_which(self) -> None:
+        """Which key is removed, where there are several."""
+        command, keys = self._command, self._presenter.keys[self._command]
+        if len(keys) == 1:
+            self._remove(command, keys[0])
+            return
+        self.keys_menu.clear()
+        for key in keys:
+            self.keys_menu.addAction(native_keys(key)).triggered.connect(
+                lambda _=False, key=key: self._remove(command, key)
+            )
+        self.keys_menu.popup(self.remove.mapToGlobal(self.remove.rect().bottomLeft()))
+
+    def _remove(self, command: str, key: str) -> None:
+        self._presenter.remove(command, key)
         self._tell()
 
     def _reset(self) -> None:
@@ -250,12 +280,32 @@ class KeysDialog(QDialog):
         self._tell()
 
     def _choose_profile(self) -> None:
-        """Another profile; changes of the user's own are of the one before, and go with it."""
-        self._presenter.choose(OwnKeys(self.profile.currentData()))
-        self._tell()
+        """Another profile; keys of the user's own are of the one before, and go with it."""
+        name, title = self.profile.currentData(), self.profile.currentText()
+        if name != self._presenter.own.profile:
+            self._replace(OwnKeys(name), tr("the profile {title}", title=title))
+
+    def _replace(self, own: OwnKeys, what: str) -> None:
+        """Use other keys; asked first where some of the user's own would be lost."""
+
+        def use() -> None:
+            self._presenter.choose(own)
+            self._tell()
+
+        changed = len(self._presenter.own.changes)
+        if not changed:
+            use()
+            return
+        words = count_text(
+            changed,
+            "Use {what}? It replaces your keys of {n} command; Export keeps them.",
+            "Use {what}? It replaces your keys of {n} commands; Export keeps them.",
+            what=what,
+        )
+        self._ask(words, tr("Use it"), use)
 
     def _tell(self) -> None:
-        self._ask("")
+        self._say("")
         self._show()
         self.changed.emit(self._presenter.own)
 
@@ -271,29 +321,29 @@ class KeysDialog(QDialog):
         try:
             own = read_profile(path, self._presenter.keys)
         except TrackwrightError as error:
-            self._ask(explain_in_sentence(error))
+            self._say(explain_in_sentence(error))
             return
-        self._presenter.choose(OwnKeys(own.profile, own.changes))
-        self._tell()
-        unknown = len(own.unknown)
-        if unknown:
-            self._ask(
-                count_text(
-                    unknown,
-                    "{n} command of the file is unknown here and left out: {names}",
-                    "{n} commands of the file are unknown here and left out: {names}",
-                    names=", ".join(own.unknown[:3]),
-                )
+        what = path.name
+        if own.unknown:
+            what = count_text(
+                len(own.unknown),
+                "{file} without {n} command that is unknown here, {names}",
+                "{file} without {n} commands that are unknown here, {names}",
+                file=path.name,
+                names=some_of(own.unknown, _MOST_NAMED),
             )
+        self._replace(OwnKeys(own.profile, own.changes), what)
+        if self._pending is None:
+            self._say(tr("These are the keys of {what}", what=what))
 
     def write(self, path: Path) -> None:
         """Write the profile to a file, or say why not."""
         try:
             replace_with(path, profile_text(self._presenter.own).encode())
         except TrackwrightError as error:
-            self._ask(explain_in_sentence(error))
+            self._say(explain_in_sentence(error))
             return
-        self._ask(tr("Written: {path}", path=path))
+        self._say(tr("Written: {path}", path=path))
 
     @staticmethod
     def _filter() -> str:

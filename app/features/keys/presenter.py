@@ -41,12 +41,12 @@ class KeysPresenter:
         return self._titles.get(self._other(command, key), "")
 
     def add(self, command: str, key: str) -> None:
-        """Give a command one more key; who else had it has it no longer."""
+        """Give a command one more key, the one to show; who else had it has it no longer."""
         changes = dict(self.own.changes)
         other = self._other(command, key)
         if other:
             changes[other] = tuple(k for k in self.keys[other] if k != key)
-        changes[command] = tuple(dict.fromkeys((*self.keys[command], key)))
+        changes[command] = tuple(dict.fromkeys((key, *self.keys[command])))
         self._change(changes)
 
     def remove(self, command: str, key: str) -> None:

@@ -40,7 +40,7 @@ def test_tab_and_enter_can_be_keys(window, dialog, qtbot):
     qtbot.keyClick(dialog.field, Qt.Key.Key_Tab, Qt.KeyboardModifier.ControlModifier)
     dialog.add.click()
     qtbot.keyClick(dialog.field, Qt.Key.Key_Return, Qt.KeyboardModifier.AltModifier)
-    assert keys_of("file.setup") == ("Ctrl+Tab", "Alt+Return")
+    assert keys_of("file.setup") == ("Alt+Return", "Ctrl+Tab")
 
 
 def test_a_sign_that_needs_shift_is_the_sign_alone(dialog, qtbot):
@@ -60,7 +60,7 @@ def test_a_conflict_is_told_and_taken_over_or_left(dialog, qtbot):
     dialog.add.click()
     qtbot.keyClick(dialog.field, Qt.Key.Key_X)
     dialog.take.click()
-    assert (keys_of("tracks.split"), keys_of("tracks.swap")) == (("S", "X"), ())
+    assert (keys_of("tracks.split"), keys_of("tracks.swap")) == (("X", "S"), ())
 
 
 def test_a_profile_changes_menus_cheat_sheet_palette_and_tooltips(window, dialog, qtbot):
@@ -123,3 +123,42 @@ def test_a_refusal_names_the_key_in_use(dialog):
 
     now = SimpleNamespace(document=SimpleNamespace(session=None), busy=False)
     assert session(now) == "track the recording first, or draw a person"
+
+
+def test_of_several_keys_one_is_chosen_to_go(dialog, qtbot):
+    _choose(dialog, "tracks.swap")
+    dialog.add.click()
+    qtbot.keyClick(dialog.field, Qt.Key.Key_U, Qt.KeyboardModifier.ControlModifier)
+    assert keys_of("tracks.swap") == ("Ctrl+U", "X")
+    dialog.remove.click()
+    next(one for one in dialog.keys_menu.actions() if one.text() == "X").trigger()
+    assert keys_of("tracks.swap") == ("Ctrl+U",)
+
+
+def test_a_question_is_of_the_command_it_was_asked_for(dialog, qtbot):
+    _choose(dialog, "tracks.split")
+    dialog.add.click()
+    qtbot.keyClick(dialog.field, Qt.Key.Key_X)
+    _choose(dialog, "file.setup")
+    dialog.take.click()
+    assert keys_of("tracks.split") == ("X", "S")
+    assert keys_of("file.setup") == ()
+
+
+def test_another_profile_asks_before_own_keys_go(dialog):
+    _choose(dialog, "tracks.swap")
+    dialog.remove.click()
+    for answer, profile in ((dialog.leave, ""), (dialog.take, "cvat")):
+        dialog.profile.setCurrentIndex(dialog.profile.findData("cvat"))
+        dialog.profile.activated.emit(dialog.profile.currentIndex())
+        assert "replaces your keys of 1 command" in dialog.said.text()
+        answer.click()
+        assert dialog.profile.currentData() == profile
+        assert (keys_of("tracks.swap") == ()) is (profile == "")
+
+
+def test_commands_that_are_unknown_here_are_named(dialog, tmp_path):
+    (tmp_path / "mine.toml").write_text('[keys]\n"tracks.fly" = ["F"]\n"tracks.swap" = ["Q"]\n')
+    dialog.read(tmp_path / "mine.toml")
+    assert "without 1 command that is unknown here, tracks.fly" in dialog.said.text()
+    assert keys_of("tracks.swap") == ("Q",)
