@@ -63,7 +63,7 @@ def at_rest(window: MainWindow, qtbot) -> None:
 
 def shares_of(window: MainWindow) -> list[float]:
     """How large the parts of each splitter are, of all of it; the panels are as high as words."""
-    named = window.workspace._splitters.items()
+    named = window.workspace._shares.splitters.items()
     splitters = [one.sizes() for name, one in named if name != "side"]
     return [size / max(sum(sizes), 1) for sizes in splitters for size in sizes]
 
