@@ -14,9 +14,9 @@ from tracking.editing import Change
 from tracking.tracks import Columns, ReviewedRange, Source
 
 PAUSE_S: Final = 60.0
-"""Of a longer time without an edit no more counts: somebody had a break."""
+"""A longer time without an edit is a break, and counts as so much work."""
 _LEAST_S: Final = 30.0
-"""A speed over less says nothing."""
+"""No speed is stated for less time than this."""
 
 
 class WorkMeter(DocumentListener):

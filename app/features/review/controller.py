@@ -61,7 +61,7 @@ class ReviewController(Controller):
         document.correcting.item_looked_at = lambda: self.queue.current
         self._updates = QueueUpdates(document, self.queue, self)
         self._search = self._updates.search
-        self._strip = StripSearch(document, playback, self)
+        self._strip = StripSearch(document, playback, self.queue.name_of, self)
         self._scenes = SceneMaker(document, self.queue, self._search, self.watching)
         self._marked: tuple[ReviewItem, ...] | None = None
         self._stretch = StretchPlayback(playback, self)

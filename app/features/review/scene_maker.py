@@ -17,7 +17,7 @@ from tracking.session import Session
 
 
 class SceneMaker:
-    """Says what the panel shows of a document's queue."""
+    """Makes the scene of the review panel from a document and its queue."""
 
     def __init__(
         self, document: Document, queue: ReviewQueue, search: ReviewSearch, watching: WatchedRanges
