@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from app.core.document.document import Document
-from app.core.document.document_listener import Marks
+from app.core.document.document_listener import DocumentListener, Marks
 from app.core.scenes import TimelineMark, TimelineScene
 from app.core.scenes.part_curve import LaneScore
 from app.core.tracks.track_reader import WholeTracks
@@ -17,8 +17,8 @@ from tracking.trackers import StepResult
 from tracking.tracks import ReviewedRange
 
 
-class RecordingScenes:
-    """Makes scenes of a document; follows its tracks as a `DocumentListener`.
+class RecordingScenes(DocumentListener):
+    """Makes scenes of a document; follows its tracks.
 
     Attributes:
         pictures: of both cameras. overhead: of the floor from above.

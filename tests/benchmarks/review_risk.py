@@ -26,7 +26,7 @@ from tracking.review import (
     records_of,
     with_learned_likelihoods,
 )
-from tracking.review.risk import Figures
+from tracking.review.risk import RiskModel
 
 STRENGTHS = (1.0, 2.0, 4.0, 8.0, 16.0)
 """Priors that are compared, in decisions."""
@@ -125,21 +125,21 @@ def _print_bins(risks: Sequence[CaseRisk]) -> None:
 
 
 def _print_expected(risks: Sequence[CaseRisk]) -> None:
-    """Errors expected by the figures of all other recordings against those there are."""
+    """Errors expected by the model of all other recordings against those there are."""
     print(
         "\n| result | expected | likely | errors | half decided: expected | likely | errors left |"
     )
     print("| --- | --- | --- | --- | --- | --- | --- |")
     told: list[list[tuple[ErrorsLeft, int]]] = [[], []]
     for risk in risks:
-        figures = _figures([one for one in risks if one.recording != risk.recording])
+        model = _fitted_model([one for one in risks if one.recording != risk.recording])
         line = []
         for half, decided in enumerate((0, len(risk.items) // 2)):
-            left = _expected(risk, decided, figures), risk.left_after(decided)
+            left = _expected(risk, decided, model), risk.left_after(decided)
             told[half].append(left)
             line.append(f"{left[0].mean:.1f} | {left[0].low} to {left[0].high} | {left[1]}")
         print(f"| {risk.recording}, {risk.tracker} | {' | '.join(line)} |")
-    print(f"\nFor all footage: {_figures(risks)}")
+    print(f"\nFor all footage: {_fitted_model(risks)}")
     for name, every in zip(("before any decision", "half decided"), told, strict=True):
         inside = np.mean([left.low <= errors <= left.high for left, errors in every])
         stated, there = (sum(one) for one in zip(*((e.mean, n) for e, n in every), strict=True))
@@ -150,14 +150,14 @@ def _print_expected(risks: Sequence[CaseRisk]) -> None:
         )
 
 
-def _expected(risk: CaseRisk, decided: int, figures: Figures) -> ErrorsLeft:
+def _expected(risk: CaseRisk, decided: int, model: RiskModel) -> ErrorsLeft:
     """Errors left once the items worth most are decided, and nothing else was reviewed."""
     done, left = risk.items[:decided], risk.items[decided:]
     outcome = DecidedItems(sum(one.likelihood for one in done), sum(risk.wrong[:decided]))
-    return errors_left(sum(one.likelihood for one in left), outcome, risk.stated, figures)
+    return errors_left(sum(one.likelihood for one in left), outcome, risk.stated, model)
 
 
-def _figures(risks: Sequence[CaseRisk]) -> Figures:
+def _fitted_model(risks: Sequence[CaseRisk]) -> RiskModel:
     """Errors for each stated one, and how much results differ: the likeliest shape."""
     stated = max(sum(one.stated for one in risks), 1e-9)
     shown = sum(one.shown for one in risks) / stated
@@ -166,7 +166,7 @@ def _figures(risks: Sequence[CaseRisk]) -> Figures:
     mean = np.maximum(rate * np.array([one.stated for one in risks]), 1e-9)
     shapes = np.geomspace(0.1, 30.0, 60)
     likely = [nbinom(shape, shape / (shape + mean)).logpmf(count).sum() for shape in shapes]
-    return Figures(
+    return RiskModel(
         round(shown, 2), round(rate - shown, 2), round(float(shapes[np.argmax(likely)]), 2)
     )
 

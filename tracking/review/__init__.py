@@ -1,6 +1,6 @@
 """Where to look: places where tracks are likely wrong, ranked by what looking is worth."""
 
-from tracking.review.learning import KindRecord, records_of, with_learned_likelihoods
+from tracking.review.kind_records import KindRecord, records_of, with_learned_likelihoods
 from tracking.review.measures import Mistake, ReviewMeasures, ReviewMeter, review_measures
 from tracking.review.queue import filter_undecided, rank
 from tracking.review.reason_phrases import KINDS

@@ -115,7 +115,7 @@ def _told(material: Material, meeting: Rows, start: int, end: int, *, hand_made:
     likely = likelihoods(reasons.kinds, places.strength, watched.expected)
     frame = watched.frame
     told = np.flatnonzero((likely >= _LEAST) & (frame >= start) & (frame < end))
-    tracks = _whom(reasons, places, told)
+    tracks = _tracks_of(reasons, places, told)
     if not hand_made:
         made = made_by_hand(evidence, tracks, watched.start[told], watched.end[told])
         told, tracks = told[~made], tracks[~made]
@@ -130,7 +130,7 @@ def _told(material: Material, meeting: Rows, start: int, end: int, *, hand_made:
     return Block(items, frame[told], likely[told], tracks, meeting)
 
 
-def _whom(reasons: Reasons, places: Places, told: Rows) -> Rows:
+def _tracks_of(reasons: Reasons, places: Places, told: Rows) -> Rows:
     """(k, 2) whom places are about, 0 for nobody else."""
     leader = places.leader[told]
     return np.stack((reasons.first[leader], reasons.second[leader]), axis=1)

@@ -26,8 +26,8 @@ Ranges = list[tuple[int, int]]
 
 
 @dataclass(frozen=True, slots=True)
-class Figures:
-    """What was measured: see `SHOWN`, `HIDDEN` and `SHAPE`."""
+class RiskModel:
+    """Parameters that were measured: see `SHOWN`, `HIDDEN` and `SHAPE`."""
 
     shown: float = SHOWN
     hidden: float = HIDDEN
@@ -61,7 +61,7 @@ class ErrorsLeft:
 
 
 def errors_left(
-    stated_left: float, decided: DecidedItems, stated_hidden: float, figures: Figures | None = None
+    stated_left: float, decided: DecidedItems, stated_hidden: float, model: RiskModel | None = None
 ) -> ErrorsLeft:
     """Errors left in a session.
 
@@ -69,9 +69,9 @@ def errors_left(
         stated_left: sum of the likelihoods, as found, of the items left.
         stated_hidden: sum of those of all items, decided ones too, by the share of the footage that
             is not reviewed: errors that no item shows go with it.
-        figures: other ones than those built in.
+        model: another one than the one built in.
     """
-    known = figures or Figures()
+    known = model or RiskModel()
     shape = known.shape + decided.errors
     rate = known.shape + known.shown * decided.stated
     exposure = known.shown * stated_left + known.hidden * stated_hidden

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Protocol
 
 from app.core.scenes import TimelineMark
 from app.core.tracks.track_reader import WholeTracks
@@ -15,8 +14,8 @@ Marks = Mapping[int, tuple[TimelineMark, ...]]
 """Marks of edits, by track."""
 
 
-class DocumentListener(Protocol):
-    """Is told of every change of the tracks that are shown."""
+class DocumentListener:
+    """Is told of every change of the tracks that are shown. Does nothing where not overridden."""
 
     def take_tracks(
         self, tracks: WholeTracks, marks: Marks, reviewed: tuple[ReviewedRange, ...]

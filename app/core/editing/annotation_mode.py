@@ -12,7 +12,7 @@ from tracking.tracks import Box, Source, TrackTable
 
 
 class NextBox(Enum):
-    """Whose the next box is that is drawn."""
+    """Which track the next drawn box belongs to."""
 
     AUTO = "the selected person's, unless theirs is drawn in this frame already"
     NEW = "a new person's"
@@ -29,7 +29,7 @@ class AnnotationMode:
         at_once: edits of one person are done without a preview. two_at_once: those of two people,
             too.
         next_box: whose the next box is. copied: the box that can be put elsewhere.
-        gone: who is waited for no more, by track, with the frame of their last box.
+        dismissed: tracks whose ghost is not shown any more, each with the frame of its last box.
     """
 
     drawing: bool = False
@@ -38,7 +38,7 @@ class AnnotationMode:
     two_at_once: bool = False
     next_box: NextBox = NextBox.AUTO
     copied: Box | None = None
-    gone: dict[int, int] = field(default_factory=dict)
+    dismissed: dict[int, int] = field(default_factory=dict)
 
     def does_at_once(self, flow: EditFlow) -> bool:
         """Whether an edit is done as soon as it can be; one that puts a box waits for that."""
@@ -59,7 +59,7 @@ class AnnotationMode:
 
     def is_waited_for(self, ghost: Ghost) -> bool:
         """Whether somebody without a box may still come; a later box of theirs says so anew."""
-        return self.gone.get(ghost.track) != ghost.frame
+        return self.dismissed.get(ghost.track) != ghost.frame
 
     def words(self, name: str, *, guesses: bool = False) -> str:
         """What the next drag over the picture does.

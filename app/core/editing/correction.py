@@ -61,7 +61,7 @@ class CorrectionPresenter:
         self.item_looked_at: Callable[[], ReviewItem | None] = _no_item
         self._let_go: tuple[int, ...] = ()
         self._ghosts: tuple[Ghost, ...] = ()
-        self._else: EditFlow | None = None
+        self._without_ghost: EditFlow | None = None
         self._selection = selection
         self._geometry = geometry
         self._edit_context = edit_context
@@ -157,7 +157,7 @@ class CorrectionPresenter:
         """A drag begins while boxes are drawn one after the other."""
         ghosts = self.ghosts_waiting(frame)
         self.begin_drawing(frame, self.next_is_new(frame))
-        self._ghosts, self._else = ghosts, self.flow
+        self._ghosts, self._without_ghost = ghosts, self.flow
 
     def ghosts_waiting(self, frame: int) -> tuple[Ghost, ...]:
         """Of whom the next box may be, where it lies near to where they are expected.
@@ -290,14 +290,18 @@ class CorrectionPresenter:
             self.begin(edits.MOVE, frame)
         if self.flow is not None:
             flow = replace(self.flow, box=self._geometry.kept_inside(box))
-            self.change(self._given(flow) if self._ghosts and flow.drawing else flow)
+            self.change(self._with_track_found(flow) if self._ghosts and flow.drawing else flow)
 
-    def _given(self, flow: EditFlow) -> EditFlow:
-        """The box that is drawn, of who is expected near to it, else of whom it would be."""
+    def _with_track_found(self, flow: EditFlow) -> EditFlow:
+        """The drawn box, given to the track expected near to it, else to the one it began with."""
         track = suggest_boxes([flow.box], self._ghosts)[0].track if flow.box is not None else 0
         if track:
             return replace(flow, spec=edits.DRAW, track=track, scope=EditScope.JOINED)
-        return replace(self._else, box=flow.box, drawing=True) if self._else else flow
+        return (
+            replace(self._without_ghost, box=flow.box, drawing=True)
+            if self._without_ghost
+            else flow
+        )
 
     def put_place(self, place: Place, frame: int) -> None:
         """The selected person is dragged over the floor."""

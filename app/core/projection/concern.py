@@ -5,12 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from app.core.projection.right_image import boxes_in_right_image
 from app.core.projection.trails import floor_points
+from tracking.arrays import Floats
 from tracking.recording import Recording
 from tracking.tracks import Columns
+from tracking.tracks.columns import boxes_of
 
 Part = tuple[float, float, float, float]
 """Left, top (on the floor: bottom), width and height of a part of a view, in its own units."""
@@ -46,24 +47,32 @@ class ConcernParts:
 def parts_concerned(recording: Recording, concern: Concern) -> ConcernParts:
     """Where its people are, with room around them."""
     rows = concern.rows
-    boxes = np.column_stack([rows[name] for name in ("left", "top", "width", "height")])
-    boxes = boxes.astype(np.float64)
-    right: NDArray[np.float64] = np.zeros((0, 4))
+    boxes = boxes_of(rows).astype(np.float64)
+    right: Floats = np.zeros((0, 4))
     if recording.rectification is not None and recording.ground is not None and len(boxes):
         right = boxes_in_right_image(recording.rectification, boxes, floor_points(rows))
     size = recording.size
     return ConcernParts(_around(boxes, size), _around(right, size), _on_floor(rows))
 
 
-def _around(boxes: NDArray[np.float64], size: tuple[int, int]) -> Part | None:
-    """What holds boxes, and most of a body more on each side."""
+def corners_around(boxes: Floats, margin: float) -> tuple[Floats, Floats] | None:
+    """(2,) left top and (2,) right bottom around boxes; None where no box is known.
+
+    Args:
+        boxes: (n, 4) left, top, width, height; NaN where one is not known.
+        margin: on each side, in heights of the tallest box.
+    """
     known = boxes[np.isfinite(boxes).all(axis=1)]
     if not len(known):
         return None
-    margin = _AROUND_BODIES * float(known[:, 3].max())
-    low = known[:, :2].min(axis=0) - margin
-    high = (known[:, :2] + known[:, 2:]).max(axis=0) + margin
-    return _at_least(low, high, np.array(size) / _CLOSEST)
+    around = margin * known[:, 3].max()
+    return known[:, :2].min(axis=0) - around, (known[:, :2] + known[:, 2:]).max(axis=0) + around
+
+
+def _around(boxes: Floats, size: tuple[int, int]) -> Part | None:
+    """What holds boxes, and most of a body more on each side."""
+    corners = corners_around(boxes, _AROUND_BODIES)
+    return None if corners is None else _at_least(*corners, np.array(size) / _CLOSEST)
 
 
 def _on_floor(rows: Columns) -> Part | None:
@@ -75,9 +84,7 @@ def _on_floor(rows: Columns) -> Part | None:
     return _at_least(low, high, np.full(2, _LEAST_M))
 
 
-def _at_least(
-    low: NDArray[np.float64], high: NDArray[np.float64], least: NDArray[np.float64]
-) -> Part:
+def _at_least(low: Floats, high: Floats, least: Floats) -> Part:
     """A part of the view, grown about its middle to a size."""
     middle, size = (low + high) / 2, np.maximum(high - low, least)
     left, top = (middle - size / 2).tolist()

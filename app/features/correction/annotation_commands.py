@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import partial
-from typing import Final
+from typing import Any, Final
 
 from app.core.commands.command import Command
 from app.core.commands.conditions import drawable, selected
@@ -98,90 +98,101 @@ def _by_keys() -> Iterator[Command[CorrectionApp]]:
                 )
 
 
+def _annotate(
+    command: str,
+    title: str,
+    keys: tuple[str, ...],
+    enabled: Callable[[CorrectionApp], str],
+    run: Callable[[AnnotationController], object],
+    **more: Any,
+) -> Command[CorrectionApp]:
+    """A command of the submenu that does something by the controller; see `Command`."""
+    return Command(
+        command,
+        title,
+        _MENU,
+        keys,
+        enabled,
+        lambda app: run(app.of(AnnotationController)),
+        **more,
+    )
+
+
 COMMANDS: Final[tuple[Command[CorrectionApp], ...]] = (
-    Command(
+    _annotate(
         "tracks.draw_on",
         "Draw box after box",
-        _MENU,
         ("Shift+D",),
         drawable,
-        lambda app: app.of(AnnotationController).toggle_drawing(),
+        AnnotationController.toggle_drawing,
         checked=lambda app: _mode(app).drawing,
         also="annotate repeat continuous again",
     ),
-    Command(
+    _annotate(
         "tracks.at_once",
         "Edits without preview",
-        _MENU,
         ("Shift+P",),
         drawable,
-        lambda app: app.of(AnnotationController).toggle_at_once(),
+        AnnotationController.toggle_at_once,
         checked=lambda app: _mode(app).at_once,
         also="confirm enter immediately",
     ),
-    Command(
+    _annotate(
         "tracks.two_at_once",
         "Edits of two people without preview",
-        _MENU,
         (),
         drawable,
-        lambda app: app.of(AnnotationController).toggle_two_at_once(),
+        AnnotationController.toggle_two_at_once,
         checked=lambda app: _mode(app).two_at_once,
         also="swap merge immediately",
     ),
-    Command(
+    _annotate(
         "tracks.copy_box",
         "Copy the box",
-        _MENU,
         ("Ctrl+C",),
         selected,
-        lambda app: app.of(AnnotationController).copy_box(),
+        AnnotationController.copy_box,
         separated=True,
     ),
-    Command(
+    _annotate(
         "tracks.paste_box",
         "Put the copied box here",
-        _MENU,
         ("Ctrl+V",),
         _copied,
-        lambda app: app.of(AnnotationController).paste_box(),
+        AnnotationController.paste_box,
         also="paste",
     ),
-    Command(
+    _annotate(
         "tracks.accept_ghost",
         "Put the last box here",
-        _MENU,
         ("Ctrl+Return", "Ctrl+Enter"),
         selected,
-        lambda app: app.of(AnnotationController).accept_ghost(),
+        AnnotationController.accept_ghost,
         also="ghost accept stay",
         separated=True,
     ),
-    Command(
+    _annotate(
         "tracks.accept_suggestion",
         "Accept the suggested box",
-        _MENU,
         ("Shift+Return", "Shift+Enter"),
         drawable,
-        lambda app: app.of(AnnotationController).accept_suggestion(),
+        AnnotationController.accept_suggestion,
         also="detection take",
     ),
-    Command(
+    _annotate(
         "tracks.accept_all",
         "Accept the suggested boxes of everybody",
-        _MENU,
         ("Ctrl+Shift+Return", "Ctrl+Shift+Enter"),
         drawable,
-        lambda app: app.of(AnnotationController).accept_all(),
+        AnnotationController.accept_all,
         also="detections take all",
     ),
-    Command(
+    _annotate(
         "tracks.dismiss_ghost",
         "Wait for this person no more",
-        _MENU,
         ("Shift+Backspace",),
         drawable,
-        lambda app: app.of(AnnotationController).dismiss_ghost(),
+        AnnotationController.dismiss_ghost,
         also="ghost left gone outside",
     ),
     *_steps(),

@@ -57,7 +57,6 @@ class AnnotationController(Controller):
         self.meter = WorkMeter(time.monotonic)
         document.tell(self.meter)
         self.suggested: tuple[SuggestedBox, ...] = ()
-        self._options = ViewOptions()
 
     @property
     def busy(self) -> bool:
@@ -164,7 +163,7 @@ class AnnotationController(Controller):
         if ghost is None:
             self.said.emit(tr("Nobody is waited for here"))
             return
-        self._document.correcting.mode.gone[ghost.track] = ghost.frame
+        self._document.correcting.mode.dismissed[ghost.track] = ghost.frame
         self.said.emit(tr("{track} is waited for no more", track=ghost.track))
         self.changed.emit()
 
@@ -208,29 +207,28 @@ class AnnotationController(Controller):
     # drawing
 
     def draw_frame(self, state: FrameState, options: ViewOptions) -> None:
-        """Show a frame's ghost and suggestions."""
-        self._options = options
+        """Show a frame's ghosts and suggestions."""
         correcting = self._document.correcting
         shown = correcting.can_place and correcting.flow is None
-        suggested = shown and (options.suggestions or correcting.mode.drawing)
+        searched = shown and (options.suggestions or correcting.mode.drawing)
         mine = self._ghost(state.frame) if shown else None
-        everybody = self._ghosts(state.frame) if suggested else ()
-        ghosts = {one.track: one for one in (*everybody, *([mine] if mine is not None else []))}
-        self.suggested = self._suggestions(state, tuple(ghosts.values())) if suggested else ()
+        ghosts = {one.track: one for one in self._ghosts(state.frame)} if searched else {}
+        if mine is not None:
+            ghosts[mine.track] = mine
+        self.suggested = ()
+        if searched:
+            boxes = self._search.boxes(state.frame, state.tracks)
+            self.suggested = suggest_boxes(boxes, tuple(ghosts.values()))
         found = {one.track for one in self.suggested}
-        drawn = ghosts.values() if correcting.mode.drawing else [mine] if mine is not None else []
-        marks = [self._mark(one, state) for one in self.suggested]
-        marks += [
-            _ghost_mark(one, state, last=one.track == self._track)
-            for one in drawn
-            if one is mine or one.track not in found
+        drawn = [
+            one
+            for one in ghosts.values()
+            if one is mine or (correcting.mode.drawing and one.track not in found)
         ]
-        self._picture.show_suggested(tuple(marks))
-
-    def _suggestions(
-        self, state: FrameState, ghosts: tuple[Ghost, ...]
-    ) -> tuple[SuggestedBox, ...]:
-        return suggest_boxes(self._search.boxes(state.frame, state.tracks), ghosts)
+        suggestions = (self._mark(one, state) for one in self.suggested)
+        self._picture.show_suggested(
+            (*suggestions, *(_ghost_mark(one, state, last=one is mine) for one in drawn))
+        )
 
     def _ghosts(self, frame: int) -> tuple[Ghost, ...]:
         return self._document.correcting.ghosts_of_drawn(self._table(), frame)

@@ -38,6 +38,8 @@ class BoxSearch(QObject):
         super().__init__(parent)
         self._document = document
         self._read: RecordingDetections | None = None
+        self._looked_for: Run | None = None
+        self._name: str | None = None
         self._job = LatestJob("suggested boxes", self._prepare, self)
         self._job.found.connect(self._take)
         self._job.failed.connect(lambda _, error: self.failed.emit(error))
@@ -76,8 +78,15 @@ class BoxSearch(QObject):
         return session.corrected_run if session is not None else None
 
     def _file(self) -> str:
+        """Where detections are, looked for once a run: frames are drawn too often for the disk."""
+        run = self._run
+        if self._name is None or run is not self._looked_for:
+            self._looked_for, self._name = run, self._find_file(run)
+        return self._name
+
+    def _find_file(self, run: Run | None) -> str:
         """That of the run, unless only the session says it lies elsewhere, else one beside."""
-        settings = dict(self._run.settings) if self._run is not None else {}
+        settings = dict(run.settings) if run is not None else {}
         named = str(settings.get(_FILE, ""))
         if named and not outside(settings):
             return named

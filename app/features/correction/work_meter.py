@@ -2,26 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable
 from typing import Final
 
 import numpy as np
 
-from app.core.document.document_listener import Marks
+from app.core.document.document_listener import DocumentListener, Marks
 from app.core.i18n import count_text, tr
-from app.core.scenes import TimelineMark
 from app.core.tracks.track_reader import WholeTracks
 from tracking.editing import Change
-from tracking.trackers import StepResult
 from tracking.tracks import Columns, ReviewedRange, Source
 
 PAUSE_S: Final = 60.0
-"""Of a longer time without an edit no more counts: somebody had a break."""
+"""A longer time without an edit is a break, and counts as so much work."""
 _LEAST_S: Final = 30.0
-"""A speed over less says nothing."""
+"""No speed is stated for less time than this."""
 
 
-class WorkMeter:
+class WorkMeter(DocumentListener):
     """Follows the edits of a document since it was opened.
 
     Attributes:
@@ -36,14 +34,6 @@ class WorkMeter:
         self.worked_s = 0.0
         self._seconds, self._last_s = seconds, seconds()
 
-    def take_tracks(
-        self, tracks: WholeTracks, marks: Marks, reviewed: tuple[ReviewedRange, ...]
-    ) -> None:
-        """Other tracks are shown: what was done stays done."""
-
-    def take_live(self, tracks: WholeTracks, results: Iterable[StepResult]) -> None:
-        """A tracker's people are nobody's work."""
-
     def take_change(
         self,
         change: Change,
@@ -57,12 +47,6 @@ class WorkMeter:
         self._last_s = now
         self.edits += 1
         self.boxes += _labelled(change.after.rows) - _labelled(change.before.rows)
-
-    def take_review_items(self, review_items: Sequence[TimelineMark]) -> None:
-        """Suspicions are no edits."""
-
-    def colour_anew(self) -> None:
-        """Colours are no edits."""
 
     def text(self) -> str:
         """In a line; "" before anything was done."""

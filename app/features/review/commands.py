@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Final
+from collections.abc import Callable
+from typing import Any, Final
 
 from app.core.commands.command import Command
 from app.core.commands.conditions import WindowState, editable, session, somebody
@@ -62,106 +63,117 @@ def _with_truth(app: WindowState) -> str:
     return session(app) or tr("the recording has no truth.txt")
 
 
+def _command(
+    command: str,
+    title: str,
+    keys: tuple[str, ...],
+    enabled: Callable[[WindowState], str],
+    run: Callable[[ReviewController], object],
+    **more: Any,
+) -> Command[WindowState]:
+    """A command of the menu that does something by the controller; see `Command`."""
+    return Command(
+        command, title, "Review", keys, enabled, lambda app: run(app.of(ReviewController)), **more
+    )
+
+
+def _switch(
+    command: str,
+    title: str,
+    enabled: Callable[[WindowState], str],
+    is_on: Callable[[ReviewController], bool],
+    put: Callable[[ReviewController, bool], object],
+    **more: Any,
+) -> Command[WindowState]:
+    """A command of the menu that switches something on and off; see `Command`."""
+    return _command(
+        command,
+        title,
+        (),
+        enabled,
+        lambda review: put(review, not is_on(review)),
+        checked=lambda app: app.document is not None and is_on(app.of(ReviewController)),
+        **more,
+    )
+
+
 COMMANDS: Final[tuple[Command[WindowState], ...]] = (
-    Command(
+    _command(
         "review.play",
         "Play the item's range",
-        "Review",
         ("Shift+N",),
         _looked_at,
-        lambda app: app.of(ReviewController).play(),
+        ReviewController.play,
     ),
-    Command(
+    _switch(
         "review.plays",
         "Play each item's range when going to it",
-        "Review",
-        enabled=session,
-        run=lambda app: app.of(ReviewController).set_plays(not app.of(ReviewController).plays),
-        checked=lambda app: app.document is not None and app.of(ReviewController).plays,
+        session,
+        lambda review: review.plays,
+        ReviewController.set_plays,
     ),
-    Command(
-        "review.search",
-        "Look for review items",
-        "Review",
-        enabled=_unflagged,
-        run=lambda app: app.of(ReviewController).look_through(),
+    _command(
+        "review.search", "Look for review items", (), _unflagged, ReviewController.look_through
     ),
-    Command(
+    _switch(
         "review.hand_made",
         "Flag hand-made boxes, too",
-        "Review",
-        enabled=session,
-        run=lambda app: app.of(ReviewController).flag_hand_made(
-            not app.of(ReviewController).flags_hand_made
-        ),
-        checked=lambda app: app.document is not None and app.of(ReviewController).flags_hand_made,
+        session,
+        lambda review: review.flags_hand_made,
+        ReviewController.flag_hand_made,
         also="quiet labels ground truth imported corrected",
     ),
-    Command(
+    _switch(
         "review.measure",
         "Measure the queue against ground truth",
-        "Review",
-        enabled=_with_truth,
-        run=lambda app: app.of(ReviewController).set_measures(
-            not app.of(ReviewController).measures
-        ),
-        checked=lambda app: app.document is not None and app.of(ReviewController).measures,
+        _with_truth,
+        lambda review: review.measures,
+        ReviewController.set_measures,
     ),
-    Command(
+    _command(
         "review.right",
         "It is right",
-        "Review",
         ("Z",),
         _decidable,
-        lambda app: app.of(ReviewController).decide("right"),
+        lambda review: review.decide("right"),
         separated=True,
     ),
-    Command(
-        "review.fix",
-        "Correct it...",
-        "Review",
-        ("E",),
-        _fixable,
-        lambda app: app.of(ReviewController).fix(),
-    ),
-    Command(
+    _command("review.fix", "Correct it...", ("E",), _fixable, ReviewController.fix),
+    _command(
         "review.dismiss",
         "Dismiss it",
-        "Review",
         ("Backspace",),
         _decidable,
-        lambda app: app.of(ReviewController).decide("dismissed"),
+        lambda review: review.decide("dismissed"),
     ),
-    Command(
+    _command(
         "review.alike",
         "Decide for all alike...",
-        "Review",
-        enabled=_of_many,
-        run=lambda app: app.of(ReviewController).ask_alike(),
+        (),
+        _of_many,
+        ReviewController.ask_alike,
         also="batch many same kind person chance dismiss right",
     ),
-    Command(
+    _command(
         "review.mark",
         "Mark what was just watched as reviewed",
-        "Review",
         ("Shift+Z",),
         _watched_of_some,
-        lambda app: app.of(ReviewController).mark_watched(),
+        ReviewController.mark_watched,
         separated=True,
     ),
-    Command(
+    _command(
         "review.mark_all",
         "Mark what was just watched as reviewed for all people",
-        "Review",
         ("Alt+Z",),
         _watched,
-        lambda app: app.of(ReviewController).mark_watched(everybody=True),
+        lambda review: review.mark_watched(everybody=True),
     ),
-    Command(
+    _command(
         "review.unmark",
         "Unmark what was just watched",
-        "Review",
-        enabled=_watched,
-        run=lambda app: app.of(ReviewController).unmark_watched(),
+        (),
+        _watched,
+        ReviewController.unmark_watched,
     ),
 )

@@ -14,7 +14,6 @@ from app.core.playback.playback import Playback
 from app.core.projection.concern import Concern
 from app.features.review.alike import AlikeGroup, groups_alike, plan_decisions
 from app.features.review.alike_dialog import open_alike_dialog
-from app.features.review.edited_items import EditedItems
 from app.features.review.panel import ReviewPanel
 from app.features.review.presenter import (
     ReviewQueue,
@@ -22,18 +21,15 @@ from app.features.review.presenter import (
     plan_review_verdict,
     with_fixed_verdict,
 )
-from app.features.review.review_search import ReviewSearch
+from app.features.review.queue_updates import QueueUpdates
 from app.features.review.scene import Order, ReviewScene
 from app.features.review.scene_maker import SceneMaker
+from app.features.review.stretch_playback import StretchPlayback
 from app.features.review.strip_search import StripSearch
 from app.features.review.watched_ranges import WatchedRanges
 from tracking.editing import Change, plan_mark_reviewed, plan_unmark_reviewed
 from tracking.errors import TrackwrightError
 from tracking.review import ReviewItem, ReviewItemKey
-from tracking.session import Session
-from tracking.session.hand_made import is_hand_made
-from tracking.tracks import Labels, Run, TrackTable
-from tracking.translation import message_of
 
 
 class ReviewController(Controller):
@@ -63,25 +59,22 @@ class ReviewController(Controller):
         self._document, self._playback = document, playback
         self._panel = panel
         document.correcting.item_looked_at = lambda: self.queue.current
-        self._search = ReviewSearch(self._subject, recording, self)
-        self._strip = StripSearch(document, playback, self)
+        self._updates = QueueUpdates(document, self.queue, self)
+        self._search = self._updates.search
+        self._strip = StripSearch(document, playback, self.queue.name_of, self)
         self._scenes = SceneMaker(document, self.queue, self._search, self.watching)
-        self._looked_at: tuple[Session | None, int, int | None] = None, 0, None
-        self._labels: Labels | None = None
-        self._edited = EditedItems()
         self._marked: tuple[ReviewItem, ...] | None = None
-        self._play_until: int | None = None
+        self._stretch = StretchPlayback(playback, self)
         self._fixing: ReviewItem | None = None
-        self._hand_made = False
         self._connect()
 
     def _connect(self) -> None:
         self._strip.made.connect(self._panel.strip.show_scene)
-        self._search.found.connect(self._take)
+        self._updates.begun.connect(self._scenes.begin)
+        self._updates.taken.connect(self._take)
         self._search.failed.connect(self._tell_problem)
         self._search.changed.connect(self._show)
         self._playback.shown.connect(self._watch)
-        self._playback.moved.connect(self._stop_at_the_end)
         self._panel.item_chosen.connect(self.go_to)
         self._panel.kind_chosen.connect(self.narrow)
         self._panel.order_chosen.connect(self._sort_by)
@@ -100,49 +93,20 @@ class ReviewController(Controller):
     def refresh(self) -> None:
         """Follow the document: look again where its tracks are others, list what is left."""
         self._follow_fix()
-        session = self._document.session
-        if session is None or session.is_untouched:
-            self._search.stop()
-            self._play_until = None
-            self._looked_at, self._labels = (None, 0, None), None
-            self._hand_made = False
-            self.queue.forget()
-        elif not self._document.is_live:
-            now = (session, session.tracks.revision, session.adopted_run)
-            first = self._looked_at[0] is not session
-            anew = first or self._looked_at[2] != session.adopted_run
-            if now != self._looked_at:
-                self._looked_at, self._scenes.problem = now, ""
-                if first:
-                    self._scenes.begin(session)
-                if anew:
-                    self.queue.forget()  # the same ids are other people
-                    self._hand_made = is_hand_made(session.corrected_run)
-                    self._search.hand_made = False
-                if not self.waits:
-                    self._search.look(at_once=anew)
-            before, self._labels = self._labels, session.labels
-            if session.labels is not before:
-                self.queue.take_labels(session.labels)
-            if first or before is None:
-                self._edited.begin(session.history)
-            else:
-                edited = self._document.edited
-                item = self._edited.follow(session.history, self.queue.current_key, edited)
-                self.queue.take_corrected(self._edited.corrected, session.labels)
-                undecided = before.verdicts.keys() - session.labels.verdicts.keys()
-                if item is not None and item in undecided:
-                    undecided = {item}  # of many that were decided at once
-                self._return_to(undecided or ({item} if item is not None else set()))
-            self.queue.take_names(
-                {track: label.name for track, label in session.labels.tracks.items()}
-            )
+        self._return_to(self._updates.follow())
+        if self._document.is_untouched:
+            self._stretch.forget()
         self._show()
+
+    @property
+    def busy(self) -> bool:
+        """Whether review items are being looked for."""
+        return self._search.busy
 
     @property
     def waits(self) -> bool:
         """No tracker made the tracks: nothing is flagged in them until somebody asks."""
-        return self._hand_made and not self._search.hand_made and not self._is_hidden
+        return self._updates.waits
 
     @property
     def flags_hand_made(self) -> bool:
@@ -156,17 +120,7 @@ class ReviewController(Controller):
 
     def flag_hand_made(self, flags: bool) -> None:
         """Flag also what people drew, corrected or imported as labels; or no more."""
-        session = self._document.session
-        if session is None or self._is_hidden:
-            return
-        self._search.hand_made = flags
-        if self.waits:
-            self._search.stop()
-            self.queue.take((), session.labels)
-        else:
-            self._search.look(at_once=True)
-        self._show()
-        self.changed.emit()
+        self._updates.flag_hand_made(flags)
 
     def _return_to(self, undecided: Set[ReviewItemKey]) -> None:
         """A decision or an edit was undone: its item is looked at again; of several none is."""
@@ -180,22 +134,11 @@ class ReviewController(Controller):
         elif undecided:
             self.queue.choose(None)
 
-    def _subject(self) -> tuple[TrackTable, Run | None, Labels]:
-        session = self._document.session
-        assert session is not None
-        adopted = session.adopted_run
-        run = session.runs[adopted] if adopted is not None else None
-        return session.tracks.snapshot(), run, session.labels
-
-    def _take(self, found: tuple[ReviewItem, ...]) -> None:
-        session = self._document.session
-        if session is not None:
-            self.queue.take(found, session.labels, session.tracks)
-            self._show()
-            self.changed.emit()
+    def _take(self) -> None:
+        self._show()
+        self.changed.emit()
 
     def _tell_problem(self, error: Exception) -> None:
-        self._scenes.problem = tr(message_of(error))
         self._show()
         self.failed.emit(error)
 
@@ -267,36 +210,14 @@ class ReviewController(Controller):
         return Concern(rows, start, review_item.end)
 
     def _select(self, tracks: tuple[int, ...]) -> None:
-        selection = self._document.selection
-        selection.choose(0)
-        for track in tracks:
-            if track in self._document.tracks.ids:
-                selection.add(track)
+        there = self._document.tracks.ids
+        self._document.selection.choose_all([track for track in tracks if track in there])
 
     def play(self) -> None:
         """Play the stretch of the current review item, from its start to its end."""
         current = self.queue.current
-        if current is None:
-            return
-        self._playback.go(self._scenes.start_of(current))
-        if not self._playback.clock.playing:
-            self._playback.toggle()
-        self._play_until = current.end
-
-    def _stop_at_the_end(self) -> None:
-        clock = self._playback.clock
-        if self._play_until is None:
-            return
-        if not clock.playing:
-            self._play_until = None
-        elif clock.frame >= self._play_until - 1 and not self._loops_over(self._play_until):
-            self._play_until = None
-            self._playback.pause()
-
-    def _loops_over(self, end: int) -> bool:
-        """Whether the end of a stretch is where a loop begins again."""
-        loop = self._playback.clock.loop
-        return loop is not None and loop[0] < end <= loop[1]
+        if current is not None:
+            self._stretch.play(self._scenes.start_of(current), current.end)
 
     def _watch(self) -> None:
         self.watching.saw(self._playback.number)

@@ -87,7 +87,7 @@ class ReviewQueue:
     """Review items less those that are decided, walked one after the other.
 
     The current one is kept by its key, so that it stays the same where the list is found anew. The
-    likelihoods of those left follow what came of the decided ones, see `tracking.review.learning`.
+    likelihoods of those left follow what came of the decided ones: `tracking.review.kind_records`.
 
     Attributes:
         kind: the one that is listed, "" for all. order: of the list.

@@ -18,11 +18,11 @@ class ProgressWords:
 
     def text(self, figures: QueueFigures, session: Session) -> str:
         """In a sentence or two; "" where nothing was found."""
-        now = session.tracks.revision, session.labels, figures
-        before = self._of
-        same = before is not None and before[0] == now[0]
-        if before is None or not (same and before[1] is now[1] and before[2] is figures):
-            self._of, self._text = now, _said(figures, session)
+        revision, labels = session.tracks.revision, session.labels
+        if self._of is None or not (
+            self._of[0] == revision and self._of[1] is labels and self._of[2] is figures
+        ):
+            self._of, self._text = (revision, labels, figures), _said(figures, session)
         return self._text
 
 

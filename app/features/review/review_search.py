@@ -13,6 +13,7 @@ from app.features.review.review_meter import measure_queue, measures_text
 from tracking.recording import Recording
 from tracking.review import ReviewItemFinder
 from tracking.tracks import Labels, Run, TrackTable
+from tracking.translation import message_of
 
 Subject = tuple[TrackTable, Run | None, Labels]
 """The tracks to look through, the run they come from, the labels."""
@@ -32,6 +33,7 @@ class ReviewSearch(QObject):
 
     Attributes:
         doing: what goes on, in words; "" at rest.
+        problem: why nothing could be found, in words; "" where there is no such thing.
         measuring: whether what is found is measured against the truth, where there is one.
         measures: how good it is, in words; "" where that is not asked, or without a truth.
         hand_made: what shows nothing but boxes that a person made is flagged, too.
@@ -46,7 +48,7 @@ class ReviewSearch(QObject):
     ) -> None:
         """`subject` is asked when a search begins, for a copy that nobody changes."""
         super().__init__(parent)
-        self.doing = self.measures = ""
+        self.doing = self.measures = self.problem = ""
         self.measuring = self.hand_made = False
         self._subject = subject
         self._recording = recording
@@ -64,6 +66,7 @@ class ReviewSearch(QObject):
 
     def look(self, at_once: bool = False) -> None:
         """Look through the tracks as they are by then, once nothing was asked for a moment."""
+        self.problem = ""
         if self._job is not None:
             self._again = True
             self._job.cancel()
@@ -85,7 +88,7 @@ class ReviewSearch(QObject):
         if self._job is not None:
             job, self._job = self._job, None
             job.end_untold()
-        self._found, self._finder = None, ReviewItemFinder()
+        self._found, self._finder, self.problem = None, ReviewItemFinder(), ""
         self._tell("", "")
 
     def _begin(self) -> None:
@@ -108,7 +111,7 @@ class ReviewSearch(QObject):
         job = Job("review_items", work, self)
         job.progressed.connect(self._show)
         job.done.connect(lambda result: self._end(lambda: done(result)))
-        job.failed.connect(lambda error: self._end(lambda: self.failed.emit(error)))
+        job.failed.connect(lambda error: self._end(lambda: self._fail(error)))
         job.cancelled.connect(lambda: self._end(lambda: None))
         self._job = job
         job.start()
@@ -128,6 +131,10 @@ class ReviewSearch(QObject):
                 lambda _: measures_text(measure_queue(found, table, recording)),
                 lambda text: self._tell("", text if self.measuring else ""),
             )
+
+    def _fail(self, error: Exception) -> None:
+        self.problem = tr(message_of(error))
+        self.failed.emit(error)
 
     def _show(self, done: int, total: int) -> None:
         if total > 0 and self._job is not None:

@@ -17,16 +17,11 @@ from tracking.session import Session
 
 
 class SceneMaker:
-    """Says what the panel shows of a document's queue.
-
-    Attributes:
-        problem: why nothing could be found; "" where there is no such thing.
-    """
+    """Makes the scene of the review panel from a document and its queue."""
 
     def __init__(
         self, document: Document, queue: ReviewQueue, search: ReviewSearch, watching: WatchedRanges
     ) -> None:
-        self.problem = ""
         self._document, self._queue = document, queue
         self._search, self._watching = search, watching
         self._meter: MeterWords | None = None
@@ -94,4 +89,4 @@ class SceneMaker:
         if self._search.doing:
             return "", ""
         known = None if self._document.is_untouched else session
-        return empty_words(known, live=hidden, problem=self.problem)
+        return empty_words(known, live=hidden, problem=self._search.problem)

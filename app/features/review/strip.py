@@ -10,12 +10,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.core.i18n import joined_text, time_text, tr
+from app.core.projection.concern import corners_around
 from app.core.scenes import Colour
 from tracking.progress import Progress
 from tracking.review import ReviewItem
-from tracking.tracks import Columns, TrackTable
+from tracking.tracks import Box, Columns, TrackTable
+from tracking.tracks.columns import boxes_of
 
-Box = tuple[float, float, float, float]
 _BESIDE_S = 0.5
 _AROUND = 0.6
 """How much is seen around the boxes, in the height of the tallest one."""
@@ -103,7 +104,7 @@ def _strip(
     read: Callable[[int], NDArray[np.uint8]],
     report: Progress,
 ) -> StripScene:
-    boxes = [_boxes(part) for part in rows]
+    boxes = [boxes_of(part).astype(np.float64) for part in rows]
     part = _part(np.concatenate(boxes))
     if part is None:
         return StripScene()
@@ -122,19 +123,12 @@ def _strip(
     return StripScene(tuple(pictures), _words(asked, pictures))
 
 
-def _boxes(rows: Columns) -> NDArray[np.float64]:
-    names = ("left", "top", "width", "height")
-    return np.column_stack([rows[name] for name in names]).astype(np.float64)
-
-
 def _part(boxes: NDArray[np.float64]) -> NDArray[np.float64] | None:
     """Left, top, right and bottom around all boxes, neither very wide nor very high."""
-    known = boxes[np.isfinite(boxes).all(axis=1)]
-    if not len(known):
+    corners = corners_around(boxes, _AROUND)
+    if corners is None:
         return None
-    around = _AROUND * known[:, 3].max()
-    low = known[:, :2].min(axis=0) - around
-    high = (known[:, :2] + known[:, 2:]).max(axis=0) + around
+    low, high = corners
     width, height = high - low
     size = np.array([max(width, _SHAPE * height), max(height, _SHAPE * width)])
     middle = (low + high) / 2

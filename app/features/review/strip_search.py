@@ -24,9 +24,16 @@ class StripSearch(QObject):
 
     made = Signal(object)
 
-    def __init__(self, document: Document, playback: Playback, parent: QObject) -> None:
+    def __init__(
+        self,
+        document: Document,
+        playback: Playback,
+        name_of: Callable[[int], str],
+        parent: QObject,
+    ) -> None:
+        """name_of: gives a track's number and name."""
         super().__init__(parent)
-        self._document, self._playback = document, playback
+        self._document, self._playback, self._name_of = document, playback, name_of
         self._asked: StripAsk | None = None
         self._job = LatestJob("review_pictures", self._prepare, self)
         self._job.found.connect(self._take)
@@ -62,16 +69,12 @@ class StripSearch(QObject):
         session, recording = document.session, document.recording
         if session is None:
             return None
-        names = [session.labels.tracks.get(track) for track in item.tracks]
         return StripAsk(
             tracks=item.tracks,
             frames=strip_frames(item, recording.fps, recording.frame_count),
             revision=session.tracks.revision,
             fps=recording.fps,
-            labels=tuple(
-                f"{track} {name.name if name is not None else ''}".rstrip()
-                for track, name in zip(item.tracks, names, strict=True)
-            ),
+            labels=tuple(map(self._name_of, item.tracks)),
             colours=tuple(document.colour_of(track) for track in item.tracks),
         )
 

@@ -57,7 +57,7 @@ def change(host: WindowHost, qtbot, language: str = "ja") -> None:
 
 def at_rest(window: MainWindow, qtbot) -> None:
     """Wait until nothing is looked for any more and all is laid out."""
-    qtbot.waitUntil(lambda: not window.controller.reviewing._search.busy)
+    qtbot.waitUntil(lambda: not window.controller.reviewing.busy)
     qtbot.wait(100)
 
 

@@ -46,7 +46,7 @@ def opened(language, window, qtbot, request, parted_session):
     controller = window.controller
     controller.editing.pick(controller.document.tracks.ids[0])
     controller.editing.rename(controller.document.tracks.ids[0], "Anna")
-    qtbot.waitUntil(lambda: not controller.reviewing._search.busy)
+    qtbot.waitUntil(lambda: not controller.reviewing.busy)
     laid_out(qtbot)
     return window
 

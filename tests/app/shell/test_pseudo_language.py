@@ -50,7 +50,7 @@ def opened(pseudo, window, qtbot, parted_session):
     )
     window.controller.editing.pick(window.controller.document.tracks.ids[0])
     window.controller.editing.rename(window.controller.document.tracks.ids[0], "Anna")
-    qtbot.waitUntil(lambda: not window.controller.reviewing._search.busy)
+    qtbot.waitUntil(lambda: not window.controller.reviewing.busy)
     window.bring_up_to_date()
     return window
 

@@ -345,7 +345,7 @@ def test_the_review_goes_on_where_it_was_once_the_new_run_was_looked_at(followed
     controller.playback.go(40)
     assert (queue.kind, queue.items) == (kind, items)
     assert controller.reviewing._scenes._meter is meter
-    assert not controller.reviewing._search.busy
+    assert not controller.reviewing.busy
 
 
 def test_the_keyboard_stays_with_the_picture_when_a_row_is_clicked_and_a_further_run_begins(

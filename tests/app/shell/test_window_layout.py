@@ -26,7 +26,7 @@ def window_on_a_laptop(window, qtbot, tiny_session, monkeypatch):
     controller.editing.pick(controller.document.tracks.ids[0])
     for number in range(8):
         controller.editing.rename(controller.document.selection.track, f"name {number}")
-    qtbot.waitUntil(lambda: not controller.reviewing._search.busy)
+    qtbot.waitUntil(lambda: not controller.reviewing.busy)
     window.grab()  # lays it out
     return window
 

@@ -159,10 +159,10 @@ def test_undoing_what_put_a_review_item_right_looks_at_it_again(
     current = to_the_swap()
     press(Key.Key_E)
     press(Key.Key_Return)
-    qtbot.waitUntil(lambda: not controller.reviewing._search.busy)
+    qtbot.waitUntil(lambda: not controller.reviewing.busy)
     press(Key.Key_N)
     press(Key.Key_Z, _CTRL)
-    qtbot.waitUntil(lambda: not controller.reviewing._search.busy)
+    qtbot.waitUntil(lambda: not controller.reviewing.busy)
     qtbot.waitUntil(lambda: controller.reviewing.queue.current is not None)
     assert controller.reviewing.queue.current.key == current.key
 
@@ -179,7 +179,7 @@ def test_e_and_enter_put_a_swap_right_and_remember_it_in_one_edit(
     press(Key.Key_Return)
     assert _verdicts(controller)[current.key] == "fixed"
     assert len(controller.document.session.history) == 1
-    qtbot.waitUntil(lambda: not controller.reviewing._search.busy)
+    qtbot.waitUntil(lambda: not controller.reviewing.busy)
     assert current.key not in {one.key for one in controller.reviewing.queue.open}
     press(Key.Key_Z, _CTRL)
     assert _verdicts(controller) == {}
@@ -262,14 +262,14 @@ def test_undoing_an_edit_goes_back_to_the_item_it_was_made_at(
     controller.playback.go(current.frame)
     controller.editing.put_cut(current.frame)
     controller.editing.confirm()
-    qtbot.waitUntil(lambda: not controller.reviewing._search.busy)
+    qtbot.waitUntil(lambda: not controller.reviewing.busy)
     assert controller.document.session.history.next_undo.kind == "swap"
     press(Key.Key_N)
     assert (
         controller.reviewing.queue.current is None or controller.reviewing.queue.current != current
     )
     press(Key.Key_Z, _CTRL)
-    qtbot.waitUntil(lambda: not controller.reviewing._search.busy)
+    qtbot.waitUntil(lambda: not controller.reviewing.busy)
     assert controller.reviewing.queue.current.tracks == current.tracks
     assert (
         abs(controller.reviewing.queue.current.frame - current.frame)
@@ -289,33 +289,33 @@ def test_undoing_an_edit_of_somebody_else_leaves_the_queue_where_it_is(controlle
 
 
 def test_labels_alone_make_no_new_search(controller, qtbot):
-    qtbot.waitUntil(lambda: not controller.reviewing._search.busy)
+    qtbot.waitUntil(lambda: not controller.reviewing.busy)
     session = controller.document.session
     track = session.tracks.track_ids[0]
     controller.document.apply(plan_rename(session.tracks, session.labels, track, "red coat"))
     controller.draw()
-    assert not controller.reviewing._search.busy
+    assert not controller.reviewing.busy
     titles = {who.label for item in controller.reviewing.queue.items for who in item.people}
     assert f"{track} red coat" in titles
 
 
 def test_after_an_edit_review_items_are_looked_for_again(controller, window, qtbot):
-    qtbot.waitUntil(lambda: not controller.reviewing._search.busy)
-    found = []
-    controller.reviewing._search.found.connect(found.append)
+    qtbot.waitUntil(lambda: not controller.reviewing.busy)
     session = controller.document.session
     controller.document.selection.choose(session.tracks.of_frame(50)["track"].tolist()[0])
     controller.playback.go(50)
     controller.editing.begin(edits.SPLIT)
     controller.editing.confirm()
-    assert controller.reviewing._search.busy
-    qtbot.waitUntil(lambda: bool(found))
+    assert controller.reviewing.busy
+    before = controller.reviewing.queue.items
+    qtbot.waitUntil(lambda: not controller.reviewing.busy)
+    assert controller.reviewing.queue.items is not before
 
 
 def test_the_meter_tells_what_was_done_and_nothing_of_the_truth(controller, press, window, qtbot):
     press(Key.Key_N)
     press(Key.Key_Z)
-    qtbot.waitUntil(lambda: not controller.reviewing._search.busy)
+    qtbot.waitUntil(lambda: not controller.reviewing.busy)
     said = window.workspace.review._meter.text()
     assert "1 decided" in said
     assert "truth" not in said
@@ -342,7 +342,7 @@ def test_the_panel_tells_how_far_the_review_is_and_what_risk_is_left(
 
 def test_how_good_the_queue_is_is_told_where_that_is_asked_and_as_long(controller, window, qtbot):
     meter, action = window.workspace.review._meter, window.menus.actions["review.measure"]
-    qtbot.waitUntil(lambda: not controller.reviewing._search.busy)
+    qtbot.waitUntil(lambda: not controller.reviewing.busy)
     window.run_command("review.measure")
     qtbot.waitUntil(lambda: "identity errors" in meter.text())
     qtbot.waitUntil(action.isChecked)

@@ -21,11 +21,11 @@ from tempfile import TemporaryDirectory
 import numpy as np
 
 from tests.benchmarks.annotation.plans import (
-    Walk,
+    TrueTrack,
     by_frame,
     count_cvat,
     keyframes_of,
-    walks_of,
+    true_tracks_of,
 )
 from tests.benchmarks.command import parser_of, real_data, tell
 
@@ -64,10 +64,10 @@ def _row(folder: Path, own: Path, least: float, suggestions: bool, by_keys: bool
     copy = own / "copy"
     left_out = ["truth*", *([] if suggestions else ["det*"])]
     shutil.copytree(folder, copy, ignore=shutil.ignore_patterns(*left_out))
-    walks = walks_of(folder / "truth.txt")
-    plans = keyframes_of(walks, least + _DRAWN_TO)
-    actions = _labelled(copy, walks, plans, least, by_keys)
-    cvat = count_cvat(walks, plans, least)
+    true_tracks = true_tracks_of(folder / "truth.txt")
+    plans = keyframes_of(true_tracks, least + _DRAWN_TO)
+    actions = _labelled(copy, true_tracks, plans, least, by_keys)
+    cvat = count_cvat(true_tracks, plans, least)
     tell(str(cvat))
     here, there = sum(actions.values()), cvat.total(by_keys=by_keys)
     keys = sum(len(frames) for frames in plans.values())
@@ -78,7 +78,7 @@ def _row(folder: Path, own: Path, least: float, suggestions: bool, by_keys: bool
 
 def _labelled(
     copy: Path,
-    walks: Mapping[int, Walk],
+    true_tracks: Mapping[int, TrueTrack],
     plans: Mapping[int, list[int]],
     least: float,
     by_keys: bool,
@@ -96,9 +96,9 @@ def _labelled(
             _PATIENCE_MS,
         )
         wait = partial(wait_until, patience_ms=_PATIENCE_MS)
-        user = Annotator(window, walks, least, wait, by_keys=by_keys)
+        user = Annotator(window, true_tracks, least, wait, by_keys=by_keys)
         user.label(by_frame(plans))
-        fits = np.concatenate([user.fit(person) for person in walks])
+        fits = np.concatenate([user.fit(person) for person in true_tracks])
         tell(f"{len(fits)} boxes overlap by {fits.mean():.3f}, at least {fits.min():.3f}")
         assert fits.min() >= least, "every box fits"
         assert user.extra == 0, f"{user.extra} boxes are nobody's"

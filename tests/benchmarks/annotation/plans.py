@@ -23,7 +23,7 @@ KEYFRAME_MARGIN = 0.1
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Walk:
+class TrueTrack:
     """The boxes of one person: frames (n,) without a gap, boxes (n, 4) in px."""
 
     frames: Floats
@@ -48,53 +48,57 @@ class Walk:
         return int(self.frames[-1])
 
 
-def walks_of(truth: Path) -> dict[int, Walk]:
+def true_tracks_of(truth: Path) -> dict[int, TrueTrack]:
     """The people of a ground truth."""
     rows = read_mot(truth)
-    walks = {}
+    true_tracks = {}
     for person in np.unique(rows["track"]).tolist():
         mine = rows["track"] == person
-        walks[person] = Walk(rows["frame"][mine].astype(float), boxes_of(rows, mine).astype(float))
-    return walks
+        true_tracks[person] = TrueTrack(
+            rows["frame"][mine].astype(float), boxes_of(rows, mine).astype(float)
+        )
+    return true_tracks
 
 
-def keyframes_of(walks: Mapping[int, Walk], least: float) -> dict[int, list[int]]:
+def keyframes_of(true_tracks: Mapping[int, TrueTrack], least: float) -> dict[int, list[int]]:
     """Everybody's keyframes, between which straight lines overlap all boxes by at least so much.
 
     As few as can be, of which as many as can be lie in the same frames: each frame is gone to.
     """
-    ends = {end for walk in walks.values() for end in (walk.first, walk.last)}
-    plans: dict[int, list[int]] = {person: [] for person in walks}
+    ends = {
+        end for true_track in true_tracks.values() for end in (true_track.first, true_track.last)
+    }
+    plans: dict[int, list[int]] = {person: [] for person in true_tracks}
     for _ in range(_ROUNDS):
-        for person, walk in walks.items():
+        for person, true_track in true_tracks.items():
             others = (frames for other, frames in plans.items() if other != person)
-            plans[person] = _keyframes(walk, least, ends.union(*others))
+            plans[person] = _keyframes(true_track, least, ends.union(*others))
     return plans
 
 
-def _keyframes(walk: Walk, least: float, visited: set[int]) -> list[int]:
+def _keyframes(true_track: TrueTrack, least: float, visited: set[int]) -> list[int]:
     """Of one person; a frame that is not visited for others costs more."""
-    count = len(walk.frames)
+    count = len(true_track.frames)
     cost, before = [0.0, *[np.inf] * (count - 1)], [0] * count
     for end in range(1, count):
-        beside = 0.0 if walk.first + end in visited else _GOING_THERE
+        beside = 0.0 if true_track.first + end in visited else _GOING_THERE
         for start in range(end):
             total = cost[start] + 1.0 + beside
-            if total < cost[end] and _fits(walk, start, end, least):
+            if total < cost[end] and _fits(true_track, start, end, least):
                 cost[end], before[end] = total, start
     found, at = [count - 1], count - 1
     while at:
         at = before[at]
         found.append(at)
-    return [walk.first + one for one in sorted(set(found))]
+    return [true_track.first + one for one in sorted(set(found))]
 
 
-def _fits(walk: Walk, start: int, end: int, least: float) -> bool:
+def _fits(true_track: TrueTrack, start: int, end: int, least: float) -> bool:
     if end - start < 2:
         return True
     share = (np.arange(start + 1, end) - start)[:, None] / (end - start)
-    between = walk.boxes[start] + (walk.boxes[end] - walk.boxes[start]) * share
-    return bool(overlaps(between, walk.boxes[start + 1 : end]).min() >= least)
+    between = true_track.boxes[start] + (true_track.boxes[end] - true_track.boxes[start]) * share
+    return bool(overlaps(between, true_track.boxes[start + 1 : end]).min() >= least)
 
 
 def keys_between(start: int, end: int) -> int:
@@ -139,7 +143,7 @@ class CvatCount:
 
 
 def count_cvat(
-    walks: Mapping[int, Walk], plans: Mapping[int, list[int]], least: float
+    true_tracks: Mapping[int, TrueTrack], plans: Mapping[int, list[int]], least: float
 ) -> CvatCount:
     """The same keyframes in CVAT's track mode, by its documentation.
 
@@ -149,18 +153,20 @@ def count_cvat(
     keyframe is left out where the one before it, which CVAT holds until then, fits to the end.
     The first box of all takes the tool and Track instead of N (1 more); the label is free.
     """
-    stop = max(walk.last for walk in walks.values())
+    stop = max(true_track.last for true_track in true_tracks.values())
     changed, ends, visited = 0, 0, set[int]()
     for person, keys in plans.items():
-        walk = walks[person]
-        held = overlaps(walk.box(keys[-2])[None], walk.boxes[keys[-2] - walk.first :])
+        true_track = true_tracks[person]
+        held = overlaps(
+            true_track.box(keys[-2])[None], true_track.boxes[keys[-2] - true_track.first :]
+        )
         kept = keys[:-1] if held.min() >= least else keys
         for before, frame in pairwise(kept):
-            changed += 1 if _moved_fits(walk.box(before), walk.box(frame), least) else 2
+            changed += 1 if _moved_fits(true_track.box(before), true_track.box(frame), least) else 2
         visited.update(kept)
-        if walk.last < stop:
+        if true_track.last < stop:
             ends += 1
-            visited.add(walk.last + 1)
+            visited.add(true_track.last + 1)
     frames = len(visited | {0}) - 1
     return CvatCount(1 + 3 * len(plans), changed, ends, frames, keys_through(visited))
 

@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QWidget
 from app.core.editing.suggested_boxes import SuggestedBox, suggest_boxes, suggestion_at
 from app.shell.main_window import MainWindow
 from app.shell.recording_controller import RecordingController
-from tests.benchmarks.annotation.plans import KEYFRAME_MARGIN, Walk, keys_between
+from tests.benchmarks.annotation.plans import KEYFRAME_MARGIN, TrueTrack, keys_between
 from tracking.arrays import Floats
 from tracking.tracks import TrackTable
 from tracking.tracks.boxes import overlaps
@@ -40,7 +40,7 @@ class Annotator:
     def __init__(
         self,
         window: MainWindow,
-        walks: Mapping[int, Walk],
+        true_tracks: Mapping[int, TrueTrack],
         least: float,
         wait: Wait,
         *,
@@ -48,7 +48,7 @@ class Annotator:
     ) -> None:
         """by_keys: frames are gone to by keys, not by a click on the timeline."""
         self._by_keys = by_keys
-        self.window, self._walks, self._least, self._wait = window, walks, least, wait
+        self.window, self._true_tracks, self._least, self._wait = window, true_tracks, least, wait
         self.actions: Counter[str] = Counter()
         self.tracks: dict[int, int] = {}
 
@@ -72,23 +72,23 @@ class Annotator:
         for person, frame in iter(self._worst, (0, 0)):
             self._go(frame)
             self._click_lane(self.tracks[person])
-            self._drag(self._walks[person].box(frame))
+            self._drag(self._true_tracks[person].box(frame))
             assert self._stands(person, frame), f"{person} is drawn in frame {frame}"
 
     # what is seen
 
     def fit(self, person: int) -> Floats:
         """(n,) overlap of a person's boxes with those drawn; 0 where there is none."""
-        walk, table = self._walks[person], self._table
-        rows = table.of_track(self.tracks[person], walk.first, walk.last + 1)
-        found = np.zeros((len(walk.frames), 4))
-        found[rows["frame"] - walk.first] = boxes_of(rows)
-        return overlaps(found, walk.boxes)
+        true_track, table = self._true_tracks[person], self._table
+        rows = table.of_track(self.tracks[person], true_track.first, true_track.last + 1)
+        found = np.zeros((len(true_track.frames), 4))
+        found[rows["frame"] - true_track.first] = boxes_of(rows)
+        return overlaps(found, true_track.boxes)
 
     @property
     def extra(self) -> int:
         """Boxes of nobody."""
-        wanted = sum(len(walk.frames) for walk in self._walks.values())
+        wanted = sum(len(true_track.frames) for true_track in self._true_tracks.values())
         return len(self._table) - wanted
 
     @property
@@ -103,7 +103,7 @@ class Annotator:
         person = min(least, key=lambda one: least[one].min())
         if least[person].min() >= self._least:
             return 0, 0
-        return person, self._walks[person].first + int(least[person].argmin())
+        return person, self._true_tracks[person].first + int(least[person].argmin())
 
     # what is done
 
@@ -129,7 +129,7 @@ class Annotator:
             middle = left + width / 2, top + height / 2
             hit = suggestion_at(expected, *middle)
             lingers = left > 0 and left + width < self.controller.document.recording.size[0]
-            gone = self._walks[owners[ghost.track]].last < frame
+            gone = self._true_tracks[owners[ghost.track]].last < frame
             if gone and lingers and hit is not None and hit.track == ghost.track:
                 self._point(*middle)
                 self._press("dismissed", Key.Key_Backspace, _SHIFT)
@@ -146,7 +146,7 @@ class Annotator:
         owners = {track: person for person, track in self.tracks.items()}
         for one in self.controller.annotating.suggested:
             person = owners.get(one.track, 0)
-            if not person or (one.track and not self._walks[person].covers(frame)):
+            if not person or (one.track and not self._true_tracks[person].covers(frame)):
                 wrong.update([-one.track] if one.track else [])
                 continue
             fits = self._overlap(np.array(one.box), person, frame)
@@ -157,18 +157,18 @@ class Annotator:
         return good, wrong
 
     def _overlap(self, box: Floats, person: int, frame: int) -> float:
-        return float(overlaps(box[None], self._walks[person].box(frame)[None])[0])
+        return float(overlaps(box[None], self._true_tracks[person].box(frame)[None])[0])
 
     def _draw(self, person: int, frame: int) -> None:
         """Drag a box; one that would go to somebody else, as the picture shows, is said first."""
         known = self.tracks.get(person, 0)
         before = set(self._table.track_ids) if self.tracks else set()
-        if self._foreseen(self._walks[person].box(frame), frame) != known:
+        if self._foreseen(self._true_tracks[person].box(frame), frame) != known:
             if known:
                 self._click_lane(known)
             else:
                 self._press("named", Key.Key_Insert)
-        self._drag(self._walks[person].box(frame))
+        self._drag(self._true_tracks[person].box(frame))
         if not known:
             self.tracks[person] = (set(self._table.track_ids) - before).pop()
         assert self._stands(person, frame), f"{person} is drawn in frame {frame}"
