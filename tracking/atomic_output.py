@@ -20,7 +20,7 @@ from pathlib import Path
 from typing import BinaryIO, TextIO
 
 from tracking.errors import OutputError
-from tracking.owned_files import SAFE_FLAGS, kind_of, sync_folder
+from tracking.owned_files import A_FILE, A_FOLDER, A_LINK, SAFE_FLAGS, kind_of, sync_folder
 from tracking.translation import msg
 
 _NAME_KEPT = 50
@@ -133,12 +133,12 @@ def replacing_folder(path: Path) -> Iterator[Path]:
 def _check_folder(path: Path) -> None:
     try:
         found = kind_of(path)
-        held = found == "a folder" and any(path.iterdir())
+        held = found == A_FOLDER and any(path.iterdir())
     except FileNotFoundError:
         return
     except OSError as error:
         raise _told(path, error.strerror or str(error), _ANOTHER_FOLDER) from error
-    if found != "a folder":
+    if found != A_FOLDER:
         raise OutputError(
             "{path} is {found}, and a folder is written", _ANOTHER_FOLDER, path=path, found=found
         )
@@ -171,13 +171,13 @@ def check_target(path: Path) -> None:
         return
     except OSError as error:
         raise _told(path, error.strerror or str(error)) from error
-    if found == "a link":
+    if found == A_LINK:
         raise OutputError(
             "cannot write {path}: it is a link, which is not written through",
             "name the file it leads to, or remove the link",
             path=path,
         )
-    if found != "a file":
+    if found != A_FILE:
         raise _told(path, msg("it is {found}", found=found))
 
 
