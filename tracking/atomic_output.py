@@ -20,7 +20,7 @@ from pathlib import Path
 from typing import BinaryIO, TextIO
 
 from tracking.errors import OutputError
-from tracking.owned_files import SAFE_FLAGS, kind_of, sync_folder
+from tracking.owned_files import A_FILE, A_FOLDER, A_LINK, SAFE_FLAGS, kind_of, sync_folder
 from tracking.translation import msg
 
 _NAME_KEPT = 50
@@ -31,9 +31,8 @@ _PRIVATE = 0o600
 """Of a file while it is written: what it takes the place of may be for nobody else."""
 _PRIVATE_FOLDER = 0o700
 """Of a folder meanwhile."""
-_ANOTHER_PLACE = msg("choose another place with -o")
-_ANOTHER_FOLDER = msg("choose another place")
-"""Some commands are told their folder without an option."""
+_OPTION = "-o"
+"""By it commands are told their file; their folder some are told without an option."""
 
 
 def replace_with(path: Path, data: bytes) -> None:
@@ -122,7 +121,7 @@ def replacing_folder(path: Path) -> Iterator[Path]:
     except OSError as error:
         if not _is_of(error, part, path):
             raise
-        raise _told(path, error.strerror or str(error), _ANOTHER_FOLDER) from error
+        raise _told(path, error.strerror or str(error), option="") from error
     finally:
         shutil.rmtree(part, ignore_errors=True)
         with contextlib.suppress(OSError):  # one with something in it stays, and those above it
@@ -133,14 +132,17 @@ def replacing_folder(path: Path) -> Iterator[Path]:
 def _check_folder(path: Path) -> None:
     try:
         found = kind_of(path)
-        held = found == "a folder" and any(path.iterdir())
+        held = found == A_FOLDER and any(path.iterdir())
     except FileNotFoundError:
         return
     except OSError as error:
-        raise _told(path, error.strerror or str(error), _ANOTHER_FOLDER) from error
-    if found != "a folder":
+        raise _told(path, error.strerror or str(error), option="") from error
+    if found != A_FOLDER:
         raise OutputError(
-            "{path} is {found}, and a folder is written", _ANOTHER_FOLDER, path=path, found=found
+            "{path} is {found}, and a folder is written",
+            "choose another place",
+            path=path,
+            found=found,
         )
     if held:
         raise OutputError("{path} is not an empty folder", "choose one that is new", path=path)
@@ -171,13 +173,13 @@ def check_target(path: Path) -> None:
         return
     except OSError as error:
         raise _told(path, error.strerror or str(error)) from error
-    if found == "a link":
+    if found == A_LINK:
         raise OutputError(
             "cannot write {path}: it is a link, which is not written through",
             "name the file it leads to, or remove the link",
             path=path,
         )
-    if found != "a file":
+    if found != A_FILE:
         raise _told(path, msg("it is {found}", found=found))
 
 
@@ -221,6 +223,12 @@ def _is_of(error: OSError, part: Path, path: Path) -> bool:
     return named in (part, path, *path.parents) or part in named.parents
 
 
-def _told(path: Path, reason: str, advice: str = _ANOTHER_PLACE) -> OutputError:
+def _told(path: Path, reason: str, option: str = _OPTION) -> OutputError:
     """A complaint, as the system's, as one line about the file the user asked for."""
-    return OutputError("cannot write {path}: {reason}", advice, path=path, reason=reason)
+    return OutputError(
+        "cannot write {path}: {reason}",
+        "choose another place",
+        option=option,
+        path=path,
+        reason=reason,
+    )

@@ -21,7 +21,7 @@ import tempfile
 from pathlib import Path
 
 from tracking.errors import UnsafeFileError
-from tracking.translation import msg
+from tracking.translation import Message, msg
 
 FOLDER_MODE = 0o700
 """Of a folder for the program's own files: nobody else looks in."""
@@ -45,14 +45,16 @@ _FOLDERS_NOT_SYNCED = frozenset(
 """What systems say of a folder that they never sync, or that may be written to but not opened."""
 _FOLDER_TRIES = 20
 """Of making a folder that another program takes away at that moment."""
+A_FOLDER, A_FILE, A_LINK = msg("a folder"), msg("a file"), msg("a link")
+"""What `kind_of` says of them."""
 _KINDS = {
-    stat.S_IFDIR: "a folder",
-    stat.S_IFREG: "a file",
-    stat.S_IFLNK: "a link",
-    stat.S_IFIFO: "a pipe",
-    stat.S_IFSOCK: "a socket",
-    stat.S_IFCHR: "a device",
-    stat.S_IFBLK: "a device",
+    stat.S_IFDIR: A_FOLDER,
+    stat.S_IFREG: A_FILE,
+    stat.S_IFLNK: A_LINK,
+    stat.S_IFIFO: msg("a pipe"),
+    stat.S_IFSOCK: msg("a socket"),
+    stat.S_IFCHR: msg("a device"),
+    stat.S_IFBLK: msg("a device"),
 }
 
 
@@ -186,7 +188,7 @@ def real_path(path: Path) -> Path:
     return Path(os.path.realpath(path)) if is_link else path
 
 
-def kind_of(path: Path) -> str:
+def kind_of(path: Path) -> Message:
     """What stands at a path, as a sentence needs it: "a file", "a link", "a device" and so on.
 
     Raises OSError where it cannot be looked at, FileNotFoundError where nothing is there.
@@ -246,7 +248,7 @@ def _check_state(
 
 def _check_kind(path: Path, state: os.stat_result, kind: int) -> None:
     found = _kind_of(state)
-    if found == "a link":
+    if found == A_LINK:
         raise UnsafeFileError("{path} is a link, which is not followed", "remove it", path=path)
     if found != _KINDS[kind]:
         raise UnsafeFileError(
@@ -258,9 +260,9 @@ def _check_kind(path: Path, state: os.stat_result, kind: int) -> None:
         )
 
 
-def _kind_of(state: os.stat_result) -> str:
+def _kind_of(state: os.stat_result) -> Message:
     if _is_reparse_point(state):
-        return "a link"
+        return A_LINK
     return _KINDS.get(stat.S_IFMT(state.st_mode), msg("something else"))
 
 

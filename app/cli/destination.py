@@ -13,6 +13,12 @@ from tracking.translation import Message, msg
 
 _RESERVE = 8 << 20
 _LOOKED_AT_BYTES = 8 << 10
+_KINDS = {
+    "session": msg("a session"),
+    "samples": msg("a file of samples"),
+    "detector": msg("a detector"),
+}
+"""What the program's own files are, by the end of what they say they are."""
 
 
 def check_file(path: Path, needed_bytes: int = 0) -> None:
@@ -153,9 +159,8 @@ def is_session(path: Path) -> bool:
 def _kind_of(held: str) -> Message:
     """What a file is that says it is that, as a sentence needs it; see `read_file_kind`."""
     what = held.rpartition("-")[2]
-    if what == "samples":
-        return msg("a file of samples")
-    return msg("a {what}", what=what) if what else msg("an HDF5 file")
+    known = _KINDS.get(what)
+    return known or (msg("a {what}", what=what) if what else msg("an HDF5 file"))
 
 
 def read_file_kind(path: Path) -> str | None:

@@ -6,8 +6,8 @@ from contextlib import closing
 from pathlib import Path
 
 from app.cli.output import print_json, print_line
+from app.cli.sessions import refuse_read_only
 from tracking.editing import plan_label_part
-from tracking.errors import SessionError
 from tracking.formats import read_part_labels
 from tracking.session import Session, place_labels
 from tracking.translation import msg
@@ -20,9 +20,7 @@ def run_import_labels(path: Path, into: Path, author: str | None, *, as_json: bo
     session cannot be changed.
     """
     with closing(Session.open(into)) as session:
-        if session.read_only:
-            why = session.why_read_only.removeprefix(f"{session.path}: ")
-            raise SessionError("{into} cannot be changed: {why}", into=into, why=why)
+        refuse_read_only(session, into)
         given = read_part_labels(path, author if author is not None else session.author)
         labels = place_labels(session, given)
         new = [label for label in labels if session.labels.parts.get(label.key) != label]

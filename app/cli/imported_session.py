@@ -10,9 +10,9 @@ from app.cli.destination import check_file
 from app.cli.import_tracks import Source, show_bad_rows
 from app.cli.output import print_json, print_line, progress, say
 from app.cli.recordings import open_with_options
+from app.cli.sessions import refuse_read_only
 from app.cli.track import refuse_to_lose
 from app.core.document.document_loader import known_recordings, remember_place
-from tracking.errors import SessionError
 from tracking.formats import Filmed, Imported
 from tracking.progress import no_progress
 from tracking.session import (
@@ -27,7 +27,7 @@ from tracking.session import (
     take_into,
 )
 from tracking.tracks import TrackTable
-from tracking.translation import msg
+from tracking.translation import count_msg, msg
 
 
 def into_new_session(source: Source, read: Imported | None, out: Path) -> None:
@@ -46,9 +46,7 @@ def into_new_session(source: Source, read: Imported | None, out: Path) -> None:
 def into_session(source: Source, read: Imported | None, into: Path) -> None:
     """Take the tracks into a session that is there, as one edit, and tell what that was."""
     with closing(Session.open(into)) as session:
-        if session.read_only:
-            why = session.why_read_only.removeprefix(f"{session.path}: ")
-            raise SessionError("{into} cannot be changed: {why}", into=into, why=why)
+        refuse_read_only(session, into)
         found = _fitted(source, read, _filmed(session), session.tracks)
         entry = take_into(session, found, _origin(source))
         if entry is not None:
@@ -108,7 +106,7 @@ def _tell(source: Source, found: Importable, session: Path, *, changed: bool) ->
         )
         more = "" if source.order.report else msg("; --report lists them")
         say(msg("note: {left_out} invalid and left out{more}", left_out=left_out, more=more))
-    tracks = "1 track" if found.tracks == 1 else msg("{tracks} tracks", tracks=found.tracks)
+    tracks = count_msg(found.tracks, "{n} track", "{n} tracks")
     say(msg("{title}: {tracks}, {rows} rows", title=source.format.title, tracks=tracks, rows=rows))
     if thinned.tracks:
         boxes = msg(

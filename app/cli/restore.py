@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from app.cli.output import print_json, print_line, say
+from app.cli.sessions import refuse_read_only
 from tracking.errors import SessionError
 from tracking.session import (
     Backup,
@@ -16,7 +17,7 @@ from tracking.session import (
     list_backups,
     replace_damaged,
 )
-from tracking.translation import count_msg, joined, msg
+from tracking.translation import N_, count_msg, joined, msg
 
 
 def run_accept(path: Path, *, as_json: bool) -> None:
@@ -25,7 +26,7 @@ def run_accept(path: Path, *, as_json: bool) -> None:
     Raises SessionError where it cannot be read, or another program has it.
     """
     with closing(Session.open(path)) as session:
-        _refuse_read_only(session, path, "changed")
+        refuse_read_only(session, path)
         count = session.accept_damage()
         if count:
             session.save()
@@ -67,14 +68,8 @@ def _restored(path: Path, number: int) -> Session:
         return restored
     with closing(session):
         check_backup(session.path or path, number)
-        _refuse_read_only(session, path, "restored")
+        refuse_read_only(session, path, N_("{path} cannot be restored: {why}"))
         return session.restore(number)
-
-
-def _refuse_read_only(session: Session, path: Path, what: str) -> None:
-    if session.read_only:
-        why = session.why_read_only.removeprefix(f"{session.path}: ")
-        raise SessionError("{path} cannot be {what}: {why}", path=path, what=what, why=why)
 
 
 def _print(path: Path, *, as_json: bool) -> None:

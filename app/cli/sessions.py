@@ -9,7 +9,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from app.cli.output import say
-from tracking.translation import msg
+from tracking.errors import SessionError
+from tracking.translation import N_, msg
 
 if TYPE_CHECKING:
     from tracking.session import Session
@@ -30,6 +31,15 @@ def print_notes() -> Iterator[None]:
         yield
     finally:
         log.removeHandler(notes)
+
+
+def refuse_read_only(
+    session: Session, path: Path, cannot: str = N_("{path} cannot be changed: {why}")
+) -> None:
+    """Raise SessionError, with the template `cannot`, where the session is only to be read."""
+    if session.read_only:
+        why = session.why_read_only.removeprefix(f"{session.path}: ")
+        raise SessionError(cannot, path=path, why=why)
 
 
 class _Notes(logging.Handler):

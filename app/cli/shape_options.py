@@ -10,7 +10,7 @@ import typer
 from tracking.errors import EditError
 from tracking.recording.region_of_interest import Outline, checked_outlines
 from tracking.tracks import CountingLine, Region, check_line, check_region
-from tracking.translation import msg, tr
+from tracking.translation import count_msg, msg, tr
 
 _Drawn = TypeVar("_Drawn", CountingLine, Region)
 _Corners = tuple[tuple[float, float], ...]
@@ -21,7 +21,7 @@ def line_of(text: str, *, in_picture: bool) -> CountingLine:
     option = "--picture-line" if in_picture else "--line"
     name, corners = _parted(text, option)
     if len(corners) != 2:
-        ends = "1 end" if len(corners) == 1 else msg("{count} ends", count=len(corners))
+        ends = count_msg(len(corners), "{n} end", "{n} ends")
         raise _misuse(
             msg("{text!r} has {ends}; type NAME:x1,y1:x2,y2", text=text, ends=ends), option
         )

@@ -36,7 +36,8 @@ __all__ = [
 
 
 _FIRST_VALUE = re.compile(r"\{(\w+)\}")
-_ENDS = (".", "!", "?", ":", "\N{IDEOGRAPHIC FULL STOP}")
+_FULL_STOPS = ".\N{IDEOGRAPHIC FULL STOP}"
+_ENDS = (*_FULL_STOPS, "!", "?", ":", *"\N{FULLWIDTH EXCLAMATION MARK}\N{FULLWIDTH QUESTION MARK}")
 
 
 def sentence(text: str) -> str:
@@ -46,7 +47,7 @@ def sentence(text: str) -> str:
     stop. What is a message is to come as one: in a plain text names cannot be told from words.
     """
     shown = _begun(text)
-    return shown if not shown or shown.endswith(_ENDS) else f"{shown}."
+    return shown if not shown or shown.endswith(_ENDS) else tr("{text}.", text=shown)
 
 
 def _begun(text: str) -> str:
@@ -71,7 +72,7 @@ def _capital(text: str) -> str:
 
 def strip_full_stop(text: str) -> str:
     """The text without a full stop at its end: to stand inside a sentence that has its own."""
-    return text.rstrip().rstrip(".")
+    return text.rstrip().rstrip(_FULL_STOPS)
 
 
 def time_text(seconds: float) -> str:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from enum import Enum, auto
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -38,6 +37,7 @@ from app.shell.drops import Drops
 from app.shell.export_controller import ExportController
 from app.shell.import_controller import ImportController
 from app.shell.open_recovery import OpenRecovery
+from app.shell.path_contents import Instead, read_path
 from app.shell.project_navigation import ProjectNavigation
 from app.shell.recording_controller import RecordingController
 from app.shell.result_storage import ResultStorage
@@ -45,10 +45,8 @@ from app.shell.save_controller import SaveController
 from app.shell.sessions_beside import SessionsBeside
 from app.shell.setup_controller import SetupController
 from app.shell.whereabouts import Whereabouts
-from tracking.progress import Progress
 from tracking.recording import OpenOptions
 from tracking.session import Session
-from tracking.setup.files import needs_setup
 
 if TYPE_CHECKING:
     from app.shell.main_window import MainWindow
@@ -168,7 +166,7 @@ class Files(Controller):
                 self.controller.toggle()
 
         again = partial(self.open_path, path, recording, options, play=play, save_at=save_at)
-        work = partial(_opened, path, recording, options)
+        work = partial(read_path, path, recording, options)
         if not self._work.refuses():
             self.opening = True
             self._work.run(tr("Opening {name}", name=path.name), work, show, self._end_opening)
@@ -375,32 +373,3 @@ class Files(Controller):
         """The first page: what was opened before, and what a crash left behind."""
         remembered = self._remembered
         return first_page({path: remembered.recent_name(path) for path in remembered.recent})
-
-
-class Instead(Enum):
-    """What is done with a folder that is no recording."""
-
-    SETUP = auto()
-    PROJECT = auto()
-
-
-def _opened(
-    path: Path, recording: Path | None, options: OpenOptions | None, report: Progress
-) -> OpenedDocument | Instead:
-    """What a path holds: a document, cameras to be set up first, or several recordings.
-
-    Raises:
-        TrackwrightError: it cannot be opened.
-    """
-    if options is None or options.left is None:
-        if needs_setup(path):
-            return Instead.SETUP
-        if path.is_dir() and _holds_several(path):
-            return Instead.PROJECT
-    return left_behind.open_with_unsaved(path, recording, options, report)
-
-
-def _holds_several(folder: Path) -> bool:
-    from tracking.project.folder_scan import holds_several  # takes long to import
-
-    return holds_several(folder)

@@ -25,9 +25,9 @@ from app.core.i18n import language_in_use, tr
 from app.core.keymap import first_key
 from app.core.look.icons import application_icon
 from app.core.widgets.command_list import native_keys
+from app.core.widgets.desktop_programs import open_place
 from app.core.widgets.jobs_dialog import JobsButton, JobsDialog
 from app.core.widgets.notice import NoticeBar
-from app.core.widgets.opening import open_place
 from app.core.widgets.parts import quiet
 from app.core.widgets.progress_strip import ProgressStrip
 from app.core.widgets.user_settings import UserSettings

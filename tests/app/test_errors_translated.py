@@ -18,12 +18,17 @@ from app.core.tracking_process.messages import (
     unpacked_notes,
 )
 from tests.pseudo import TRANSLATED
-from tracking.errors import FormatError
+from tracking.atomic_output import check_target
+from tracking.editing.core.label_state import LabelState, apply_label_state
+from tracking.errors import EditError, FormatError, OutputError, UnsafeFileError
 from tracking.formats import format_of
+from tracking.owned_files import check_folder
 from tracking.session import session_reader
 from tracking.session.backups import Backup
+from tracking.session.journal_faults import CANNOT_WRITE, translate_errors
 from tracking.session.notes import note_of_change, note_of_missing_seal, tell_damage
 from tracking.session.session_reader import check_file
+from tracking.tracks import Labels, Occluder
 from tracking.translation import Message, msg, tr
 
 
@@ -105,3 +110,32 @@ def test_the_way_out_hangs_on_what_is_known_of_a_file_and_not_on_its_sentence(
     verdict["unreadable"] = True
     with pytest.raises(Exception, match="bring a copy of it"):
         check_file(empty)
+
+
+@pytest.mark.usefixtures("pseudo")
+def test_what_stands_in_the_place_of_a_file_is_told_in_the_language(tmp_path: Path) -> None:
+    with pytest.raises(OutputError) as caught:
+        check_target(tmp_path)
+    assert "⟦it is ⟦a folder⟧⟧" in explain(caught.value)
+
+
+@pytest.mark.usefixtures("pseudo")
+def test_what_is_no_folder_is_told_in_the_language(empty: Path) -> None:
+    with pytest.raises(UnsafeFileError) as caught:
+        check_folder(empty)
+    assert f"⟦{empty} is ⟦a file⟧, not ⟦a folder⟧" in explain(caught.value)
+
+
+@pytest.mark.usefixtures("pseudo")
+def test_what_an_edit_was_not_planned_on_is_told_in_the_language() -> None:
+    left = LabelState(occluders=(Occluder("", ((0.0, 0.0), (1.0, 0.0), (0.0, 1.0))),))
+    with pytest.raises(EditError) as caught:
+        apply_label_state(Labels(), left, LabelState())
+    assert "the ⟦occluders⟧ are not" in explain(caught.value)
+
+
+@pytest.mark.usefixtures("pseudo")
+def test_what_a_journal_refuses_is_told_in_the_language(tmp_path: Path) -> None:
+    with pytest.raises(OutputError) as caught, translate_errors(tmp_path, CANNOT_WRITE):
+        raise OSError("full")
+    assert "⟦the journal of edits cannot be written⟧ (full)" in explain(caught.value)

@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.owned_files import SAFE_FLAGS, kind_of
+from tracking.owned_files import A_FILE, SAFE_FLAGS, kind_of
 
 Stamps = NDArray[np.int64]
 """(n,) ns since 1970, or since anything that all cameras of a recording share."""
@@ -67,7 +67,7 @@ def lies_in(place: Path, folder: Path) -> bool:
 def _is_plain(path: Path) -> bool:
     """Whether a regular file stands there, and no link to one."""
     try:
-        return kind_of(path) == "a file"
+        return kind_of(path) == A_FILE
     except OSError:
         return False
 

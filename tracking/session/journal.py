@@ -13,7 +13,14 @@ from tracking.editing import Entry
 from tracking.errors import OutputError, SessionError
 from tracking.file_lock import identity
 from tracking.owned_files import check_file, open_file
-from tracking.session.journal_faults import is_damage, translate_errors
+from tracking.session.journal_faults import (
+    CANNOT_MAKE,
+    CANNOT_OPEN,
+    CANNOT_READ,
+    CANNOT_WRITE,
+    is_damage,
+    translate_errors,
+)
 from tracking.session.journal_limits import (
     FULL_BYTES,
     LONGEST_CELL,
@@ -58,12 +65,12 @@ class Journal:
         Raises OutputError where that fails, SessionError where it is none.
         """
         self._path = path
-        with translate_errors(path, "opened"):
+        with translate_errors(path, CANNOT_OPEN):
             _check_files(path)
             self._base = sqlite3.connect(path, isolation_level=None, check_same_thread=False)
         self._count = StepCount(path.with_name(f"{path.name}-count"), mode)
         try:
-            with translate_errors(path, "opened"):
+            with translate_errors(path, CANNOT_OPEN):
                 self._open()
         except BaseException:
             self.close()
@@ -128,7 +135,7 @@ class Journal:
 
         Raises as opening does, and SessionError where a file has the name already.
         """
-        with translate_errors(path, "made"):
+        with translate_errors(path, CANNOT_MAKE):
             _make_file(path, mode)
         journal: Journal | None = None
         try:
@@ -199,7 +206,7 @@ class Journal:
         return (self._last, self._checksum) == (last, before)
 
     def _take_out(self, failed: tuple[int, str], before: str) -> bool:
-        with translate_errors(self._path, "written"), self._transaction():
+        with translate_errors(self._path, CANNOT_WRITE), self._transaction():
             rows = self._rows_from(self._last - 1)
             kept = rows[0][-1] if len(rows) > 1 else self._first_checksum()
             if row_checksum(kept, rows[-1][:-1]) != failed[1] or kept != before:
@@ -229,7 +236,7 @@ class Journal:
         steps: list[Step] = []
         problem = ""
         try:
-            with translate_errors(self._path, "read"), self._limited(SMALL_CELL):
+            with translate_errors(self._path, CANNOT_READ), self._limited(SMALL_CELL):
                 first, damaged = self._first_checksum(), bool(self._problem)
                 used, limit = self._used_bytes(), self._limit
                 rows = rows_in_order(self._base, first, used, limit, damaged=damaged)
@@ -265,7 +272,7 @@ class Journal:
         row = row_of(Step(self._last + 1, act, entry), self._checksum)
         used = text_bytes(row)
         self._failed = (row[0], row[-1])  # whatever ends this before its last line
-        with translate_errors(self._path, "written"), self._transaction():
+        with translate_errors(self._path, CANNOT_WRITE), self._transaction():
             self._check_tail()
             self._base.execute(INSERT, row)
         self._bytes += used
@@ -290,7 +297,7 @@ class Journal:
         """
         if not included and self._origin == (session, save):
             return
-        with translate_errors(self._path, "written"), self._transaction():
+        with translate_errors(self._path, CANNOT_WRITE), self._transaction():
             self._check_tail()
             rows = list(number_rows(self._rows_from(included + 1), session, save))
             self._attempted = (session, save), [row[-1] for row in rows]
@@ -298,7 +305,7 @@ class Journal:
             self._base.execute("INSERT INTO origin VALUES (?, ?)", (session, save))
             self._base.execute("DELETE FROM steps")
             self._base.executemany(INSERT, rows)
-        with translate_errors(self._path, "read"):
+        with translate_errors(self._path, CANNOT_READ):
             self._started(session, save)
         self._attempted = None
 
@@ -306,7 +313,7 @@ class Journal:
         """Write steps into a journal that has none, all of them or none."""
         if steps and self._origin is not None:
             rows = number_rows((row_of(step, "") for step in steps), *self._origin)
-            with translate_errors(self._path, "written"), self._transaction():
+            with translate_errors(self._path, CANNOT_WRITE), self._transaction():
                 self._base.executemany(INSERT, rows)
             self._started(*self._origin)
 

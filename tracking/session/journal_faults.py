@@ -8,8 +8,12 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from tracking.errors import OutputError, SessionError
-from tracking.translation import msg
+from tracking.translation import Message, msg
 
+CANNOT_OPEN = msg("the journal of edits cannot be opened")
+CANNOT_MAKE = msg("the journal of edits cannot be made")
+CANNOT_READ = msg("the journal of edits cannot be read")
+CANNOT_WRITE = msg("the journal of edits cannot be written")
 _OF_THE_DISK = frozenset(
     {
         *(sqlite3.SQLITE_IOERR, sqlite3.SQLITE_FULL, sqlite3.SQLITE_CANTOPEN, sqlite3.SQLITE_PERM),
@@ -32,8 +36,8 @@ def is_damage(why: Exception) -> bool:
 
 
 @contextmanager
-def translate_errors(path: Path, what: str) -> Iterator[None]:
-    """Turn what SQLite and the system say about a journal that cannot be "opened" into one line.
+def translate_errors(path: Path, failed: Message) -> Iterator[None]:
+    """Turn what SQLite and the system say about a journal into one line that begins with `failed`.
 
     Raises OutputError where the disk, rights, memory or time do not suffice, SessionError for
     damage.
@@ -47,9 +51,8 @@ def translate_errors(path: Path, what: str) -> Iterator[None]:
             ) from why
         said = msg("there is not enough memory") if isinstance(why, MemoryError) else why
         raise OutputError(
-            "{path}: the journal of edits cannot be {what} ({said}); make room or choose a "
-            "folder you may write to",
+            "{path}: {failed} ({said}); make room or choose a folder you may write to",
             path=path,
-            what=what,
+            failed=failed,
             said=said,
         ) from why

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from tracking.errors import SessionError, UnsafeFileError
 from tracking.owned_files import check_file, open_file
-from tracking.session.journal_faults import translate_errors
+from tracking.session.journal_faults import CANNOT_READ, translate_errors
 from tracking.session.journal_limits import FULL_BYTES, MOST_BYTES, TimeLimit
 from tracking.session.journal_schema import check_schema
 
@@ -44,7 +44,7 @@ def files_to_copy(main: Path) -> list[str]:
     _check_header(main)
     if sizes[0] and _is_log(log):
         return endings  # pages of the main file may be halfway out of the log: the copy is checked
-    with translate_errors(main, "read"):
+    with translate_errors(main, CANNOT_READ):
         _check_tables(main)
     return [""]  # SQLite takes no step from what is no log either; the count tells
 

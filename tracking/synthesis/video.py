@@ -24,20 +24,20 @@ _FRAMES_TO_A_KEY = 20
 
 
 class VideoWriter:
-    """One camera's video, frame after frame; a context manager."""
+    """One camera's video, frame after frame; a context manager.
+
+    What the system says of its file (OSError) is for whoever named the place, such as `part_of`.
+    """
 
     def __init__(self, path: Path, size: tuple[int, int], fps: float) -> None:
         """Begin a video of images of `size` (width, height).
 
         Raises:
-            OutputError: no encoder is there, or the file cannot be made.
+            OutputError: no encoder is there.
+            OSError: the file cannot be made.
         """
-        self._path = path
         encoder, options = _encoder()
-        try:
-            self._container = av.open(str(path), "w", format="mp4")
-        except OSError as error:
-            raise _failed(path, error) from error
+        self._container = av.open(str(path), "w", format="mp4")
         rate = Fraction(fps).limit_denominator(1001)
         self._stream = self._container.add_stream(encoder, rate=rate, options=options)
         self._stream.width, self._stream.height = size
@@ -46,7 +46,7 @@ class VideoWriter:
         self._next = 0
 
     def write(self, image: Image) -> None:
-        """Append a picture; OutputError where the disk is full."""
+        """Append a picture; OSError where the disk is full."""
         # OpenCV rounds where FFmpeg's own conversion cuts off two grey levels.
         planes = np.asarray(cv2.cvtColor(image, cv2.COLOR_BGR2YUV_I420), np.uint8)
         frame = av.VideoFrame.from_ndarray(planes, format="yuv420p")
@@ -55,10 +55,7 @@ class VideoWriter:
         self._mux(frame)
 
     def _mux(self, frame: av.VideoFrame | None) -> None:
-        try:
-            self._container.mux(self._stream.encode(frame))
-        except OSError as error:
-            raise _failed(self._path, error) from error
+        self._container.mux(self._stream.encode(frame))
 
     def __enter__(self) -> VideoWriter:
         return self
@@ -68,9 +65,9 @@ class VideoWriter:
             self._mux(None)
         try:
             self._container.close()
-        except OSError as closing:
+        except OSError:
             if kind is None:
-                raise _failed(self._path, closing) from closing
+                raise
 
 
 def _encoder() -> tuple[_Encoder, dict[str, str]]:
@@ -81,10 +78,3 @@ def _encoder() -> tuple[_Encoder, dict[str, str]]:
             continue
         return name, options
     raise OutputError("no video encoder (libx264, mpeg4) is there; install av from a wheel")
-
-
-def _failed(path: Path, error: OSError) -> OutputError:
-    reason = error.strerror or str(error)
-    return OutputError(
-        "cannot write {path}: {reason}; choose another place or make room", path=path, reason=reason
-    )

@@ -11,7 +11,7 @@ from app.core.drawing.name_places import place_plates
 from app.core.drawing.name_plates import draw_note, plate_rect
 from app.core.drawing.viewport import Viewport
 from app.core.look.theme import Theme, faded
-from app.core.scenes.suggested import SuggestedMark
+from app.core.scenes.suggested_marks import SuggestedMark
 
 _DASHES, _DOTS = [6.0, 4.0], [2.0, 3.0]
 _CASING = QColor(0, 0, 0, 150)

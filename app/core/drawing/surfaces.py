@@ -15,7 +15,7 @@ from app.core.scenes.ground_truth import FlooredTruth, PicturedTruth
 from app.core.scenes.labels import FloorLabels, PictureLabels
 from app.core.scenes.other_people import Divider, OtherMark, OtherPlace
 from app.core.scenes.pictured_parts import PicturedParts
-from app.core.scenes.suggested import SuggestedMark
+from app.core.scenes.suggested_marks import SuggestedMark
 
 
 class PictureSurface(Canvas):

@@ -9,7 +9,7 @@ from app.core.scenes.ground_truth import PicturedTruth
 from app.core.scenes.labels import PictureLabels
 from app.core.scenes.other_people import Divider, OtherMark
 from app.core.scenes.pictured_parts import PicturedParts
-from app.core.scenes.suggested import SuggestedMark
+from app.core.scenes.suggested_marks import SuggestedMark
 
 
 @dataclass(frozen=True, slots=True)

@@ -20,7 +20,7 @@ from app.core.i18n import tr
 from app.core.keymap import key_or_title
 from app.core.playback.playback import Playback
 from app.core.scenes.detections import DETECTION
-from app.core.scenes.suggested import SuggestedMark
+from app.core.scenes.suggested_marks import SuggestedMark
 from app.core.tracks.frame_state import FrameState, ViewOptions
 from app.core.tracks.recording_geometry import box_of
 from app.features.correction.box_search import BoxSearch

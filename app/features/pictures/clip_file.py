@@ -16,7 +16,6 @@ from numpy.typing import NDArray
 from app.features.pictures.clip import ClipChoice, ClipKind, ClipSource
 from app.features.pictures.clip_painter import ClipPainter
 from tracking.atomic_output import part_of
-from tracking.errors import OutputError
 from tracking.progress import Progress
 from tracking.recording import Instants
 from tracking.synthesis.video import VideoWriter
@@ -25,10 +24,10 @@ Bgr = NDArray[np.uint8]
 
 
 class PictureWriter(Protocol):
-    """Takes the pictures of a clip one after the other."""
+    """Takes the pictures of a clip one after the other; `part_of` tells what the disk refuses."""
 
     def write(self, image: Bgr) -> None:
-        """Append a picture; OutputError where the disk is full."""
+        """Append a picture; OSError where the disk is full."""
 
 
 def write_clip(source: ClipSource, choice: ClipChoice, path: Path, report: Progress) -> int:
@@ -82,13 +81,10 @@ class _GifWriter:
     """An animated GIF that runs for ever; each picture has 256 colours of its own."""
 
     def __init__(self, path: Path, size: tuple[int, int], fps: float) -> None:
-        self._path, self._next = path, 0
+        self._next = 0
         rate = Fraction(fps).limit_denominator(100)
         self._base = 1 / rate
-        try:
-            self._container = av.open(str(path), "w", format="gif")
-        except OSError as error:
-            raise self._failed(error) from error
+        self._container = av.open(str(path), "w", format="gif")
         self._stream = self._container.add_stream("gif", rate=rate)
         self._stream.width, self._stream.height = size
         self._stream.pix_fmt = "pal8"
@@ -110,13 +106,9 @@ class _GifWriter:
 
     def close(self) -> None:
         """Let go of the file."""
-        if self._closed:
-            return
-        self._closed = True
-        try:
+        if not self._closed:
+            self._closed = True
             self._container.close()
-        except OSError as error:
-            raise self._failed(error) from error
 
     def _drain(self) -> None:
         while True:
@@ -128,18 +120,7 @@ class _GifWriter:
                 self._mux(frame)
 
     def _mux(self, frame: av.VideoFrame | None) -> None:
-        try:
-            self._container.mux(self._stream.encode(frame))
-        except OSError as error:
-            raise self._failed(error) from error
-
-    def _failed(self, error: OSError) -> OutputError:
-        reason = error.strerror or str(error)
-        return OutputError(
-            "cannot write {path}: {reason}; choose another place or make room",
-            path=self._path,
-            reason=reason,
-        )
+        self._container.mux(self._stream.encode(frame))
 
 
 def _palette_graph(size: tuple[int, int], base: Fraction) -> Graph:

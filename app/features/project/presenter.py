@@ -9,7 +9,7 @@ from dataclasses import replace
 from datetime import timedelta
 from pathlib import Path
 
-from app.core.i18n import N_, count_text, joined_text, sentence, tr
+from app.core.i18n import N_, count_text, joined_text, sentence, strip_full_stop, tr
 from app.features.project.scene import Mood, ProjectScene, RecordingRow, Sortable
 from tracking.batch.watch import WorkedOn
 from tracking.project import ProjectList, ProjectRow, SessionFacts, next_to_review, worth_of
@@ -168,7 +168,7 @@ def _state(row: ProjectRow) -> tuple[str, Mood]:
 
 
 def _working(work: WorkedOn) -> str:
-    stage = sentence(tr(work.stage)).rstrip(".")
+    stage = strip_full_stop(sentence(tr(work.stage)))
     return stage if work.share is None else tr("{stage} {share:.0%}", stage=stage, share=work.share)
 
 

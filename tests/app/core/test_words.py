@@ -1,7 +1,11 @@
+from collections.abc import Iterator
+
 import pytest
 
 from app.core import i18n
 from tracking.translation import joined, msg
+
+STOP = "\N{IDEOGRAPHIC FULL STOP}"
 
 
 def test_places_in_a_text_are_filled():
@@ -38,3 +42,21 @@ def test_one_is_not_said_in_the_plural(count, said):
 )
 def test_a_sentence_begins_with_a_capital_but_a_name_stays_as_it_is(message, said):
     assert i18n.sentence(message) == said
+
+
+@pytest.fixture
+def japanese() -> Iterator[None]:
+    i18n.use_language("ja")
+    yield
+    i18n.use_language("en")
+
+
+@pytest.mark.usefixtures("japanese")
+@pytest.mark.parametrize(
+    "message", [msg("floor: {count} points", count=3), joined("", ("ab" + STOP,))]
+)
+def test_a_sentence_ends_with_the_full_stop_of_its_language(message):
+    text = i18n.sentence(message)
+    assert text.count(STOP) == 1
+    assert text.endswith(STOP)
+    assert i18n.strip_full_stop(text) == text.removesuffix(STOP)

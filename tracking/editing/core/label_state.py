@@ -20,6 +20,7 @@ from tracking.tracks import (
     Verdict,
     VerdictKey,
 )
+from tracking.translation import Message, msg
 
 
 class _Sortable(Hashable, Protocol):
@@ -59,10 +60,12 @@ def apply_label_state(labels: Labels, before: LabelState, after: LabelState) -> 
         return labels
     return replace(
         _tracks_relabelled(labels, before.tracks, after.tracks),
-        occluders=_exchanged(labels.occluders, before.occluders, after.occluders, "occluders"),
-        reviewed=_exchanged(labels.reviewed, before.reviewed, after.reviewed, "reviewed ranges"),
-        lines=_exchanged(labels.lines, before.lines, after.lines, "counting lines"),
-        regions=_exchanged(labels.regions, before.regions, after.regions, "regions"),
+        occluders=_exchanged(labels.occluders, before.occluders, after.occluders, msg("occluders")),
+        reviewed=_exchanged(
+            labels.reviewed, before.reviewed, after.reviewed, msg("reviewed ranges")
+        ),
+        lines=_exchanged(labels.lines, before.lines, after.lines, msg("counting lines")),
+        regions=_exchanged(labels.regions, before.regions, after.regions, msg("regions")),
         verdicts=_verdicts_exchanged(labels.verdicts, before.verdicts, after.verdicts),
         parts=_parts_exchanged(labels.parts, before.parts, after.parts),
     )
@@ -85,7 +88,7 @@ def _tracks_relabelled(
 
 
 def _exchanged(
-    present: tuple[_Label, ...], out: Iterable[_Label], into: Iterable[_Label], what: str
+    present: tuple[_Label, ...], out: Iterable[_Label], into: Iterable[_Label], what: Message
 ) -> tuple[_Label, ...]:
     """Sorted, with some labels taken out and others put in."""
     leaving, coming = set(out), set(into)
@@ -112,7 +115,7 @@ def _verdicts_exchanged(
     if not (out or into):
         return present
     changed = dict(present)
-    _check_planned(changed.get, out, into, "verdict")
+    _check_planned(changed.get, out, into, msg("verdict"))
     for verdict in out:
         del changed[verdict.key]
     changed.update((verdict.key, verdict) for verdict in into)
@@ -124,7 +127,7 @@ def _parts_exchanged(
 ) -> PartLabels:
     if not (out or into):
         return present
-    _check_planned(present.get, out, into, "part label")
+    _check_planned(present.get, out, into, msg("part label"))
     return present.changed([label.key for label in out], into)
 
 
@@ -132,7 +135,7 @@ def _check_planned(
     found: Callable[[Any], Any],
     out: Collection[Verdict] | Collection[PartLabel],
     into: Collection[Verdict] | Collection[PartLabel],
-    what: str,
+    what: Message,
 ) -> None:
     """Raise EditError unless what leaves is there and what comes finds its place empty."""
     leaving, coming = {label.key for label in out}, {label.key for label in into}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+from collections.abc import Iterator
 from dataclasses import replace
 
 import av
@@ -11,6 +12,7 @@ import pytest
 from PySide6.QtGui import QFont
 
 from app.core.colours.track_colours import TrackColours
+from app.core.error_messages import explain
 from app.core.look.theme import load_theme
 from app.core.tracks.frame_state import FrameState, ViewOptions
 from app.core.tracks.session_tracks import SessionTracks
@@ -144,6 +146,26 @@ def test_a_clip_that_is_cancelled_leaves_nothing(source, tmp_path):
         write_clip(source, replace(CHOICE, kind=ClipKind.GIF), tmp_path / "clip.gif", stop)
     with pytest.raises(CancelledError):
         write_clip(source, CHOICE, tmp_path / "clip.mp4", stop)
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.fixture
+def small_disk() -> Iterator[None]:
+    """Files are refused what goes beyond a few bytes."""
+    resource = pytest.importorskip("resource")
+    before = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (256, before[1]))
+    yield
+    resource.setrlimit(resource.RLIMIT_FSIZE, before)
+
+
+@pytest.mark.usefixtures("small_disk")
+@pytest.mark.parametrize("kind", list(ClipKind))
+def test_a_disk_that_is_full_is_told_of_the_file_that_was_asked_for(source, tmp_path, kind):
+    path = tmp_path / f"clip{kind.value}"
+    with pytest.raises(OutputError) as caught:
+        write_clip(source, replace(CHOICE, kind=kind), path, nothing)
+    assert explain(caught.value) == f"cannot write {path}: File too large; choose another place"
     assert list(tmp_path.iterdir()) == []
 
 

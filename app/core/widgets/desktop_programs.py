@@ -1,4 +1,4 @@
-"""Files and folders opened in the programs that the desktop has for them."""
+"""The programs that the desktop has for files and folders."""
 
 from __future__ import annotations
 
