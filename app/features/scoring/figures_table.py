@@ -24,7 +24,7 @@ from app.features.scoring.scene import ScoreScene
 _COLUMNS, _MOST_GROUPS = 4, 3
 _WIDEST, _WIDEST_MOVE = "100.0%", "\u25b2 +88.888"
 _PAD_PX, _TIGHT_PAD_PX = 28, 22
-"""Beside a figure; tight where three stand side by side."""
+"""Beside a figure; tight where several stand side by side."""
 
 
 class FiguresTable(QTableWidget):
@@ -113,8 +113,7 @@ class FiguresTable(QTableWidget):
             self.setColumnHidden(column, part == 2 and self.groups == _MOST_GROUPS)
             if part:
                 px = max(width(names[part]), width(widest[part - 1]))
-                tight = self.groups == _MOST_GROUPS
-                self._widths[part] = px + (_TIGHT_PAD_PX if tight else _PAD_PX)
+                self._widths[part] = px + (_TIGHT_PAD_PX if narrow else _PAD_PX)
                 self.setColumnWidth(column, self._widths[part])
 
     def _tell_frames(self) -> None:

@@ -91,6 +91,20 @@ def test_choices_are_told_and_showing_them_is_no_choice(panel, heard):
     assert kinds == [(ErrorKind.MISS, False)]
 
 
+def test_while_the_first_score_is_worked_out_the_figures_have_their_places(panel):
+    panel.show_scene(replace(SCENE, rows=tuple(map(_empty, FIGURES)), doing=""))
+    wanted = panel.sizeHint()
+    panel.show_scene(replace(SCENE, rows=(), doing="Scoring..."))
+    assert not panel.table.isHidden()
+    assert not panel._report.isEnabled()
+    assert panel.table.item(0, 0).text() == "HOTA"
+    assert panel.sizeHint() == wanted
+
+
+def _empty(figure):
+    return ScoreRow(figure.name, figure.hint, "", "", short=figure.short)
+
+
 def test_without_a_truth_it_is_said_what_to_do(panel):
     panel.show_scene(replace(SCENE, rows=(), truth=-1, message="choose a file", moved=""))
     assert panel._message.text() == "choose a file"
