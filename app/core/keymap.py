@@ -60,13 +60,18 @@ def first_key(command: str) -> str:
     return next(iter(keys_of(command)), "")
 
 
+def shown_key(command: str) -> str:
+    """The same as keyboards name it: "Enter", not "Return"."""
+    return first_key(command).replace("Return", "Enter")
+
+
 def in_brackets(command: str) -> str:
     """The key of a command behind other words, e.g. " (Ctrl+T)"; "" where it has none."""
-    key = first_key(command)
+    key = shown_key(command)
     return f" ({key})" if key else ""
 
 
 def key_or_title(command: str) -> str:
     """What to press for a command; where it has no key, its title in quotes."""
     known = _known.get(command)
-    return first_key(command) or tr('"{title}"', title=tr(known.title) if known else command)
+    return shown_key(command) or tr('"{title}"', title=tr(known.title) if known else command)

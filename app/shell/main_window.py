@@ -233,6 +233,7 @@ class MainWindow(QMainWindow):
     def _show_keys(self) -> None:
         """Give the commands their keys, wherever they are shown."""
         self.menus.use_keys()
+        self.welcome.name_keys()
         key = native_keys(first_key("edit.commands"))
         self._search.setText(f"{tr('Search commands')}   {key}".rstrip())
         self.refresh()

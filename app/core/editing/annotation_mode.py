@@ -8,6 +8,7 @@ from enum import Enum
 from app.core.editing.flow import EditFlow
 from app.core.editing.suggested_boxes import Ghost
 from app.core.i18n import count_text, tr
+from app.core.keymap import key_or_title
 from tracking.tracks import Box, Source, TrackTable
 
 
@@ -74,5 +75,5 @@ class AnnotationMode:
         elif guesses:
             whose = tr("Drag to draw who is expected there, else a new person")
         on = count_text(self.step, "then {n} frame on", "then {n} frames on") if self.step else ""
-        parts = (whose, on, tr("Esc ends drawing"))
+        parts = (whose, on, tr("{key} ends drawing", key=key_or_title("tracks.none")))
         return "  \u00b7  ".join(part for part in parts if part)

@@ -14,13 +14,15 @@ from app.core.editing.edit_spec import EditSpec
 from app.core.editing.flow import EditFlow
 from app.core.editing.nearness import metres_apart
 from app.core.i18n import count_text, joined_text, some_of, time_text, tr
-from app.core.keymap import key_or_title
+from app.core.keymap import key_or_title, shown_key
 from app.core.scenes import ChoiceRow, EditPreview, Proposal
 from app.core.tracks.edit_context import EditContext
 from tracking.editing import Change
 from tracking.tracks import Columns, TrackTable, next_track, pairs_of, row_keys
 
 _MOST_NAMED = 4
+_CHOOSERS = "tracks.scope", "tracks.way"
+"""The commands that go through the options of each row."""
 _FAR_APART_M = 1.5
 """Who is never nearer than this was hardly taken for the other."""
 Places = NDArray[np.int64]
@@ -64,7 +66,7 @@ def _choice_row(flow: EditFlow, row: int) -> ChoiceRow | None:
     if len(options) < 2:
         return None
     names = tuple(option_name(option, flow) for option in options)
-    return ChoiceRow(row, question(options[0]), names, flow.chosen(row), "RC"[row])
+    return ChoiceRow(row, question(options[0]), names, flow.chosen(row), shown_key(_CHOOSERS[row]))
 
 
 def _others(flow: EditFlow, on: EditContext) -> tuple[Proposal, ...]:
@@ -170,7 +172,7 @@ def _per_track(places: Places) -> dict[int, int]:
 
 def _hint(flow: EditFlow, ready: bool) -> str:
     if flow.needs_other or not (ready or flow.places):
-        return tr("Esc cancels the edit")
+        return tr("{key} cancels the edit", key=key_or_title("tracks.none"))
     keys = []
     if flow.places:
         keys.append(tr("Arrows move, with Shift ten times as far"))
@@ -194,18 +196,22 @@ def _hint(flow: EditFlow, ready: bool) -> str:
                 on=key_or_title("play.next_second"),
             )
         )
+    up, down = key_or_title("tracks.up"), key_or_title("tracks.down")
     if len(flow.cuts) > 1:
-        keys.append(tr("Up / Down: other frames found"))
+        keys.append(tr("{up} / {down}: other frames found", up=up, down=down))
     if flow.spec is edits.FILL_ALL:
-        keys.append(tr("Up / Down go through the gaps"))
-    titles = (tr("R changes whom to keep"), tr("C fills the gap"))
+        keys.append(tr("{up} / {down} go through the gaps", up=up, down=down))
+    scope, way = key_or_title("tracks.scope"), key_or_title("tracks.way")
+    titles = (tr("{key} changes whom to keep", key=scope), tr("{key} fills the gap", key=way))
     for row, of_merge in enumerate(titles):
         if len(flow.choices[row]) > 1:
-            other = _far_hint(flow.spec) if row == 0 else tr("C changes how")
+            other = _far_hint(flow.spec) if row == 0 else tr("{key} changes how", key=way)
             keys.append(of_merge if flow.spec is edits.MERGE else other)
     return joined_text(", ", keys)
 
 
 def _far_hint(spec: EditSpec) -> str:
-    of_gaps = tr("R changes how long they may be")
-    return of_gaps if spec is edits.FILL_ALL else tr("R changes the scope")
+    key = key_or_title("tracks.scope")
+    if spec is edits.FILL_ALL:
+        return tr("{key} changes how long they may be", key=key)
+    return tr("{key} changes the scope", key=key)

@@ -12,6 +12,7 @@ from app.core.editing.edit_texts import preview_scene
 from app.core.editing.flow import EditFlow, Range
 from app.core.editing.preview_tracks import apply_to_rows, within
 from app.core.i18n import tr
+from app.core.keymap import key_or_title
 from app.core.scenes import EditPreview, PreviewTrail
 from app.core.tracks.edit_context import EditContext
 from app.core.tracks.track_reader import concatenate
@@ -50,7 +51,10 @@ def preview_plan(flow: EditFlow, on: EditContext, problem: str = "") -> PlannedE
         change = plan_of(flow, on)
     except EditError as why_not:
         ask = tr(
-            "Pick the other person: click on them, type their id, or press Tab. Then press Enter."
+            "Pick the other person: click on them, type their id, or press {next}. "
+            "Then press {apply}.",
+            next=key_or_title("tracks.next"),
+            apply=key_or_title("tracks.confirm"),
         )
         lines = (problem, ask if flow.needs_other else str(why_not))
         return PlannedEdit(preview_scene(flow, tuple(filter(None, lines)), None, on))

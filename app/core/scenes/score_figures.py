@@ -129,6 +129,13 @@ def rows_of(whole: Score, visible: Score, before: Score | None) -> tuple[ScoreRo
     return tuple(rows)
 
 
+def awaited_rows() -> tuple[ScoreRow, ...]:
+    """All figures before the first score is there: names alone, so that they keep their places."""
+    return tuple(
+        ScoreRow(tr(one.name), tr(one.hint), "", "", short=tr(one.short)) for one in FIGURES
+    )
+
+
 def hota_moved(before: Score, after: Score) -> str:
     """How HOTA moved in a few letters, e.g. "HOTA ▲ +0.012"; "" where it did not."""
     moved, _ = FIGURES[0].moved(before, after)

@@ -58,7 +58,8 @@ class ChoiceButtons(QWidget):
         self.setVisible(row is not None)
         if row is None:
             return
-        self._title.setText(tr("{0}  ({1})").format(row.title, row.key))
+        with_key = tr("{0}  ({1})").format(row.title, row.key)
+        self._title.setText(with_key if row.key else row.title)
         self._frame.setAccessibleName(row.title)
         if row.options != self._options:
             self._options = row.options

@@ -14,6 +14,7 @@ from PySide6.QtWidgets import (
 
 from app.core.drawing.preview_legend import PreviewLegend
 from app.core.i18n import tr
+from app.core.keymap import shown_key
 from app.core.look.icons import IconButton
 from app.core.look.theme import scaled_font
 from app.core.scenes import EditPreview
@@ -137,10 +138,10 @@ class EditPanel(QFrame):
     def _build_ends(self, rows: QVBoxLayout) -> None:
         line = QHBoxLayout()
         line.setSpacing(8)
-        self._cancel = QPushButton(tr("Cancel  Esc"), self)
+        self._cancel = QPushButton(tr("Cancel"), self)
         self._cancel.setAccessibleName(tr("Cancel the edit"))
         self._cancel.clicked.connect(self.cancelled)
-        self._confirm = QPushButton(tr("Apply  Enter"), self)
+        self._confirm = QPushButton(tr("Apply"), self)
         self._confirm.setAccessibleName(tr("Apply the edit"))
         self._confirm.setProperty("primary", True)
         self._confirm.clicked.connect(self.confirmed)
@@ -183,6 +184,8 @@ class EditPanel(QFrame):
         self._end.setText(str(preview.end - 1) if preview.end is not None else "")
         self._frames.setVisible(preview.has_cut and preview.other != 0)
         self._confirm.setEnabled(preview.ready)
+        self._cancel.setText(f"{tr('Cancel')}  {shown_key('tracks.none')}".rstrip())
+        self._confirm.setText(f"{tr('Apply')}  {shown_key('tracks.confirm')}".rstrip())
         self._legend.setVisible(preview.ready and not self._terse)
         self._other_line.setVisible(preview.other is not None)
         typing = self._goes_on_typing(preview.other or 0)

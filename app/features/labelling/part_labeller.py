@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from app.core.document.document import Document
 from app.core.editing import EditScope
 from app.core.i18n import tr
+from app.core.keymap import shown_key
 from app.core.scenes import ChoiceRow
 from app.core.scenes.labels import SAID, SuggestedPart
 from app.core.scenes.part_names import part_name
@@ -169,7 +170,9 @@ class PartLabeller:
         if marked is not None:
             over = tr("frames {first} to {last}", first=marked[0], last=marked[1] - 1)
         options = (tr("this frame"), over)
-        return ChoiceRow(0, tr("Scope"), options, SCOPES.index(self.choice.scope), "R")
+        return ChoiceRow(
+            0, tr("Scope"), options, SCOPES.index(self.choice.scope), shown_key("tracks.scope")
+        )
 
     def counts(self) -> _Counts:
         """How often each part was said to be on, off and unsure; counted on from the last time."""

@@ -8,6 +8,7 @@ from typing import Any, Final
 from app.core.commands.command import Command
 from app.core.commands.conditions import WindowState, editable, session, somebody
 from app.core.i18n import tr
+from app.core.keymap import key_or_title
 from app.features.review.controller import ReviewController
 
 
@@ -15,7 +16,7 @@ def _looked_at(app: WindowState) -> str:
     """A review item must be looked at."""
     if session(app) or app.of(ReviewController).current is not None:
         return session(app)
-    return tr("press N to go to a review item first")
+    return tr("press {key} to go to a review item first", key=key_or_title("review.next"))
 
 
 def _decidable(app: WindowState) -> str:

@@ -6,6 +6,7 @@ from PySide6.QtWidgets import QComboBox, QFormLayout, QWidget
 
 from app.core.document.detector_choice import DETECTOR, OCCLUDERS, DetectorChoice, PartSettings
 from app.core.i18n import count_text, tr
+from app.core.keymap import key_or_title
 from app.core.widgets.parts import quiet
 from tracking.trackers import settings_fields
 
@@ -32,7 +33,10 @@ class PartsLine(QWidget):
 
     def _said(self, count: int) -> str:
         if not count:
-            return tr("No occluders are drawn: Alt+2 draws outlines of objects that hide people.")
+            return tr(
+                "No occluders are drawn: {key} draws outlines of objects that hide people.",
+                key=key_or_title("labels.occluders"),
+            )
         one = "{n} drawn occluder hides people from the tracker."
         return count_text(count, one, "{n} drawn occluders hide people from the tracker.")
 

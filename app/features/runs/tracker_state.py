@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from app.core.document.detector_choice import DETECTOR
 from app.core.i18n import strip_full_stop, tr
-from app.core.keymap import in_brackets
+from app.core.keymap import in_brackets, key_or_title
 from tracking.errors import TrackwrightError
 from tracking.recording import Recording
 from tracking.session import Session
@@ -65,8 +65,9 @@ class TrackerWords:
             said = tr("No tracks: {why}.", why=strip_full_stop(self.why_not))
             return TrackerState("", tr("no tracker"), said)
         said = tr(
-            "No tracks yet. Press Space to play and track the recording: each person gets a lane "
-            "here."
+            "No tracks yet. Press {key} to play and track the recording: each person gets a lane "
+            "here.",
+            key=key_or_title("play.toggle"),
         )
         return TrackerState(self.best, tr("play to track"), said)
 

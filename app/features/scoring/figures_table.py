@@ -24,7 +24,7 @@ from app.features.scoring.scene import ScoreScene
 _COLUMNS, _MOST_GROUPS = 4, 3
 _WIDEST, _WIDEST_MOVE = "100.0%", "\u25b2 +88.888"
 _PAD_PX, _TIGHT_PAD_PX = 28, 22
-"""Beside a figure; tight where three stand side by side."""
+"""Beside a figure; tight where several stand side by side."""
 
 
 class FiguresTable(QTableWidget):
@@ -32,13 +32,14 @@ class FiguresTable(QTableWidget):
 
     A group has the columns name, all frames, frames shown and last edits; where there are several,
     names and titles are short, and of a move there is the arrow; three have no room for the frames
-    shown, and for arrows only where names have theirs. Tooltips say it in full.
+    shown. Arrows, and the frames shown, give way to names. Tooltips say it in full.
     """
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(0, _COLUMNS, parent)
         self._scene: ScoreScene | None = None
         self._rows: tuple[ScoreRow, ...] = ()
+        self._widths: dict[int, int] = {}  # by part of a group: a hidden column has none
         self.setAccessibleName(tr("Score"))
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
@@ -112,8 +113,8 @@ class FiguresTable(QTableWidget):
             self.setColumnHidden(column, part == 2 and self.groups == _MOST_GROUPS)
             if part:
                 px = max(width(names[part]), width(widest[part - 1]))
-                tight = self.groups == _MOST_GROUPS
-                self.setColumnWidth(column, px + (_TIGHT_PAD_PX if tight else _PAD_PX))
+                self._widths[part] = px + (_TIGHT_PAD_PX if narrow else _PAD_PX)
+                self.setColumnWidth(column, self._widths[part])
 
     def _tell_frames(self) -> None:
         scene = self._scene
@@ -137,26 +138,31 @@ class FiguresTable(QTableWidget):
     def sizeHint(self) -> QSize:  # noqa: N802 - Qt's name
         """As wide as all figures and their names."""
         letters = self.fontMetrics().horizontalAdvance
-        named = self._rows or FIGURES
-        names = max(letters(tr(one.short or one.name)) for one in named)
-        figures = sum(
-            self.columnWidth(column)
-            for column in range(self.columnCount())
-            if column % _COLUMNS and not self.isColumnHidden(column)
+        names = max(letters(tr(row.short or row.name)) for row in self._rows or FIGURES)
+        three = self.groups == _MOST_GROUPS
+        figures = self.groups * sum(
+            px for part, px in self._widths.items() if not (three and self.isColumnHidden(part))
         )
         width = figures + self.groups * (names + _PAD_PX) + 2 * self.frameWidth()
         return QSize(width, super().sizeHint().height())
 
     def _give_names_room(self, rows: Sequence[ScoreRow]) -> None:
-        """Three figures side by side: rather no arrows, which tooltips tell, than cut names."""
-        if self.groups < _MOST_GROUPS:
+        """Figures side by side: rather no arrows, then no frames shown, than cut names.
+
+        Tooltips tell both.
+        """
+        if self.groups == 1:
             return
         letters = self.fontMetrics().horizontalAdvance
-        arrow = letters("\u25b2") + _TIGHT_PAD_PX  # a hidden column has no width
-        widest = max((letters(row.short or row.name) for row in rows), default=0) + _TIGHT_PAD_PX
-        each = self.viewport().width() // self.groups - self.columnWidth(1)
-        for group in range(self.groups):
-            self.setColumnHidden(group * _COLUMNS + 3, each - arrow < widest)
+        names = max((letters(row.short or row.name) for row in rows), default=0) + _TIGHT_PAD_PX
+        each = self.viewport().width() // self.groups
+        left_out = {2} if self.groups == _MOST_GROUPS else set()
+        for part in (3, 2):
+            kept = sum(px for one, px in self._widths.items() if one not in left_out)
+            if kept + names > each:
+                left_out.add(part)
+        for column in range(self.columnCount()):
+            self.setColumnHidden(column, column % _COLUMNS in left_out)
 
     # writing
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from PySide6.QtCore import QEvent, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
@@ -17,8 +19,10 @@ from PySide6.QtWidgets import (
 from app.core.drawing.error_signs import sign_icon
 from app.core.feature import FeaturePanel
 from app.core.i18n import tr
+from app.core.keymap import key_or_title
 from app.core.look.icons import IconButton
 from app.core.scenes.ground_truth import ERROR_COLOURS
+from app.core.scenes.score_figures import awaited_rows
 from app.core.widgets.eliding_list import ElidingList
 from app.core.widgets.number_boxes import NumberBox, tell_beside
 from app.core.widgets.parts import quiet, quiet_beside
@@ -177,8 +181,10 @@ class ScorePanel(FeaturePanel):
         self._say(self._message, scene.message)
         self._say(self._notes, "\n".join(map(tr, scene.notes)))
         self._say(self._moved, scene.moved)
-        self.table.setVisible(bool(scene.rows) or not scene.message)
         self._report.setEnabled(bool(scene.rows))
+        if not scene.rows and scene.doing:  # nothing moves once the figures come
+            scene = replace(scene, rows=awaited_rows())
+        self.table.setVisible(bool(scene.rows) or not scene.message)
         self.table.show_scene(scene)
         for choice in scene.errors:
             self._show_kind(choice)
@@ -214,8 +220,8 @@ class ScorePanel(FeaturePanel):
         button.blockSignals(blocked)
         said = tr("shown") if choice.shown else tr("left out")
         button.setAccessibleName(f"{choice.name} {number}, {said}")
-        told = tr("{0}: show them on the timeline; F4 goes to the next")
-        button.setToolTip(told.format(choice.name))
+        told = tr("{0}: show them on the timeline; {1} goes to the next")
+        button.setToolTip(told.format(choice.name, key_or_title("review.next_error")))
 
     @staticmethod
     def _say(label: QLabel, text: str) -> None:

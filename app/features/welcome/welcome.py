@@ -16,6 +16,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from app.core.i18n import tr
+from app.core.keymap import first_key
 from app.core.look.icons import application_icon
 from app.core.look.theme import current_theme, faded, scaled_font
 from app.core.scenes import WelcomeScene
@@ -96,7 +97,7 @@ class WelcomePage(QWidget):
     def _build_choices(self) -> QHBoxLayout:
         row = QHBoxLayout()
         row.setSpacing(16)
-        opening = ChoiceButton("open", tr("Open\u2026"), "Ctrl+O", self)
+        self._opening = opening = ChoiceButton("open", tr("Open\u2026"), "", self)
         opening.say(tr("A recording, a video or a session. You can also drop it here."))
         opening.clicked.connect(self.open_asked)
         demo = ChoiceButton("demo", tr("Try the demo"), "", self)
@@ -136,6 +137,10 @@ class WelcomePage(QWidget):
         self._none.setIndent(10)
         rows.addWidget(self._none)
         return card
+
+    def name_keys(self) -> None:
+        """Name the keys in use, which the user may have changed."""
+        self._opening.set_keys(first_key("file.open"))
 
     def show_scene(self, scene: WelcomeScene) -> None:
         """Show what was opened before, and a notice."""

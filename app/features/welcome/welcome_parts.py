@@ -84,6 +84,12 @@ class ChoiceButton(QPushButton):
         above, below = heights
         return above, below
 
+    def set_keys(self, keys: str) -> None:
+        """It has another key by now, in Qt's portable text; "": none."""
+        self._keys = native_keys(keys) if keys else ""
+        self.updateGeometry()
+        self.update()
+
     def _keys_px(self) -> int:
         """What the keys take from the title's room."""
         letters = QFontMetrics(scaled_font(self.font(), 0.9))

@@ -48,14 +48,16 @@ def test_what_is_better_is_green_and_what_is_worse_red(panel, theme):
     assert better.data(Qt.ItemDataRole.AccessibleTextRole) == "\u25b2 +0.010 better"
 
 
-@pytest.mark.parametrize("width", [690, 540])
-def test_at_the_size_it_has_on_a_small_screen_all_eleven_figures_are_in_sight(panel, qtbot, width):
+@pytest.mark.parametrize(("width", "height"), [(690, 225), (540, 225), (450, 274)])
+def test_at_the_size_it_has_on_a_small_screen_all_eleven_figures_are_in_sight(
+    panel, qtbot, width, height
+):
     names = [one.name for one in FIGURES]
     rows = tuple(
         replace(SCENE.rows[0], name=one.name, short=one.short, whole="100.0%") for one in FIGURES
     )
     panel.show_scene(replace(SCENE, rows=rows, moved=""))
-    panel.resize(width, 225)
+    panel.resize(width, height)
     with qtbot.waitExposed(panel):
         panel.show()
     table, seen = panel.table, []
@@ -87,6 +89,20 @@ def test_choices_are_told_and_showing_them_is_no_choice(panel, heard):
     panel._kinds[ErrorKind.MISS].click()
     assert said == [[1.2], [False]]
     assert kinds == [(ErrorKind.MISS, False)]
+
+
+def test_while_the_first_score_is_worked_out_the_figures_have_their_places(panel):
+    panel.show_scene(replace(SCENE, rows=tuple(map(_empty, FIGURES)), doing=""))
+    wanted = panel.sizeHint()
+    panel.show_scene(replace(SCENE, rows=(), doing="Scoring..."))
+    assert not panel.table.isHidden()
+    assert not panel._report.isEnabled()
+    assert panel.table.item(0, 0).text() == "HOTA"
+    assert panel.sizeHint() == wanted
+
+
+def _empty(figure):
+    return ScoreRow(figure.name, figure.hint, "", "", short=figure.short)
 
 
 def test_without_a_truth_it_is_said_what_to_do(panel):
