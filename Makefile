@@ -96,7 +96,7 @@ mutants: $(STAMP) ## damaged files of each kind through the real command, 10,000
 networks: $(STAMP) ## 1,000 damaged networks, run by either engine (ten minutes)
 	$(BIN)/python -m tests.sweeps.networks
 
-containers: $(STAMP) ## 10,000 damaged bags and folders of stereo cameras, opened and read (three hours)
+containers: $(STAMP) ## 10,000 damaged bags and folders of stereo cameras, opened and read (half an hour)
 	$(BIN)/python -m tests.sweeps.containers
 
 hostile: $(STAMP) ## 300 files and folders made to harm, each through the real command (five minutes)

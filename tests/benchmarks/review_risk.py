@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from itertools import groupby, pairwise
 
 import numpy as np
+from scipy.optimize import minimize
 from scipy.stats import nbinom
 
 from tests.benchmarks.review_cases import Case
@@ -30,6 +31,8 @@ from tracking.review.risk import RiskModel
 
 STRENGTHS = (1.0, 2.0, 4.0, 8.0, 16.0)
 """Priors that are compared, in decisions."""
+_DECIDED = (0.0, 0.25, 0.5, 0.75)
+"""Shares of the items that are decided where errors left are told."""
 _BINS = (0.0, 0.05, 0.1, 0.2, 0.4, 0.7, 1.0)
 
 
@@ -130,45 +133,66 @@ def _print_expected(risks: Sequence[CaseRisk]) -> None:
         "\n| result | expected | likely | errors | half decided: expected | likely | errors left |"
     )
     print("| --- | --- | --- | --- | --- | --- | --- |")
-    told: list[list[tuple[ErrorsLeft, int]]] = [[], []]
+    models = {name: _model_without(risks, name) for name in {one.recording for one in risks}}
+    told: dict[float, list[tuple[ErrorsLeft, int]]] = {share: [] for share in _DECIDED}
     for risk in risks:
-        model = _fitted_model([one for one in risks if one.recording != risk.recording])
-        line = []
-        for half, decided in enumerate((0, len(risk.items) // 2)):
-            left = _expected(risk, decided, model), risk.left_after(decided)
-            told[half].append(left)
-            line.append(f"{left[0].mean:.1f} | {left[0].low} to {left[0].high} | {left[1]}")
+        for share, every in told.items():
+            decided = int(len(risk.items) * share)
+            left = _expected(risk, decided, models[risk.recording])
+            every.append((left, risk.left_after(decided)))
+        line = [
+            f"{left.mean:.1f} | {left.low} to {left.high} | {errors}"
+            for left, errors in (told[0.0][-1], told[0.5][-1])
+        ]
         print(f"| {risk.recording}, {risk.tracker} | {' | '.join(line)} |")
-    print(f"\nFor all footage: {_fitted_model(risks)}")
-    for name, every in zip(("before any decision", "half decided"), told, strict=True):
+    print(f"\nFor all footage: {_fitted_model(risks)}\n")
+    print("| decided | expected | errors left | within the range for four in five | mean error |")
+    print("| --- | --- | --- | --- | --- |")
+    for share, every in told.items():
         inside = np.mean([left.low <= errors <= left.high for left, errors in every])
         stated, there = (sum(one) for one in zip(*((e.mean, n) for e, n in every), strict=True))
         off = np.mean([abs(left.mean - errors) for left, errors in every])
-        print(
-            f"{name}: {stated:.0f} expected, {there} there; {inside:.0%} of the results within the "
-            f"range for four in five; off by {off:.1f} errors in the mean"
-        )
+        print(f"| {share:.0%} | {stated:.0f} | {there} | {inside:.0%} | {off:.1f} |")
 
 
 def _expected(risk: CaseRisk, decided: int, model: RiskModel) -> ErrorsLeft:
     """Errors left once the items worth most are decided, and nothing else was reviewed."""
+    outcome, left = _decided(risk, decided)
+    return errors_left(left, outcome, risk.stated, model)
+
+
+def _decided(risk: CaseRisk, decided: int) -> tuple[DecidedItems, float]:
+    """What came of the items worth most, and what is stated of the others."""
     done, left = risk.items[:decided], risk.items[decided:]
     outcome = DecidedItems(sum(one.likelihood for one in done), sum(risk.wrong[:decided]))
-    return errors_left(sum(one.likelihood for one in left), outcome, risk.stated, model)
+    return outcome, sum(one.likelihood for one in left)
+
+
+def _model_without(risks: Sequence[CaseRisk], recording: str) -> RiskModel:
+    return _fitted_model([one for one in risks if one.recording != recording])
 
 
 def _fitted_model(risks: Sequence[CaseRisk]) -> RiskModel:
-    """Errors for each stated one, and how much results differ: the likeliest shape."""
-    stated = max(sum(one.stated for one in risks), 1e-9)
-    shown = sum(one.shown for one in risks) / stated
-    rate = sum(one.errors for one in risks) / stated
-    count = np.array([one.errors for one in risks])
-    mean = np.maximum(rate * np.array([one.stated for one in risks]), 1e-9)
-    shapes = np.geomspace(0.1, 30.0, 60)
-    likely = [nbinom(shape, shape / (shape + mean)).logpmf(count).sum() for shape in shapes]
-    return RiskModel(
-        round(shown, 2), round(rate - shown, 2), round(float(shapes[np.argmax(likely)]), 2)
-    )
+    """The likeliest figures, over all results at each share that is decided."""
+    rows = []
+    for risk in risks:
+        for share in _DECIDED:
+            decided = int(len(risk.items) * share)
+            outcome, left = _decided(risk, decided)
+            rows.append(
+                (outcome.stated, outcome.errors, left, risk.stated, risk.left_after(decided))
+            )
+    stated, errors, left, whole, there = np.array(rows, float).T
+
+    def unlikely(logs: np.ndarray) -> float:
+        model = RiskModel(*np.exp(logs))
+        shape = model.shape + model.weight * errors
+        rate = model.shape + model.weight * model.shown * stated
+        exposure = np.maximum(model.shown * left + model.hidden * whole, 1e-9)
+        return -float(nbinom(shape, rate / (rate + exposure)).logpmf(there).sum())
+
+    best = minimize(unlikely, np.log([1.1, 0.4, 0.7, 0.4]), method="Nelder-Mead")
+    return RiskModel(*(round(float(one), 2) for one in np.exp(best.x)))
 
 
 def _walked(risk: CaseRisk, strength: float | None) -> list[tuple[float, bool]]:

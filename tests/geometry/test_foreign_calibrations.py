@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
+import re
 from collections.abc import Callable
 from pathlib import Path
 
@@ -197,3 +199,15 @@ def test_damaged_files_give_a_calibration_or_one_line(
     except CalibrationError as error:
         told = str(error)
     assert "\n" not in told
+
+
+@pytest.mark.parametrize("kind", PAIRS)
+def test_no_number_may_be_too_large_to_hold(kind: str, tmp_path: Path) -> None:
+    files = PAIRS[kind]()
+    first, text = next(iter(files.items()))
+    for number in re.finditer(r"(?<![\w.])-?\d+(\.\d+)?", text):
+        paths = written(
+            tmp_path, files | {first: f"{text[: number.start()]}1e999{text[number.end() :]}"}
+        )
+        with contextlib.suppress(CalibrationError):
+            assert np.isfinite(read_calibration(paths, SIZE).left.matrix).all()

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from walks_on_a_floor import Walk, made_run, straight
 
 from tracking.review import DecidedItems, ErrorsLeft, ReviewItem, errors_left, reviewed_share
-from tracking.review.risk import HIDDEN, SHAPE, SHOWN
+from tracking.review.risk import HIDDEN, SHAPE, SHOWN, WEIGHT
 from tracking.tracks import Labels, ReviewedRange, TrackTable
 
 RANGES = st.lists(st.tuples(st.integers(0, 3), st.integers(0, 110), st.integers(1, 60)), max_size=6)
@@ -56,8 +56,8 @@ def test_decisions_teach_how_many_there_are_and_narrow_the_range() -> None:
     few = errors_left(5.0, DecidedItems(5.0, 0), stated)
     usual = errors_left(5.0, DecidedItems(5.0, round(5 * SHOWN)), stated)
     assert few.mean < usual.mean < many.mean
-    # A Gamma prior of shape k about 1, ten errors where SHOWN x 5 were expected.
-    rate = (SHAPE + 10) / (SHAPE + 5 * SHOWN)
+    # A Gamma prior, and ten errors of weight where SHOWN x 5 were expected.
+    rate = (SHAPE + 10 * WEIGHT) / (SHAPE + 5 * SHOWN * WEIGHT)
     assert many.mean == pytest.approx(rate * (5 * SHOWN + 10 * HIDDEN))
     before = errors_left(5.0, DecidedItems(), stated)
     assert (usual.high - usual.low) / usual.mean < (before.high - before.low) / before.mean

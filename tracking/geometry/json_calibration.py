@@ -145,7 +145,7 @@ def _of_oak(values: Mapping[str, Any], where: Path) -> StereoCalibration:
             turn, shift = other.T, -other.T @ off
         else:
             raise KeyError("extrinsics")
-    except (KeyError, TypeError, ValueError, AttributeError) as error:
+    except (KeyError, TypeError, ValueError, OverflowError, AttributeError) as error:
         raise CalibrationError(
             "{where}: the pair of cameras is not complete in cameraData; export it again",
             where=where,
