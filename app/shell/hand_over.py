@@ -14,6 +14,7 @@ from app.core.drawing.viewport import Viewport
 from app.core.i18n import tr
 from app.core.plots.axis import TimeAxis
 from app.core.tracks.frame_state import ViewOptions
+from app.features.review.controller import ReviewStanding
 from app.features.scoring.controller import ScoreController
 from app.features.scoring.presenter import ScoringChoice
 from tracking.recording import Recording
@@ -64,6 +65,7 @@ class OpenWork:
     save_at: Path | None
     settled: object
     score: ScoringChoice
+    review: ReviewStanding
     detector_chosen: bool
 
 
@@ -111,6 +113,7 @@ def hand_over(window: MainWindow) -> OpenWork | None:
         files.saving.proposed,
         files.saving.settled,
         controller.of(ScoreController).presenter.choice,
+        controller.reviewing.standing,
         document.detector_chosen,
     )
     files.close(keep_open=True)
@@ -125,6 +128,7 @@ def take_over(files: Files, work: OpenWork) -> None:
     files.saving.proposed, files.saving.settled = work.save_at, work.settled
     controller.view_options = work.sight.view_options
     controller.of(ScoreController).presenter.choice = work.score
+    controller.reviewing.resume(work.review)
     controller.set_cameras(work.sight.cameras)
     files.whereabouts.begin(controller, work.path, from_start=False)
     document.selection.choose_all(work.selected)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence, Set
+from dataclasses import dataclass
 
 from PySide6.QtCore import QObject, Signal
 
@@ -16,6 +17,7 @@ from app.features.review.alike import AlikeGroup, groups_alike, plan_decisions
 from app.features.review.alike_dialog import open_alike_dialog
 from app.features.review.panel import ReviewPanel
 from app.features.review.presenter import (
+    QueuePlace,
     ReviewQueue,
     is_fixable,
     plan_review_verdict,
@@ -30,6 +32,16 @@ from app.features.review.watched_ranges import WatchedRanges
 from tracking.editing import Change, plan_mark_reviewed, plan_unmark_reviewed
 from tracking.errors import TrackwrightError
 from tracking.review import ReviewItem, ReviewItemKey
+
+
+@dataclass(frozen=True, slots=True)
+class ReviewStanding:
+    """Where somebody is in a review, and how it is done."""
+
+    queue: QueuePlace
+    plays: bool
+    measures: bool
+    flags_hand_made: bool
 
 
 class ReviewController(Controller):
@@ -182,6 +194,20 @@ class ReviewController(Controller):
         self._search.measure(measures)
         self._show()
         self.changed.emit()
+
+    @property
+    def standing(self) -> ReviewStanding:
+        """Where somebody is in the review."""
+        flags = self.flags_hand_made
+        return ReviewStanding(self.queue.standing, self.plays, self.measures, flags)
+
+    def resume(self, standing: ReviewStanding) -> None:
+        """Go on where somebody was; the playhead stays."""
+        if standing.flags_hand_made:
+            self.flag_hand_made(True)
+        self.queue.resume(standing.queue)
+        self.set_plays(standing.plays)
+        self.set_measures(standing.measures)
 
     def _look_at(self, review_item: ReviewItem | None) -> None:
         """Select its people and go to just before it."""

@@ -83,6 +83,15 @@ class QueueFigures:
     stated_left: float = 0.0
 
 
+@dataclass(frozen=True, slots=True)
+class QueuePlace:
+    """Where somebody is in the queue: the kind and order listed, and the item looked at last."""
+
+    kind: str = ""
+    order: Order = Order.WORTH
+    key: ReviewItemKey | None = None
+
+
 class ReviewQueue:
     """Review items less those that are decided, walked one after the other.
 
@@ -232,6 +241,18 @@ class ReviewQueue:
         """A track's number, and its name where it has one."""
         return f"{track} {self._names.get(track, '')}".rstrip()
 
+    @property
+    def standing(self) -> QueuePlace:
+        """Where somebody is in it."""
+        return QueuePlace(self.kind, self.order, self._current)
+
+    def resume(self, standing: QueuePlace) -> None:
+        """Go on where somebody was; the item is looked at again as soon as it is found."""
+        self.kind, self.order = standing.kind, standing.order
+        self._list()
+        if standing.key is not None:
+            self.return_to(standing.key)
+
     def narrow(self, kind: str) -> None:
         """List one kind alone; "" for all."""
         self.kind = kind
@@ -306,7 +327,7 @@ class ReviewQueue:
         self._list()
 
     def _list(self) -> None:
-        if self.kind not in {item.kind for item in self._open}:
+        if self._found and self.kind not in {item.kind for item in self._open}:
             self.kind = ""
         wanted = [one for one in self._open if self.kind in ("", one.kind)]
         self._shown = rank(wanted, self.order.value)

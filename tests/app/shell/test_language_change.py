@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 import pytest
 from PySide6.QtCore import QCoreApplication, QEvent, QLocale, QPointF
 from PySide6.QtWidgets import QDialogButtonBox, QFileDialog, QLabel
 
 from app.core.widgets.user_settings import UserSettings
+from app.features.review.scene import Order
 from app.shell import language_choice
 from app.shell.application import start_application
 from app.shell.language_choice import chosen_language, name_of_language, why_unreadable
@@ -149,6 +151,25 @@ def test_panels_layout_and_zooms_stay(opened, qtbot) -> None:
     assert new.workspace.left.zoomed_to.scale == pytest.approx(seen.scale, rel=0.05)
     now = new.workspace.timeline.area.stretch.axis
     assert (now.start, now.frames) == pytest.approx((axis.start, axis.frames))
+
+
+def test_the_place_in_the_review_queue_stays(opened, qtbot) -> None:
+    before = opened.window.controller.reviewing
+    at_rest(opened.window, qtbot)
+    before.sort(Order.TIME)
+    before.walk(1)
+    before.walk(1)
+    before.narrow(before.current.kind)
+    standing, place = before.standing, before.queue.place
+    assert standing.queue.key is not None
+    assert standing.queue.kind
+    opened.window.run_command("review.plays")
+    change(opened, qtbot)
+    after = opened.window.controller.reviewing
+    at_rest(opened.window, qtbot)
+    assert after.standing == replace(standing, plays=True)
+    assert after.queue.place == place
+    assert after.current.key == standing.queue.key
 
 
 def test_it_waits_for_an_edit_and_says_so_in_a_line(opened, qtbot) -> None:
