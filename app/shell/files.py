@@ -21,6 +21,7 @@ from app.core.widgets.literal import literal_title
 from app.core.widgets.questions import choose_file
 from app.core.widgets.user_settings import UserSettings
 from app.core.widgets.work import Work
+from app.features.correction.attribute_controller import schema_notes
 from app.features.files import left_behind
 from app.features.files.demonstration import Demonstration
 from app.features.files.first_page import first_page
@@ -222,6 +223,7 @@ class Files(Controller):
             *(() if session is None else map(tr, session.notes)),
             *map(tr, opened.document.recording.notes),
             *([] if session is None else list_tracking_notes(session)),
+            *schema_notes(opened.document),
         ]
         if opened.unsaved is not None:
             lines.append(tr("Work on this recording was never saved, and is kept."))

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QAbstractSpinBox, QApplication, QLineEdit, QPlainT
 from app.core.controller import Controller
 from app.core.document.document import Document
 from app.core.i18n import tr
+from app.core.keymap import key_or_title
 from app.core.scenes import TrackCard
 from app.core.scenes.attribute_fields import AttributeField
 from app.core.widgets.user_settings import UserSettings
@@ -19,7 +20,7 @@ from app.features.correction.schema_dialog import SchemaDialog
 from app.features.correction.schema_draft import SchemaDraft
 from app.features.correction.schema_form import value_text
 from tracking.editing import SchemaChange, plan_schema
-from tracking.formats.schema_files import find_schema_file
+from tracking.formats.schema_files import SCHEMA_NAME, find_schema_file, schema_of_project
 from tracking.tracks import (
     Attribute,
     AttributeType,
@@ -184,3 +185,21 @@ class AttributeController(Controller):
             return 0
         here = window is None or window is self._page.window()
         return 0 if isinstance(focus, _TYPED_INTO) or not here else number
+
+
+def schema_notes(document: Document) -> tuple[str, ...]:
+    """What to tell where the project's attributes cannot be read, or are not the session's."""
+    project = schema_of_project(document.recording.folder)
+    session = document.session
+    if project.notes or not project.schema or session is None:
+        return tuple(map(tr, project.notes))
+    if session.labels.schema == project.schema:
+        return ()
+    return (
+        tr(
+            "{file} of the project says other attributes than this session; {key}, Import... takes "
+            "them.",
+            file=SCHEMA_NAME,
+            key=key_or_title("tracks.schema"),
+        ),
+    )

@@ -9,6 +9,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QCheckBox, QComboBox, QLineEdit
 
 from app.core.widgets.number_boxes import NumberBox
+from app.features.correction.attribute_controller import AttributeController, schema_notes
 from app.features.correction.schema_dialog import SchemaDialog
 from tracking.editing import SchemaChange
 from tracking.formats.schema_files import read_schema, write_schema
@@ -221,3 +222,19 @@ def test_a_session_drawn_in_a_project_begins_with_its_schema(window, qtbot, fold
     hands.controller.editing.put_box((10.0, 10.0, 20.0, 40.0))
     hands.controller.editing.confirm()
     assert hands.controller.document.session.labels.schema == (SCHEMA if named else ())
+
+
+def test_attributes_of_the_project_that_cannot_be_read_are_told(window, qtbot, folder):
+    (folder / "attributes.toml").write_text("attributes = 3")
+    open_for_correcting(window, qtbot, folder, 2)
+    assert "attributes.toml" in window.notice.text
+
+
+def test_it_is_told_where_the_project_says_other_attributes(hands, folder):
+    document = hands.controller.document
+    assert schema_notes(document) == ()
+    write_schema(folder / "attributes.toml", SCHEMA)
+    (line,) = schema_notes(document)
+    assert "attributes.toml of the project says other attributes than this session" in line
+    hands.controller.of(AttributeController).change(SchemaChange(SCHEMA))
+    assert schema_notes(document) == ()
