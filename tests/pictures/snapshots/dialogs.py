@@ -12,6 +12,8 @@ from app.core.i18n import tr
 from app.core.jobs.job_list import JobState
 from app.core.widgets.jobs_dialog import JobsDialog
 from app.core.widgets.questions import ask_unit
+from app.features.correction.attribute_controller import AttributeController
+from app.features.correction.schema_dialog import SchemaDialog
 from app.features.doctor.dialog import DoctorDialog
 from app.features.files.backup_dialog import BackupDialog
 from app.features.files.export_dialog import ExportDialog
@@ -24,8 +26,10 @@ from app.features.review.alike_dialog import AlikeDialog
 from app.features.runs.runs_dialog import RunsDialog
 from app.features.runs.track_dialog import TrackDialog
 from app.shell.shortcuts import ShortcutsDialog
+from tests.pictures.snapshots.material import SCHEMA
 from tests.pictures.snapshots.snapshot import On, snapshot
 from tests.pictures.snapshots.stage import Stage
+from tracking.editing import SchemaChange
 from tracking.trackers import TRACKERS
 
 DIALOGS, QUESTIONS = "dialogs", "questions"
@@ -148,6 +152,33 @@ def keys_in_conflict(stage: Stage) -> Iterator[QWidget]:
     QTest.keyClick(dialog.field, Qt.Key.Key_X)
     yield dialog
     dialog.leave.click()
+
+
+@snapshot(DIALOGS, On.SESSION, SchemaDialog)
+def no_attributes(stage: Stage) -> Iterator[QWidget]:
+    stage.run("tracks.schema")
+    yield stage.seen(SchemaDialog)
+
+
+def _attribute(at: int, stage: Stage) -> Iterator[QWidget]:
+    """The dialog at one attribute; there is more to tell where its name was changed."""
+    stage.controller.of(AttributeController).change(SchemaChange(SCHEMA))
+    stage.run("tracks.schema")
+    dialog = stage.seen(SchemaDialog)
+    dialog.list.setCurrentRow(at)
+    if dialog.choices.isVisible():
+        dialog.choices.setPlainText("\n".join(SCHEMA[at].choices[:-1]))
+        dialog.name.setText("years")
+        dialog.name.textEdited.emit("years")
+    yield dialog
+    dialog.reject()
+    stage.controller.editing.undo()
+
+
+for _at in (0, 2, 3, 4):
+    snapshot(DIALOGS, On.SESSION, SchemaDialog, name=f"attributes-{SCHEMA[_at].type.value}")(
+        partial(_attribute, _at)
+    )
 
 
 @snapshot(DIALOGS, On.SESSION, ShortcutsDialog)

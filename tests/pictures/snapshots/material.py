@@ -39,11 +39,27 @@ from tracking.progress import no_progress
 from tracking.recording import Recording, open_recording, read_manifest
 from tracking.session import Session
 from tracking.synthesis import render_recording
-from tracking.tracks import CountingLine, Occluder, PartLabel, Region, Run
+from tracking.tracks import (
+    Attribute,
+    AttributeType,
+    CountingLine,
+    Occluder,
+    PartLabel,
+    Region,
+    Run,
+)
 
 FPS, SECONDS, PEOPLE, SEED = 10.0, 12.0, 6, 4
 MIDDLE = 60
 _LONGEST_NAME = "red coat, umbrella"
+SCHEMA = (
+    Attribute("age", AttributeType.CHOICE, ("child", "adult", "elderly"), "adult", required=True),
+    Attribute("bag", AttributeType.CHOICE, ("none", "handbag", "rucksack", "suitcase on wheels")),
+    Attribute("umbrella", AttributeType.YES_NO),
+    Attribute("height", AttributeType.NUMBER, least=1.0, most=2.2, step=0.05),
+    Attribute("with", AttributeType.TEXT),
+)
+"""Of attributes, one of each type; the session does not have it from the start."""
 
 
 @dataclass(frozen=True, slots=True)

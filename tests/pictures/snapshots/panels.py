@@ -9,6 +9,7 @@ from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QMenu, QToolButton, QWidget
 
 from app.core.widgets.parts import Panel
+from app.features.correction.attribute_controller import AttributeController
 from app.features.correction.track_panel import TrackPanel
 from app.features.counting.controller import CountController
 from app.features.counting.panel import CountingPanel
@@ -21,8 +22,10 @@ from app.features.scoring.controller import ScoreController
 from app.features.scoring.panel import ScorePanel
 from app.features.timeline.panel import TimelineView
 from app.shell.panel_docks import Dock, PanelWindow
+from tests.pictures.snapshots.material import SCHEMA
 from tests.pictures.snapshots.snapshot import On, snapshot
 from tests.pictures.snapshots.stage import Stage
+from tracking.editing import SchemaChange
 
 PANELS = "panels"
 
@@ -43,10 +46,27 @@ def review_item(stage: Stage) -> Iterator[QWidget]:
 @snapshot(PANELS, On.SESSION, TrackPanel)
 def track(stage: Stage) -> Iterator[QWidget]:
     """The card of somebody with a name, attributes and notes."""
+    _pick_described(stage)
+    yield stage.window.workspace.card
+
+
+def _pick_described(stage: Stage) -> None:
     session = stage.controller.document.session
     assert session is not None
     stage.controller.editing.pick(next(iter(session.labels.tracks)))
+
+
+@snapshot(PANELS, On.SESSION, TrackPanel)
+def track_with_fields(stage: Stage) -> Iterator[QWidget]:
+    """Attributes of a schema, one of them set by the digit keys."""
+    _pick_described(stage)
+    describing = stage.controller.of(AttributeController)
+    describing.change(SchemaChange(SCHEMA))
+    describing.next_active()
+    stage.rest(100)
     yield stage.window.workspace.card
+    stage.controller.document.correcting.mode.attribute = ""
+    stage.controller.editing.undo()
 
 
 @snapshot(PANELS, On.SESSION, TrackPanel)
