@@ -133,7 +133,7 @@ class SchemaDialog(QDialog):
     def _build_ends(self) -> QDialogButtonBox:
         kinds = QDialogButtonBox.StandardButton
         box = QDialogButtonBox(kinds.Ok | kinds.Cancel, self)
-        role = QDialogButtonBox.ButtonRole.ActionRole
+        role = QDialogButtonBox.ButtonRole.ResetRole  # apart from OK and Cancel
         box.addButton(self._button(tr("Import..."), self._import), role)
         self.export = self._button(tr("Export..."), self._export)
         self.export.setToolTip(

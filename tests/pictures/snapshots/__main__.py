@@ -17,10 +17,10 @@ from tempfile import TemporaryDirectory
 
 from tests.pictures.snapshots.shooting import LONGER, RECORD
 
-SCREENS = {100: (1920, 1200), 200: (1920, 1080)}
-"""Of the desktop by scaling, in the program's own pixels."""
-WINDOWS = {100: "1440x900", 200: "1280x720"}
-"""Of the window: a common one, and a small one with large letters."""
+SCREENS = {100: (1280, 800), 200: (3840, 2160)}
+"""Of the desktop by scaling, in pixels: a small one, and 4K."""
+WINDOWS = {100: "1280x800", 200: "1920x1080"}
+"""Of the window, in the program's own pixels: all of the screen."""
 LANGUAGES = ("en", "ja")
 
 
@@ -72,7 +72,6 @@ def _options(given: Sequence[str] | None) -> argparse.Namespace:
 
 def _run_apart(own: Path, setting: Setting, arguments: Iterable[object]) -> None:
     """Run in a process of its own, on a screen that is nowhere. Raises SystemExit if it fails."""
-    ratio = setting.scaling / 100
     width, height = SCREENS[setting.scaling]
     screen = {
         "name": "screen",
@@ -82,13 +81,14 @@ def _run_apart(own: Path, setting: Setting, arguments: Iterable[object]) -> None
         "height": height,
         "logicalDpi": 96,
         "logicalBaseDpi": 96,
-        "dpr": ratio,
+        "dpr": 1.0,
     }
     place = own / f"screen-{setting.scaling}.json"
     place.write_text(json.dumps({"screens": [screen]}))
     environment = {
         **os.environ,
         "QT_QPA_PLATFORM": f"offscreen:configfile={place}",
+        "QT_SCALE_FACTOR": str(setting.scaling / 100),
         "LANGUAGE": setting.language,
     }
     done = subprocess.run([sys.executable, *map(str, arguments)], env=environment)

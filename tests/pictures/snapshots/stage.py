@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import TypeVar
 
 from PySide6.QtCore import QCoreApplication, QEvent
 from PySide6.QtWidgets import QApplication, QDialog, QMenu, QWidget
@@ -20,14 +20,10 @@ _SETTLE_MS = 60
 
 
 class Stage:
-    """A window with a recording, a project or nothing open, and hands to use it with.
-
-    Attributes: kept: what snapshots worked out, for those that come after them.
-    """
+    """A window with a recording, a project or nothing open, and hands to use it with."""
 
     def __init__(self, window: MainWindow, material: Material) -> None:
         self.window, self.material = window, material
-        self.kept: dict[str, Any] = {}
 
     @property
     def controller(self) -> RecordingController:
