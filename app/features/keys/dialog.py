@@ -36,6 +36,7 @@ from tracking.atomic_output import replace_with
 from tracking.errors import TrackwrightError
 
 _ROWS = 16
+_MARGIN_PX = 20
 _MOST_NAMED = 3
 _COMMAND = Qt.ItemDataRole.UserRole
 _FILES = "*.toml"
@@ -58,7 +59,7 @@ class KeysDialog(QDialog):
         self._rows: tuple[KeyRow, ...] = ()
         self._pending: Callable[[], object] | None = None
         rows = QVBoxLayout(self)
-        rows.setContentsMargins(20, 20, 20, 16)
+        rows.setContentsMargins(_MARGIN_PX, 20, _MARGIN_PX, 16)
         rows.setSpacing(10)
         rows.addLayout(self._build_head())
         self.table = self._build_table()
@@ -172,9 +173,8 @@ class KeysDialog(QDialog):
         """As wide as all commands, menus and keys are, as far as the screen has room."""
         room = self.screen().availableSize() * 0.9
         columns = sum(map(self.table.sizeHintForColumn, range(self.table.columnCount())))
-        margins = self.layout().contentsMargins()
         bar = self.style().pixelMetric(QStyle.PixelMetric.PM_ScrollBarExtent)
-        wide = columns + 2 * bar + margins.left() + margins.right()
+        wide = columns + 2 * (bar + _MARGIN_PX)
         high = (_ROWS + 12) * self.fontMetrics().height()
         self.resize(min(wide, room.width()), min(high, room.height()))
 
