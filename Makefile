@@ -5,7 +5,7 @@ BIN := $(VENV)/bin
 STAMP := $(VENV)/.ready
 export PIP_DISABLE_PIP_VERSION_CHECK := 1
 
-.PHONY: help demo bundle test format bench footage ablation results results-parts results-stereo results-spheroid results-flow results-doctor detector kills batch-kills batch-cost power-cuts failed-calls two-programs mutants networks containers hostile soak long memory model peers scorers interchange pictures messages lock clean
+.PHONY: help demo bundle test format bench footage ablation results results-parts results-stereo results-spheroid results-flow results-doctor detector kills batch-kills batch-cost power-cuts failed-calls two-programs mutants networks containers hostile soak long memory model peers scorers interchange pictures snapshots messages lock clean
 .DEFAULT_GOAL := help
 
 help: ## what can be made
@@ -127,6 +127,10 @@ pictures: $(STAMP) ## make the pictures in docs/ through a virtual screen
 	@$(BIN)/python -m app.cli.system_libraries
 	@command -v xvfb-run >/dev/null || { echo "xvfb-run is missing: apt-get install xvfb" >&2; exit 1; }
 	xvfb-run -a -s "-screen 0 1920x1200x24" $(BIN)/python -m tests.pictures
+
+snapshots: $(STAMP) ## build/snapshots: every panel, dialog and page in both looks, 100 and 200 %, English and Japanese (half an hour)
+	@$(BIN)/python -m app.cli.system_libraries
+	$(BIN)/python -m tests.pictures.snapshots build/snapshots
 
 messages: $(STAMP) ## texts to translate: resources/translations/trackwright.pot
 	$(BIN)/python -m tests.catalogue

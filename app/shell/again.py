@@ -40,6 +40,7 @@ def ask_again(controller: RecordingController, remembered: UserSettings) -> None
     )
     dialog.put_frames(start, end - 1)
     dialog.accepted.connect(lambda: _begin(controller, dialog))
+    dialog.finished.connect(dialog.deleteLater)
     dialog.open()
 
 

@@ -89,6 +89,7 @@ class Detectors(Controller):
     def _ask(self, here: Callable[[], Source] | None, before: Sequence[Path]) -> None:
         dialog = TrainDialog(here, before, self._remembered.last_folder("samples"), self._window)
         dialog.accepted.connect(lambda: self._begin(dialog))
+        dialog.finished.connect(dialog.deleteLater)
         dialog.open()
 
     def _begin(self, dialog: TrainDialog) -> None:

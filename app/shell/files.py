@@ -281,6 +281,7 @@ class Files(Controller):
         if (failed := controller.tracking.failed_order) is not None:
             dialog.put_answer(*failed)
         dialog.accepted.connect(lambda: self._track(dialog))
+        dialog.finished.connect(dialog.deleteLater)
         dialog.open()
 
     def _track(self, dialog: TrackDialog) -> None:

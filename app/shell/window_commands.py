@@ -187,6 +187,7 @@ def _show_keys(app: WindowApp) -> None:
     """Not every desktop gives the keys back to the window below once a dialog is closed."""
     dialog = ShortcutsDialog(app.window.registry.items(), app.window)
     dialog.finished.connect(app.window.activateWindow)
+    dialog.finished.connect(dialog.deleteLater)
     dialog.change_asked.connect(app.window.key_choice.edit)
     dialog.open()
 

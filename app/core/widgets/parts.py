@@ -10,6 +10,7 @@ from PySide6.QtWidgets import (
     QLabel,
     QLayout,
     QScrollArea,
+    QSizePolicy,
     QVBoxLayout,
     QWidget,
 )
@@ -51,6 +52,11 @@ class Panel(QFrame):
     def add_to_heading(self, widget: QWidget, stretch: int = 0) -> None:
         """Put something small at the right of the title; `stretch` is its share of the rest."""
         last = self._heading.count() - (1 if self._menu is not None else 0)
+        if stretch:  # the title is as wide as its words; what is beside it has the rest
+            self._heading.setStretchFactor(self._named, 0)
+            policy = widget.sizePolicy()
+            policy.setHorizontalPolicy(QSizePolicy.Policy.Ignored)
+            widget.setSizePolicy(policy)
         self._heading.insertWidget(last, widget, stretch)
 
     def set_menu(self, button: QWidget) -> None:

@@ -95,6 +95,7 @@ class ComparePanel(QFrame):
         self._list = self._build_list()
         rows.addWidget(self._list)
         rows.addLayout(self._build_ends())
+        rows.addStretch(1)
         self.hide()
 
     def _build_list(self) -> QListView:

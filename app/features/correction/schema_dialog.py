@@ -116,6 +116,9 @@ class SchemaDialog(QDialog):
             self._add_row(title, field)
         self._add_row(tr("De&fault"), self.default)
         self.default.setPlaceholderText(tr("Shown where nothing is said"))
+        letters = self.fontMetrics()
+        whole = letters.horizontalAdvance(self.default.placeholderText())
+        self.default.setMinimumWidth(whole + 4 * letters.averageCharWidth())
         form.addRow("", self.required)
         for line in (self.name, self.default, *self.numbers.values()):
             line.textEdited.connect(self._take)
@@ -133,7 +136,7 @@ class SchemaDialog(QDialog):
     def _build_ends(self) -> QDialogButtonBox:
         kinds = QDialogButtonBox.StandardButton
         box = QDialogButtonBox(kinds.Ok | kinds.Cancel, self)
-        role = QDialogButtonBox.ButtonRole.ActionRole
+        role = QDialogButtonBox.ButtonRole.ResetRole  # apart from OK and Cancel
         box.addButton(self._button(tr("Import..."), self._import), role)
         self.export = self._button(tr("Export..."), self._export)
         self.export.setToolTip(

@@ -71,11 +71,9 @@ class CountingPanel(FeaturePanel):
         self.hide()
 
     def _ways(self) -> QHBoxLayout:
-        """Whose tracks are counted, how time is cut, what trembling is."""
+        """How time is cut, what trembling is."""
         line = QHBoxLayout()
         line.setSpacing(6)
-        self._track_sources = ElidingList(tr("Whose tracks are counted"), self)
-        line.addWidget(self._track_sources, 1)
         self._step = self._number(tr("Step"), tr("How long a step is"), _MOST["step_s"], " s")
         self._jitter = self._number(
             tr("Jitter"),
@@ -96,10 +94,13 @@ class CountingPanel(FeaturePanel):
         line.addWidget(quiet_beside(tr("Jitter"), self))
         line.addWidget(self._jitter)
         line.addWidget(self._jitter_px)
+        line.addStretch(1)
         return line
 
     def _add_buttons(self) -> None:
-        """Plots or table; copy, save."""
+        """Whose tracks are counted; plots or table; copy, save."""
+        self._track_sources = ElidingList(tr("Whose tracks are counted"), self)
+        self.add_to_heading(self._track_sources, 1)
         self._as_table = self._button(tr("Table"), tr("Show every step as a table, or the plots"))
         self._as_table.setCheckable(True)
         self._copy = self._button(tr("Copy"), tr("Copy the chosen steps, or all"))

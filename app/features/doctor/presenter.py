@@ -184,12 +184,20 @@ def _figures(evidence: Mapping[str, float | int | str]) -> tuple[tuple[str, str]
     rows = []
     if "amount" in evidence:
         amount, sigma, unit = (evidence.get(name, "") for name in _AMOUNT)
-        said = _figure(amount) if sigma == "" else f"{_figure(amount)} ± {_figure(sigma)}"
+        said = _figure(amount) if sigma == "" else _measured(amount, sigma)
         rows.append((tr("Amount"), f"{said} {tr(str(unit))}".strip()))
     for name, value in evidence.items():
         if name not in _LEFT_OUT:
             rows.append((tr(_FIGURES.get(name, name)), _figure(value)))
     return tuple(rows)
+
+
+def _measured(amount: float | int | str, sigma: float | int | str) -> str:
+    """An amount with as many decimals as its uncertainty has, of which one digit is said."""
+    if isinstance(amount, str) or isinstance(sigma, str) or not 0 < sigma < math.inf:
+        return f"{_figure(amount)} ± {_figure(sigma)}"
+    decimals = max(0, -math.floor(math.log10(sigma)))
+    return f"{amount:.{decimals}f} ± {sigma:.{decimals}f}"
 
 
 def _figure(value: float | int | str) -> str:

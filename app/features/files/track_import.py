@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from app.core.editing.edit_planner import refuse_too_large
-from app.core.i18n import count_text, tr
+from app.core.i18n import N_, count_text, sentence, tr
 from tracking.editing import StoredChange, plan_import
 from tracking.errors import EditError, FormatError
 from tracking.formats import Filmed, Imported, TrackFormat, format_of, track_endings
@@ -266,9 +266,9 @@ def _rows_gone(written: StoredChange | None) -> int:
 
 def _why_not(fitted: FittedTracks) -> str:
     if not len(fitted.found.rows["frame"]):
-        return tr("there is nothing to import")
+        return sentence(N_("there is nothing to import"))
     if fitted.found.bad_count and not fitted.choice.takes_good:
-        return tr("choose whether to import the other rows, or correct the file")
+        return sentence(N_("choose whether to import the other rows, or correct the file"))
     if fitted.into is not None and fitted.written is None:
-        return tr("the session has these tracks already")
+        return sentence(N_("the session has these tracks already"))
     return ""

@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
     QLineEdit,
     QMenu,
     QPushButton,
+    QStyle,
     QTableWidget,
     QTableWidgetItem,
     QVBoxLayout,
@@ -34,7 +35,8 @@ from app.features.keys.scene import SHIPPED, KeyRow, OwnKeys
 from tracking.atomic_output import replace_with
 from tracking.errors import TrackwrightError
 
-_LETTERS, _ROWS = 96, 16
+_ROWS = 16
+_MARGIN_PX = 20
 _MOST_NAMED = 3
 _COMMAND = Qt.ItemDataRole.UserRole
 _FILES = "*.toml"
@@ -57,7 +59,7 @@ class KeysDialog(QDialog):
         self._rows: tuple[KeyRow, ...] = ()
         self._pending: Callable[[], object] | None = None
         rows = QVBoxLayout(self)
-        rows.setContentsMargins(20, 20, 20, 16)
+        rows.setContentsMargins(_MARGIN_PX, 20, _MARGIN_PX, 16)
         rows.setSpacing(10)
         rows.addLayout(self._build_head())
         self.table = self._build_table()
@@ -67,10 +69,7 @@ class KeysDialog(QDialog):
         rows.addWidget(self._build_ends())
         self._show()
         self.search.setFocus()
-        letter, line = self.fontMetrics().averageCharWidth(), self.fontMetrics().height()
-        room = self.screen().availableSize() * 0.9
-        self.resize(self.sizeHint().expandedTo(self.minimumSize()).boundedTo(room))
-        self.resize(min(_LETTERS * letter, room.width()), min((_ROWS + 12) * line, room.height()))
+        self._fit()
 
     # parts
 
@@ -169,6 +168,15 @@ class KeysDialog(QDialog):
         return button
 
     # what is shown
+
+    def _fit(self) -> None:
+        """As wide as all commands, menus and keys are, as far as the screen has room."""
+        room = self.screen().availableSize() * 0.9
+        columns = sum(map(self.table.sizeHintForColumn, range(self.table.columnCount())))
+        bar = self.style().pixelMetric(QStyle.PixelMetric.PM_ScrollBarExtent)
+        wide = columns + 2 * (bar + _MARGIN_PX)
+        high = (_ROWS + 12) * self.fontMetrics().height()
+        self.resize(min(wide, room.width()), min(high, room.height()))
 
     def _show(self, typed: str | None = None) -> None:
         """Fill the table anew; the same command stays chosen."""

@@ -23,7 +23,7 @@ from app.features.review.alike import AlikeGroup
 from app.features.review.presenter import kind_title
 
 _MOST_LISTED = 500
-_WIDTH_LETTERS, _LINES = 70, 12
+_WIDTH_LETTERS, _LINES = 100, 12
 
 
 class AlikeDialog(QDialog):
@@ -46,6 +46,8 @@ class AlikeDialog(QDialog):
         self._about.setWordWrap(True)
         self.listed = QListWidget(self)
         self.listed.setAccessibleName(tr("Review items that are decided"))
+        self.listed.setWordWrap(True)
+        self.listed.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         rows = QVBoxLayout(self)
         rows.setContentsMargins(20, 20, 20, 16)
         rows.setSpacing(8)

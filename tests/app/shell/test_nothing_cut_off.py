@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import pytest
-from fitting import beyond, cut_off
 from PySide6.QtCore import QCoreApplication, QEvent
 from PySide6.QtWidgets import QDialog
 
@@ -13,6 +12,7 @@ from app.core.widgets.user_settings import UserSettings
 from app.shell import language_choice
 from app.shell.application import start_application
 from app.shell.features import FEATURES
+from tests.fitting import beyond, cut_off
 from tests.pseudo import Longer
 from tracking.translation import use_catalogue, use_language
 

@@ -11,6 +11,7 @@ from app.core.look.icons import IconButton
 from app.features.keys.dialog import KeysDialog
 from app.features.keys.scene import SHIPPED, OwnKeys
 from app.shell.shortcuts import ShortcutsDialog
+from tests.fitting import cut_off
 
 
 @pytest.fixture
@@ -26,6 +27,14 @@ def _choose(dialog, command):
     row = next(r for r in rows if dialog.table.item(r, 0).data(Qt.ItemDataRole.UserRole) == command)
     dialog.table.setCurrentCell(row, 0)
     return row
+
+
+def test_every_command_and_menu_is_written_out_where_the_screen_has_room(dialog):
+    table = dialog.table
+    columns = range(table.columnCount())
+    whole = all(table.columnWidth(one) >= table.sizeHintForColumn(one) for one in columns)
+    assert whole or dialog.width() >= 0.9 * dialog.screen().availableSize().width() - 1
+    assert cut_off(dialog) == []
 
 
 def test_a_key_is_added_by_pressing_it_and_runs_the_command(window, dialog, qtbot):

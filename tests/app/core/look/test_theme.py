@@ -8,6 +8,7 @@ from xml.etree import ElementTree
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QGuiApplication
+from PySide6.QtWidgets import QCheckBox, QRadioButton
 
 from app.core.colours.palette import TRACK_COLOURS
 from app.core.look.icons import IconButton, application_icon, icon, pixmap
@@ -105,3 +106,16 @@ def test_fonts_scale_from_points_and_from_pixels(qapp):
     assert scaled_font(font, 1.5).pointSizeF() == 15
     font.setPixelSize(20)
     assert scaled_font(font, 0.5).pixelSize() == 10
+
+
+@pytest.mark.parametrize("name", THEMES)
+@pytest.mark.parametrize("kind", [QCheckBox, QRadioButton])
+def test_an_empty_box_stands_out_on_its_ground(qapp, name, kind):
+    theme = apply_look(qapp, Look(name))
+    box = kind("shown")
+    box.resize(box.sizeHint())
+    picture = box.grab().toImage()
+    middle = picture.height() // 2
+    letters = box.fontMetrics().height()
+    most = max(contrast(picture.pixelColor(x, middle), theme.window) for x in range(letters))
+    assert most >= 3

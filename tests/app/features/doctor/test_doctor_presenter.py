@@ -28,7 +28,7 @@ def test_a_finding_is_told_with_cost_meaning_and_figures_that_people_read() -> N
     assert shown.cost == "0.12 m on the floor"
     assert shown.meaning == "A person at 5 m is misplaced by 0.12 m on the floor."
     assert shown.figures == (
-        ("Amount", "0.5 ± 0.01 degrees"),
+        ("Amount", "0.50 ± 0.01 degrees"),
         ("Points seen in both cameras", "120"),
     )
     assert shown.alike == "right-tilted"

@@ -111,7 +111,7 @@ def test_what_the_session_says_already_is_no_import(read):
     found = read(straight(9))
     apply_change(own, Labels(), fitted(found, into=own.snapshot()).written.change)
     again = fitted(found, into=own)
-    assert import_scene(found, again, 3).why_not == "the session has these tracks already"
+    assert import_scene(found, again, 3).why_not == "The session has these tracks already."
 
 
 def test_what_is_no_file_of_tracks_is_refused(tmp_path):

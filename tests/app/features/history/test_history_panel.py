@@ -8,6 +8,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QMenu
 
 from app.core.scenes import HistoryItem
+from app.core.widgets.eliding_label import ElidingLabel
 from app.features.history.panel import HistoryPanel
 
 LEFT = Qt.MouseButton.LeftButton
@@ -37,6 +38,11 @@ def listed(panel) -> list[str]:
 
 def test_the_newest_edit_stands_on_top(history):
     assert listed(history) == ["edit 3", "edit 2", "edit 1"]
+
+
+def test_the_title_is_whole_beside_the_filter(history):
+    title = history.findChild(ElidingLabel)
+    assert title.shown_text() == title.text()
 
 
 def test_a_click_goes_to_what_an_edit_changed(history, qtbot):

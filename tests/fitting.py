@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 from PySide6.QtCore import QPoint, QRect, Qt
 from PySide6.QtWidgets import (
@@ -33,10 +33,13 @@ _SLACK_PX = 1
 """Letters lean out of their own width by no more."""
 
 
-def cut_off(window: QWidget) -> list[str]:
-    """What is cut off of the words of all widgets that are seen in a window, with where."""
+def cut_off(window: QWidget, looked_at: Callable[[QWidget], bool] = lambda _: True) -> list[str]:
+    """What is cut off of the words of all widgets that are seen in a window, with where.
+
+    looked_at: whether a widget counts.
+    """
     found = []
-    for widget in (window, *window.findChildren(QWidget)):
+    for widget in filter(looked_at, (window, *window.findChildren(QWidget))):
         if widget.isVisible() and widget.window() is window and not widget.size().isEmpty():
             for text, why in _cut_off(widget):
                 found.append(f"{type(widget).__name__} {_place(widget)} {text!r}: {why}")
