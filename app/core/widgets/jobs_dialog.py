@@ -134,12 +134,15 @@ class _Row(QWidget):
         self._bar = QProgressBar(self)
         self._bar.setTextVisible(False)
         self._cancel, self._open = QPushButton(tr("Cancel"), self), QPushButton(tr("Open"), self)
+        self._again = QPushButton(tr("Start again"), self)
+        self._again.clicked.connect(self._start_again)
         self._cancel.clicked.connect(self._stop)
         self._open.clicked.connect(self._show_place)
         grid.addWidget(self._title, 0, 0)
         grid.addWidget(self._bar, 1, 0)
         grid.addWidget(self._word, 2, 0)
         grid.addWidget(self._cancel, 0, 1, 3, 1)
+        grid.addWidget(self._again, 0, 1, 3, 1)
         grid.addWidget(self._open, 0, 2, 3, 1)
         grid.setColumnStretch(0, 1)
 
@@ -151,18 +154,25 @@ class _Row(QWidget):
             self._bar.setAccessibleName(tr("Progress of: {title}", title=line.title))
             self._cancel.setAccessibleName(tr("Cancel: {title}", title=line.title))
             self._open.setAccessibleName(tr("Open what came of: {title}", title=line.title))
+            self._again.setAccessibleName(tr("Start again: {title}", title=line.title))
         self._bar.setVisible(line.runs)
         self._bar.setRange(0, 0 if line.share is None else _STEPS)
         if line.share is not None:
             self._bar.setValue(round(line.share * _STEPS))
         self._cancel.setVisible(line.cancel is not None)
         self._open.setVisible(line.place is not None)
+        self._again.setVisible(line.again is not None)
         self._word.setText(_word_of(line))
 
     def _stop(self) -> None:
         self._cancel.setEnabled(False)
         if self._line is not None and self._line.cancel is not None:
             self._line.cancel()
+
+    def _start_again(self) -> None:
+        self._again.setEnabled(False)
+        if self._line is not None and self._line.again is not None:
+            self._line.again()
 
     def _show_place(self) -> None:
         if self._line is not None and self._line.place is not None:

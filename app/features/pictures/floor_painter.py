@@ -5,7 +5,7 @@ Nothing here asks a widget: pictures are painted on any thread.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from PySide6.QtCore import QPointF, QRectF, QSize, QSizeF
 from PySide6.QtGui import QFont, QFontMetricsF, QImage, QPainter
@@ -25,10 +25,8 @@ from app.core.i18n import tr
 from app.core.look.theme import Theme, scaled_font
 from app.core.projection.extent import unite
 from app.core.scenes import OverheadScene
-from app.core.scenes.flow_map import FlowScene
+from app.core.scenes.floor_marks import FloorMarks
 from app.core.scenes.ground_truth import FlooredTruth
-from app.core.scenes.labels import FloorLabels
-from app.core.scenes.other_people import OtherPlace
 from app.features.pictures.floor import (
     draw_camera,
     draw_field_of_view,
@@ -45,16 +43,6 @@ from app.features.pictures.measurement_marks import draw_measured
 _PERSON_RADIUS_M = 0.22
 _PARTICLE_RADIUS_M = 0.014
 _LEGEND_PX = 12.0  # between two of them
-
-
-@dataclass(frozen=True, slots=True)
-class FloorMarks:
-    """All that features draw over the floor in a frame."""
-
-    labels: FloorLabels = field(default_factory=FloorLabels)
-    others: tuple[OtherPlace, ...] = ()
-    truth: FlooredTruth = field(default_factory=FlooredTruth)
-    flow: FlowScene | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -11,7 +11,8 @@ from PySide6.QtGui import QFont, QImage
 
 from app.core.drawing.viewport import Viewport
 from app.core.look.theme import load_theme
-from app.features.pictures.floor_painter import FloorInput, FloorMarks
+from app.core.scenes.floor_marks import FloorMarks
+from app.features.pictures.floor_painter import FloorInput
 from app.features.pictures.floor_picture import write_floor
 from tracking.errors import OutputError
 
