@@ -48,6 +48,15 @@ Thin = Annotated[
 AsNew = Annotated[
     bool, typer.Option("--as-new", help="Give all tracks new ids, above the ids in use.")
 ]
+Attributes = Annotated[
+    Path | None,
+    typer.Option(
+        "--attributes",
+        metavar="FILE",
+        help="Which attributes people have: attributes.toml, or JSON of CVAT's label constructor.",
+        show_default="of the project, else as the file says",
+    ),
+]
 OnlyPeople = Annotated[
     bool, typer.Option("--only-people", help="Import only people, no other classes.")
 ]

@@ -40,6 +40,7 @@ class Order:
         unit: of a text that does not say its own, as `bare.fps` is; None: it does.
         only_people: leave out what is none. take_good: take the good rows where others are bad.
         force: replace a session with corrections. report: list the rows that are invalid.
+        attributes: a file that says which people have, of a new session; None: the project's.
     """
 
     tracks: Path
@@ -55,6 +56,7 @@ class Order:
     take_good: bool = False
     force: bool = False
     report: bool = False
+    attributes: Path | None = None
 
 
 def run_import(order: Order, *, as_json: bool) -> None:
@@ -87,6 +89,7 @@ def _check_whereto(order: Order) -> None:
             )
         return
     given = {"--out": order.out, "--recording": order.recording, "--left": order.bare.left}
+    given["--attributes"] = order.attributes
     for name, value in given.items():
         if value is not None:
             raise typer.BadParameter(

@@ -14,6 +14,7 @@ from app.cli.sessions import refuse_read_only
 from app.cli.track import refuse_to_lose
 from app.core.document.document_loader import known_recordings, remember_place
 from tracking.formats import Filmed, Imported
+from tracking.formats.schema_files import read_schema, schema_of_project
 from tracking.progress import no_progress
 from tracking.session import (
     Importable,
@@ -26,7 +27,7 @@ from tracking.session import (
     session_of_import,
     take_into,
 )
-from tracking.tracks import TrackTable
+from tracking.tracks import Schema, TrackTable
 from tracking.translation import count_msg, msg
 
 
@@ -36,7 +37,8 @@ def into_new_session(source: Source, read: Imported | None, out: Path) -> None:
     with open_with_options(order.recording, order.bare) as recording:
         check_file(out)
         refuse_to_lose(out, force=order.force)
-        found = _fitted(source, read, describe_footage(recording), None)
+        schema = _schema(order.attributes, recording.folder, out.parent)
+        found = _fitted(source, read, describe_footage(recording), None, schema)
         with closing(session_of_import(recording, found, _origin(source))) as session:
             session.save(out)
             remember_place(session, recording)
@@ -47,7 +49,8 @@ def into_session(source: Source, read: Imported | None, into: Path) -> None:
     """Take the tracks into a session that is there, as one edit, and tell what that was."""
     with closing(Session.open(into)) as session:
         refuse_read_only(session, into)
-        found = _fitted(source, read, _filmed(session), session.tracks)
+        schema = session.labels.schema or _schema(None, into.parent)
+        found = _fitted(source, read, _filmed(session), session.tracks, schema)
         entry = take_into(session, found, _origin(source))
         if entry is not None:
             session.save()
@@ -71,8 +74,23 @@ def _filmed(session: Session) -> Filmed:
         return Filmed(footage.frame_count, footage.fps, footage.size)
 
 
+def _schema(named: Path | None, *folders: Path) -> Schema:
+    """Which attributes people have: of the file that is named, else of the project.
+
+    Raises FormatError where the file that is named cannot be read.
+    """
+    found = schema_of_project(*folders) if named is None else read_schema(named)
+    for note in found.notes:
+        say(msg("note: {note}", note=note))
+    return found.schema
+
+
 def _fitted(
-    source: Source, read: Imported | None, filmed: Filmed, table: TrackTable | None
+    source: Source,
+    read: Imported | None,
+    filmed: Filmed,
+    table: TrackTable | None,
+    schema: Schema,
 ) -> Importable:
     """The tracks, as the recording's; rows beyond it are bad like any other."""
     order = source.order
@@ -81,7 +99,7 @@ def _fitted(
     wish = ImportWish(order.thin_px, order.as_new, order.only_people)
     thins = progress("Thinning") if wish.thin_px is not None else nullcontext(no_progress)
     with thins as report:
-        found = fit_to_recording(read, filmed, wish, table, report)
+        found = fit_to_recording(read, filmed, wish, table, report, schema)
     source.refuse_bad_rows(found.bad_rows, found.bad_count)
     for note in found.notes:
         say(msg("note: {note}", note=note))

@@ -25,13 +25,14 @@ from tracking.errors import (
     TrackwrightError,
     told_by_system,
 )
+from tracking.formats.schema_files import schema_of_project
 from tracking.pipeline import Tracking, track
 from tracking.pipeline.nobody_found import why_nobody
 from tracking.recording import Recording
 from tracking.session import IMPORTED, Session
 from tracking.trackers import TrackerSpec, best_tracker, parse_settings, tracker_named
 from tracking.trackers.step_watch import limited_steps
-from tracking.tracks import Run
+from tracking.tracks import Labels, Run
 from tracking.translation import all_of, count_msg, message_of, msg
 
 BYTES_A_FRAME = 64 << 10
@@ -220,7 +221,11 @@ def save_session(recording: Recording, run: Run, out: Path) -> None:
 
     Whoever has not tracked it here has to allow a recording outside of the session's folder.
     """
-    with closing(Session.create(recording, [run], out)) as session:
+    project = schema_of_project(recording.folder, out.parent)
+    for note in project.notes:
+        say(msg("note: {note}", note=note))
+    labels = Labels(schema=project.schema)
+    with closing(Session.create(recording, [run], out, labels=labels)) as session:
         remember_place(session, recording)
         if not session.recording.is_inside:
             say(

@@ -6,6 +6,7 @@ from typing import Final
 
 from app.core.commands.command import Command
 from app.features.correction import annotation_commands as annotation
+from app.features.correction import attribute_commands as attributes
 from app.features.correction import commands as correction
 from app.features.labelling import commands as labelling
 from app.features.pictures import commands as pictures
@@ -43,6 +44,7 @@ COMMANDS: Final[tuple[Command[WindowApp], ...]] = (
     *correction.NEXT,
     *window_commands.LEAVE,
     *correction.SELECTED,
+    *attributes.COMMANDS,
     *correction.CORRECT,
     *annotation.COMMANDS,
     *correction.CONFIRM,

@@ -170,7 +170,8 @@ class LookedOver(QObject):
         session = self._session
         table = session.tracks.snapshot() if session is not None else None
         labels = session.labels if session is not None else Labels()
-        return prepare_fit(self._read, choice, table, labels)
+        project = document_loader.labels_at_first(self._controller.document.recording)
+        return prepare_fit(self._read, choice, table, labels, project.schema)
 
     def _choose(self) -> None:
         choice, fitted = self._dialog.choice, self._fitted

@@ -263,8 +263,8 @@ class MainWindow(QMainWindow):
 
     def _make_room(self, said: str) -> None:
         """Let the progress give way to a passing word, which stands left of it."""
-        words = self.fontMetrics().horizontalAdvance(said) + 4 * _MARGIN
-        room = max(self.width() - words, self.width() // 3)
+        taken = self.fontMetrics().horizontalAdvance(said) + self.jobs_button.sizeHint().width()
+        room = max(self.width() - taken - 6 * _MARGIN, self.width() // 3)
         self.progress.setMaximumWidth(room if said else _UNLIMITED)
 
     def say(self, text: str) -> None:

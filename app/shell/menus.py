@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from typing import Any
 
 from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
@@ -79,9 +79,12 @@ class Menus(QObject):
         self._filling = False
 
     def use_keys(self) -> None:
-        """Give every command the keys that are in use."""
+        """Give every command the keys that are in use; a menu's letter gives way to them."""
         for name, action in self.actions.items():
             action.setShortcuts([QKeySequence(key) for key in keys_of(name)])
+        taken = {key for name in self.actions for key in keys_of(name)}
+        for name in MENUS:
+            self.menus[name, ""].setTitle(_with_letter(name, taken))
 
     def command_of(self, keys: QKeySequence) -> str:
         """The command that has these keys; "" where none has."""
@@ -191,9 +194,15 @@ class TypingGuard(QObject):
         return True
 
 
-def _with_letter(name: str) -> str:
-    """A menu's name with the letter that opens it: behind it where the name has no such letters."""
+def _with_letter(name: str, taken: Collection[str] = ()) -> str:
+    """A menu's name with the letter that opens it: behind it where the name has no such letters.
+
+    taken: keys of commands; where Alt and the letter is one of them, both would do nothing.
+    """
     shown = tr(name)
+    letter = shown[0] if shown[:1].isascii() else name[0]
+    if f"Alt+{letter.upper()}" in taken:
+        return shown
     return f"&{shown}" if shown[:1].isascii() else f"{shown}(&{name[0]})"
 
 

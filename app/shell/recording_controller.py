@@ -16,6 +16,7 @@ from app.core.scenes import Side, TransportScene
 from app.core.tracks.frame_state import ViewOptions
 from app.features.comparison.controller import ComparisonController
 from app.features.correction.annotation_controller import AnnotationController
+from app.features.correction.attribute_controller import AttributeController
 from app.features.correction.controller import EditController
 from app.features.correction.drag_controller import DragController
 from app.features.counting.controller import CountController
@@ -57,6 +58,7 @@ class RecordingController(Controller):
         self.annotating = AnnotationController(
             document, self.playback, surfaces.left, self.editing, self
         )
+        self.describing = AttributeController(document, workspace, self.editing, self)
         self.labelling = LabelController(
             document, self.playback, workspace.labelling, surfaces, self
         )
@@ -101,7 +103,7 @@ class RecordingController(Controller):
         self.close_up.changed.connect(self.changed)
         self.reviewing.fix_asked.connect(self.editing.begin)
         self.overlaying.changed.connect(self.draw_frame)
-        for one in (self.annotating, self.labelling, *self._features):
+        for one in (self.annotating, self.describing, self.labelling, *self._features):
             one.changed.connect(self.draw)
         for feature in self._features:
             feature.marked.connect(self.draw_frame)
@@ -134,7 +136,9 @@ class RecordingController(Controller):
         self.comparing.scene_changed.connect(view.show_differences)
         view.card.name_edited.connect(self.editing.rename)
         view.card.notes_edited.connect(self.editing.write_notes)
-        view.card.attributes_edited.connect(self.editing.set_attributes)
+        view.card.attributes_edited.connect(self.describing.set_own)
+        view.card.field_given.connect(self.describing.give)
+        view.card.schema_asked.connect(self.describing.ask_schema)
         view.card.frame_sought.connect(self.playback.go)
         view.preview.confirmed.connect(self.editing.confirm)
         view.preview.cancelled.connect(self.editing.leave)
@@ -170,6 +174,7 @@ class RecordingController(Controller):
         self.overlaying.close()
         self.labelling.close()
         self.annotating.close()
+        self.describing.close()
         for feature in self._features:
             feature.close()
         self.playback.close()
@@ -250,7 +255,7 @@ class RecordingController(Controller):
         self.reviewing.refresh()  # first: it may select who a review item is about
         self.draw_frame()
         self.draw_playhead()
-        view.card.show_scene(document.card())
+        view.card.show_scene(self.describing.card())
         for feature in self._features:
             feature.draw()
         view.preview.show_scene(document.planned.scene if document.planned else None)

@@ -21,6 +21,7 @@ from app.core.look.theme import scaled_font
 from app.core.scenes import CommandItem
 from app.core.widgets.command_list import native_keys
 from app.core.widgets.parts import heading, quiet
+from app.core.widgets.tab_order import tab_in_reading_order
 
 _MOST_COLUMNS = 3
 _SCREEN_SHARE = 0.9
@@ -45,6 +46,7 @@ class ShortcutsDialog(QDialog):
         self._find.setClearButtonEnabled(True)
         self._find.textChanged.connect(self.narrow)
         self._scroll = QScrollArea(self)
+        self._scroll.setAccessibleName(tr("Keyboard shortcuts"))
         self._scroll.setWidgetResizable(True)
         self._scroll.setFrameShape(QFrame.Shape.NoFrame)
         self._scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
@@ -60,6 +62,7 @@ class ShortcutsDialog(QDialog):
         head.addWidget(change)
         rows.addLayout(head)
         rows.addWidget(self._scroll, 1)
+        tab_in_reading_order(self)
         self._columns = self._fitting_columns()
         self.narrow("")
         self._fit_page()

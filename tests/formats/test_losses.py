@@ -13,7 +13,7 @@ from tracking.formats import FORMATS, Exported, Filmed, TrackFormat, losses, no_
 from tracking.formats.read_result import with_all_columns
 from tracking.formats.track_format import Content
 from tracking.geometry import Camera, Ground, View
-from tracking.tracks import Source, TrackLabel, TrackTable
+from tracking.tracks import Attribute, AttributeType, Source, TrackLabel, TrackTable
 
 VIEW = View(
     Camera(np.array([[700.0, 0, 600], [0, 700, 180], [0, 0, 1]]), np.zeros(0), 1242, 375),
@@ -49,6 +49,7 @@ def whole(**changed: np.ndarray) -> Exported:
     }
     labels = {3: TrackLabel("Zoë", {"class": "car", "bag": "yes"}, "limps")}
     known = {"frames": COUNT, "fps": 25.0, "size_px": (1242, 375), "labels": labels, "view": VIEW}
+    known["schema"] = (Attribute("bag", AttributeType.YES_NO),)
     return Exported.of_table(TrackTable(with_all_columns(columns)), **known)
 
 
@@ -78,6 +79,7 @@ def test_what_does_not_come_back_was_told_and_nothing_else(
     kept |= {Content.CLASSES} if "class" in label.attributes else set()
     kept |= {Content.NAMES} if label.name and "bag" in label.attributes else set()
     kept |= {Content.NOTES} if label.notes else set()
+    kept |= {Content.SCHEMA} if back.schema == exported.schema else set()
     assert lost_in(kind, path, exported) == set(Content) - kept
 
 
@@ -90,7 +92,7 @@ def test_nothing_is_told_of_what_the_tracks_do_not_have(tmp_path: Path, kind: Tr
         content |= dict.fromkeys(("x", "y"), np.full(COUNT, np.nan))
     if Content.BOXES not in kind.holds:
         content |= dict.fromkeys(BOX, np.full(COUNT, np.nan))
-    assert losses(kind, replace(whole(**content), labels={}), tmp_path / "t") == ()
+    assert losses(kind, replace(whole(**content), labels={}, schema=()), tmp_path / "t") == ()
 
 
 @pytest.mark.parametrize(("name", "lacking"), [("coco", "box"), ("pedpy-txt", "place")])

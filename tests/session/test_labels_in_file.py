@@ -162,7 +162,7 @@ def test_a_session_of_format_1_0_is_read_edited_and_saved_as_newer(older: Path) 
     assert again.history.taken_back_by(2) == 4
     again.close()
     with h5py.File(older) as file:
-        assert file.attrs["format_version"] == "1.7"
+        assert file.attrs["format_version"] == "1.8"
 
 
 def test_edits_waiting_in_a_journal_of_format_1_0_come_back(older: Path) -> None:
@@ -223,7 +223,7 @@ def test_labels_that_nobody_gave_are_refused(
 
 
 @pytest.mark.parametrize(
-    ("column", "value"), [("edit", 99), ("kind", 10), ("of", -1), ("start", 2**40), ("end", -1)]
+    ("column", "value"), [("edit", 99), ("kind", 11), ("of", -1), ("start", 2**40), ("end", -1)]
 )
 def test_what_edits_touch_is_worked_out_where_the_file_says_nonsense(
     copy: Path, column: str, value: int

@@ -29,7 +29,7 @@ from tracking.tracks import (
 def test_the_root_says_what_the_file_is(session: Session) -> None:
     with h5py.File(session.path) as file:
         assert file.attrs["format"] == "trackwright-session"
-        assert file.attrs["format_version"] == "1.7"
+        assert file.attrs["format_version"] == "1.8"
         assert {"software", "created", "modified"} <= set(file.attrs)
         assert set(file) == {
             *("recording", "runs", "tracks", "labels", "edits", "samples", "trajectory", "colours")

@@ -30,6 +30,7 @@ from tracking.errors import (
     TrackwrightError,
     told_by_system,
 )
+from tracking.formats.schema_files import schema_of_project
 from tracking.pipeline import track
 from tracking.recording import OpenOptions, Recording, open_recording
 from tracking.session import Session
@@ -38,7 +39,7 @@ from tracking.settings import settings_values
 from tracking.stamps import software
 from tracking.trackers import TrackerSpec, best_tracker, detector_of, parse_settings, tracker_named
 from tracking.trackers.step_watch import limited_steps
-from tracking.tracks import Run
+from tracking.tracks import Labels, Run
 from tracking.translation import N_, Message, joined, msg
 
 Tell = Callable[[str, int, int], None]
@@ -196,7 +197,8 @@ class _Job:
             run = replace(work.run(), notes=tuple(dict.fromkeys(notes)))
         self._tell(SAVING, 0, 0)
         place = task.workplace.session
-        Session.create(recording, [run], place).close()
+        labels = Labels(schema=schema_of_project(recording.folder, place.parent).schema)
+        Session.create(recording, [run], place, labels=labels).close()
         return _Made(place, content_digest([place]), tracked=True)
 
     def _outcome(self, recording: Recording, made: _Made, fingerprint: str) -> Outcome:

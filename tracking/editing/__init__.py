@@ -42,6 +42,7 @@ from tracking.editing.labels.review_labels import (
     plan_verdicts,
     with_verdict,
 )
+from tracking.editing.labels.schema_edits import SchemaChange, plan_schema
 from tracking.editing.labels.shapes import plan_lines, plan_occluders, plan_regions
 from tracking.editing.labels.track_labels import plan_rename, plan_set_attribute, plan_set_notes
 from tracking.editing.log.edit_footprint import footprint_of

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -26,7 +26,7 @@ from tracking.editing.core.selection import Rows, select_rows, stack_rows
 from tracking.errors import EditError
 from tracking.geometry import View
 from tracking.progress import Progress, no_progress
-from tracking.tracks import Columns, Labels, Source, TrackLabel, TrackTable, row_keys
+from tracking.tracks import Columns, Labels, Schema, Source, TrackLabel, TrackTable, row_keys
 from tracking.translation import msg
 
 _SAME = 1e-6
@@ -64,6 +64,7 @@ def plan_import(
     view: View | None = None,
     vouched: bool = False,
     seen_as: SeenAs | None = None,
+    schema: Schema = (),
 ) -> Change:
     """Put tracks made elsewhere into the table: new ones are added, known ones become as they are.
 
@@ -74,7 +75,8 @@ def plan_import(
     Args:
         rows: `CORRECTED_COLUMNS`, by frame then track; NaN where unknown; source 0 throughout where
             the other tool knows no keyframes.
-        told: what it says of whole tracks. source: what it is called, as the log tells it.
+        told: what it says of whole tracks. schema: which attributes people have, as it says;
+            labels that have a schema keep theirs. source: what it is called, as the log tells it.
         view: the left camera over its floor: whose box moved without a place goes along with it;
             without a view, or where the box has no height, that place is unknown.
         vouched: a tracker's row that the file calls a keyframe becomes a person's also where
@@ -88,6 +90,8 @@ def plan_import(
     before, after = _merged(table, rows, view, seen_as, vouched=vouched)
     ids = np.unique(rows["track"]).tolist()
     was, will = _labels(labels, {track: told[track] for track in ids if track in told})
+    if schema and not labels.schema:
+        was, will = replace(was, schema=()), replace(will, schema=schema)
     return _change(State(rows=before, labels=was), State(rows=after, labels=will), source)
 
 

@@ -184,6 +184,6 @@ CSV = TrackFormat(
     _recognises,
     _import,
     _export,
-    holds=frozenset(Content) - {Content.CLASSES, Content.NAMES, Content.NOTES},
+    holds=frozenset(Content) - {Content.CLASSES, Content.NAMES, Content.NOTES, Content.SCHEMA},
     about="All columns of the corrected tracks, with all digits; opens in any spreadsheet.",
 )

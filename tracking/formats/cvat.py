@@ -13,7 +13,8 @@ to the next, and held from the last one to the end of the task where no `outside
 
 CVAT numbers tracks anew; so each has an attribute `track_id`, which is taken where a file has it.
 The attribute `name` is the person's, others are attributes of the track: one that is called `name`
-or `track_id` here is written with a `_` behind. A `label` other than person is its class.
+or `track_id` here is written with a `_` behind. The schema of attributes stands in the meta, see
+`cvat_schema`. A `label` other than person is its class.
 `occluded` is visibility 0, as is predicted, and below a half. The format has no places on the
 floor. Source: CVAT's XML annotation format 1.1 and what CVAT 2 writes.
 """
@@ -24,6 +25,7 @@ import math
 import re
 from collections.abc import Iterator, Mapping
 from pathlib import Path
+from typing import Any
 from xml.sax.saxutils import escape, quoteattr
 
 import numpy as np
@@ -32,12 +34,10 @@ from tracking.atomic_output import replacing
 from tracking.errors import FormatError
 from tracking.formats.cvat_interpolation import keyframes_of
 from tracking.formats.cvat_meta import Meta
+from tracking.formats.cvat_schema import NAME, OWN_KEYS, TRACK_ID, label_in_cvat, value_in_cvat
 from tracking.formats.cvat_track import (
     AUTOMATIC,
     BOX_NUMBERS,
-    NAME,
-    OWN_KEYS,
-    TRACK_ID,
     CvatTrack,
     FileTracks,
     is_occluded,
@@ -56,7 +56,7 @@ from tracking.formats.track_format import Content, TrackFormat
 from tracking.formats.track_writer import Exported
 from tracking.formats.xml_stream import ZIP, parse
 from tracking.progress import Progress, no_progress
-from tracking.tracks import Columns, Source, TrackLabel
+from tracking.tracks import Columns, Schema, Source, TrackLabel, attribute_named
 from tracking.translation import joined, msg
 
 _MANUAL = "manual"
@@ -98,19 +98,23 @@ def _labels(exported: Exported) -> Iterator[str]:
     """The kinds of things, each with the attributes its tracks have."""
     attributes: dict[str, set[str]] = {PERSON: set()}
     for label in exported.labels.values():
-        attributes.setdefault(kind_of(label), set()).update(_further(label))
+        attributes.setdefault(kind_of(label), set()).update(attributes_of(label))
     for kind, names in sorted(attributes.items()):
-        own = [TRACK_ID, NAME, *sorted(names)]
+        further = sorted(names - {one.name for one in exported.schema})
+        own = "".join(map(_attribute_kind, label_in_cvat(exported.schema, further)))
         yield (
             f"        <label><name>{escape(kind)}</name><type>rectangle</type>"
-            f"<attributes>{''.join(map(_attribute_kind, own))}</attributes></label>\n"
+            f"<attributes>{own}</attributes></label>\n"
         )
 
 
-def _attribute_kind(name: str) -> str:
+def _attribute_kind(said: Mapping[str, Any]) -> str:
+    values = escape("\n".join(said["values"]))
     return (
-        f"<attribute><name>{escape(name)}</name><mutable>False</mutable>"
-        "<input_type>text</input_type><default_value></default_value><values></values></attribute>"
+        f"<attribute><name>{escape(said['name'])}</name><mutable>False</mutable>"
+        f"<input_type>{said['input_type']}</input_type>"
+        f"<default_value>{escape(said['default_value'])}</default_value>"
+        f"<values>{values}</values></attribute>"
     )
 
 
@@ -118,14 +122,17 @@ def _track(track: int, rows: Columns, exported: Exported, frames: int) -> Iterat
     label = exported.label(track)
     source = _MANUAL if np.any(rows["source"] == Source.PERSON) else AUTOMATIC
     yield f'  <track id="{track}" label={quoteattr(kind_of(label))} source="{source}">\n'
-    said = {TRACK_ID: str(track), NAME: line(label.name), **_further(label)}
+    said = {TRACK_ID: str(track), NAME: line(label.name), **_further(label, exported.schema)}
     yield from _boxes(rows, _attributes(said), frames)
     yield "  </track>\n"
 
 
-def _further(label: TrackLabel) -> dict[str, str]:
-    """What the label says beside name and class."""
-    return {key_beside(OWN_KEYS, key): text for key, text in attributes_of(label).items()}
+def _further(label: TrackLabel, schema: Schema = ()) -> dict[str, str]:
+    """What the label says beside name and class, as CVAT has it."""
+    return {
+        key_beside(OWN_KEYS, key): value_in_cvat(attribute_named(schema, key), text)
+        for key, text in attributes_of(label).items()
+    }
 
 
 def _attributes(said: Mapping[str, str]) -> str:
@@ -226,7 +233,7 @@ class _File:
         if self._track is None:
             self.meta.end(self._open, name, text)
         elif name == "attribute":
-            self._track.attributes.setdefault(self._attribute, text.strip())
+            self._track.say(self._attribute, text.strip())
         elif name == "track":
             self.tracks.add(self._track)
             self._track = None
@@ -304,7 +311,14 @@ CVAT = TrackFormat(
     import_cvat,
     export_cvat,
     holds=frozenset(
-        (Content.BOXES, Content.VISIBILITY, Content.SOURCES, Content.CLASSES, Content.NAMES)
+        (
+            Content.BOXES,
+            Content.VISIBILITY,
+            Content.SOURCES,
+            Content.CLASSES,
+            Content.NAMES,
+            Content.SCHEMA,
+        )
     ),
     needs=Content.BOXES,
     label_as_read=label_as_read,

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
+from tracking.formats.cvat_schema import CvatSchema
 from tracking.formats.row_rules import MAX_FRAME
 
 _NUMBER = re.compile(r"\d{1,9}")
@@ -17,16 +18,26 @@ class Meta:
 
     Attributes:
         tasks: how many the file describes. step: frames between two that are annotated.
+        labels: the attributes of its labels.
     """
 
     def __init__(self) -> None:
         self.tasks, self.step = 0, 1
+        self.labels = CvatSchema()
+        self._attribute: dict[str, str] = {}
         self._numbers: dict[str, int] = {}
 
     def end(self, inside: Sequence[str], name: str, text: str) -> None:
         """An element ended inside others."""
-        parent, text = inside[-1] if inside else "", text.strip()
-        if name == "task":
+        parent = inside[-1] if inside else ""
+        if parent == "attribute" and "label" in inside:
+            self._attribute.setdefault(name, text)
+            return
+        text = text.strip()
+        if name == "attribute" and parent == "attributes":
+            self.labels.add(self._attribute)
+            self._attribute = {}
+        elif name == "task":
             self.tasks += 1
         elif parent in ("task", "job"):
             if name == "frame_filter" and (found := _STEP.search(text)):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from array import array
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -14,23 +14,21 @@ from numpy.typing import NDArray
 from tracking.errors import FormatError
 from tracking.formats.cvat_interpolation import SIDES, filled, rows_filled
 from tracking.formats.cvat_meta import Meta
+from tracking.formats.cvat_schema import NAME, OWN_KEYS, TRACK_ID
 from tracking.formats.filled_rows import MOST_TRACKS, FilledRows
 from tracking.formats.label_text import key_of, label_of
 from tracking.formats.read_result import Imported, Reading
-from tracking.tracks import LARGEST_NUMBER, Source, TrackLabel
-from tracking.translation import msg
+from tracking.tracks import LARGEST_NUMBER, Source, TrackLabel, label_as_stored
+from tracking.translation import Message, msg, some_of
 
 BOX_NUMBERS = ("xtl", "ytl", "xbr", "ybr")
-TRACK_ID = "track_id"
-"""The attribute that keeps an id on its way through CVAT, which numbers tracks anew."""
-NAME = "name"
-OWN_KEYS = frozenset({TRACK_ID, NAME})
 AUTOMATIC = "auto"
 """The source of a track nobody corrected."""
 
 MOST_EMPTY = 20_000
 """Tracks without boxes, unless as many have some."""
 
+_MOST_TOLD, _MOST_NAMED = 20, 6
 _WHOLE = re.compile(r"\d{1,10}")
 _HIDDEN_BELOW = 0.5
 """A person of whom less is seen is `occluded`."""
@@ -46,12 +44,18 @@ class CvatTrack:
         self.kind = said.get("label", "")
         self.automatic = said.get("source", "") == AUTOMATIC
         self.attributes: dict[str, str] = {}
+        self.changing: set[str] = set()
         self._whole, self._sides = array("q"), array("d")
 
     def rows(self, whole: Sequence[int], sides: Sequence[float]) -> None:
         """Add a row: `_INTEGERS`, and the box's four sides."""
         self._whole.extend(whole)
         self._sides.extend(sides)
+
+    def say(self, name: str, text: str) -> None:
+        """Take an attribute of a box: the first counts, and those that differ later are noted."""
+        if self.attributes.setdefault(name, text) != text:
+            self.changing.add(name)
 
     @property
     def has_rows(self) -> bool:
@@ -96,6 +100,7 @@ class FileTracks:
         """meta: of the file, as far as it is read. frames: of the recording; None: unknown."""
         self._reading, self._meta, self._frames = reading, meta, frames
         self._filled = FilledRows(reading.path)
+        self._changing: dict[str, list[int]] = {}
         self._held: list[_Held] = []
         self._met = 0
 
@@ -125,6 +130,8 @@ class FileTracks:
             kept = _number(track.attributes.get(TRACK_ID, "")) or None
             columns = track.columns()
             self._count_filled(columns, self._filled)
+            for name in sorted(track.changing - OWN_KEYS):
+                self._changing.setdefault(key_of(OWN_KEYS, name), []).append(kept or track.number)
             self._held.append(_Held(kept, track.number, track.label, columns, track.automatic))
 
     def imported(self) -> Imported:
@@ -132,6 +139,8 @@ class FileTracks:
         meta, ids, parts = self._meta, self._ids(), self._shown()
         rows = _joined(parts, ids, [held.automatic for held in self._held])
         lines = rows.pop("line")
+        schema = meta.labels.schema
+        self._reading.notes += [*meta.labels.notes, *self._notes_on_changing()]
         return self._reading.imported(
             rows,
             lambda row: (
@@ -140,14 +149,23 @@ class FileTracks:
                 else msg("frame {rows}", rows=rows["frame"][row])
             ),
             labels={
-                track: held.label
+                track: label_as_stored(schema, held.label)
                 for track, held in zip(ids, self._held, strict=True)
                 if not held.label.is_empty
             },
             size_px=meta.size_px,
             frames=None if meta.last_frame is None else meta.last_frame + 1,
             seen_as=kept_visibility,
+            schema=schema,
         )
+
+    def _notes_on_changing(self) -> Iterator[Message]:
+        for name, tracks in list(self._changing.items())[:_MOST_TOLD]:
+            yield msg(
+                "attribute {name} changes along track {tracks}: its first value is taken",
+                name=name,
+                tracks=some_of(tracks, _MOST_NAMED),
+            )
 
     def _ids(self) -> list[int]:
         """Those that were kept; where a file keeps none, CVAT's own; free ones for new tracks."""

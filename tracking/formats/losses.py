@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from tracking.formats.label_text import CLASS
 from tracking.formats.track_format import Content, TrackFormat
 from tracking.formats.track_writer import ROWS_AT_ONCE, Exported
-from tracking.tracks import Source, TrackLabel
-from tracking.translation import count_msg, joined, msg
+from tracking.tracks import Source, TrackLabel, missing_values, unfit_values
+from tracking.translation import count_msg, joined, msg, some_of
 
 _COLUMNS = {
     Content.BOXES: "left",
@@ -26,6 +26,7 @@ _COLUMNS = {
 _SURE = (Content.CONFIDENCE, Content.VISIBILITY)
 """Where all that is known is 1, nothing is said."""
 _ONE = {Content.BOXES: msg("box"), Content.PLACES: msg("place on the floor")}
+_NAMED = 6
 _TOLD = 40
 """Letters of an attribute's key in a note."""
 _IS_RESULT = msg(
@@ -46,6 +47,7 @@ def losses(kind: TrackFormat, exported: Exported, path: Path) -> tuple[str, ...]
         _rows_lost(kind, exported),
         _contents_lost(kind, exported, there, truth=truth),
         _labels_changed(kind, exported),
+        *_unfit(kind, exported),
     ]
     confidence = Content.CONFIDENCE in there and kind.confidence_in_results
     if confidence and exported.corrected and not truth:
@@ -93,6 +95,23 @@ def _contents_lost(
     return told + reason if no_view and Content.PLACES in lost else told
 
 
+def _unfit(kind: TrackFormat, exported: Exported) -> Iterator[str]:
+    """What of the attributes that are written does not suit their schema."""
+    schema = exported.schema
+    if not schema or Content.NAMES not in kind.holds:
+        return
+    yield from unfit_values(schema, exported.labels)
+    required = [one.name for one in schema if one.required]
+    if required:
+        yield from missing_values(schema, exported.labels, exported.track_ids)
+    if required and Content.SCHEMA in kind.holds:
+        yield msg(
+            "{title} does not say that an attribute is required, as {names} here",
+            title=msg(kind.title),
+            names=some_of(required, _NAMED),
+        )
+
+
 def _labels_changed(kind: TrackFormat, exported: Exported) -> str:
     """How many labels do not come back as they are, and the first of them; "" where all do."""
     if kind.label_as_read is None:
@@ -127,6 +146,8 @@ def _difference(label: TrackLabel, back: TrackLabel) -> str:
 
 def _is_there(exported: Exported, content: Content, *, truth: bool) -> bool:
     """Whether the tracks have it; ground truth says of rows itself that they do not count."""
+    if content is Content.SCHEMA:
+        return bool(exported.schema)
     if content not in _COLUMNS:
         return any(_says(label, content) for label in exported.labels.values())
     for piece in _pieces(exported, _COLUMNS[content]):

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from tracking.errors import FormatError
 from tracking.formats.row_rules import broken_rules
 from tracking.progress import Progress, no_progress
-from tracking.tracks import CORRECTED_COLUMNS, LARGEST_NUMBER, Columns, TrackLabel, row_keys
+from tracking.tracks import CORRECTED_COLUMNS, LARGEST_NUMBER, Columns, Schema, TrackLabel, row_keys
 from tracking.translation import Message
 
 if TYPE_CHECKING:
@@ -113,6 +113,7 @@ class Imported:
         track_of_zero: the id here of the file's track 0, which is no id here; 0: it has none.
         boxes_reach_feet: boxes are around whole people, so that their lower edge tells where people
             stand. Else they are points or around parts, as heads.
+        schema: which attributes people have, as the file says; empty: it does not.
         head_heights_m: of tracks whose boxes are points of heads: how high above the floor these
             are, in metres; tracks of which the file does not tell it are left out.
     """
@@ -131,6 +132,7 @@ class Imported:
     track_of_zero: int = 0
     boxes_reach_feet: bool = True
     head_heights_m: Mapping[int, float] = field(default_factory=dict)
+    schema: Schema = ()
 
 
 class Reading:
@@ -214,7 +216,7 @@ class Reading:
         Args:
             rows, place_of: see `checked`.
             known: `labels, fps, size_px, frames, seen_as, first_frame, boxes_reach_feet,
-                head_heights_m` of `Imported`; labels of tracks without a good row are left out.
+                head_heights_m, schema` of `Imported`; labels of tracks without a good row go.
         """
         numbers = np.arange(len(rows["frame"]), dtype=np.int32)
         checked = self.checked({**rows, _ROW: numbers}, place_of)

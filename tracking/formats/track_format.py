@@ -32,6 +32,7 @@ class Content(StrEnum):
     CLASSES = "classes"
     NAMES = "names and attributes"
     NOTES = "notes on tracks"
+    SCHEMA = "which attributes people have"
 
 
 class Read(Protocol):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from tracking.errors import FormatError
 from tracking.progress import Progress, no_progress
-from tracking.tracks import Columns, ParticleColumn, TrackLabel, TrackTable
+from tracking.tracks import Columns, ParticleColumn, Schema, TrackLabel, TrackTable
 
 if TYPE_CHECKING:
     from tracking.geometry import View
@@ -39,6 +39,7 @@ class Exported:
         frames: how many the footage has. fps: frames a second. size_px: width and height.
         name: of the recording.
         labels: of tracks; the attribute "class" is what kind of thing it is, a person without one.
+        schema: which attributes people have.
         view: the left camera over its floor; None where it is not known.
         corrected: they are the corrected tracks, not those of a run as the tracker left them.
         ground_truth: they are written as ground truth; else where they are written decides.
@@ -53,6 +54,7 @@ class Exported:
     size_px: tuple[int, int] | None = None
     name: str = ""
     labels: Mapping[int, TrackLabel] = field(default_factory=dict)
+    schema: Schema = ()
     view: View | None = None
     corrected: bool = False
     ground_truth: bool = False
@@ -120,6 +122,14 @@ class Exported:
                 yield track, {name: column[boxed] for name, column in rows.items()}
         if not anybody:
             raise nobody_boxed(path, what)
+
+    @property
+    def track_ids(self) -> Sequence[int]:
+        """The tracks there are, ascending."""
+        if self.table is not None:
+            return self.table.track_ids
+        ids = np.asarray(self.rows["track"][0 : len(self)])
+        return [int(track) for track in np.unique(ids)]
 
     @property
     def frame_stop(self) -> int:

@@ -10,7 +10,7 @@ from tracking.editing import LabelState, State
 from tracking.editing.core.scope import scope_text, tracks_text
 from tracking.editing.labels.part_labels import SAID_OF_PART
 from tracking.tracks import PART_NAMES, Columns, Occluder, PartLabel, Region, TrackLabel
-from tracking.translation import count_msg, joined, msg
+from tracking.translation import count_msg, joined, msg, some_of
 
 NOTHING = msg("nothing")
 """What an edit that only adds says of before."""
@@ -122,6 +122,8 @@ def _other_labels(labels: LabelState) -> Iterator[Iterable[str]]:
     yield (msg("counting line {name}", name=line.name) for line in labels.lines)
     yield (_drawn(msg("region"), one) for one in labels.regions)
     yield (_part(label) for label in labels.parts)
+    names = some_of([one.name for one in labels.schema or ()], _MOST_NAMED)
+    yield [msg("attributes of people: {names}", names=names)] if labels.schema else []
 
 
 def _drawn(what: str, one: Occluder | Region) -> str:

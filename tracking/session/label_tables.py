@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import json
+import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
@@ -14,6 +15,8 @@ from tracking.session.layout import TABLES
 from tracking.tracks import (
     LABEL_CHECKS,
     PART_SOURCES,
+    Attribute,
+    AttributeType,
     CountingLine,
     Labels,
     Occluder,
@@ -21,15 +24,18 @@ from tracking.tracks import (
     PartLabels,
     Region,
     ReviewedRange,
+    Schema,
     TrackLabel,
     Verdict,
     VerdictKey,
     check_part_label,
+    check_schema,
     check_verdict,
 )
 
 Row = dict[str, Any]
 _BOX = ("left", "top", "width", "height")
+_OF_NUMBERS = ("least", "most", "step")
 
 
 def tables_of(labels: Labels) -> dict[str, dict[str, list[Any]]]:
@@ -51,6 +57,7 @@ def tables_of(labels: Labels) -> dict[str, dict[str, list[Any]]]:
             {**_fields(verdict), "tracks": json.dumps(verdict.tracks)}
             for verdict in sorted(labels.verdicts.values())
         ),
+        "labels/schema": map(_attribute_row, labels.schema),
     }
     columns = {path: _columns(path, list(given)) for path, given in rows.items()}
     columns["labels/parts"] = _part_columns(labels.parts)
@@ -72,6 +79,7 @@ def read_labels(file: h5py.File) -> Labels:
         regions=_sorted("regions", _read_polygons(group, "regions", Region)),
         verdicts=_read_verdicts(group),
         parts=_read_parts(group),
+        schema=_read_schema(group),
     )
 
 
@@ -85,6 +93,13 @@ def _fields(item: Any) -> Row:
 
 def _polygon_row(item: Occluder | Region) -> Row:
     return {**_fields(item), "polygon": json.dumps(item.polygon)}
+
+
+def _attribute_row(attribute: Attribute) -> Row:
+    numbers = {name: getattr(attribute, name) for name in _OF_NUMBERS}
+    absent = {name: math.nan for name, number in numbers.items() if number is None}
+    choices = json.dumps(attribute.choices)
+    return {**_fields(attribute), "type": attribute.type.value, "choices": choices, **absent}
 
 
 def _part_columns(parts: PartLabels) -> dict[str, list[Any]]:
@@ -141,6 +156,22 @@ def _read_verdicts(group: h5py.Group) -> dict[VerdictKey, Verdict]:
         check_verdict(verdict)
         verdicts[verdict.key] = verdict
     return verdicts
+
+
+def _read_schema(group: h5py.Group) -> Schema:
+    schema = tuple(
+        Attribute(
+            **{
+                **row,
+                "type": AttributeType(row["type"]),
+                "choices": tuple(str(choice) for choice in json.loads(row["choices"])),
+                **{name: None for name in _OF_NUMBERS if math.isnan(row[name])},
+            }
+        )
+        for row in _rows(group, "schema")
+    )
+    check_schema(schema)
+    return schema
 
 
 def _read_parts(group: h5py.Group) -> PartLabels:

@@ -32,7 +32,7 @@ from tracking.tracks import (
 )
 
 FORMAT = "trackwright-session"
-VERSION = (1, 7)
+VERSION = (1, 8)
 """Major: older programs cannot read it. Minor: they can, and miss something."""
 
 CHUNK_ROWS = 65_536
@@ -128,6 +128,20 @@ TABLES: Mapping[str, Table] = MappingProxyType(
         ),
         "labels/verdicts": Table(
             column_types(kind=TEXT, tracks=TEXT, frame=np.int64, decision=TEXT), is_later=True
+        ),
+        # Which attributes people have, in the order they are shown. Came with 1.8.
+        "labels/schema": Table(
+            column_types(
+                name=TEXT,
+                type=TEXT,  # choice, yes-no, number, text
+                choices=TEXT,  # JSON
+                default=TEXT,  # shown where nothing is said; "": none
+                required=np.bool_,
+                least=np.float64,  # of a number; NaN: any
+                most=np.float64,
+                step=np.float64,
+            ),
+            is_later=True,
         ),
         "edits": Table(
             column_types(

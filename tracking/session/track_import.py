@@ -21,6 +21,7 @@ from tracking.progress import Progress, no_progress
 from tracking.recording.fingerprint import Fingerprint, fingerprint
 from tracking.session.document import Session
 from tracking.session.import_notes import differing_footage, note_on_outside
+from tracking.session.import_schema import fit_labels
 from tracking.session.imported_ids import id_of_zero, new_ids
 from tracking.stamps import software
 from tracking.tracks import (
@@ -31,8 +32,10 @@ from tracking.tracks import (
     PARTICLE_COLUMNS,
     TRACK_COLUMNS,
     Columns,
+    Labels,
     Particles,
     Run,
+    Schema,
     Source,
     TrackLabel,
     TrackTable,
@@ -76,6 +79,7 @@ class Importable:
         view: the recording's left camera over its floor; None also where boxes do not reach to the
             feet, so that no place follows from them.
         seen_as: as in `Imported`.
+        schema: which attributes people have, the file's or what the session has; empty: neither.
     """
 
     rows: Columns
@@ -86,6 +90,7 @@ class Importable:
     notes: tuple[Message, ...] = ()
     view: View | None = None
     seen_as: SeenAs | None = None
+    schema: Schema = ()
 
     @property
     def tracks(self) -> int:
@@ -125,6 +130,7 @@ def fit_to_recording(
     wish: ImportWish,
     known: TrackTable | None = None,
     report: Progress = no_progress,
+    schema: Schema = (),
 ) -> Importable:
     """The tracks of a file fitted to a recording: what is beyond it is bad, what is odd is noted.
 
@@ -132,6 +138,7 @@ def fit_to_recording(
         imported: as read. filmed: the recording. wish: how they are taken.
         known: the table they are to go into; None: a new one.
         report: called with rows while they are thinned; raises to cancel.
+        schema: which attributes people have, of the session or project; empty: as the file says.
 
     Raises EditError for a tolerance that is none, FormatError where no ids are left.
     """
@@ -154,6 +161,7 @@ def fit_to_recording(
     if filmed.view is not None and np.isnan(found.rows["x"]).all():
         found = _with_places(found, imported, filmed.view, is_new=known is None)
     found = _with_ids(found, imported.track_of_zero, wish, known)
+    found = _with_schema(found, imported.schema, schema)
     if wish.thin_px is not None:
         view, fps = found.view, filmed.fps
         rows, thinned = thin_dense(found.rows, wish.thin_px, view=view, fps=fps, report=report)
@@ -181,7 +189,7 @@ def session_of_import(recording: Recording, found: Importable, origin: ImportOri
         particles=Particles.none(PARTICLE_COLUMNS),
         software=software(),
     )
-    session = Session.create(recording, [run])
+    session = Session.create(recording, [run], labels=Labels(schema=found.schema))
     if found.labels or (found.rows["source"] != Source.TRACKER).any():
         take_into(session, found, origin, vouched=True)
     return session
@@ -205,6 +213,7 @@ def take_into(
             view=view,
             vouched=vouched,
             seen_as=found.seen_as,
+            schema=found.schema,
         )
     except EditError:  # it says what is there already
         return None
@@ -288,6 +297,13 @@ def _only_people(found: Importable) -> Importable:
         return found
     notes = (*found.notes, msg("{count} tracks that are no people are left out", count=len(others)))
     return _with_rows(replace(found, notes=notes), ~np.isin(found.rows["track"], others))
+
+
+def _with_schema(found: Importable, said: Schema, own: Schema) -> Importable:
+    """With labels as the schema stores them, and notes of what does not suit it."""
+    tracks = [int(track) for track in np.unique(found.rows["track"])] if said or own else []
+    labels, notes = fit_labels(found.labels, tracks, said, own)
+    return replace(found, labels=labels, notes=(*found.notes, *notes), schema=own or said)
 
 
 def _with_rows(found: Importable, chosen: NDArray[np.bool_]) -> Importable:

@@ -24,13 +24,12 @@ from tracking.tracks.labels import (
     ReviewedRange,
     Verdict,
 )
+from tracking.tracks.limits import LONGEST_NAME
 from tracking.tracks.part_labels import PART_SOURCES, PartLabel
 from tracking.tracks.validation import LARGEST_NUMBER
 from tracking.translation import joined, msg
 
 MOST_CORNERS = 500
-LONGEST_NAME, LONGEST_KEY, LONGEST_VALUE = 200, 100, 2_000
-"""Characters of a name, and of an attribute's key and text."""
 _FARTHEST = 1e9
 """Pixels or metres; nothing anybody draws lies farther out."""
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
+from tracking.tracks.attribute_schema import Schema
 from tracking.tracks.part_labels import PartLabels
 
 VerdictKey = tuple[str, tuple[int, ...], int]
@@ -130,6 +131,7 @@ class Labels:
         occluders, lines, regions: sorted by name; reviewed: by track and frame.
         verdicts: by the review item's key.
         parts: rectangles of body parts, by frame, track and part.
+        schema: which attributes people have, in the order in which they are shown.
     """
 
     tracks: Mapping[int, TrackLabel] = field(default_factory=dict)
@@ -139,6 +141,7 @@ class Labels:
     regions: tuple[Region, ...] = ()
     verdicts: Mapping[VerdictKey, Verdict] = field(default_factory=dict)
     parts: PartLabels = field(default_factory=PartLabels)
+    schema: Schema = ()
 
     def of_track(self, track: int) -> TrackLabel:
         """The track's label; empty where nothing was said."""

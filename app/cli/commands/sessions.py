@@ -79,6 +79,7 @@ def import_tracks(
     thin: import_options.Thin = None,
     as_new: import_options.AsNew = False,
     only_people: import_options.OnlyPeople = False,
+    attributes: import_options.Attributes = None,
     report: import_options.Report = False,
     force: options.Force = False,
     bare: Bare,
@@ -101,8 +102,39 @@ def import_tracks(
         take_good=take_good,
         force=force,
         report=report,
+        attributes=attributes,
     )
     run_import(order, as_json=json)
+
+
+@program.command(cls=HelpCommand)
+def attributes(
+    session: Annotated[Path, typer.Argument(help="A session.")],
+    take: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE",
+            help="Take which attributes people have from attributes.toml, or from JSON of CVAT's "
+            "label constructor: one edit. Values that people have stay.",
+        ),
+    ] = None,
+    out: Annotated[
+        Path | None,
+        typer.Option(
+            "--out",
+            "-o",
+            help="Write which attributes people have: .toml, or .json for CVAT's constructor.",
+        ),
+    ] = None,
+    force: Annotated[
+        bool, typer.Option("--force", help="Replace a file that is there, without a question.")
+    ] = False,
+    json: options.Json = False,
+) -> None:
+    """Print which attributes the people of a session have, and the values that do not suit them."""
+    from app.cli.attributes import run_attributes
+
+    run_attributes(session, take, out, force=force, as_json=json)
 
 
 @program.command(cls=HelpCommand)

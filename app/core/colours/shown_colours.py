@@ -7,10 +7,11 @@ from functools import cache
 from importlib.resources import files
 from typing import Final
 
+from app.core.colours.palette import colour_of_code
 from app.core.scenes import Colour
 
 THEMES: Final = ("dark", "light")
-_LEAST_CONTRAST: Final = {"dark": 2.6, "light": 1.9}
+LEAST_CONTRAST: Final = {"dark": 2.6, "light": 1.9}
 """Of a line or a bar against its background; dark colours on a dark one need more."""
 _STEP, _MOST_STEPS = 0.05, 12
 
@@ -23,14 +24,18 @@ def theme_table(theme_name: str) -> dict[str, str]:
     return colours
 
 
+def theme_colour(theme_name: str, use: str) -> Colour:
+    """A colour of `dark` or `light` by what it is for."""
+    return colour_of_code(theme_table(theme_name)[use])
+
+
 @cache
 def readable_colour(theme_name: str, colour: Colour) -> Colour:
     """The colour, moved towards the text colour until it stands out from the background."""
-    table = theme_table(theme_name)
-    text, background = _rgb(table["text"]), _rgb(table["sunken"])
+    text, background = theme_colour(theme_name, "text"), theme_colour(theme_name, "sunken")
     for step in range(_MOST_STEPS + 1):
         moved = _mixed(colour, text, step * _STEP)
-        if contrast(moved, background) >= _LEAST_CONTRAST[theme_name]:
+        if contrast(moved, background) >= LEAST_CONTRAST[theme_name]:
             return moved
     return text
 
@@ -52,8 +57,3 @@ def _luminance(colour: Colour) -> float:
 def _mixed(one: Colour, other: Colour, share: float) -> Colour:
     red, green, blue = (round(a + share * (b - a)) for a, b in zip(one, other, strict=True))
     return red, green, blue
-
-
-def _rgb(code: str) -> Colour:
-    """`#rrggbb` as three numbers."""
-    return int(code[1:3], 16), int(code[3:5], 16), int(code[5:7], 16)

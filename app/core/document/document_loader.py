@@ -12,6 +12,7 @@ from platformdirs import user_data_path
 from app.core.colours.track_colours import TrackColours
 from app.core.document.document import Document
 from tracking.errors import OutputError
+from tracking.formats.schema_files import schema_of_project
 from tracking.owned_files import real_path
 from tracking.recording import OpenOptions, Recording, open_recording
 from tracking.session import (
@@ -103,7 +104,8 @@ def keep_run(
     """
     colours = TrackColours.of_run(run, seen).places
     place = path or _unsaved_path(recording)
-    session = Session.create(recording, [run], place, colours=colours)
+    labels = labels_at_first(recording)
+    session = Session.create(recording, [run], place, colours=colours, labels=labels)
     remember_place(session, recording)
     return session
 
@@ -129,9 +131,15 @@ def session_by_hand(recording: Recording, labels: Labels | None = None) -> Sessi
     Raises:
         OutputError, OSError: it cannot be written.
     """
+    labels = labels or labels_at_first(recording)
     session = Session.create(recording, [], _unsaved_path(recording), labels=labels)
     remember_place(session, recording)
     return session
+
+
+def labels_at_first(recording: Recording) -> Labels:
+    """What a new session begins with: the attributes of people that its project says."""
+    return Labels(schema=schema_of_project(recording.folder).schema)
 
 
 def _unsaved_path(recording: Recording) -> Path:

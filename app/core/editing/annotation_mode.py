@@ -30,6 +30,7 @@ class AnnotationMode:
         at_once: edits of one person are done without a preview. two_at_once: those of two people,
             too.
         next_box: whose the next box is. copied: the box that can be put elsewhere.
+        attribute: which digit keys set; "": none.
         dismissed: tracks whose ghost is not shown any more, each with the frame of its last box.
     """
 
@@ -39,6 +40,7 @@ class AnnotationMode:
     two_at_once: bool = False
     next_box: NextBox = NextBox.AUTO
     copied: Box | None = None
+    attribute: str = ""
     dismissed: dict[int, int] = field(default_factory=dict)
 
     def does_at_once(self, flow: EditFlow) -> bool:

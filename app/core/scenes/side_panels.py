@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from app.core.scenes.attribute_fields import AttributeField
 from app.core.scenes.frame_scenes import Colour
 
 
@@ -14,6 +15,7 @@ class TrackCard:
     Attributes:
         frames_seen: in which it was seen, or drawn by hand; the other frames are counted apart: a
             tracker `predicted` it there, somebody had it `interpolated`, or said it is `occluded`.
+        attributes: the person's own. fields: those of the schema.
     """
 
     track: int
@@ -29,6 +31,7 @@ class TrackCard:
     others: tuple[int, ...] = ()
     frames_interpolated: int = 0
     frames_occluded: int = 0
+    fields: tuple[AttributeField, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -278,6 +278,14 @@ class EditController(Controller):
                     )
                 )
 
+    def set_attribute(self, track: int, key: str, value: str | None) -> None:
+        """Set one attribute of a track; None takes it away."""
+        self._label(lambda table, labels: plan_set_attribute(table, labels, track, key, value))
+
+    def change_labels(self, plan: Callable[..., Change]) -> None:
+        """Do an edit of labels that is planned on the corrected tracks and labels."""
+        self._label(plan)
+
     def _label(self, plan: Callable[..., Change]) -> None:
         session = self._document.session
         if session is None:

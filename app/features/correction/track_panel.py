@@ -21,10 +21,12 @@ from PySide6.QtWidgets import (
 )
 
 from app.core.i18n import count_text, joined_text, tr
+from app.core.look.icons import IconButton
 from app.core.look.theme import scaled_font
 from app.core.scenes import TrackCard
 from app.core.widgets.parts import Panel, Swatch, bring_into_view, heading, quiet
 from app.features.correction.attributes import AttributesTable
+from app.features.correction.schema_form import SchemaForm
 
 _LEAST_LINES = 6
 _MOST_NAMED = 8
@@ -69,13 +71,17 @@ class TrackPanel(Panel):
 
     Signals:
         name_edited(int, str), notes_edited(int, str): track and the new text.
-        attributes_edited(int, object): track and all (name, value) pairs, a tuple.
+        attributes_edited(int, object): track and all own (name, value) pairs, a tuple.
+        field_given(int, str, object): track, an attribute of the schema, its value or None.
+        schema_asked(): which attributes people have is to be changed.
         frame_sought(int): to the track's first or last frame.
     """
 
     name_edited = Signal(int, str)
     notes_edited = Signal(int, str)
     attributes_edited = Signal(int, object)
+    field_given = Signal(int, str, object)
+    schema_asked = Signal()
     frame_sought = Signal(int)
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -161,11 +167,17 @@ class TrackPanel(Panel):
     def _build_attributes(self, rows: QVBoxLayout) -> None:
         self._attributes = AttributesTable(self)
         self._attributes.edited.connect(self._send_attributes)
+        self._form = SchemaForm(self)
+        self._form.value_given.connect(self._send_field)
+        schema = IconButton("settings", tr("Which attributes people have"), "tracks.schema", self)
+        schema.clicked.connect(self.schema_asked)
         row = QHBoxLayout()
         row.addWidget(heading(tr("Attributes"), self), 1)
+        row.addWidget(schema)
         for button in (self._attributes.add_button, self._attributes.remove_button):
             row.addWidget(button)
         rows.addLayout(row)
+        rows.addWidget(self._form)
         rows.addWidget(self._attributes, 1)
 
     def _build_notes(self, rows: QVBoxLayout) -> None:
@@ -231,6 +243,7 @@ class TrackPanel(Panel):
             self._name.setCursorPosition(0)  # of a long name the beginning is seen
         if other or not self._notes.hasFocus():
             self._notes.setPlainText(card.notes)
+        self._form.show_scene(card.fields)
         self._attributes.show_pairs(card.attributes, keep_editing=not other)
 
     def _words_on(self, card: TrackCard) -> str:
@@ -251,13 +264,26 @@ class TrackPanel(Panel):
         self._name.selectAll()
 
     def edit_attributes(self) -> None:
-        """Begin another attribute: its name, Enter, its value, Enter."""
-        self._attributes.add_row()
+        """Go to the first attribute of the schema; begin another one where there is none.
+
+        Its name, Enter, its value, Enter.
+        """
+        if not self.edit_fields():
+            self._attributes.add_row()
 
     def edit_notes(self) -> None:
         """Put the cursor into the notes."""
         bring_into_view(self._notes)
         self._notes.setFocus(Qt.FocusReason.ShortcutFocusReason)
+
+    def edit_fields(self) -> bool:
+        """Put the keyboard into the first attribute of the schema; whether there is one."""
+        bring_into_view(self._form)
+        return self._form.edit_first()
+
+    def _send_field(self, name: str, value: str | None) -> None:
+        if self._card is not None:
+            self.field_given.emit(self._card.track, name, value)
 
     def _send_name(self) -> None:
         if self._card is not None and self._name.text() != self._card.name:

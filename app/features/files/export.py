@@ -51,6 +51,7 @@ def prepare_export(
     table = session.tracks.snapshot() if run is None else None
     own = None if run is None else _run(session, run)
     labels = dict(session.labels.tracks) if corrected else {}
+    schema = session.labels.schema if corrected else ()
     dont_cares = corrected and _began_as_import(session)
 
     def put_together() -> Exported:
@@ -63,6 +64,7 @@ def prepare_export(
             size_px=footage.size,
             name=footage.name,
             labels=labels,
+            schema=schema,
             view=view,
             corrected=corrected,
             dont_cares=dont_cares,

@@ -15,7 +15,7 @@ from tracking.errors import EditError, FormatError
 from tracking.formats import Filmed, Imported, TrackFormat, format_of, track_endings
 from tracking.progress import Progress
 from tracking.session import Importable, ImportOrigin, ImportWish, fit_to_recording
-from tracking.tracks import Labels, TrackTable, row_keys
+from tracking.tracks import Labels, Schema, TrackTable, row_keys
 
 USUAL_TOLERANCE_PX = 2.0
 _OF_SESSIONS = {".h5", ".hdf5"}
@@ -119,7 +119,11 @@ class FittedTracks:
 
 
 def prepare_fit(
-    read: ReadFile, choice: ImportChoice, table: TrackTable | None, labels: Labels
+    read: ReadFile,
+    choice: ImportChoice,
+    table: TrackTable | None,
+    labels: Labels,
+    schema: Schema = (),
 ) -> Callable[[Progress], FittedTracks]:
     """What fits tracks to the recording; to be called in any thread.
 
@@ -127,10 +131,12 @@ def prepare_fit(
 
     Args:
         table: the corrected tracks of now, which nobody changes meanwhile; None: no session yet.
+        schema: the project's, where the session has none yet.
     """
 
     def work(report: Progress) -> FittedTracks:
-        found = fit_to_recording(read.imported, read.filmed, choice.wish, table, report)
+        own = labels.schema or schema
+        found = fit_to_recording(read.imported, read.filmed, choice.wish, table, report, own)
         ids = set(np.unique(found.rows["track"]).tolist())
         known = len(ids & set(table.track_ids)) if table is not None else 0
         written = None
@@ -148,7 +154,14 @@ def _planned(
     rows, told, source = found.rows, found.labels, read.path.name
     try:
         change = plan_import(
-            table, labels, rows, told, source, view=found.view, seen_as=found.seen_as
+            table,
+            labels,
+            rows,
+            told,
+            source,
+            view=found.view,
+            seen_as=found.seen_as,
+            schema=found.schema,
         )
     except EditError:
         return None

@@ -9,6 +9,7 @@ from PySide6.QtGui import QEnterEvent, QKeyEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
 from app.core.drawing.canvas import Canvas
+from app.core.i18n import tr
 from app.core.look.theme import Theme, current_theme
 from app.core.widgets.abstract import AbstractQt
 
@@ -52,6 +53,7 @@ class Layer(QWidget, metaclass=AbstractQt):
 
     def begin(self) -> None:
         """Cover the canvas and take the keyboard."""
+        self.setAccessibleName(tr("Drawing on: {view}", view=self.canvas.accessibleName()))
         self.setGeometry(self.canvas.rect())
         self.show()
         self.raise_()

@@ -29,6 +29,7 @@ from app.core.look.theme import line_height
 from app.core.widgets.parts import heading, quiet
 from app.core.widgets.questions import choose_file
 from app.core.widgets.settings_form import SettingsForm
+from app.core.widgets.tab_order import tab_in_reading_order
 from app.core.widgets.user_settings import LastFolder
 from app.features.parts.training_set import Source, TrainingSet, build_training_set, source_at
 from app.features.parts.training_settings import (
@@ -111,6 +112,7 @@ class TrainDialog(QDialog):
         area.setWidget(self._form)
         area.setWidgetResizable(True)
         area.setFrameShape(QScrollArea.Shape.NoFrame)
+        area.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # it follows the setting that is chosen
         rows.addWidget(area, 1)
         self._train = QPushButton(tr("Train"), self._buttons)
         self._train.setProperty("primary", True)
@@ -120,6 +122,7 @@ class TrainDialog(QDialog):
         self._buttons.accepted.connect(self.accept)
         self._buttons.rejected.connect(self.reject)
         rows.addWidget(self._buttons)
+        tab_in_reading_order(self)
         line, room = line_height(self.font()), self.screen().availableSize()
         self.resize(min(44 * line, room.width()), min(50 * line, room.height() - 4 * line))
 

@@ -20,6 +20,7 @@ from app.core.i18n import N_, tr
 from app.core.look.theme import scaled_font
 from app.core.widgets.parts import quiet
 from app.core.widgets.progress_strip import ProgressStrip
+from app.core.widgets.tab_order import tab_in_reading_order
 from app.features.project.presenter import NEXT_RULE
 from app.features.project.recording_table import RecordingTable
 from app.features.project.scene import ProjectScene, RecordingRow
@@ -80,6 +81,7 @@ class ProjectPage(QWidget):
         self.batch = ProgressStrip(self)
         self.batch.cancelled.connect(self.cancel_asked)
         rows.addWidget(self.batch)
+        tab_in_reading_order(self)
         self.show_scene(self.scene)
 
     def _build_head(self) -> QHBoxLayout:

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 
 from app.core.i18n import count_text, time_text, tr
 from app.core.widgets.parts import quiet
+from app.core.widgets.tab_order import tab_in_reading_order
 from app.features.review.alike import AlikeGroup
 from app.features.review.presenter import kind_title
 
@@ -53,6 +54,7 @@ class AlikeDialog(QDialog):
         rows.addWidget(self.listed, 1)
         rows.addWidget(self._about)
         rows.addWidget(self._buttons())
+        tab_in_reading_order(self)
         self.choices.idToggled.connect(lambda number, on: self._show(number) if on else None)
         self.choices.button(0).setChecked(True)
         letters = self.fontMetrics()

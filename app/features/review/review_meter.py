@@ -17,7 +17,7 @@ _EARLY: Final = 0.05
 """Share of the footage that a review should take."""
 _NOT_CORRECTED: Final = frozenset(
     {
-        *("verdict", "reviewed", "unreviewed", "rename", "notes", "attribute"),
+        *("verdict", "reviewed", "unreviewed", "rename", "notes", "attribute", "schema"),
         *("label", "unlabel", "occluders", "lines", "regions"),
     }
 )

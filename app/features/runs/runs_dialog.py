@@ -24,6 +24,7 @@ from app.core.i18n import tr
 from app.core.jobs.jobs import Job
 from app.core.scenes.score_figures import Figure
 from app.core.widgets.parts import quiet
+from app.core.widgets.tab_order import tab_in_reading_order
 from app.core.widgets.work_line import WorkLine
 from app.features.runs.presenter import CORRECTED, RUN_FIGURES, RunList, RunRow, RunsScene
 from tracking.scoring import Score
@@ -74,6 +75,7 @@ class RunsDialog(QDialog):
         self._working.cancelled.connect(self._cancel_scoring)
         rows.addWidget(self._working)
         rows.addLayout(self._build_buttons())
+        tab_in_reading_order(self)
         self._show(self._scene)
         line = self.fontMetrics().height()
         self.resize(min(84 * line, self.screen().availableGeometry().width() - 2 * line), 22 * line)

@@ -29,6 +29,7 @@ from app.core.widgets.number_boxes import WholeBox, why_refused
 from app.core.widgets.parts import quiet
 from app.core.widgets.settings_form import SettingsForm
 from app.core.widgets.settings_search import SettingSearch
+from app.core.widgets.tab_order import tab_in_reading_order
 from app.core.widgets.user_settings import UserSettings
 from app.features.runs.detections_line import FILLED_IN, DetectionsLine
 from app.features.runs.parts_line import PartsLine
@@ -166,6 +167,7 @@ class TrackDialog(QDialog):
         buttons.accepted.connect(self.accept)
         buttons.rejected.connect(self.reject)
         rows.addWidget(buttons)
+        tab_in_reading_order(self)
         line = self.fontMetrics().height()
         room = self.screen().availableSize()
         self.resize(min(48 * line, room.width()), min(44 * line, room.height() - 4 * line))
@@ -282,4 +284,5 @@ def _scrolled(form: SettingsForm) -> QScrollArea:
     area.setWidget(form)
     area.setWidgetResizable(True)
     area.setFrameShape(QFrame.Shape.NoFrame)
+    area.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # it follows the setting that is chosen
     return area

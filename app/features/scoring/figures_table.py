@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
 
 from app.core.i18n import tr
 from app.core.look.theme import current_theme
-from app.core.scenes.score_figures import FIGURES, ScoreRow
+from app.core.scenes.score_figures import ScoreRow
 from app.core.widgets.table_cells import write_cell
 from app.features.scoring.scene import ScoreScene
 
@@ -63,7 +63,7 @@ class FiguresTable(QTableWidget):
         self._scene = scene
         if len(scene.rows) != len(self._rows):
             self._rows = ()
-            self._arrange(len(scene.rows) or len(FIGURES))  # room for what is being scored
+            self._arrange(len(scene.rows))
         self._tell_frames()
         for number, row in enumerate(scene.rows):
             if number >= len(self._rows) or self._rows[number] != row:
@@ -138,7 +138,7 @@ class FiguresTable(QTableWidget):
     def sizeHint(self) -> QSize:  # noqa: N802 - Qt's name
         """As wide as all figures and their names."""
         letters = self.fontMetrics().horizontalAdvance
-        names = max(letters(tr(row.short or row.name)) for row in self._rows or FIGURES)
+        names = max((letters(row.short or row.name) for row in self._rows), default=0)
         three = self.groups == _MOST_GROUPS
         figures = self.groups * sum(
             px for part, px in self._widths.items() if not (three and self.isColumnHidden(part))

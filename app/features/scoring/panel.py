@@ -182,9 +182,9 @@ class ScorePanel(FeaturePanel):
         self._say(self._notes, "\n".join(map(tr, scene.notes)))
         self._say(self._moved, scene.moved)
         self._report.setEnabled(bool(scene.rows))
-        if not scene.rows and scene.doing:  # nothing moves once the figures come
-            scene = replace(scene, rows=awaited_rows())
-        self.table.setVisible(bool(scene.rows) or not scene.message)
+        if not scene.rows and (scene.doing or not scene.message):
+            scene = replace(scene, rows=awaited_rows())  # nothing moves once the figures come
+        self.table.setVisible(bool(scene.rows))
         self.table.show_scene(scene)
         for choice in scene.errors:
             self._show_kind(choice)

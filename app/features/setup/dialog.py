@@ -29,6 +29,7 @@ from PySide6.QtWidgets import (
 
 from app.core.droppable import no_footage
 from app.core.i18n import tr
+from app.core.widgets.tab_order import tab_in_reading_order
 from app.core.widgets.user_settings import UserSettings
 from app.core.widgets.work_line import WorkLine
 from app.features.setup.calibration_page import CalibrationPage
@@ -128,6 +129,7 @@ class SetupDialog(QDialog):
         whole.setSpacing(12)
         whole.addWidget(self.steps)
         whole.addWidget(across, 1)
+        tab_in_reading_order(self)
 
     def _buttons(self) -> QHBoxLayout:
         row = QHBoxLayout()

@@ -21,6 +21,7 @@ from app.core.look.icons import application_icon
 from app.core.look.theme import current_theme, faded, scaled_font
 from app.core.scenes import WelcomeScene
 from app.core.widgets.parts import heading, quiet
+from app.core.widgets.tab_order import tab_in_reading_order
 from app.features.welcome.welcome_parts import ChoiceButton, RecentRow, draw_floor
 
 _WIDTH_LETTERS = 130
@@ -65,6 +66,7 @@ class WelcomePage(QWidget):
         across.addWidget(column, 20)
         across.addStretch(1)
         self.show_scene(WelcomeScene())
+        tab_in_reading_order(self)
 
     def _build_title(self) -> QHBoxLayout:
         row = QHBoxLayout()
@@ -154,6 +156,7 @@ class WelcomePage(QWidget):
             row = RecentRow(item, self)
             row.clicked.connect(lambda _=False, path=item.path: self.path_chosen.emit(Path(path)))
             self._recent.addWidget(row)
+        tab_in_reading_order(self)
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:  # noqa: N802 - Qt's name
         """Take files from this machine."""

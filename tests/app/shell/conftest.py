@@ -11,7 +11,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 from setup_fixtures import begin, card, user, with_calibration  # noqa: F401 - fixtures
-from shifted_runs import AGAIN_AT, SHIFTED
+from shifted_runs import AGAIN_AT, SHIFTED, swapped
 
 from app.core.document import document_loader
 from app.shell.main_window import MainWindow
@@ -80,3 +80,15 @@ def shifted_controller(
     assert window.controller is not None
     window.controller.playback.go(AGAIN_AT)
     return window.controller
+
+
+@pytest.fixture
+def swapped_session(tiny_recording: Path, tiny_run: Run, tmp_path: Path) -> tuple[Path, set[int]]:
+    """A session in which two people have each other's id from a frame on, and who they are."""
+    path = tmp_path / "swapped.h5"
+    run, who = swapped(tiny_run)
+    with open_recording(tiny_recording) as recording:
+        session = Session.create(recording, [run], path)
+        document_loader.remember_place(session, recording)
+        session.close()
+    return path, who

@@ -8,6 +8,7 @@ from typing import Any
 from app.core.commands import CommandRegistry
 from app.core.editing.annotation_mode import AnnotationMode
 from app.core.tracks.frame_state import ViewOptions
+from app.features.correction.attribute_controller import AttributeController
 from app.features.labelling.controller import LabelController
 from app.features.parts.controller import PartsController
 from app.features.review.controller import ReviewController
@@ -60,6 +61,7 @@ def window_app(**given: Any) -> Any:
         ScoreController: SimpleNamespace(known=False),
         LabelController: SimpleNamespace(tool=None, suggests=False),
         ReviewController: reviewing,
+        AttributeController: SimpleNamespace(schema=(), active=None),
     }
     batches = SimpleNamespace(watched=None)
     projects = SimpleNamespace(

@@ -1,12 +1,15 @@
 """Keys of commands are changed in the real window, and everything that names them follows."""
 
 import pytest
+from person import Person
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QToolTip
 
+from app.core.commands import MENUS
 from app.core.keymap import keys_of
 from app.core.look.icons import IconButton
 from app.features.keys.dialog import KeysDialog
+from app.features.keys.scene import SHIPPED, OwnKeys
 from app.shell.shortcuts import ShortcutsDialog
 
 
@@ -162,3 +165,27 @@ def test_commands_that_are_unknown_here_are_named(dialog, tmp_path):
     dialog.read(tmp_path / "mine.toml")
     assert "without 1 command that is unknown here, tracks.fly" in dialog.said.text()
     assert keys_of("tracks.swap") == ("Q",)
+
+
+@pytest.mark.parametrize("profile", SHIPPED)
+def test_the_letter_of_every_menu_opens_it_in_every_profile(window, qtbot, profile):
+    window.key_choice.use(OwnKeys(profile))
+    with qtbot.waitActive(window):
+        window.activateWindow()
+    one = Person(window, qtbot)
+    for name in MENUS:
+        one.press(f"Alt+{name[0]}")
+        assert window.menus.menus[name, ""].isVisible(), name
+        one.leave_popups()
+
+
+def test_the_letter_of_a_menu_gives_way_to_a_key_of_the_user(window, qtbot):
+    window.key_choice.use(OwnKeys(changes={"help.about": ("Alt+F",)}))
+    with qtbot.waitActive(window):
+        window.activateWindow()
+    one = Person(window, qtbot)
+    one.press("Alt+F")
+    assert not window.menus.menus["File", ""].isVisible()
+    assert "trackwright: people tracked" in window.notice.text
+    assert window.menus.menus["File", ""].title() == "File"
+    assert window.menus.menus["Edit", ""].title() == "&Edit"

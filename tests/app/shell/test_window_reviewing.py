@@ -8,6 +8,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLineEdit
+from shifted_runs import SWAPPED_AT
 
 from app.core.document import document_loader
 from app.core.editing import EditScope, edits
@@ -26,32 +27,6 @@ _CTRL, _SHIFT, _ALT = (
     Qt.KeyboardModifier.ShiftModifier,
     Qt.KeyboardModifier.AltModifier,
 )
-SWAPPED_AT = 66
-
-
-@pytest.fixture
-def swapped_session(tiny_recording, tiny_run, tmp_path):
-    """A session in which two people who both stand there have each other's id from a frame on."""
-    here = tiny_run.tracks["frame"] == SWAPPED_AT
-    one, other = tiny_run.tracks["track"][here][:2].tolist()
-    tracks, signals = (
-        _swapped(columns, one, other) for columns in (tiny_run.tracks, tiny_run.signals)
-    )
-    path = tmp_path / "swapped.h5"
-    with open_recording(tiny_recording) as recording:
-        run = replace(tiny_run, tracks=tracks, signals=signals)
-        session = Session.create(recording, [run], path)
-        document_loader.remember_place(session, recording)
-        session.close()
-    return path, {one, other}
-
-
-def _swapped(columns, one, other):
-    late, ids = columns["frame"] >= SWAPPED_AT, columns["track"].copy()
-    ids[late & (columns["track"] == one)] = other
-    ids[late & (columns["track"] == other)] = one
-    order = np.lexsort((ids, columns["frame"]))
-    return {name: column[order] for name, column in {**columns, "track": ids}.items()}
 
 
 @pytest.fixture

@@ -1,5 +1,8 @@
+import threading
+
 import numpy as np
 import pytest
+from patient import PATIENCE_S
 
 from app.core.document import document_loader
 from app.features.runs.run_summary import RunSummary
@@ -141,17 +144,25 @@ def test_the_first_and_the_last_frame_never_cross(opened):
     dialog.reject()
 
 
-def test_a_word_is_seen_beside_the_progress_of_the_tracker(opened, qtbot):
+def test_a_word_is_seen_beside_the_progress(window, qtbot):
+    over = threading.Event()
+    window.work.run("Counting", lambda _: over.wait(PATIENCE_S), lambda _: None)
+    qtbot.waitUntil(lambda: window.progress.isVisible() and window.jobs_button.isVisible())
+    wide = window.progress.maximumWidth()
+    window.statusBar().showMessage("stop tracking first")
+    room = window.fontMetrics().horizontalAdvance("stop tracking first")
+    qtbot.waitUntil(lambda: window.progress.x() > room)
+    window.statusBar().clearMessage()
+    assert window.progress.maximumWidth() == wide
+    over.set()
+    qtbot.waitUntil(lambda: not window.work.busy)
+
+
+def test_a_command_that_must_wait_for_the_tracker_says_so(opened, qtbot):
     opened.controller.toggle()
-    qtbot.waitUntil(lambda: opened.progress.isVisible())
-    wide = opened.progress.width()
+    assert opened.controller.live.running
     opened.run_command("tracks.swap")
-    said = opened.statusBar().currentMessage()
-    assert "stop tracking first" in said
-    room = opened.fontMetrics().horizontalAdvance(said)
-    qtbot.waitUntil(lambda: opened.progress.x() > room)
-    opened.statusBar().clearMessage()
-    qtbot.waitUntil(lambda: opened.progress.width() == wide)
+    assert "stop tracking first" in opened.statusBar().currentMessage()
 
 
 def test_what_there_is_to_tell_of_a_tracking_is_shown_when_it_ends(opened, tiny_run):

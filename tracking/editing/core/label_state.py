@@ -16,6 +16,7 @@ from tracking.tracks import (
     PartLabels,
     Region,
     ReviewedRange,
+    Schema,
     TrackLabel,
     Verdict,
     VerdictKey,
@@ -40,6 +41,7 @@ class LabelState:
         occluders, reviewed, lines, regions, verdicts, parts: what stands only on this side. Logs
             of older programs name all occluders and reviewed ranges on both sides, which comes to
             the same.
+        schema: the whole of it; None: the change does not touch it.
     """
 
     tracks: Mapping[int, TrackLabel] = field(default_factory=dict)
@@ -49,6 +51,7 @@ class LabelState:
     regions: tuple[Region, ...] = ()
     verdicts: tuple[Verdict, ...] = ()
     parts: tuple[PartLabel, ...] = ()
+    schema: Schema | None = None
 
 
 def apply_label_state(labels: Labels, before: LabelState, after: LabelState) -> Labels:
@@ -68,6 +71,7 @@ def apply_label_state(labels: Labels, before: LabelState, after: LabelState) -> 
         regions=_exchanged(labels.regions, before.regions, after.regions, msg("regions")),
         verdicts=_verdicts_exchanged(labels.verdicts, before.verdicts, after.verdicts),
         parts=_parts_exchanged(labels.parts, before.parts, after.parts),
+        schema=_schema_exchanged(labels.schema, before.schema, after.schema),
     )
 
 
@@ -129,6 +133,14 @@ def _parts_exchanged(
         return present
     _check_planned(present.get, out, into, msg("part label"))
     return present.changed([label.key for label in out], into)
+
+
+def _schema_exchanged(present: Schema, out: Schema | None, into: Schema | None) -> Schema:
+    if out is None and into is None:
+        return present
+    if out is None or into is None or out != present:
+        raise EditError("the schema of attributes is not what the edit was planned on")
+    return into
 
 
 def _check_planned(

@@ -22,8 +22,8 @@ Boxes = NDArray[np.int64]
 ROWS = 0
 _PARTS = tuple(range(1, 1 + PARTS))
 """One kind for each body part."""
-_TRACK, _VERDICT, _OCCLUDER, _LINE, _REGION, _REVIEWED = range(4, 10)
-KINDS = 10
+_TRACK, _VERDICT, _OCCLUDER, _LINE, _REGION, _REVIEWED, _SCHEMA = range(4, 11)
+KINDS = 11
 _APART = np.int64(1) << 33
 """More than any number in a box."""
 
@@ -141,6 +141,8 @@ def _other_labels(old: LabelState, new: LabelState) -> Iterator[tuple[int, int, 
     # Ranges that touch are joined into one: they have a frame in common here.
     for seen in {*old.reviewed} ^ {*new.reviewed}:
         yield _REVIEWED, seen.track, seen.start, seen.end + 1
+    if old.schema != new.schema:
+        yield _SCHEMA, 0, 0, 1
     yield from _parts((*old.parts, *new.parts))
 
 

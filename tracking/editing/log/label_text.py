@@ -15,6 +15,8 @@ from tracking.tracks import (
     ReviewedRange,
     TrackLabel,
     Verdict,
+    schema_as_values,
+    schema_from_values,
 )
 from tracking.translation import msg
 
@@ -41,7 +43,10 @@ def labels_as_json(labels: LabelState) -> dict[str, Any]:
         ],
         "parts": [_part_as_json(label) for label in labels.parts],
     }
-    return {name: part for name, part in parts.items() if part}
+    said = {name: part for name, part in parts.items() if part}
+    if labels.schema is not None:  # an empty one is one, too
+        said["schema"] = schema_as_values(labels.schema)
+    return said
 
 
 def labels_from_json(parts: Mapping[str, Any]) -> LabelState:
@@ -64,6 +69,7 @@ def labels_from_json(parts: Mapping[str, Any]) -> LabelState:
             for kind, tracks, frame, decision in parts.get("verdicts", ())
         ),
         parts=tuple(_part_from_json(values) for values in parts.get("parts", ())),
+        schema=schema_from_values(parts["schema"]) if "schema" in parts else None,
     )
     for kind, check in LABEL_CHECKS.items():
         for label in getattr(labels, kind):
