@@ -288,11 +288,15 @@ class MainWindow(QMainWindow):
             self.say(tr("No program opens {path}", path=place))
 
     def show_jobs(self) -> None:
-        """List all long work."""
-        dialog = JobsDialog(self.work.jobs, self)
-        dialog.open_asked.connect(self.open_place)
-        dialog.finished.connect(self.activateWindow)
+        """List all long work; where the list is open, it comes to the front."""
+        dialog = self.findChild(JobsDialog)
+        if dialog is None:
+            dialog = JobsDialog(self.work.jobs, self)
+            dialog.open_asked.connect(self.open_place)
+            dialog.finished.connect(self.activateWindow)
         dialog.show()
+        dialog.raise_()
+        dialog.activateWindow()
 
     def tell_of_letters(self) -> None:
         """Tell where no font can show the letters of the language in use."""

@@ -13,9 +13,9 @@ from PySide6.QtCore import QObject, QTimer, Signal
 _MOST_ENDED = 20
 """Of what ended so many are remembered."""
 _BRIEF_S = 2.0
-"""What takes no longer leaves no line, and no word, when it ends."""
-_SHOW_AFTER_S = 0.5
-"""What is done by then is never shown: a line that comes and goes at once only flickers."""
+"""Of what takes no longer no word is said when it is done."""
+_SHOW_AFTER_S = 1.0
+"""What is done by then is never shown; what is shown stays: lines that come and go flicker."""
 _TELL_LEFT_AFTER_S = 1.0
 
 
@@ -59,7 +59,7 @@ class JobLine:
 class JobList(QObject):
     """Keeps a line for each job; whoever runs it tells how far it is.
 
-    A job stands in the list once it has gone on for half a second.
+    A job stands in the list once it has gone on for a second, and stays there when it has ended.
 
     Signals: `changed()`, one began, moved or ended. `told(text)`, a word on one that ended, where
     nobody else says what came of it.
@@ -84,9 +84,8 @@ class JobList(QObject):
     @property
     def running(self) -> tuple[JobLine, ...]:
         """Those at work for more than a moment."""
-        since_s = time.monotonic() - _SHOW_AFTER_S
         return tuple(
-            one for one in self._lines.values() if one.runs and self._began_s[one.number] <= since_s
+            one for one in self._lines.values() if one.runs and self.is_shown(one.number)
         )
 
     def begin(self, title: str, cancel: Callable[[], object] | None = None) -> int:
@@ -128,15 +127,15 @@ class JobList(QObject):
     ) -> None:
         """It has ended; what ended goes behind all that ended before, and the oldest goes.
 
-        What was done in a moment, with nothing to open, is not worth a line any more. Of what is
-        done again and again, as after each edit, only the last time is kept.
+        What ended before it was shown, with nothing to open, gets no line. Of what is done again
+        and again, as after each edit, only the last time is kept.
         """
         if number not in self._lines:
             return
-        brief = self.is_brief(number) and place is None and again is None
+        wanted = self.is_shown(number) or place is not None or again is not None
         line = self._lines[number]
         self.drop(number)
-        if brief and state is not JobState.FAILED:
+        if not wanted and state is not JobState.FAILED:
             return
         for other in self._like(line) if place is None else ():
             del self._lines[other]
@@ -148,9 +147,16 @@ class JobList(QObject):
             del self._lines[old]
         self.changed.emit()
 
+    def is_shown(self, number: int) -> bool:
+        """Whether it has gone on for so long that it stands in the list."""
+        return self._passed_s(number) >= _SHOW_AFTER_S
+
     def is_brief(self, number: int) -> bool:
         """Whether it has not gone on for longer than somebody notices."""
-        return time.monotonic() - self._began_s.get(number, 0.0) < _BRIEF_S
+        return self._passed_s(number) < _BRIEF_S
+
+    def _passed_s(self, number: int) -> float:
+        return time.monotonic() - self._began_s.get(number, 0.0)
 
     def drop(self, number: int) -> None:
         """It is not wanted any more: its line goes without a word."""

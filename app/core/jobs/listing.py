@@ -27,7 +27,7 @@ def job_list_of(owner: QObject | None) -> JobList | None:
 
 def cancelled_error() -> CancelledError:
     """What a panel says in place of what the user cancelled, and how it starts again."""
-    return CancelledError("Cancelled; the list of running and finished work starts it again")
+    return CancelledError("Cancelled; the list of jobs starts it again")
 
 
 class Listing:
@@ -73,10 +73,10 @@ class Listing:
         number = self._number
 
         def tell(jobs: JobList) -> None:
-            if jobs.is_brief(number):
-                jobs.drop(number)
-            else:
+            if jobs.is_shown(number):
                 jobs.end(number, JobState.FAILED, word=explain(error))
+            else:
+                jobs.drop(number)
 
         self._with_list(tell)
         self._number = 0

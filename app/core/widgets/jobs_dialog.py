@@ -1,4 +1,4 @@
-"""All long work: a button in the line at the window's lower edge, and the list that it opens."""
+"""The list of jobs, and the button in the line at the window's lower edge that opens it."""
 
 from __future__ import annotations
 
@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
 
 from app.core.i18n import count_text, tr
 from app.core.jobs.job_list import JobLine, JobList, JobState
+from app.core.keymap import in_brackets
 from app.core.widgets.parts import quiet
 from app.core.widgets.progress_strip import time_left_text
 
@@ -36,8 +37,7 @@ class JobsButton(QToolButton):
         super().__init__(parent)
         self._jobs = jobs
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        self.setAccessibleName(tr("Running and finished work"))
-        self.setToolTip(tr("Running and finished work"))
+        self.setAccessibleName(tr("List of jobs"))
         self._drawing = QTimer(self, singleShot=True, interval=_DRAW_EVERY_MS)
         self._drawing.timeout.connect(self._draw)
         jobs.changed.connect(lambda: self._drawing.isActive() or self._drawing.start())
@@ -46,10 +46,11 @@ class JobsButton(QToolButton):
     def _draw(self) -> None:
         running, lines = self._jobs.running, self._jobs.lines
         self.setVisible(bool(lines))
+        self.setToolTip(tr("List what runs, and what came of what ended") + in_brackets("view.jobs"))
         if not running:
-            self.setText(tr("Work"))
+            self.setText(tr("Jobs"))
             return
-        text = count_text(len(running), "{n} running", "{n} running")
+        text = count_text(len(running), "{n} job running", "{n} jobs running")
         shares = [one.share for one in running if one.share is not None]
         if shares:
             text = f"{text}, {round(100 * min(shares))} %"
@@ -69,12 +70,12 @@ class JobsDialog(QDialog):
         super().__init__(parent)
         self._jobs = jobs
         self._rows: dict[int, _Row] = {}
-        self.setWindowTitle(tr("Running and finished work"))
+        self.setWindowTitle(tr("List of jobs"))
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         letters = self.fontMetrics()
         self.resize(_LETTERS * letters.averageCharWidth(), _LINES * letters.lineSpacing())
         column = QVBoxLayout(self)
-        self._nothing = quiet(tr("No long work yet"), self)
+        self._nothing = quiet(tr("No jobs yet: work of more than a second stands here"), self)
         column.addWidget(self._nothing)
         column.addWidget(self._scrolled(), 1)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close, self)
@@ -92,7 +93,7 @@ class JobsDialog(QDialog):
         area, held = QScrollArea(self), QWidget(self)
         area.setWidgetResizable(True)
         area.setFrameShape(QScrollArea.Shape.NoFrame)
-        area.setAccessibleName(tr("Running and finished work"))
+        area.setAccessibleName(tr("List of jobs"))
         area.setWidget(held)
         self._list = QVBoxLayout(held)
         self._list.setContentsMargins(0, 0, 0, 0)

@@ -25,10 +25,10 @@ def jobs(qapp):
 
 def test_it_tells_how_long_a_job_still_takes_once_that_can_be_known(jobs, now_s):
     number = jobs.begin("Exporting")
-    now_s[0] += 0.6
+    now_s[0] += 1.0
     jobs.progress(number, 1, 10)
     assert jobs.lines[0].seconds_left is None
-    now_s[0] += 4.4
+    now_s[0] += 4.0
     jobs.progress(number, 2, 10)
     line = jobs.lines[0]
     assert (line.share, line.seconds_left) == (pytest.approx(0.2), pytest.approx(20.0))
@@ -78,18 +78,23 @@ def test_it_says_that_something_changed(jobs, qtbot):
         jobs.end(number, JobState.STOPPED)
 
 
-def test_what_is_done_within_half_a_second_is_never_shown(jobs, now_s):
+def test_what_is_done_within_a_second_is_never_shown(jobs, now_s):
     number = jobs.begin("Scoring")
-    now_s[0] += 0.4
+    now_s[0] += 0.9
     assert jobs.running == ()
     jobs.end(number, JobState.DONE)
     assert jobs.lines == ()
-    jobs.begin("Scoring")
-    now_s[0] += 0.5
+
+
+def test_what_was_shown_stays_when_it_has_ended(jobs, now_s):
+    number = jobs.begin("Scoring")
+    now_s[0] += 1.1
     assert [one.title for one in jobs.running] == ["Scoring"]
+    jobs.end(number, JobState.DONE)
+    assert [(one.title, one.state) for one in jobs.lines] == [("Scoring", JobState.DONE)]
 
 
-def test_it_says_when_half_a_second_is_over(jobs, qtbot):
+def test_it_says_when_a_second_is_over(jobs, qtbot):
     jobs.begin("Scoring")
     with qtbot.waitSignal(jobs.changed):
         pass
