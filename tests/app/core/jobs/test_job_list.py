@@ -95,10 +95,10 @@ def test_what_was_shown_stays_when_it_has_ended(jobs, now_s):
 
 
 def test_it_says_when_a_second_is_over(jobs, qtbot):
+    seen = []
     jobs.begin("Scoring")
-    with qtbot.waitSignal(jobs.changed):
-        pass
-    assert [one.title for one in jobs.running] == ["Scoring"]
+    jobs.changed.connect(lambda: seen.append([one.title for one in jobs.running]))
+    qtbot.waitUntil(lambda: seen == [["Scoring"]])
 
 
 def test_of_what_is_done_again_and_again_the_last_time_is_kept(jobs, now_s):

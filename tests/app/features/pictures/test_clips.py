@@ -223,6 +223,20 @@ def test_legends_names_of_cameras_and_time_stand_on_it(source, noted, kind):
     assert "frame 40, 00:05.00" in noted
 
 
+@pytest.mark.parametrize("kind", list(ClipKind))
+def test_legend_and_time_are_on_every_picture_of_the_file(source, tmp_path, kind):
+    shown = replace(source, view_options=ALL)
+    choice = replace(CHOICE, kind=kind, people=False, trails=False)
+    told, plain = (tmp_path / f"{name}{kind.value}" for name in ("told", "plain"))
+    write_clip(shown, choice, told, nothing)
+    write_clip(shown, replace(choice, legends=False, stamp=False), plain, nothing)
+    for with_words, without in zip(pictures_of(told), pictures_of(plain), strict=True):
+        differs = np.abs(with_words.astype(int) - without).max(axis=2) > 60
+        assert differs[:24, :160].sum() > 100  # frame number and time
+        assert differs[24:].sum() > 100  # the legend
+        assert differs.mean() < 0.25
+
+
 def test_a_clip_of_one_camera_does_not_name_it(source, noted):
     ClipPainter(replace(source, view_options=ALL), CHOICE).paint(source.recording.read(40))
     assert "foreground" in noted

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import xml.etree.ElementTree as ET
+from dataclasses import replace
 
+import numpy as np
 import pytest
 from drawn_scenes import floor_person, overhead
 from PySide6.QtCore import QRectF, QSize
@@ -12,6 +14,7 @@ from PySide6.QtGui import QFont, QImage
 from app.core.drawing.viewport import Viewport
 from app.core.look.theme import load_theme
 from app.core.scenes.floor_marks import FloorMarks
+from app.core.scenes.labels import FloorLabels, Outline
 from app.features.pictures.floor_painter import FloorInput
 from app.features.pictures.floor_picture import write_floor
 from tracking.errors import OutputError
@@ -48,6 +51,20 @@ def test_an_svg_is_sound_xml_with_names_as_words(given, tmp_path):
     assert root.tag.endswith("svg")
     words = "".join(root.itertext())
     assert "<red> & coat" in words
+
+
+@pytest.mark.parametrize("explained", [True, False])
+def test_an_svg_has_the_legend_and_what_was_drawn_and_counted(given, tmp_path, explained):
+    gate = Outline(
+        "gate", np.array([[-3.0, 2.0], [3.0, 2.0]]), False, (255, 120, 0), said="2 forward"
+    )
+    marks = FloorMarks(labels=FloorLabels((gate,)))
+    path = tmp_path / "floor.svg"
+    write_floor(replace(given, marks=marks, explained=explained), load_theme("light"), path)
+    words = "".join(ET.fromstring(path.read_text("utf-8")).itertext())
+    assert ("where the tracker has a person" in words) == explained
+    assert "gate" in words
+    assert "2 forward" in words
 
 
 def test_nothing_is_written_where_no_file_can_be(given, tmp_path):
