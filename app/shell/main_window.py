@@ -152,6 +152,7 @@ class MainWindow(QMainWindow):
         self.work.failed.connect(self.files.open_recovery.tell)
         self.work.said.connect(self.say)
         self.work.ended.connect(self.tell_ended)
+        self.jobs_button.drawn.connect(lambda: self._make_room(self.statusBar().currentMessage()))
         self.jobs_button.clicked.connect(lambda: self.run_command("view.jobs"))
         self.progress.cancelled.connect(self._cancel)
         self.progress.stopped.connect(lambda: self.run_command("tracks.stop"))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from PySide6.QtCore import Qt, QTimer, Signal
@@ -26,17 +26,23 @@ from app.core.widgets.parts import quiet
 from app.core.widgets.progress_strip import time_left_text
 
 _STEPS = 1000
-_LETTERS, _LINES = 68, 16
+_LETTERS, _LINES = 80, 26
 _DRAW_EVERY_MS = 200
 
 
 class JobsButton(QToolButton):
-    """Says how many jobs run; hidden until the first one has."""
+    """Says how many jobs run; hidden until the first one has.
+
+    Signals: `drawn()`, it may be wider by now.
+    """
+
+    drawn = Signal()
 
     def __init__(self, jobs: JobList, parent: QWidget) -> None:
         super().__init__(parent)
         self._jobs = jobs
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.setProperty("outlined", True)
         self.setAccessibleName(tr("List of jobs"))
         self._drawing = QTimer(self, singleShot=True, interval=_DRAW_EVERY_MS)
         self._drawing.timeout.connect(self._draw)
@@ -46,15 +52,18 @@ class JobsButton(QToolButton):
     def _draw(self) -> None:
         running, lines = self._jobs.running, self._jobs.lines
         self.setVisible(bool(lines))
-        self.setToolTip(tr("List what runs, and what came of what ended") + in_brackets("view.jobs"))
-        if not running:
-            self.setText(tr("Jobs"))
-            return
-        text = count_text(len(running), "{n} job running", "{n} jobs running")
-        shares = [one.share for one in running if one.share is not None]
-        if shares:
-            text = f"{text}, {round(100 * min(shares))} %"
-        self.setText(text)
+        self.setToolTip(
+            tr("List what runs, and what came of what ended") + in_brackets("view.jobs")
+        )
+        self.setText(_running_text(running) if running else tr("Jobs"))
+        self.drawn.emit()
+
+
+def _running_text(running: Sequence[JobLine]) -> str:
+    """How many run, and how far the one is that has most before it."""
+    text = count_text(len(running), "{n} job running", "{n} jobs running")
+    shares = [one.share for one in running if one.share is not None]
+    return f"{text}, {round(100 * min(shares))} %" if shares else text
 
 
 class JobsDialog(QDialog):

@@ -191,6 +191,7 @@ class ClipPainter:
     ) -> None:
         bounds = self._source.bounds
         scene = replace(self._overhead.scene(state), bounds=bounds)
+        scene = replace(scene, people=scene.people if self._choice.people else ())
         marks = self._source.floor_marks(state) if self._choice.marks else FloorMarks()
         left, bottom, right, top = bounds
         viewport = Viewport.fitting(

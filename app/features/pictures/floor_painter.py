@@ -33,6 +33,7 @@ from app.features.pictures.floor import (
     draw_grid,
     draw_scale_bar,
     inner_corner,
+    scale_bar_plate,
 )
 from app.features.pictures.floor_legend import FloorLegend
 from app.features.pictures.floor_name_painter import FloorNameInput, FloorNamePainter
@@ -120,7 +121,8 @@ class FloorPainter:
         painter.setFont(scaled_font(given.font, 0.92))
         outlines = marks.labels.outlines
         draw_outlines(painter, outlines, view, theme)
-        labels = place_outline_names(QFontMetricsF(painter.font()), outlines, view, area)
+        bar = scale_bar_plate(QFontMetricsF(scaled_font(given.font, 0.85)), area, view)
+        labels = place_outline_names(QFontMetricsF(painter.font()), outlines, view, area, [bar])
         draw_other_places(painter, marks.others, view, theme, area)
         _draw_people(painter, given, theme)
         draw_truth_places(painter, marks.truth, view, theme)

@@ -118,7 +118,8 @@ class PicturePainter:
         painter.setFont(scaled_font(given.font, 0.92, bold=True))
         outlines = marks.labels.outlines
         draw_outlines(painter, outlines, view, theme)
-        labels = place_outline_names(QFontMetricsF(painter.font()), outlines, view, shown)
+        metrics = QFontMetricsF(painter.font())
+        labels = place_outline_names(metrics, outlines, view, shown, given.reserved)
         draw_preview(painter, scene.preview, view)
         draw_ghosts(painter, scene.ghosts, view)
         draw_detections(painter, marks.detections, view)

@@ -100,6 +100,19 @@ def test_people_are_drawn_in_their_colour_and_left_out_where_they_are_not_wanted
     assert np.abs(plain.astype(int) - frame.left).mean() < 3.0
 
 
+def test_people_that_are_not_wanted_are_not_on_the_floor_either(source):
+    choice = replace(CHOICE, floor=True, legends=False, stamp=False, trails=False)
+    frame = source.recording.read(40)
+    drawn, plain = (
+        ClipPainter(source, replace(choice, people=people)).paint(frame)[:, 320:]
+        for people in (True, False)
+    )
+    track = source.tracks.of_frame(40)["track"].tolist()[0]
+    wanted = np.array(source.state.colours.of(track)[::-1])
+    near = [(np.abs(one.astype(int) - wanted).max(axis=2) < 12).any() for one in (drawn, plain)]
+    assert near == [True, False]
+
+
 def test_both_cameras_and_the_floor_stand_side_by_side(source):
     narrow = ClipPainter(source, CHOICE)
     wide = ClipPainter(source, replace(CHOICE, right=True, floor=True))
