@@ -18,6 +18,7 @@ from app.core.playback.playback import Playback
 from app.core.plots.axis import TimeAxis
 from app.core.projection.extent import Bounds
 from app.core.scenes import Side
+from app.core.scenes.floor_marks import FloorMarks
 from app.core.scenes.labels import PictureLabels, SuggestedPart
 from app.core.scenes.picture_marks import PictureMarks
 from app.core.tracks.frame_state import FrameState, ViewOptions
@@ -26,6 +27,9 @@ from app.core.widgets.parts import Panel
 Marker = Callable[[PictureMarks, Side, FrameState, int], PictureMarks]
 """Adds what a feature draws over a camera's picture; the number is that camera's own frame. It is
 called on any thread, for any frame."""
+
+FloorMarker = Callable[[FloorMarks, FrameState], FloorMarks]
+"""The same over the floor."""
 
 
 class PartLabels(Protocol):
@@ -106,6 +110,10 @@ class FeatureController(Controller):
 
     def marker(self, view_options: ViewOptions) -> Marker | None:  # noqa: ARG002
         """Takes hold of what it draws over the pictures, for clips of them; None: nothing."""
+        return None
+
+    def floor_marker(self, view_options: ViewOptions) -> FloorMarker | None:  # noqa: ARG002
+        """The same of what it draws over the floor."""
         return None
 
     def draw(self) -> None:

@@ -62,10 +62,8 @@ class BackupController(Controller):
     def close(self) -> None:
         """End what is being looked at."""
         if self._looking is not None:
-            self._looking.blockSignals(True)
-            self._looking.cancel()
-            self._looking.wait()
-            self._looking = None
+            job, self._looking = self._looking, None
+            job.end_untold()
 
     def _choose(self, lines: object) -> None:
         if not isinstance(lines, tuple) or not lines:
@@ -84,8 +82,11 @@ class BackupController(Controller):
             return
         self.close()
         path, now, entries = session.path, session.tracks.snapshot(), session.history.entries
-        job = Job("backup", partial(what_differs, path, number, now, entries), self)
+        job = Job(
+            tr("Comparing with a backup"), partial(what_differs, path, number, now, entries), self
+        )
         job.done.connect(lambda lines: dialog.show_differences(number, lines))
+        job.cancelled.connect(lambda: dialog.show_differences(number, (tr("Cancelled."),)))
         job.failed.connect(lambda error: dialog.show_differences(number, (explain(error),)))
         self._looking = job
         job.start()

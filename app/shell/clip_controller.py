@@ -170,6 +170,7 @@ def _source(controller: RecordingController, font: QFont) -> ClipSource:
         controller.view_options,
         controller.scenes.overhead.bounds,
         controller.markers(),
+        controller.floor_markers(),
         current_theme(),
         QFont(font),
     )

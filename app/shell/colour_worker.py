@@ -7,6 +7,7 @@ from PySide6.QtCore import QObject
 from app.core.colours.track_colours import TrackColours
 from app.core.controller import Controller
 from app.core.document.document import Document
+from app.core.i18n import tr
 from app.core.jobs.latest_job import LatestJob, Work
 from app.core.tracks.session_colours import PendingColours
 
@@ -20,7 +21,9 @@ class ColourWorker(Controller):
     def __init__(self, document: Document, parent: QObject) -> None:
         super().__init__(parent)
         self._document = document
-        self._making = LatestJob("colours of tracks", _work_of, self)
+        self._making = LatestJob(
+            tr("Choosing colours of people"), _work_of, self, cancellable=False
+        )
         self._making.found.connect(self._take)
         self._making.failed.connect(self._give_up)
 

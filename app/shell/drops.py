@@ -44,7 +44,7 @@ class Drops(Controller):
         self._files, self._work = files, work
         self._count = 0
         self._waiting: _Told | None = None
-        self._looks = LatestJob("dropped files", _look, self)
+        self._looks = LatestJob("dropped files", _look, self, listed=False)
         self._looks.found.connect(self._take)
         work.changed.connect(self._go_on)
 

@@ -142,10 +142,11 @@ class LookedOver(QObject):
         formats = [(each.name, tr(each.title)) for each in readable_formats()]
         self._dialog = ImportDialog(read.path.name, formats, controller.window_page)
         self._fitted: FittedTracks | None = None
-        self._search = LatestJob("import", self._prepare, self)
+        self._search = LatestJob(tr("Fitting tracks to the recording"), self._prepare, self)
         self._search.progressed.connect(self._dialog.show_progress)
         self._search.found.connect(self._take)
         self._search.failed.connect(lambda _, error: self._fail(error))
+        self._search.cancelled.connect(lambda *_: self._dialog.reject())
         self._dialog.choice_made.connect(self._choose)
         self._dialog.format_chosen.connect(self._read_as)
         self._dialog.finished.connect(self._end)

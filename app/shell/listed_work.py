@@ -23,7 +23,9 @@ class ListedWork:
     def take_tracking(self, live: LiveTracking | None, drop: Callable[[], object]) -> None:
         """How far the tracker is, where one is at work; `drop` ends it."""
         if live is None or not live.running:
-            self._tracking = self._ended(self._tracking)
+            kept = live is not None and live.run_summary is not None
+            state = JobState.DONE if kept else JobState.STOPPED
+            self._tracking = self._ended(self._tracking, state)
             return
         if not self._tracking:
             title = tr("Tracking with {tracker}", tracker=live.tracker)
@@ -39,8 +41,8 @@ class ListedWork:
             self._batch = self._jobs.begin(tr("Batch of recordings"), batches.cancel)
         self._jobs.show(self._batch, batches.share, batches.watched.seconds_left)
 
-    def _ended(self, number: int) -> int:
+    def _ended(self, number: int, state: JobState = JobState.DONE) -> int:
         """No such work is under way any more; what came of it is said by whoever began it."""
         if number:
-            self._jobs.end(number, JobState.DONE)
+            self._jobs.end(number, state)
         return 0

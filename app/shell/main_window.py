@@ -152,6 +152,7 @@ class MainWindow(QMainWindow):
         self.work.failed.connect(self.files.open_recovery.tell)
         self.work.said.connect(self.say)
         self.work.ended.connect(self.tell_ended)
+        self.jobs_button.drawn.connect(lambda: self._make_room(self.statusBar().currentMessage()))
         self.jobs_button.clicked.connect(lambda: self.run_command("view.jobs"))
         self.progress.cancelled.connect(self._cancel)
         self.progress.stopped.connect(lambda: self.run_command("tracks.stop"))
@@ -288,11 +289,15 @@ class MainWindow(QMainWindow):
             self.say(tr("No program opens {path}", path=place))
 
     def show_jobs(self) -> None:
-        """List all long work."""
-        dialog = JobsDialog(self.work.jobs, self)
-        dialog.open_asked.connect(self.open_place)
-        dialog.finished.connect(self.activateWindow)
+        """List all long work; where the list is open, it comes to the front."""
+        dialog = self.findChild(JobsDialog)
+        if dialog is None:
+            dialog = JobsDialog(self.work.jobs, self)
+            dialog.open_asked.connect(self.open_place)
+            dialog.finished.connect(self.activateWindow)
         dialog.show()
+        dialog.raise_()
+        dialog.activateWindow()
 
     def tell_of_letters(self) -> None:
         """Tell where no font can show the letters of the language in use."""

@@ -8,7 +8,7 @@ from PySide6.QtGui import QImage
 from app.core.commands.conditions import ControllerT
 from app.core.controller import Controller
 from app.core.document.document import Document
-from app.core.feature import FeatureContext, Marker, ShownFrame
+from app.core.feature import FeatureContext, FloorMarker, Marker, ShownFrame
 from app.core.playback.playback import Playback
 from app.core.playback.thumbnails import Thumbnails
 from app.core.projection.extent import Bounds
@@ -302,6 +302,12 @@ class RecordingController(Controller):
         """What draws over pictures of any frame as it is drawn over the one that is shown."""
         options, found = self.view_options, [self.labelling.marker(self.view_options)]
         found += [feature.marker(options) for feature in self._features]
+        return tuple(one for one in found if one is not None)
+
+    def floor_markers(self) -> tuple[FloorMarker, ...]:
+        """The same over the floor."""
+        options, found = self.view_options, [self.labelling.floor_marker(self.view_options)]
+        found += [feature.floor_marker(options) for feature in self._features]
         return tuple(one for one in found if one is not None)
 
     def _floor_bounds(self) -> Bounds:

@@ -159,12 +159,12 @@ FILES: Final = (
     ),
     Command[WindowApp](
         "view.jobs",
-        "Running and finished work...",
+        "List of jobs...",
         "File",
         ("Ctrl+J",),
         _at_any_time,
         lambda app: app.window.show_jobs(),
-        also="jobs progress cancel background queue",
+        also="running finished work progress cancel background queue",
     ),
     _file(
         "close",

@@ -15,6 +15,7 @@ from tracking.failure.core.features import part_features
 from tracking.failure.detector_file import built_in_detector
 from tracking.failure.labelled_samples import PartStates, part_states, were_hidden
 from tracking.failure.past import states_before
+from tracking.progress import Progress, no_progress
 from tracking.tracks import PARTS, Columns, PartKey
 
 MOST = 200
@@ -47,7 +48,12 @@ class Suggestion:
 
 
 def suggest(
-    parts: Columns, fps: float, detector: Detector, labelled: Container[PartKey], most: int = MOST
+    parts: Columns,
+    fps: float,
+    detector: Detector,
+    labelled: Container[PartKey],
+    most: int = MOST,
+    report: Progress = no_progress,
 ) -> list[Suggestion]:
     """Rectangles to label, the one the detector is least sure of first.
 
@@ -60,11 +66,12 @@ def suggest(
         parts: `PART_COLUMNS` of a run, tracks under the ids of the labels. fps: of the recording.
         labelled: keys of the labels there are.
         most: suggestions.
+        report: told how far it is; may raise.
     """
     seen = part_states(parts, fps)
     if not detector.preparation.paper and np.isnan(seen.evidence).all():
         detector = built_in_detector(paper=True)  # the run is older than evidence
-    scores = scores_of(seen, fps, detector)
+    scores = scores_of(seen, fps, detector, report)
     scores[were_hidden(seen.track, seen.frame, parts)] = np.nan
     unsure = np.abs(scores) / _spreads(detector)
     people = np.split(np.arange(len(seen.track)), np.flatnonzero(np.diff(seen.track)) + 1)
@@ -78,15 +85,17 @@ def suggest(
     return list(islice(turns, most))
 
 
-def scores_of(seen: PartStates, fps: float, detector: Detector) -> Floats:
+def scores_of(
+    seen: PartStates, fps: float, detector: Detector, report: Progress = no_progress
+) -> Floats:
     """(n, 3) the detector's scores of all states of a run."""
     everything = np.arange(len(seen.track))
     before = states_before(seen.frame / fps, seen.track, seen.states, everything)
     features = part_features(seen.states, before, seen.evidence)
-    blocks = [
-        detector.judge(features[start : start + _BLOCK]).score
-        for start in range(0, len(features), _BLOCK)
-    ]
+    blocks = []
+    for start in range(0, len(features), _BLOCK):
+        report(start, len(features))
+        blocks.append(detector.judge(features[start : start + _BLOCK]).score)
     return np.concatenate([np.zeros((0, PARTS)), *blocks])
 
 

@@ -45,14 +45,18 @@ def draw_outlines(
 
 
 def place_outline_names(
-    metrics: QFontMetricsF, outlines: Sequence[Outline], viewport: Viewport, area: QRectF
+    metrics: QFontMetricsF,
+    outlines: Sequence[Outline],
+    viewport: Viewport,
+    area: QRectF,
+    taken: Sequence[QRectF] = (),
 ) -> list[OutlineName]:
-    """Where the names of outlines stand: at what they name, and on no other of them."""
+    """Where the names of outlines stand: at what they name, on no other and off what is taken."""
     named = [(one, _name_at(viewport.to_widget(one.points), area)) for one in outlines]
     seen = [(one, at) for one, at in named if at is not None and one.name]
     names = [_with_counts(plate_text(metrics, one.name), one.said) for one, _ in seen]
     wanted = [plate_rect(metrics, n, at) for n, (_, at) in zip(names, seen, strict=True)]
-    placed = place_plates(wanted, area)
+    placed = place_plates(wanted, area, taken)
     return [
         OutlineName(rect, name, one.colour, one.picked)
         for (one, _), name, rect in zip(seen, names, placed, strict=True)

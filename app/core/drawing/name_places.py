@@ -75,23 +75,28 @@ def place_names(
     return placed
 
 
-def place_plates(wanted: Sequence[QRectF], area: QRectF) -> list[QRectF]:
+def place_plates(
+    wanted: Sequence[QRectF], area: QRectF, taken: Sequence[QRectF] = ()
+) -> list[QRectF]:
     """Rectangles, moved up or down where they would overlap; earlier ones stay where they are.
+
+    taken: where other words stand, which they keep off.
 
     Where the area is too full for all, the rest overlaps.
     """
-    placed = place_names([column(rect, area) for rect in wanted], area)
+    placed = place_names([column(rect, area, taken) for rect in wanted], area, taken)
     return [one.rect for one in placed if one is not None]
 
 
-def column(wanted: QRectF, area: QRectF) -> Name:
-    """A name that must stand: as near above or below the wanted place as can be."""
+def column(wanted: QRectF, area: QRectF, taken: Sequence[QRectF] = ()) -> Name:
+    """A name that must stand: near above or below the wanted place, rather off what is taken."""
     inside = within(wanted, area)
     step = (inside.height() + _GAP_PX) / 2
     steps = np.arange(1, math.ceil(area.height() / step) + 1) * step
     down = np.concatenate(([0.0], np.column_stack((steps, -steps)).ravel()))
     sides = coords([inside]) + down[:, None] * (0.0, 1.0, 0.0, 1.0)
-    return Name(sides[None], beyond(sides, area)[None], must=True)
+    crowded = covers(sides, coords(taken))[None]
+    return Name(sides[None], beyond(sides, area)[None], crowded, must=True)
 
 
 def _free(name: Name, closed: Flags) -> Stands | None:

@@ -8,11 +8,16 @@ from dataclasses import dataclass, replace
 from enum import Enum, auto
 from pathlib import Path
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, QTimer, Signal
 
 _MOST_ENDED = 20
 """Of what ended so many are remembered."""
 _BRIEF_S = 2.0
+"""Of what takes no longer no word is said when it is done."""
+_SHOW_AFTER_S = 1.0
+"""What is done by then is never shown; what is shown stays: lines that come and go flicker."""
+_LATE = 1.06
+"""Timers come up to 5 % too early."""
 _TELL_LEFT_AFTER_S = 1.0
 
 
@@ -34,6 +39,7 @@ class JobLine:
         share: done, 0..1; None where that is not known. seconds_left: None likewise.
         cancel: asks it to stop; None where it cannot be.
         place: the file or folder that came of it. word: why it failed.
+        again: does it once more, where it was stopped and that is possible.
     """
 
     number: int
@@ -44,6 +50,7 @@ class JobLine:
     cancel: Callable[[], object] | None = None
     place: Path | None = None
     word: str = ""
+    again: Callable[[], object] | None = None
 
     @property
     def runs(self) -> bool:
@@ -54,42 +61,52 @@ class JobLine:
 class JobList(QObject):
     """Keeps a line for each job; whoever runs it tells how far it is.
 
-    Signals: `changed()`, one began, moved or ended.
+    A job stands in the list once it has gone on for a second, and stays there when it has ended.
+
+    Signals: `changed()`, one began, moved or ended. `told(text)`, a word on one that ended, where
+    nobody else says what came of it.
     """
 
     changed = Signal()
+    told = Signal(str)
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._lines: dict[int, JobLine] = {}
         self._began_s: dict[int, float] = {}
+        self._counted_s: dict[int, float] = {}
         self._next = 1
 
     @property
     def lines(self) -> tuple[JobLine, ...]:
         """Those that run, in the order they began; then those that ended, the last one first."""
-        running = [one for one in self._lines.values() if one.runs]
         ended = [one for one in self._lines.values() if not one.runs]
-        return (*running, *reversed(ended))
+        return (*self.running, *reversed(ended))
 
     @property
     def running(self) -> tuple[JobLine, ...]:
-        """Those at work."""
-        return tuple(one for one in self._lines.values() if one.runs)
+        """Those at work for more than a moment."""
+        return tuple(one for one in self._lines.values() if one.runs and self.is_shown(one.number))
 
     def begin(self, title: str, cancel: Callable[[], object] | None = None) -> int:
         """A job begins; its number, by which it is told of from now on."""
         number, self._next = self._next, self._next + 1
         self._lines[number] = JobLine(number, title, cancel=cancel)
-        self._began_s[number] = time.monotonic()
-        self.changed.emit()
+        self._began_s[number] = self._counted_s[number] = time.monotonic()
+        QTimer.singleShot(round(1000 * _SHOW_AFTER_S * _LATE), self, self.changed.emit)
         return number
+
+    def restart(self, number: int) -> None:
+        """It begins once more under the same line, of something else: time left is counted anew."""
+        if number in self._counted_s:
+            self._counted_s[number] = time.monotonic()
+            self.show(number, None, None)
 
     def progress(self, number: int, done: int, total: int) -> None:
         """So many of its steps are done."""
         if total <= 0 or number not in self._began_s:
             return
-        passed_s = time.monotonic() - self._began_s[number]
+        passed_s = time.monotonic() - self._counted_s[number]
         known = done > 0 and passed_s > _TELL_LEFT_AFTER_S
         self.show(number, done / total, passed_s * (total - done) / done if known else None)
 
@@ -100,25 +117,61 @@ class JobList(QObject):
             self._lines[number] = replace(line, share=share, seconds_left=seconds_left)
             self.changed.emit()
 
-    def end(self, number: int, state: JobState, place: Path | None = None, word: str = "") -> None:
+    def end(
+        self,
+        number: int,
+        state: JobState,
+        place: Path | None = None,
+        word: str = "",
+        again: Callable[[], object] | None = None,
+    ) -> None:
         """It has ended; what ended goes behind all that ended before, and the oldest goes.
 
-        What was done in a moment, with nothing to open, is not worth a line any more.
+        What ended before it was shown, with nothing to open, gets no line. Of what is done again
+        and again, as after each edit, only the last time is kept.
         """
-        line, began_s = self._lines.pop(number, None), self._began_s.pop(number, 0.0)
-        if line is None:
+        if number not in self._lines:
             return
-        brief = time.monotonic() - began_s < _BRIEF_S and place is None
-        if brief and state is not JobState.FAILED:
-            self.changed.emit()
+        wanted = self.is_shown(number) or place is not None or again is not None
+        line = self._lines[number]
+        self.drop(number)
+        if not wanted and state is not JobState.FAILED:
             return
+        for other in self._like(line) if place is None else ():
+            del self._lines[other]
         self._lines[number] = replace(
-            line, state=state, seconds_left=None, cancel=None, place=place, word=word
+            line, state=state, seconds_left=None, cancel=None, place=place, word=word, again=again
         )
         ended = [one.number for one in self._lines.values() if not one.runs]
         for old in ended[:-_MOST_ENDED]:
             del self._lines[old]
         self.changed.emit()
+
+    def is_shown(self, number: int) -> bool:
+        """Whether it has gone on for so long that it stands in the list."""
+        return self._passed_s(number) >= _SHOW_AFTER_S
+
+    def is_brief(self, number: int) -> bool:
+        """Whether it has not gone on for longer than somebody notices."""
+        return self._passed_s(number) < _BRIEF_S
+
+    def _passed_s(self, number: int) -> float:
+        return time.monotonic() - self._began_s.get(number, 0.0)
+
+    def drop(self, number: int) -> None:
+        """It is not wanted any more: its line goes without a word."""
+        if self._lines.pop(number, None) is not None:
+            self._began_s.pop(number, None)
+            self._counted_s.pop(number, None)
+            self.changed.emit()
+
+    def _like(self, line: JobLine) -> list[int]:
+        """Those of the same title that ended with nothing to open."""
+        return [
+            one.number
+            for one in self._lines.values()
+            if not one.runs and one.title == line.title and one.place is None
+        ]
 
     def forget(self) -> None:
         """Forget what ended."""

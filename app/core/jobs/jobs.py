@@ -10,6 +10,7 @@ from typing import Any
 
 from PySide6.QtCore import QObject, Qt, Signal
 
+from app.core.jobs.listing import Listing
 from tracking.errors import CancelledError
 
 _log = logging.getLogger(__name__)
@@ -49,6 +50,7 @@ class Job(QObject):
     `cancelled()`.
 
     A job goes with its parent at any moment: its work is then asked to stop, and nobody is told.
+    It stands in the list of the window that its parent belongs to, by its title.
     """
 
     progressed = Signal(int, int)
@@ -56,7 +58,22 @@ class Job(QObject):
     failed = Signal(object)
     cancelled = Signal()
 
-    def __init__(self, title: str, work: Callable[[Progress], Any], parent: QObject) -> None:
+    def __init__(
+        self,
+        title: str,
+        work: Callable[[Progress], Any],
+        parent: QObject,
+        *,
+        listed: bool = True,
+        cancellable: bool = True,
+    ) -> None:
+        """A job at rest.
+
+        Args:
+            title: as people read it, if it is `listed`.
+            listed: False where somebody else has the list show it, or it is work of a moment.
+            cancellable: whether the list offers Cancel: the work must report how far it is.
+        """
         super().__init__(parent)
         self.title = title
         self.started_s = time.monotonic()
@@ -64,9 +81,16 @@ class Job(QObject):
         self._work.progressed.connect(self.progressed)
         self._work.ended.connect(self._report)
         self.destroyed.connect(self._work.progress.cancel)
+        self._listing: Listing | None = None
+        if listed:
+            self._listing = listing = Listing(title, parent, self.cancel if cancellable else None)
+            self.progressed.connect(listing.progress)
+            self.destroyed.connect(listing.drop)
 
     def start(self) -> None:
         """Begin."""
+        if self._listing is not None:
+            self._listing.begin()
         self._work.start()
 
     def cancel(self) -> None:
@@ -79,18 +103,23 @@ class Job(QObject):
 
     def end_untold(self) -> None:
         """Stop, and block until the thread has ended; nobody is told anything."""
-        self.blockSignals(True)
-        self.cancel()
+        self._go_untold()
         self.wait()
-        self.deleteLater()
 
     def leave_untold(self) -> None:
         """Ask the work to stop, and let it end by itself; nobody is told anything."""
+        self._go_untold()
+
+    def _go_untold(self) -> None:
         self.blockSignals(True)
+        if self._listing is not None:
+            self._listing.drop()
         self.cancel()
         self.deleteLater()
 
     def _report(self, result: object, error: Exception | None) -> None:
+        if self._listing is not None:
+            self._list_end(self._listing, error)
         if error is None:
             self.done.emit(result)
         elif isinstance(error, CancelledError):
@@ -98,6 +127,15 @@ class Job(QObject):
         else:
             _log.info("%s failed: %s", self.title, error)
             self.failed.emit(error)
+
+    @staticmethod
+    def _list_end(listing: Listing, error: Exception | None) -> None:
+        if error is None:
+            listing.done()
+        elif isinstance(error, CancelledError):
+            listing.stopped()
+        else:
+            listing.failed(error)
 
 
 class _Work(QObject):

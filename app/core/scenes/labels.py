@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from enum import Enum
 
 import numpy as np
@@ -125,3 +125,8 @@ CountText = Callable[[Tool, int], str]
 """What is counted at a line or in a region, by its number; "" where nothing is."""
 
 SAID: dict[bool | None, str] = {True: N_("on"), False: N_("off"), None: N_("unsure")}
+
+
+def with_texts(outlines: tuple[Outline, ...], count_text: CountText) -> tuple[Outline, ...]:
+    """The outlines with what is counted at them."""
+    return tuple(replace(one, said=count_text(*one.key)) for one in outlines)

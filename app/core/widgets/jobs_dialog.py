@@ -1,8 +1,8 @@
-"""All long work: a button in the line at the window's lower edge, and the list that it opens."""
+"""The list of jobs, and the button in the line at the window's lower edge that opens it."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from PySide6.QtCore import Qt, QTimer, Signal
@@ -21,23 +21,29 @@ from PySide6.QtWidgets import (
 
 from app.core.i18n import count_text, tr
 from app.core.jobs.job_list import JobLine, JobList, JobState
+from app.core.keymap import in_brackets
 from app.core.widgets.parts import quiet
 from app.core.widgets.progress_strip import time_left_text
 
 _STEPS = 1000
-_LETTERS, _LINES = 68, 16
+_LETTERS, _LINES = 80, 26
 _DRAW_EVERY_MS = 200
 
 
 class JobsButton(QToolButton):
-    """Says how many jobs run; hidden until the first one has."""
+    """Says how many jobs run; hidden until the first one has.
+
+    Signals: `drawn()`, it may be wider by now.
+    """
+
+    drawn = Signal()
 
     def __init__(self, jobs: JobList, parent: QWidget) -> None:
         super().__init__(parent)
         self._jobs = jobs
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        self.setAccessibleName(tr("Running and finished work"))
-        self.setToolTip(tr("Running and finished work"))
+        self.setProperty("outlined", True)
+        self.setAccessibleName(tr("List of jobs"))
         self._drawing = QTimer(self, singleShot=True, interval=_DRAW_EVERY_MS)
         self._drawing.timeout.connect(self._draw)
         jobs.changed.connect(lambda: self._drawing.isActive() or self._drawing.start())
@@ -46,14 +52,18 @@ class JobsButton(QToolButton):
     def _draw(self) -> None:
         running, lines = self._jobs.running, self._jobs.lines
         self.setVisible(bool(lines))
-        if not running:
-            self.setText(tr("Work"))
-            return
-        text = count_text(len(running), "{n} running", "{n} running")
-        shares = [one.share for one in running if one.share is not None]
-        if shares:
-            text = f"{text}, {round(100 * min(shares))} %"
-        self.setText(text)
+        self.setToolTip(
+            tr("List what runs, and what came of what ended") + in_brackets("view.jobs")
+        )
+        self.setText(_running_text(running) if running else tr("Jobs"))
+        self.drawn.emit()
+
+
+def _running_text(running: Sequence[JobLine]) -> str:
+    """How many run, and how far the one is that has most before it."""
+    text = count_text(len(running), "{n} job running", "{n} jobs running")
+    shares = [one.share for one in running if one.share is not None]
+    return f"{text}, {round(100 * min(shares))} %" if shares else text
 
 
 class JobsDialog(QDialog):
@@ -69,12 +79,12 @@ class JobsDialog(QDialog):
         super().__init__(parent)
         self._jobs = jobs
         self._rows: dict[int, _Row] = {}
-        self.setWindowTitle(tr("Running and finished work"))
+        self.setWindowTitle(tr("List of jobs"))
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         letters = self.fontMetrics()
         self.resize(_LETTERS * letters.averageCharWidth(), _LINES * letters.lineSpacing())
         column = QVBoxLayout(self)
-        self._nothing = quiet(tr("No long work yet"), self)
+        self._nothing = quiet(tr("No jobs yet: work of more than a second stands here"), self)
         column.addWidget(self._nothing)
         column.addWidget(self._scrolled(), 1)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close, self)
@@ -92,7 +102,7 @@ class JobsDialog(QDialog):
         area, held = QScrollArea(self), QWidget(self)
         area.setWidgetResizable(True)
         area.setFrameShape(QScrollArea.Shape.NoFrame)
-        area.setAccessibleName(tr("Running and finished work"))
+        area.setAccessibleName(tr("List of jobs"))
         area.setWidget(held)
         self._list = QVBoxLayout(held)
         self._list.setContentsMargins(0, 0, 0, 0)
@@ -134,12 +144,15 @@ class _Row(QWidget):
         self._bar = QProgressBar(self)
         self._bar.setTextVisible(False)
         self._cancel, self._open = QPushButton(tr("Cancel"), self), QPushButton(tr("Open"), self)
+        self._again = QPushButton(tr("Start again"), self)
+        self._again.clicked.connect(self._start_again)
         self._cancel.clicked.connect(self._stop)
         self._open.clicked.connect(self._show_place)
         grid.addWidget(self._title, 0, 0)
         grid.addWidget(self._bar, 1, 0)
         grid.addWidget(self._word, 2, 0)
         grid.addWidget(self._cancel, 0, 1, 3, 1)
+        grid.addWidget(self._again, 0, 1, 3, 1)
         grid.addWidget(self._open, 0, 2, 3, 1)
         grid.setColumnStretch(0, 1)
 
@@ -151,18 +164,25 @@ class _Row(QWidget):
             self._bar.setAccessibleName(tr("Progress of: {title}", title=line.title))
             self._cancel.setAccessibleName(tr("Cancel: {title}", title=line.title))
             self._open.setAccessibleName(tr("Open what came of: {title}", title=line.title))
+            self._again.setAccessibleName(tr("Start again: {title}", title=line.title))
         self._bar.setVisible(line.runs)
         self._bar.setRange(0, 0 if line.share is None else _STEPS)
         if line.share is not None:
             self._bar.setValue(round(line.share * _STEPS))
         self._cancel.setVisible(line.cancel is not None)
         self._open.setVisible(line.place is not None)
+        self._again.setVisible(line.again is not None)
         self._word.setText(_word_of(line))
 
     def _stop(self) -> None:
         self._cancel.setEnabled(False)
         if self._line is not None and self._line.cancel is not None:
             self._line.cancel()
+
+    def _start_again(self) -> None:
+        self._again.setEnabled(False)
+        if self._line is not None and self._line.again is not None:
+            self._line.again()
 
     def _show_place(self) -> None:
         if self._line is not None and self._line.place is not None:

@@ -38,7 +38,8 @@ class Work(QObject):
     def __init__(self, strip: ProgressStrip, parent: QObject) -> None:
         super().__init__(parent)
         self._strip = strip
-        self.jobs = JobList(self)
+        self.jobs = JobList(parent)  # where whatever belongs to the window finds it
+        self.jobs.told.connect(self.said)
         self._job: Job | None = None
         self._number = 0
         self._behind: dict[int, Job] = {}
@@ -72,7 +73,7 @@ class Work(QObject):
         """
         if self.refuses():
             return
-        job = Job(title, work, self)
+        job = Job(title, work, self, listed=False)
         number = self._number = self.jobs.begin(title, self.cancel if cancellable else None)
         self._list_end(job, number, place)
         job.progressed.connect(self._show)
@@ -99,7 +100,7 @@ class Work(QObject):
         What it works on must be its own. `told`: what is said at its end, with `place`, what came
         of it.
         """
-        job = Job(title, work, self)
+        job = Job(title, work, self, listed=False)
         number = self.jobs.begin(title, job.cancel)
         self._behind[number] = job
         job.progressed.connect(lambda done, total: self.jobs.progress(number, done, total))

@@ -193,7 +193,7 @@ class ComparisonController(Controller):
     def _search(self, comparison: Comparison) -> None:
         """Find what differs, off the GUI thread; the newest search wins."""
         self._stop()
-        job = Job("differences", comparison.search(), self)
+        job = Job(tr("Looking for differences"), comparison.search(), self)
         job.progressed.connect(self._progress)
         job.done.connect(lambda found: self._found(comparison, found))
         job.failed.connect(self._fail)
@@ -243,11 +243,7 @@ class ComparisonController(Controller):
         """Let a search go that nobody waits for: it ends at its next step, and is then deleted."""
         if self._job is not None:
             job, self._job = self._job, None
-            for signal in (job.progressed, job.done, job.failed, job.cancelled):
-                signal.disconnect()
-            for ending in (job.done, job.failed, job.cancelled):
-                ending.connect(job.deleteLater)
-            job.cancel()
+            job.leave_untold()
 
     def _forget_job(self) -> None:
         if self._job is not None:

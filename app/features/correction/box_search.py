@@ -8,6 +8,7 @@ from PySide6.QtCore import QObject, Qt, Signal
 
 from app.core.document.document import Document
 from app.core.editing.suggested_boxes import unclaimed
+from app.core.i18n import tr
 from app.core.jobs.latest_job import LatestJob
 from app.core.tracks.track_reader import TrackReader
 from tracking.arrays import Floats
@@ -40,7 +41,7 @@ class BoxSearch(QObject):
         self._read: RecordingDetections | None = None
         self._looked_for: Run | None = None
         self._name: str | None = None
-        self._job = LatestJob("suggested boxes", self._prepare, self)
+        self._job = LatestJob(tr("Reading suggested boxes"), self._prepare, self, cancellable=False)
         self._job.found.connect(self._take)
         self._job.failed.connect(lambda _, error: self.failed.emit(error))
         self._job.changed.connect(self.found, Qt.ConnectionType.QueuedConnection)

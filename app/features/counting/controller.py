@@ -9,10 +9,13 @@ from functools import cache, partial
 from PySide6.QtCore import Qt
 
 from app.core.document.track_sources import SHOWN, capture_rows
-from app.core.feature import FeatureContext, FeatureController, ShownFrame
+from app.core.feature import FeatureContext, FeatureController, FloorMarker, Marker, ShownFrame
 from app.core.i18n import count_text, tr
 from app.core.jobs.latest_job import LatestJob
-from app.core.scenes.labels import CountText
+from app.core.scenes import Side
+from app.core.scenes.floor_marks import FloorMarks
+from app.core.scenes.labels import CountText, with_texts
+from app.core.scenes.picture_marks import PictureMarks
 from app.core.tracks.frame_state import FrameState, ViewOptions
 from app.features.counting.panel import CountingPanel
 from app.features.counting.presenter import CountingPresenter
@@ -38,9 +41,10 @@ class CountController(FeatureController):
         self._document, self._panel = context.document, panel
         self._floor, self._bounds = context.surfaces.floor, context.floor_bounds
         self.presenter = CountingPresenter(context.document)
-        self._search = LatestJob("counting", self._prepare, self)
+        self._search = LatestJob(tr("Counting"), self._prepare, self)
         self._search.found.connect(self._take)
         self._search.failed.connect(self._refuse)
+        self._search.cancelled.connect(self._refuse)
         self._search.changed.connect(self.marked, Qt.ConnectionType.QueuedConnection)
         panel.frame_sought.connect(context.playback.go)
         panel.picked.connect(self._pick)
@@ -77,11 +81,37 @@ class CountController(FeatureController):
         doing = tr("Counting...") if self._search.busy else ""
         self._panel.show_scene(self.presenter.scene(shown.state, doing) if is_open else None)
 
+    def marker(self, view_options: ViewOptions) -> Marker | None:
+        """What is counted at lines and regions that are drawn already."""
+        if not view_options.counts:
+            return None
+        texts = self.presenter.shape_texts()
+
+        def mark(marks: PictureMarks, _: Side, state: FrameState, __: int) -> PictureMarks:
+            told = with_texts(marks.labels.outlines, partial(texts.describe, state))
+            return replace(marks, labels=replace(marks.labels, outlines=told))
+
+        return mark
+
+    def floor_marker(self, view_options: ViewOptions) -> FloorMarker | None:
+        """The same on the floor; and the flow map, where it is shown."""
+        flow = self.presenter.flow() if view_options.flow_map else None
+        texts = self.presenter.shape_texts() if view_options.counts else None
+
+        def mark(marks: FloorMarks, state: FrameState) -> FloorMarks:
+            labels = marks.labels
+            if texts is not None:
+                told = with_texts(labels.outlines, partial(texts.describe, state))
+                labels = replace(labels, outlines=told)
+            return replace(marks, labels=labels, flow=flow)
+
+        return mark
+
     def texts_at(self, state: FrameState, view_options: ViewOptions) -> CountText:
         """Gives what to write at lines and regions in a frame."""
         if not view_options.counts:
             return lambda *_: ""
-        return cache(partial(self.presenter.describe_shape, state))
+        return cache(partial(self.presenter.shape_texts().describe, state))
 
     def _ask(self, subject: CountSubject) -> None:
         if not subject.is_empty:

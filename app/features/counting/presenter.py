@@ -18,10 +18,11 @@ from app.core.tracks.frame_state import FrameState
 from app.features.counting.flow_scene import flow_scene
 from app.features.counting.plots import plots_of
 from app.features.counting.scene import CountingScene, CountPlot, TallyRow
+from app.features.counting.shape_texts import ShapeTexts, rows_at
 from app.features.counting.subject import CountResult, CountSubject
 from app.features.counting.tallies import Tallies, people_inside
 from tracking.counting import PAPER_STEP_S, CountSettings, Occupancy, density_of
-from tracking.tracks import Columns, CountingLine, Labels, Region, between
+from tracking.tracks import Columns, CountingLine, Labels, Region
 
 
 @dataclass(slots=True)
@@ -106,15 +107,14 @@ class CountingPresenter:
 
     def describe_shape(self, state: FrameState, tool: Tool, number: int) -> str:
         """What stands behind the name of a line or a region in a frame; "": nothing yet."""
-        if tool is Tool.LINES:
-            so_far = self._so_far(number, state.frame)
-            if so_far is None:
-                return ""
-            return tr("{ahead} forward, {back} backward", ahead=so_far[0], back=so_far[1])
-        regions = self.labels.regions
-        if tool is not Tool.REGIONS or number >= len(regions):
-            return ""
-        return self._inside_text(regions[number], state)
+        return self.shape_texts().describe(state, tool, number)
+
+    def shape_texts(self) -> ShapeTexts:
+        """The same of any frame, by what is counted now; what is drawn or counted later is not."""
+        counted, labels = self.counted, self.labels
+        known = counted is not None and self._tallies is not None and self._is_theirs(counted)
+        places = [counted.place_of(line) for line in labels.lines] if counted and known else []
+        return ShapeTexts(self._tallies, tuple(places), tuple(labels.regions), self._tracks)
 
     def scene(self, state: FrameState, doing: str) -> CountingScene:
         """The panel."""
@@ -210,12 +210,6 @@ class CountingPresenter:
             hint = f"{hint}; {said}"
         return TallyRow(region.name, False, REGION_COLOUR, cells, hint)
 
-    def _inside_text(self, region: Region, state: FrameState) -> str:
-        people = people_inside(region, self._rows(state))
-        density = float(density_of(region, np.array([people]))[0])
-        inside = tr("{people} inside", people=people)
-        return f"{inside}, {density:.2f}/m²" if math.isfinite(density) else inside
-
     def _so_far(self, number: int, frame: int) -> tuple[int, int] | None:
         """None while the line is not counted yet, or cannot be."""
         counted, lines = self.counted, self.labels.lines
@@ -264,12 +258,13 @@ class CountingPresenter:
 
     def _rows(self, state: FrameState) -> Columns:
         """The rows of the frame of those who are counted."""
-        session, track_source = self._document.session, self.track_source
-        if track_source == SHOWN or session is None:
-            return state.tracks.of_frame(state.frame)
-        tracks = session.runs[track_source].tracks
-        rows = between(tracks["frame"], state.frame, state.frame + 1)
-        return {name: column[rows] for name, column in tracks.items()}
+        return rows_at(state, self._tracks)
+
+    @property
+    def _tracks(self) -> Columns | None:
+        """Those of the run that is counted; None: those that are shown."""
+        session, source = self._document.session, self.track_source
+        return None if source == SHOWN or session is None else session.runs[source].tracks
 
     # plots
 

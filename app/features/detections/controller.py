@@ -8,6 +8,7 @@ from dataclasses import replace
 from PySide6.QtCore import Qt
 
 from app.core.feature import FeatureContext, FeatureController, Marker, ShownFrame
+from app.core.i18n import tr
 from app.core.jobs.latest_job import LatestJob
 from app.core.scenes import Side
 from app.core.scenes.detections import NO_DETECTIONS
@@ -37,7 +38,7 @@ class DetectionsController(FeatureController):
         super().__init__(context.parent)
         self._document, self._surfaces = context.document, context.surfaces
         self._found: _Found | None = None
-        self._search = LatestJob("detections", self._prepare, self)
+        self._search = LatestJob(tr("Reading detections"), self._prepare, self, cancellable=False)
         self._search.found.connect(self._take)
         self._search.failed.connect(lambda _, error: self.failed.emit(error))
         self._search.changed.connect(self.marked, Qt.ConnectionType.QueuedConnection)

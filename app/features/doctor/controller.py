@@ -120,7 +120,7 @@ class DoctorController(QObject):
         began_s = time.monotonic()
         self._show(presenter.working())
         self.dialog.show_progress(title, None, None)
-        self._job = job = Job(title, work, self)
+        self._job = job = Job(title, work, self, cancellable=not writes)
         job.progressed.connect(lambda n, total: self._tell(title, n / max(total, 1), began_s))
         job.done.connect(lambda result: self._end(lambda: done(result)))
         job.failed.connect(lambda error: self._end(lambda: self._fail(error)))

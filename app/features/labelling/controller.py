@@ -11,10 +11,11 @@ from PySide6.QtWidgets import QWidget
 from app.core.controller import Controller
 from app.core.document.document import Document
 from app.core.drawing.surfaces import Surfaces
-from app.core.feature import Marker
+from app.core.feature import FloorMarker, Marker
 from app.core.i18n import tr
 from app.core.playback.playback import Playback
 from app.core.scenes import Side
+from app.core.scenes.floor_marks import FloorMarks
 from app.core.scenes.labels import CountText, FloorLabels, PictureLabels, SuggestedPart, Tool
 from app.core.scenes.picture_marks import PictureMarks
 from app.core.tracks.frame_state import FrameState, ViewOptions
@@ -286,6 +287,17 @@ class LabelController(Controller):
 
         def mark(marks: PictureMarks, side: Side, _: FrameState, __: int) -> PictureMarks:
             return replace(marks, labels=PictureLabels(outlines=drawn[side]))
+
+        return mark
+
+    def floor_marker(self, view_options: ViewOptions) -> FloorMarker | None:
+        """The same over the floor."""
+        if not view_options.labels:
+            return None
+        drawn = self._presenter.floor_outlines()
+
+        def mark(marks: FloorMarks, _: FrameState) -> FloorMarks:
+            return replace(marks, labels=drawn)
 
         return mark
 

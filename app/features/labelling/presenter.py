@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -18,6 +18,7 @@ from app.core.scenes.labels import (
     PartMark,
     PictureLabels,
     Tool,
+    with_texts,
 )
 from app.features.labelling.outlines import Drawn, DrawnLabels
 from app.features.labelling.part_labeller import PartLabeller
@@ -67,13 +68,17 @@ class LabellingPresenter:
 
     def picture(self, side: Side, frame: int, count_text: CountText) -> PictureLabels:
         """Everything drawn and said, in one camera; `count_text` tells what is counted at it."""
-        outlines = _told(self._drawn.picture(side, self.labels, self._picked), count_text)
+        outlines = with_texts(self._drawn.picture(side, self.labels, self._picked), count_text)
         labelling = self.choice.tool is not None
         return PictureLabels(self._part_marks(side, frame), outlines, labelling)
 
+    def floor_outlines(self) -> FloorLabels:
+        """All that was drawn, on the floor."""
+        return FloorLabels(self._drawn.floor(self.labels, (Tool.PARTS, -1)))
+
     def floor(self, count_text: CountText) -> FloorLabels:
         """What was drawn on the floor, with what is counted at it."""
-        return FloorLabels(_told(self._drawn.floor(self.labels, self._picked), count_text))
+        return FloorLabels(with_texts(self._drawn.floor(self.labels, self._picked), count_text))
 
     @property
     def _picked(self) -> Drawn:
@@ -179,11 +184,6 @@ class LabellingPresenter:
 
     def _who(self) -> str:
         return self.labels.title(self.track)
-
-
-def _told(outlines: tuple[Outline, ...], count_text: CountText) -> tuple[Outline, ...]:
-    """The outlines with what is counted at them."""
-    return tuple(replace(one, said=count_text(*one.key)) for one in outlines)
 
 
 def _drawing_words(tool: Tool) -> tuple[str, str]:

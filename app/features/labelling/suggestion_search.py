@@ -13,13 +13,15 @@ from app.core.document.document import Document
 from app.core.error_messages import explain
 from app.core.i18n import time_text, tr
 from app.core.jobs.jobs import Job, Progress
-from app.core.keymap import in_brackets
+from app.core.keymap import in_brackets, key_or_title
 from app.core.scenes.labels import SuggestedPart, Tool
 from app.core.scenes.part_names import no_parts, part_name
 from app.features.labelling.scene import LabellingScene
 from app.features.labelling.suggestion_list import SuggestionQueue
 from tracking.errors import EditError
 from tracking.failure import Suggestion, suggest
+from tracking.progress import Progress as Reporter
+from tracking.progress import no_progress
 from tracking.session.provenance import parts_by_now
 from tracking.tracks import Labels, Run, TrackTable
 
@@ -53,12 +55,13 @@ class SuggestionSearch(QObject):
         table, labels, run = session.tracks.snapshot(), session.labels, session.corrected_run
         fps, detector = self._document.recording.fps, self._document.detector
 
-        def work(_: Progress) -> tuple[SuggestedPart, ...]:
-            return suggestions_for(table, run, labels, fps, detector)
+        def work(report: Progress) -> tuple[SuggestedPart, ...]:
+            return suggestions_for(table, run, labels, fps, detector, report)
 
-        self._job = Job("suggestions of parts", work, self)
+        self._job = Job(tr("Looking for parts to label"), work, self)
         self._job.done.connect(self._take)
-        self._job.failed.connect(self._tell)
+        self._job.failed.connect(lambda error: self._tell(explain(error)))
+        self._job.cancelled.connect(lambda: self._tell(_cancelled()))
         self._job.start()
 
     def stop(self) -> None:
@@ -104,9 +107,9 @@ class SuggestionSearch(QObject):
         colour_of = self._document.colour_of
         return [replace(one, colour=colour_of(one.key[1])) for one in found]
 
-    def _tell(self, error: Exception) -> None:
+    def _tell(self, problem: str) -> None:
         self._drop()
-        self._problem = explain(error)
+        self._problem = problem
         self.changed.emit()
 
     def _drop(self) -> None:
@@ -115,22 +118,29 @@ class SuggestionSearch(QObject):
             self._job = None
 
 
+def _cancelled() -> str:
+    again = key_or_title("detector.suggest")
+    return tr("Cancelled; {suggest} looks again", suggest=again)
+
+
 def suggestions_for(
     table: TrackTable,
     run: Run | None,
     labels: Labels,
     fps: float,
     choice: DetectorChoice,
+    report: Reporter = no_progress,
 ) -> tuple[SuggestedPart, ...]:
     """The parts nearest to the detector's operating point, the nearest first, in no colour yet.
 
     On any thread: it reads nothing that may change meanwhile.
-    Raises EditError where no parts were tracked, FormatError where the detector is gone.
+    Raises EditError where no parts were tracked, FormatError where the detector is gone,
+    CancelledError by `report`.
     """
     if run is None or not len(run.parts["frame"]):
         raise EditError(no_parts())
     parts = parts_by_now(table, run, table.track_ids)
-    found = suggest(parts, fps, choice.load(), labels.parts)
+    found = suggest(parts, fps, choice.load(), labels.parts, report=report)
     return tuple(_suggested(one, labels, fps, choice.name_in_text) for one in found)
 
 

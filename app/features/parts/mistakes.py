@@ -39,6 +39,7 @@ class MistakesList(QListWidget):
         self._job: Job | None = None
         self._items: tuple[MistakeItem, ...] = ()
         self._pictures: Cuts = {}
+        self._given_up = False
         side = _LINES * self.fontMetrics().height()
         self.setViewMode(QListView.ViewMode.IconMode)
         self.setFlow(QListView.Flow.LeftToRight)
@@ -58,7 +59,7 @@ class MistakesList(QListWidget):
         """Show other mistakes; pictures that were cut stay."""
         if tuple(items) == self._items:
             return
-        self._items = tuple(items)
+        self._items, self._given_up = tuple(items), False
         elided, room = self.fontMetrics().elidedText, self.gridSize().width() - 12
         self.clear()
         for one in self._items:
@@ -89,9 +90,10 @@ class MistakesList(QListWidget):
         def work(progress: Progress) -> object:
             return self._cut(missing, progress)
 
-        self._job = Job("thumbnails", work, self)
+        self._job = Job(tr("Reading pictures"), work, self)
         self._job.done.connect(self._take)
         self._job.failed.connect(self._fail)
+        self._job.cancelled.connect(self._give_up)
         self._job.start()
 
     def _take(self, found: Cuts) -> None:
@@ -105,13 +107,20 @@ class MistakesList(QListWidget):
         self._end()
         self.failed.emit(error)
 
+    def _give_up(self) -> None:
+        """The user cancelled it: pictures that are not read stay so until others are shown."""
+        self._end()
+        self._given_up = True
+        self._draw_known()
+
     def _end(self) -> None:
         if self._job is not None:
             self._job.deleteLater()
             self._job = None
 
     def _draw_known(self) -> None:
-        coming = _icon(None, self.iconSize(), tr("Reading..."), self)
+        word = tr("not read") if self._given_up else tr("Reading...")
+        coming = _icon(None, self.iconSize(), word, self)
         missing = tr("image not found")
         for row, one in enumerate(self._items):
             if one in self._pictures:

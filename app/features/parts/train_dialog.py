@@ -179,7 +179,7 @@ class TrainDialog(QDialog):
             return read()
 
         self._tell(tr("Reading labels..."))
-        self._job = Job("labels", work, self)
+        self._job = Job(tr("Reading labels"), work, self, cancellable=False)
         self._job.done.connect(self._take)
         self._job.failed.connect(lambda error: self._end(explain(error)))
         self._job.start()

@@ -44,10 +44,12 @@ def lay_out(
     message: str,
     legend: Sequence[LegendEntry],
     people: Sequence[QRectF] = (),
+    reserved: Sequence[QRectF] = (),
 ) -> Captions:
     """Low down, where heads are seldom, and none on another.
 
-    people: their boxes, of which the legend hides as little as can be.
+    people: their boxes, of which the legend hides as little as can be. reserved: where other words
+        stand, which it never hides.
     """
     room = area.adjusted(_EDGE_PX, _EDGE_PX, -_EDGE_PX, -_EDGE_PX)
     side = QRectF(QPointF(), note_size(metrics, name, room.width()))
@@ -59,9 +61,10 @@ def lay_out(
     said.moveCenter(QPointF(room.center().x(), 0))
     said.moveBottom(room.bottom())
     with_legend = above(said, [side, told], _GAP_PX)
-    if min(told.top(), with_legend.top()) < room.top() or told.right() > room.right():
+    crowded = any(map(told.intersects, reserved))
+    if crowded or min(told.top(), with_legend.top()) < room.top() or told.right() > room.right():
         return Captions(side, above(said, [side], _GAP_PX), QRectF())
-    return Captions(side, with_legend, _clear(told, room, [side, with_legend], people))
+    return Captions(side, with_legend, _clear(told, room, [side, with_legend, *reserved], people))
 
 
 def _clear(

@@ -8,10 +8,11 @@ from enum import Enum
 
 from PySide6.QtGui import QFont
 
-from app.core.feature import Marker
+from app.core.feature import FloorMarker, Marker
 from app.core.look.theme import Theme
 from app.core.projection.extent import Bounds
 from app.core.scenes import Side
+from app.core.scenes.floor_marks import FloorMarks
 from app.core.scenes.picture_marks import PictureMarks
 from app.core.tracks.frame_state import FrameState, ViewOptions
 from app.core.tracks.track_reader import TrackReader
@@ -35,7 +36,8 @@ class ClipChoice:
         right, floor: also the right camera, the overhead view.
         follow: the track that is cut out and followed; 0: whole pictures.
         people, trails, marks: whether boxes with names, trails, and all else that lies over the
-            pictures is drawn. stamp: whether frame number and time are.
+            pictures is drawn. legends: whether it is told what the signs and colours mean, and
+            which camera is which. stamp: whether frame number and time are.
     """
 
     kind: ClipKind
@@ -50,7 +52,8 @@ class ClipChoice:
     people: bool = True
     trails: bool = True
     marks: bool = True
-    stamp: bool = False
+    legends: bool = True
+    stamp: bool = True
 
     def view_options(self, now: ViewOptions) -> ViewOptions:
         """What of what lies over the pictures now is drawn."""
@@ -85,7 +88,7 @@ class ClipSource:
         recording: where the pictures come from. lag: of its right camera in frames.
         tracks: a copy that nobody changes. state: of any frame; its names, colours and selection.
         view_options: what lies over the pictures. bounds: of the floor, m.
-        markers: what features draw. theme, font: of the window.
+        markers, floor_markers: what features draw. theme, font: of the window.
     """
 
     recording: Recording
@@ -95,6 +98,7 @@ class ClipSource:
     view_options: ViewOptions
     bounds: Bounds
     markers: tuple[Marker, ...]
+    floor_markers: tuple[FloorMarker, ...]
     theme: Theme
     font: QFont
 
@@ -108,4 +112,11 @@ class ClipSource:
         number = state.frame + (self.lag if side is Side.RIGHT else 0)
         for marker in self.markers:
             marks = marker(marks, side, state, number)
+        return marks
+
+    def floor_marks(self, state: FrameState) -> FloorMarks:
+        """What features draw over the floor."""
+        marks = FloorMarks()
+        for marker in self.floor_markers:
+            marks = marker(marks, state)
         return marks

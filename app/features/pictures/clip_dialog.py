@@ -129,7 +129,8 @@ class ClipDialog(QDialog):
         self._people = self._box(form, tr("Boxes, numbers and names"), True)
         self._trails = self._box(form, tr("Trails"), True)
         self._marks = self._box(form, tr("All else that lies over the pictures now"), True)
-        self._stamp = self._box(form, tr("Frame number and time"), False)
+        self._legends = self._box(form, tr("Legends, and the cameras' names"), True)
+        self._stamp = self._box(form, tr("Frame number and time"), True)
 
     def _box(self, form: QFormLayout, text: str, on: bool, there: bool = True) -> QCheckBox:
         box = QCheckBox(text.replace("&", "&&"), self)
@@ -155,6 +156,7 @@ class ClipDialog(QDialog):
             self._people.isChecked(),
             self._trails.isChecked(),
             self._marks.isChecked(),
+            self._legends.isChecked(),
             self._stamp.isChecked(),
         )
 

@@ -16,10 +16,12 @@ from app.core.i18n import time_text, tr
 from app.core.projection.right_image import boxes_in_right_image
 from app.core.projection.trails import floor_points
 from app.core.scenes import Side
+from app.core.scenes.floor_marks import FloorMarks
+from app.core.scenes.picture_marks import PictureMarks
 from app.core.tracks.frame_state import NO_OVERLAY, FrameState, PictureOverlay
 from app.features.pictures.clip import ClipChoice, ClipSource
 from app.features.pictures.clip_crop import follow
-from app.features.pictures.floor_painter import FloorInput, FloorMarks, FloorPainter
+from app.features.pictures.floor_painter import FloorInput, FloorPainter
 from app.features.pictures.overhead_presenter import OverheadPresenter
 from app.features.pictures.overlays import OverlayPainter
 from app.features.pictures.picture_painter import (
@@ -91,7 +93,9 @@ class ClipPainter:
             pane.draw(painter, area, frame, state)
             painter.restore()
         if self._choice.stamp:
-            self._draw_stamp(painter, frame)
+            painter.setFont(self._font)
+            text = _stamp_text(frame)
+            draw_note(painter, self._stamp_place(text), text, self._source.theme)
         painter.end()
         return _as_bgr(image)
 
@@ -165,14 +169,16 @@ class ClipPainter:
             content = QRectF(*parts[frame.number - self._choice.start].tolist())
         given = PictureInput(
             scene,
-            self._source.marks(side, state),
+            self._source.marks(side, state) if self._choice.marks else PictureMarks(),
             image,
             image_from_rgba(scene.overlay),
             Viewport.fitting(content, area),
             area,
             self._font,
             QFontMetricsF(self._font).lineSpacing(),
-            captions=False,
+            self._camera_name(side),
+            captions=self._choice.legends,
+            reserved=self._reserved(side, area, frame),
         )
         self._painters[side].paint(painter, given, self._source.theme)
 
@@ -185,27 +191,39 @@ class ClipPainter:
     ) -> None:
         bounds = self._source.bounds
         scene = replace(self._overhead.scene(state), bounds=bounds)
+        scene = replace(scene, people=scene.people if self._choice.people else ())
+        marks = self._source.floor_marks(state) if self._choice.marks else FloorMarks()
         left, bottom, right, top = bounds
         viewport = Viewport.fitting(
             QRectF(left, bottom, right - left, top - bottom), area, upward=True
         )
         given = FloorInput(
             scene,
-            FloorMarks(),
+            marks,
             viewport,
             area.size().toSize(),
             1.0,
             self._font,
-            explained=False,
+            explained=self._choice.legends,
         )
         self._floor.paint(painter, given, self._source.theme)
 
-    def _draw_stamp(self, painter: QPainter, frame: StereoFrame) -> None:
-        """Frame number and time, at the upper left, where captions of recordings stand too."""
-        painter.setFont(self._font)
-        text = tr("frame {0}, {1}").format(frame.number, time_text(frame.time_s))
+    def _camera_name(self, side: Side) -> str:
+        """Which camera it is, where there are two to be told apart."""
+        if not self._choice.legends or len(self._sides) < 2:
+            return ""
+        return tr("Left camera") if side is Side.LEFT else tr("Right camera")
+
+    def _stamp_place(self, text: str) -> QRectF:
+        """At the upper left, where captions of recordings stand too."""
         size = note_size(QFontMetricsF(self._font), text, self.size[0])
-        draw_note(painter, QRectF(QPointF(_EDGE_PX, _EDGE_PX), size), text, self._source.theme)
+        return QRectF(QPointF(_EDGE_PX, _EDGE_PX), size)
+
+    def _reserved(self, side: Side, area: QRectF, frame: StereoFrame) -> tuple[QRectF, ...]:
+        """Where frame number and time lie on a camera's picture: on the first one alone."""
+        if not self._choice.stamp or side is not Side.LEFT:
+            return ()
+        return (self._stamp_place(_stamp_text(frame)).intersected(area),)
 
     def _begin_overlay(self) -> OverlayPainter | RampPainter | None:
         """What paints foreground, distances or the ramp; None where they are not shown."""
@@ -217,7 +235,13 @@ class ClipPainter:
     def _laid(self, frame: StereoFrame) -> PictureOverlay:
         if self._overlay is None:
             return NO_OVERLAY
-        return PictureOverlay(self._overlay.paint(frame, self._options.kinds))
+        kinds = self._options.kinds
+        painted = self._overlay.paint(frame, kinds)  # which learns how far what is seen is
+        return PictureOverlay(painted, self._overlay.legend(kinds))
+
+
+def _stamp_text(frame: StereoFrame) -> str:
+    return tr("frame {0}, {1}").format(frame.number, time_text(frame.time_s))
 
 
 def _even(length: float) -> int:

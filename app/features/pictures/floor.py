@@ -72,19 +72,29 @@ def _draw_numbers(
             painter.drawText(QPointF(area.left() + _EDGE, baseline), f"{y + 0.0:.{places}f}")
 
 
+def scale_bar_plate(metrics: QFontMetricsF, area: QRectF, viewport: Viewport) -> QRectF:
+    """Where the scale bar stands, in a font."""
+    length = _bar_length_m(metrics, viewport) * viewport.scale
+    left = area.right() - 16 - length - 8
+    return QRectF(left, area.top() + 8, length + 16, metrics.height() + 14)
+
+
+def _bar_length_m(metrics: QFontMetricsF, viewport: Viewport) -> float:
+    return nice_step(5 * metrics.height() / viewport.scale)
+
+
 def draw_scale_bar(
     painter: QPainter, area: QRectF, viewport: Viewport, theme: Theme, unit: str
 ) -> None:
     """A bar of a round length, at the upper right."""
     metrics = QFontMetricsF(painter.font())
-    length_m = nice_step(5 * metrics.height() / viewport.scale)
+    length_m = _bar_length_m(metrics, viewport)
     length = length_m * viewport.scale
     text = f"{length_m:g} {unit}"
     right, line = area.right() - 16, area.top() + 14 + metrics.height()
-    plate = QRectF(right - length - 8, area.top() + 8, length + 16, metrics.height() + 14)
     painter.setPen(Qt.PenStyle.NoPen)
     painter.setBrush(faded(theme.window, 0.82))
-    painter.drawRoundedRect(plate, 5, 5)
+    painter.drawRoundedRect(scale_bar_plate(metrics, area, viewport), 5, 5)
     painter.setPen(QPen(theme.text_muted, 1.5))
     for start, stop in (
         ((right - length, line), (right, line)),

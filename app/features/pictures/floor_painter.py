@@ -5,7 +5,7 @@ Nothing here asks a widget: pictures are painted on any thread.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from PySide6.QtCore import QPointF, QRectF, QSize, QSizeF
 from PySide6.QtGui import QFont, QFontMetricsF, QImage, QPainter
@@ -25,16 +25,15 @@ from app.core.i18n import tr
 from app.core.look.theme import Theme, scaled_font
 from app.core.projection.extent import unite
 from app.core.scenes import OverheadScene
-from app.core.scenes.flow_map import FlowScene
+from app.core.scenes.floor_marks import FloorMarks
 from app.core.scenes.ground_truth import FlooredTruth
-from app.core.scenes.labels import FloorLabels
-from app.core.scenes.other_people import OtherPlace
 from app.features.pictures.floor import (
     draw_camera,
     draw_field_of_view,
     draw_grid,
     draw_scale_bar,
     inner_corner,
+    scale_bar_plate,
 )
 from app.features.pictures.floor_legend import FloorLegend
 from app.features.pictures.floor_name_painter import FloorNameInput, FloorNamePainter
@@ -45,16 +44,6 @@ from app.features.pictures.measurement_marks import draw_measured
 _PERSON_RADIUS_M = 0.22
 _PARTICLE_RADIUS_M = 0.014
 _LEGEND_PX = 12.0  # between two of them
-
-
-@dataclass(frozen=True, slots=True)
-class FloorMarks:
-    """All that features draw over the floor in a frame."""
-
-    labels: FloorLabels = field(default_factory=FloorLabels)
-    others: tuple[OtherPlace, ...] = ()
-    truth: FlooredTruth = field(default_factory=FlooredTruth)
-    flow: FlowScene | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -132,7 +121,8 @@ class FloorPainter:
         painter.setFont(scaled_font(given.font, 0.92))
         outlines = marks.labels.outlines
         draw_outlines(painter, outlines, view, theme)
-        labels = place_outline_names(QFontMetricsF(painter.font()), outlines, view, area)
+        bar = scale_bar_plate(QFontMetricsF(scaled_font(given.font, 0.85)), area, view)
+        labels = place_outline_names(QFontMetricsF(painter.font()), outlines, view, area, [bar])
         draw_other_places(painter, marks.others, view, theme, area)
         _draw_people(painter, given, theme)
         draw_truth_places(painter, marks.truth, view, theme)

@@ -12,9 +12,9 @@ from app.core.drawing.surfaces import FloorSurface
 from app.core.i18n import tr
 from app.core.look.theme import Theme
 from app.core.scenes import FloorPerson, OverheadScene
+from app.core.scenes.floor_marks import FloorMarks
 from app.features.pictures.floor_painter import (
     FloorInput,
-    FloorMarks,
     FloorPainter,
     around_person,
     floor_content,

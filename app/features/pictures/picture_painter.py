@@ -58,6 +58,7 @@ class PictureInput:
         area: of the view, in its units. font: of the view.
         line_px: how high a line of text is there. camera: its name; "" for none.
         over: the track under the cursor. captions: whether names, legends and cards are told.
+        reserved: where other words stand.
     """
 
     scene: PictureScene
@@ -71,6 +72,7 @@ class PictureInput:
     camera: str = ""
     over: int = 0
     captions: bool = True
+    reserved: tuple[QRectF, ...] = ()
 
     @property
     def content(self) -> QRectF:
@@ -116,7 +118,8 @@ class PicturePainter:
         painter.setFont(scaled_font(given.font, 0.92, bold=True))
         outlines = marks.labels.outlines
         draw_outlines(painter, outlines, view, theme)
-        labels = place_outline_names(QFontMetricsF(painter.font()), outlines, view, shown)
+        metrics = QFontMetricsF(painter.font())
+        labels = place_outline_names(metrics, outlines, view, shown, given.reserved)
         draw_preview(painter, scene.preview, view)
         draw_ghosts(painter, scene.ghosts, view)
         draw_detections(painter, marks.detections, view)
@@ -132,7 +135,7 @@ class PicturePainter:
             draw_people(painter, others, view)
         _draw_parts(painter, given)
         draw_outline_names(painter, labels, theme)
-        kept_off = [*captions.taken, *(label.rect for label in labels)]
+        kept_off = [*given.reserved, *captions.taken, *(label.rect for label in labels)]
         names = self._draw_names(self.naming, painter, given, scene.people, own, kept_off)
         if others:
             names += self._draw_names(self._naming, painter, given, others, other, kept_off)
@@ -209,7 +212,7 @@ def _lay_out_captions(given: PictureInput) -> Captions:
         return _NO_CAPTIONS
     metrics = QFontMetricsF(scaled_font(given.font, 0.92))
     people = [given.viewport.rect(QRectF(*one.box)) for one in given.scene.people]
-    return lay_out(metrics, given.area, *_words(given), people)
+    return lay_out(metrics, given.area, *_words(given), people, given.reserved)
 
 
 def _draw_cards(painter: QPainter, given: PictureInput, taken: list[QRectF], theme: Theme) -> None:

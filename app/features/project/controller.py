@@ -59,7 +59,7 @@ class ProjectController(Controller):
         self._read_job: Job | None = None
         self._reader: ReaderProcess | None = None
         self._share: float | None = None
-        self._again = False
+        self._again = self._given_up = False
         self._read_s: dict[Path, float] = {}
         self._opened = ""
         self._timer = QTimer(self, interval=_LOOK_EVERY_MS)
@@ -98,7 +98,7 @@ class ProjectController(Controller):
 
     def begin(self) -> None:
         """The page is shown: look through the folder now, and every few seconds."""
-        self._opened = ""
+        self._opened, self._given_up = "", False
         self._timer.start()
         self.look()
 
@@ -151,7 +151,7 @@ class ProjectController(Controller):
             self._again = True
             return
         self._again = False
-        self._look_job = job = Job("project", lambda _: project.look(), self)
+        self._look_job = job = Job("project", lambda _: project.look(), self, listed=False)
         job.done.connect(self._take)
         job.failed.connect(self._fail)
         job.start()
@@ -231,15 +231,16 @@ class ProjectController(Controller):
         project = self.project
         now_s = time.monotonic()
         wanted = tuple(one for one in wanted if not self._may_wait(one, now_s))
-        if not wanted or self._read_job is not None or project is None:
+        if not wanted or self._read_job is not None or project is None or self._given_up:
             return
         self._read_s |= dict.fromkeys((one.file.path for one in wanted), now_s)
         self._reader = reader = ReaderProcess()
         work = partial(_read_all, project, wanted, reader)
-        self._read_job = job = Job("recordings of a project", work, self)
+        self._read_job = job = Job(tr("Reading the recordings of the project"), work, self)
         job.progressed.connect(self._tell)
         job.done.connect(lambda _: self._end_read())
         job.failed.connect(self._fail_read)
+        job.cancelled.connect(self._give_up_reading)
         self._share = 0.0
         job.start()
         self._show()
@@ -258,6 +259,12 @@ class ProjectController(Controller):
         self._timer.stop()
         self._forget_read()
         self.failed.emit(error)
+
+    def _give_up_reading(self) -> None:
+        """The user cancelled it: nothing is read until the page is shown again."""
+        self._given_up = True
+        self._forget_read()
+        self._show()
 
     def _end_read(self) -> None:
         self._forget_read()

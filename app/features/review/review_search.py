@@ -7,8 +7,10 @@ from typing import Any
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
+from app.core.error_messages import explain
 from app.core.i18n import tr
 from app.core.jobs.jobs import Job, Progress
+from app.core.jobs.listing import Listing, cancelled_error
 from app.features.review.review_meter import measure_queue, measures_text
 from tracking.recording import Recording
 from tracking.review import ReviewItemFinder
@@ -54,6 +56,8 @@ class ReviewSearch(QObject):
         self._recording = recording
         self._finder = ReviewItemFinder()
         self._job: Job | None = None
+        self._listing = Listing(tr("Looking for review items"), self, self._cancel)
+        self.destroyed.connect(self._listing.drop)
         self._again = False
         self._found: tuple[object, TrackTable] | None = None
         self._waiting = QTimer(self, singleShot=True, interval=_QUIET_MS)
@@ -88,8 +92,18 @@ class ReviewSearch(QObject):
         if self._job is not None:
             job, self._job = self._job, None
             job.end_untold()
+        self._listing.drop()
         self._found, self._finder, self.problem = None, ReviewItemFinder(), ""
         self._tell("", "")
+
+    def _cancel(self) -> None:
+        """The user wants no more of it."""
+        self._again = False
+        self._waiting.stop()
+        if self._job is not None:
+            self._job.cancel()
+        else:
+            self._end(self._give_up)
 
     def _begin(self) -> None:
         if self._job is not None:
@@ -108,12 +122,14 @@ class ReviewSearch(QObject):
         self._start(find, lambda found: self._take(found, table))
 
     def _start(self, work: Callable[[Progress], object], done: Callable[[Any], None]) -> None:
-        job = Job("review_items", work, self)
+        job = Job("review_items", work, self, listed=False)
         job.progressed.connect(self._show)
         job.done.connect(lambda result: self._end(lambda: done(result)))
         job.failed.connect(lambda error: self._end(lambda: self._fail(error)))
-        job.cancelled.connect(lambda: self._end(lambda: None))
+        job.cancelled.connect(lambda: self._end(self._give_up))
+        job.progressed.connect(self._listing.progress)
         self._job = job
+        self._listing.begin()
         job.start()
 
     def _take(self, found: Any, table: TrackTable) -> None:
@@ -132,7 +148,14 @@ class ReviewSearch(QObject):
                 lambda text: self._tell("", text if self.measuring else ""),
             )
 
+    def _give_up(self) -> None:
+        """It was cancelled, and nobody asked for it again."""
+        self.problem = explain(cancelled_error())
+        self._listing.stopped(lambda: self.look(at_once=True))
+        self.changed.emit()
+
     def _fail(self, error: Exception) -> None:
+        self._listing.failed(error)
         self.problem = tr(message_of(error))
         self.failed.emit(error)
 
@@ -152,6 +175,8 @@ class ReviewSearch(QObject):
             return
         self._tell("", self.measures)
         tell()
+        if self._job is None:
+            self._listing.done()
 
     def _tell(self, doing: str, measures: str) -> None:
         if (doing, measures) != (self.doing, self.measures):

@@ -35,7 +35,7 @@ class StripSearch(QObject):
         super().__init__(parent)
         self._document, self._playback, self._name_of = document, playback, name_of
         self._asked: StripAsk | None = None
-        self._job = LatestJob("review_pictures", self._prepare, self)
+        self._job = LatestJob("review_pictures", self._prepare, self, listed=False)
         self._job.found.connect(self._take)
         self._job.failed.connect(self._miss)
 

@@ -157,7 +157,9 @@ class DetectionsLine(QObject):
         self._taken = True
         self._describes = ""  # the network chosen that describes people, and finds none
         self._is_stereo = self._stereo = recording.is_stereo
-        self._look = LatestJob("detections", partial(_reading, recording), self)
+        self._look = LatestJob(
+            tr("Reading detections"), partial(_reading, recording), self, cancellable=False
+        )
         self._look.found.connect(self._tell)
         self._look.failed.connect(self._refuse)
         for box in (self._left.files, self._right.files, self._use):

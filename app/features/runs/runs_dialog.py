@@ -272,7 +272,7 @@ class RunsDialog(QDialog):
 
     def _score(self) -> None:
         work = self._runs.scoring()
-        job = Job("scoring the runs", work, self)
+        job = Job(tr("Scoring the runs"), work, self)
         job.done.connect(self._take)
         job.failed.connect(lambda error: self._end(explain(error)))
         job.cancelled.connect(lambda: self._end(tr("Not scored: you cancelled it")))

@@ -9,12 +9,13 @@ from pathlib import Path
 from PySide6.QtCore import Qt, Signal
 
 from app.core.document.track_sources import SHOWN
-from app.core.feature import FeatureContext, FeatureController, Marker, ShownFrame
+from app.core.feature import FeatureContext, FeatureController, FloorMarker, Marker, ShownFrame
 from app.core.i18n import N_, joined_text, tr
 from app.core.jobs.latest_job import LatestJob
 from app.core.keymap import in_brackets, key_or_title
 from app.core.plots.axis import TimeAxis
 from app.core.scenes import Side
+from app.core.scenes.floor_marks import FloorMarks
 from app.core.scenes.ground_truth import NO_TRUTH
 from app.core.scenes.picture_marks import PictureMarks
 from app.core.tracks.frame_state import FrameState, ViewOptions
@@ -48,9 +49,10 @@ class ScoreController(FeatureController):
         self.presenter = ScoringPresenter(context.document)
         context.document.annotate_edits = self.presenter.annotate_edits
         self._on = False
-        self._search = LatestJob("scoring", self._prepare, self)
+        self._search = LatestJob(tr("Scoring"), self._prepare, self)
         self._search.found.connect(self.presenter.take)
         self._search.failed.connect(self.presenter.refuse)
+        self._search.cancelled.connect(self.presenter.refuse)
         self._search.changed.connect(self.changed, Qt.ConnectionType.QueuedConnection)
         self._connect(panel)
 
@@ -94,6 +96,17 @@ class ScoreController(FeatureController):
 
         def mark(marks: PictureMarks, side: Side, state: FrameState, _: int) -> PictureMarks:
             return replace(marks, truth=people.picture(side, state))
+
+        return mark
+
+    def floor_marker(self, view_options: ViewOptions) -> FloorMarker | None:
+        """The same on the floor."""
+        people = self.presenter.people if view_options.truth else None
+        if people is None:
+            return None
+
+        def mark(marks: FloorMarks, state: FrameState) -> FloorMarks:
+            return replace(marks, truth=people.floor(state))
 
         return mark
 

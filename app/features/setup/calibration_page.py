@@ -45,7 +45,7 @@ class CalibrationPage(StepPage):
         self._remembered = remembered
         self._found: FoundBoards | None = None
         self._rectified: RectifiedPreview | None = None
-        self._previews = LatestJob("rectified preview", _preview, self)
+        self._previews = LatestJob("rectified preview", _preview, self, listed=False)
         self._previews.found.connect(self._take_preview)
         self._previews.failed.connect(lambda *_: self._take_preview(None))
         form = self.form()

@@ -48,13 +48,18 @@ class SetupEditor(QObject):
         self._job: Job | None = None
         self.resumed = False
         self.scene = SetupScene(state)
-        self._checks = LatestJob("set-up check", lambda plan: lambda _: trial.check(plan), self)
+        self._checks = LatestJob(
+            tr("Checking the set-up"),
+            lambda plan: lambda _: trial.check(plan),
+            self,
+            cancellable=False,
+        )
         self._checks.found.connect(self._take_check)
         self._checks.failed.connect(self._take_no_check)
-        self._reads = LatestJob("set-up images", _read, self)
+        self._reads = LatestJob("set-up images", _read, self, listed=False)
         self._reads.found.connect(self._take_images)
         self._reads.failed.connect(self._take_no_images)
-        self._saves = LatestJob("set-up draft", self._save, self)
+        self._saves = LatestJob("set-up draft", self._save, self, listed=False)
         self._saves.failed.connect(self._tell_unsaved)
         self._look_again()
 
@@ -180,7 +185,7 @@ class SetupEditor(QObject):
         """Do long work of a step beside the window; what fails is told beside the step."""
         if self._job is not None:
             return
-        self._job = job = Job(title, work, self)
+        self._job = job = Job(title, work, self, cancellable=step is not Step.WRITE)
         job.progressed.connect(lambda at, all_: self.worked.emit(title, _share(at, all_)))
         job.done.connect(lambda result: self._end(lambda: done(result)))
         job.failed.connect(

@@ -83,11 +83,25 @@ def test_work_behind_is_listed_and_cancelled_there(window, controller, qtbot):
     window.work.run_behind("Exporting a film", work, "done")
     QTest.keyClick(window, Qt.Key.Key_J, Qt.KeyboardModifier.ControlModifier)
     dialog = dialog_of(window, JobsDialog)
-    assert any("Exporting a film" in one.title for one in window.work.jobs.running)
     qtbot.waitUntil(lambda: window.jobs_button.isVisible() and "25 %" in window.jobs_button.text())
+    assert window.jobs_button.text() == "1 job running, 25 %"
+    assert "(Ctrl+J)" in window.jobs_button.toolTip()
+    qtbot.waitUntil(lambda: any(row.isVisible() for row in dialog._rows.values()))
     button(dialog, "Cancel").click()
     qtbot.waitUntil(lambda: not window.work.jobs.running)
     assert "Exporting a film" in window.statusBar().currentMessage()
+    qtbot.waitUntil(lambda: window.jobs_button.text() == "Jobs")
+    dialog.close()
+
+
+def test_the_button_opens_the_list_of_jobs_once(window, controller, qtbot, tmp_path):
+    window.work.run_behind("Exporting a film", lambda report: report(1, 1), "done", tmp_path)
+    qtbot.waitUntil(window.jobs_button.isVisible)
+    window.jobs_button.click()
+    window.jobs_button.click()
+    (dialog,) = window.findChildren(JobsDialog)
+    assert dialog.isVisible()
+    assert dialog.windowTitle() == window.jobs_button.accessibleName() == "List of jobs"
     dialog.close()
 
 

@@ -50,6 +50,7 @@ def test_work_that_is_not_to_be_stopped_has_no_cancel(window, controller, qtbot)
     go_on = threading.Event()
     work = lambda _: go_on.wait(PATIENCE_S)  # noqa: E731
     window.work.run("Saving all", work, lambda _: None, cancellable=False)
+    qtbot.waitUntil(lambda: bool(window.work.jobs.running))
     assert window.work.jobs.running[0].cancel is None
     go_on.set()
     qtbot.waitUntil(lambda: not window.work.busy)
@@ -78,7 +79,7 @@ def test_two_pieces_of_work_go_on_side_by_side(window, controller, qtbot, titles
     go_on = threading.Event()
     for name in ("One", "Two"):
         window.work.run_behind(name, lambda _: go_on.wait(PATIENCE_S), "done")
-    assert titles() == ["One", "Two"]
+    qtbot.waitUntil(lambda: titles() == ["One", "Two"])
     assert not window.work.busy
     go_on.set()
     qtbot.waitUntil(lambda: titles() == [])

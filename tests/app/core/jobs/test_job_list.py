@@ -25,9 +25,10 @@ def jobs(qapp):
 
 def test_it_tells_how_long_a_job_still_takes_once_that_can_be_known(jobs, now_s):
     number = jobs.begin("Exporting")
+    now_s[0] += 1.0
     jobs.progress(number, 1, 10)
     assert jobs.lines[0].seconds_left is None
-    now_s[0] += 5.0
+    now_s[0] += 4.0
     jobs.progress(number, 2, 10)
     line = jobs.lines[0]
     assert (line.share, line.seconds_left) == (pytest.approx(0.2), pytest.approx(20.0))
@@ -43,8 +44,9 @@ def test_what_runs_stands_first_and_what_ended_last_before_what_ended_earlier(jo
     assert [one.number for one in jobs.running] == [third]
 
 
-def test_a_job_that_ended_cannot_be_cancelled_and_keeps_what_came_of_it(jobs):
+def test_a_job_that_ended_cannot_be_cancelled_and_keeps_what_came_of_it(jobs, now_s):
     number = jobs.begin("Exporting", cancel=lambda: None)
+    now_s[0] += 1.0
     assert jobs.lines[0].cancel is not None
     jobs.end(number, JobState.DONE, Path("clip.mp4"))
     assert (jobs.lines[0].cancel, jobs.lines[0].place) == (None, Path("clip.mp4"))
@@ -57,10 +59,11 @@ def test_what_was_done_in_a_moment_leaves_no_line_but_what_failed_does(jobs, now
     assert len(jobs.lines) == 1
 
 
-def test_it_does_not_grow_for_ever_and_can_be_cleared(jobs):
+def test_it_does_not_grow_for_ever_and_can_be_cleared(jobs, now_s):
     for _ in range(50):
         jobs.end(jobs.begin("one"), JobState.DONE, Path("x"))
     running = jobs.begin("two")
+    now_s[0] += 1.0
     assert len(jobs.lines) == 21
     jobs.forget()
     assert [one.number for one in jobs.lines] == [running]
@@ -73,3 +76,51 @@ def test_it_says_that_something_changed(jobs, qtbot):
         jobs.progress(number, 1, 2)
     with qtbot.waitSignal(jobs.changed):
         jobs.end(number, JobState.STOPPED)
+
+
+def test_what_is_done_within_a_second_is_never_shown(jobs, now_s):
+    number = jobs.begin("Scoring")
+    now_s[0] += 0.9
+    assert jobs.running == ()
+    jobs.end(number, JobState.DONE)
+    assert jobs.lines == ()
+
+
+def test_what_was_shown_stays_when_it_has_ended(jobs, now_s):
+    number = jobs.begin("Scoring")
+    now_s[0] += 1.1
+    assert [one.title for one in jobs.running] == ["Scoring"]
+    jobs.end(number, JobState.DONE)
+    assert [(one.title, one.state) for one in jobs.lines] == [("Scoring", JobState.DONE)]
+
+
+def test_it_says_when_a_second_is_over(jobs, qtbot):
+    seen = []
+    jobs.begin("Scoring")
+    jobs.changed.connect(lambda: seen.append([one.title for one in jobs.running]))
+    qtbot.waitUntil(lambda: seen == [["Scoring"]])
+
+
+def test_of_what_is_done_again_and_again_the_last_time_is_kept(jobs, now_s):
+    for state in (JobState.DONE, JobState.STOPPED, JobState.DONE):
+        number = jobs.begin("Scoring")
+        now_s[0] += 10.0
+        jobs.end(number, state)
+    assert [one.number for one in jobs.lines] == [number]
+
+
+def test_time_left_is_counted_anew_where_it_begins_anew(jobs, now_s):
+    number = jobs.begin("Scoring")
+    now_s[0] += 100.0
+    jobs.progress(number, 9, 10)
+    jobs.restart(number)
+    now_s[0] += 2.0
+    jobs.progress(number, 1, 10)
+    assert jobs.lines[0].seconds_left == pytest.approx(18.0)
+
+
+def test_what_nobody_wants_any_more_goes_without_a_word(jobs, now_s):
+    number = jobs.begin("Scoring")
+    now_s[0] += 10.0
+    jobs.drop(number)
+    assert jobs.lines == ()

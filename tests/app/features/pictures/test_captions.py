@@ -121,3 +121,15 @@ def test_the_legend_of_a_picture_goes_where_it_hides_nobody(view):
     again = lay_out(metrics, area, "Right camera", "", LEGEND, [below, corner]).legend
     assert not any(again.intersects(one) for one in (below, corner))
     assert lay_out(metrics, area, "Right camera", "", LEGEND, [corner]).legend == alone
+
+
+def test_the_legend_hides_no_other_words_at_the_top(qapp):
+    metrics = QFontMetricsF(scaled_font(qapp.font(), 0.92))
+    area = QRectF(0, 0, 480, 360)
+    low = [QRectF(0, 200, 480, 160)]  # people where it would stand
+    free = lay_out(metrics, area, "", "", LEGEND, low)
+    assert free.legend.top() < 20
+    stamp = QRectF(6, 6, 120, 20)
+    kept = lay_out(metrics, area, "", "", LEGEND, low, [stamp])
+    assert not kept.legend.isEmpty()
+    assert not kept.legend.intersects(stamp)

@@ -39,6 +39,7 @@ def source(qapp, tiny_recording, tiny_run):
             ViewOptions(),
             (-5.0, 0.0, 5.0, 10.0),
             (),
+            (),
             load_theme("dark"),
             QFont(),
         )
@@ -97,6 +98,19 @@ def test_people_are_drawn_in_their_colour_and_left_out_where_they_are_not_wanted
 
     assert inked(drawn) > inked(plain) + 20
     assert np.abs(plain.astype(int) - frame.left).mean() < 3.0
+
+
+def test_people_that_are_not_wanted_are_not_on_the_floor_either(source):
+    choice = replace(CHOICE, floor=True, legends=False, stamp=False, trails=False)
+    frame = source.recording.read(40)
+    drawn, plain = (
+        ClipPainter(source, replace(choice, people=people)).paint(frame)[:, 320:]
+        for people in (True, False)
+    )
+    track = source.tracks.of_frame(40)["track"].tolist()[0]
+    wanted = np.array(source.state.colours.of(track)[::-1])
+    near = [(np.abs(one.astype(int) - wanted).max(axis=2) < 12).any() for one in (drawn, plain)]
+    assert near == [True, False]
 
 
 def test_both_cameras_and_the_floor_stand_side_by_side(source):
@@ -185,3 +199,81 @@ def test_it_is_painted_off_the_gui_thread(source, tmp_path):
     thread.join()
     assert ended == [16]
     assert len(pictures_of(path)) == 16
+
+
+@pytest.fixture
+def noted(monkeypatch):
+    """All words that plates and legends of a clip were given."""
+    from app.features.pictures import captions, clip_painter, floor_legend
+
+    words = []
+
+    def note(place, name, at, read=lambda given: [given]):
+        draw = getattr(place, name)
+
+        def heard(*args):
+            words.extend(read(args[at]))
+            return draw(*args)
+
+        monkeypatch.setattr(place, name, heard)
+
+    note(captions, "draw_note", 2)
+    note(captions, "draw_legend", 1, lambda entries: [one.text for one in entries])
+    note(clip_painter, "draw_note", 2)
+    note(floor_legend, "_draw_plate", 2, lambda lines: [text for _, text in lines])
+    return words
+
+
+ALL = ViewOptions(foreground=True)
+
+
+@pytest.mark.parametrize("kind", list(ClipKind))
+def test_legends_names_of_cameras_and_time_stand_on_it(source, noted, kind):
+    choice = replace(CHOICE, kind=kind, right=True, floor=True, height_px=480)
+    ClipPainter(replace(source, view_options=ALL), choice).paint(source.recording.read(40))
+    assert {"foreground", "shadow", "Left camera", "Right camera"} <= set(noted)
+    assert "where the tracker has a person" in noted
+    assert "frame 40, 00:05.00" in noted
+
+
+@pytest.mark.parametrize("kind", list(ClipKind))
+def test_legend_and_time_are_on_every_picture_of_the_file(source, tmp_path, kind):
+    shown = replace(source, view_options=ALL)
+    choice = replace(CHOICE, kind=kind, people=False, trails=False)
+    told, plain = (tmp_path / f"{name}{kind.value}" for name in ("told", "plain"))
+    write_clip(shown, choice, told, nothing)
+    write_clip(shown, replace(choice, legends=False, stamp=False), plain, nothing)
+    for with_words, without in zip(pictures_of(told), pictures_of(plain), strict=True):
+        differs = np.abs(with_words.astype(int) - without).max(axis=2) > 60
+        assert differs[:24, :160].sum() > 100  # frame number and time
+        assert differs[24:].sum() > 100  # the legend
+        assert differs.mean() < 0.25
+
+
+def test_a_clip_of_one_camera_does_not_name_it(source, noted):
+    ClipPainter(replace(source, view_options=ALL), CHOICE).paint(source.recording.read(40))
+    assert "foreground" in noted
+    assert "Left camera" not in noted
+
+
+def test_no_words_stand_on_it_where_they_are_not_wanted(source, noted):
+    choice = replace(CHOICE, right=True, floor=True, legends=False, stamp=False)
+    ClipPainter(replace(source, view_options=ALL), choice).paint(source.recording.read(40))
+    assert set(noted) <= {""}
+
+
+def test_what_features_draw_over_the_floor_stands_on_it(source):
+    from app.core.scenes.labels import FloorLabels, Outline
+
+    gate = Outline("gate", np.array([[0.0, 2.0], [0.0, 8.0]]), False, (255, 120, 0))
+    plain = replace(CHOICE, floor=True, legends=False)
+    marked = replace(
+        source, floor_markers=(lambda marks, _: replace(marks, labels=FloorLabels((gate,))),)
+    )
+    frame = source.recording.read(40)
+    before, with_gate = (ClipPainter(one, plain).paint(frame) for one in (source, marked))
+    differs = (before != with_gate).any(axis=2)
+    assert differs[:, 320:].any()
+    assert not differs[:, :320].any()
+    without = ClipPainter(marked, replace(plain, marks=False)).paint(frame)
+    assert np.array_equal(without[:, 320:], before[:, 320:])
