@@ -51,8 +51,18 @@ _USUAL_SHARE = 1.3
 """Usual eyes are to see so many times the least difference of all: most people have them."""
 _LEAST_CHROMA = 18.0
 """No colour is as good as grey, which is nobody's."""
-_ONE_HUE_DEG = 25.0
+_ONE_HUE_DEG = 15.0
 """So far apart at most are the hues of a person's two colours."""
+_CONES = np.array(
+    [
+        [0.4122214708, 0.5363325363, 0.0514459929],
+        [0.2119034982, 0.6806995451, 0.1073969566],
+        [0.0883024619, 0.2817188376, 0.6299787005],
+    ]
+)
+_OPPONENTS = np.array(
+    [[1.9779984951, -2.4285922050, 0.4505937099], [0.0259040371, 0.7827717662, -0.8086757660]]
+)
 _SWAPS = 0.3
 """Share of the steps in which two people's colours change places."""
 
@@ -190,17 +200,27 @@ def _stand_out(pairs: Floats) -> Bools:
 
 
 def _of_one_hue(pairs: Floats) -> Bools:
-    plane = np.stack([seen_colours(pairs[:, look])[0, :, 1:] for look in range(2)], axis=1)
+    """Hues by Oklab, in which, other than in CIELAB, blue stays blue from dark to bright."""
+    plane = np.stack([_oklab_plane(pairs[:, look]) for look in range(2)], axis=1)
     hue = np.degrees(np.arctan2(plane[..., 1], plane[..., 0]))
     turn = np.abs((hue[:, 0] - hue[:, 1] + 180.0) % 360.0 - 180.0)
-    coloured = np.linalg.norm(plane, axis=2).min(axis=1) >= _LEAST_CHROMA
-    return np.asarray((turn <= _ONE_HUE_DEG) & coloured)
+    chroma = [np.hypot(*seen_colours(pairs[:, look])[0, :, 1:].T) for look in range(2)]
+    return np.asarray((turn <= _ONE_HUE_DEG) & (np.min(chroma, axis=0) >= _LEAST_CHROMA))
+
+
+def _oklab_plane(colours: Floats) -> Floats:
+    """(n, 2) green to red and blue to yellow [Ottosson 2020, "A perceptual color space"]."""
+    cones = np.cbrt(_linear(colours) @ _CONES.T)
+    return np.asarray(cones @ _OPPONENTS.T)
 
 
 def _luminance(colours: Floats) -> Floats:
+    return np.asarray(_linear(colours) @ np.array([0.2126, 0.7152, 0.0722]))
+
+
+def _linear(colours: Floats) -> Floats:
     values = colours / 255.0
-    linear = np.where(values <= 0.04045, values / 12.92, ((values + 0.055) / 1.055) ** 2.4)
-    return np.asarray(linear @ np.array([0.2126, 0.7152, 0.0722]))
+    return np.where(values <= 0.04045, values / 12.92, ((values + 0.055) / 1.055) ** 2.4)
 
 
 def _apart(looks: Floats, seen: Floats, fixed: Floats) -> Floats:

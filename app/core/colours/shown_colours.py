@@ -7,7 +7,7 @@ from functools import cache
 from importlib.resources import files
 from typing import Final
 
-from app.core.colours.palette import colour_of_code
+from app.core.colours.palette import LIGHT_COLOURS, colour_of_code
 from app.core.scenes import Colour
 
 THEMES: Final = ("dark", "light")
@@ -33,7 +33,9 @@ def theme_colour(theme_name: str, use: str) -> Colour:
 
 @cache
 def readable_colour(theme_name: str, colour: Colour) -> Colour:
-    """The colour, moved towards the text colour until it stands out from the background."""
+    """The colour, moved towards the text's until it stands out; for people's the one found."""
+    if theme_name == "light" and colour in LIGHT_COLOURS:
+        return LIGHT_COLOURS[colour]
     grounds = [theme_colour(theme_name, use) for use in GROUNDS]
     text = theme_colour(theme_name, "text")
     for step in range(_MOST_STEPS + 1):

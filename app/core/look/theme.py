@@ -22,7 +22,6 @@ from app.core.colours.shown_colours import readable_colour, theme_table
 from app.core.i18n import tr
 from app.core.scenes import Colour
 
-
 _SIGNS = ("check", "partly", "dot")
 """Pictures of what is ticked, partly ticked, chosen."""
 

@@ -25,6 +25,7 @@ from PySide6.QtWidgets import (
 
 from app.core.colours.shown_colours import contrast
 from app.core.look.theme import current_theme
+from app.features.setup.picture_view import PictureView
 
 Rgb = tuple[int, int, int]
 LEAST = 4.5
@@ -75,6 +76,8 @@ def read(window: QWidget) -> Readings:
     with _painted() as drawn:
         picture = _picture(window)
     for one in drawn:
+        if isinstance(one.widget, PictureView):
+            continue  # its letters are white with a black rim, whatever is below
         if one.widget.window() is window and one.widget.isVisible() and one.ink not in _disabled():
             inks = one.ink.red(), one.ink.green(), one.ink.blue()
             ground = _ground(_part(picture, window, one.widget, one.rect.toAlignedRect()), inks)

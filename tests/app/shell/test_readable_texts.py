@@ -27,13 +27,13 @@ def look(request, qapp):
 
 
 @pytest.fixture
-def opened(window, qapp, look, qtbot, parted_session):
+def opened(window, look, qtbot, parted_session):
     window.resize(1280, 800)
     window.files.open_path(parted_session)
     qtbot.waitUntil(
         lambda: window.controller is not None and window.controller.playback.frame is not None
     )
-    apply_look(qapp, look)
+    window.look_choice.choose(look)
     controller = window.controller
     controller.editing.pick(controller.document.tracks.ids[0])
     qtbot.waitUntil(lambda: not controller.reviewing.busy)
@@ -78,8 +78,8 @@ def test_the_dialogs(opened, qtbot):
     assert told(found) == ""
 
 
-def test_the_first_page_and_the_search_of_commands(window, qapp, look, qtbot):
-    apply_look(qapp, look)
+def test_the_first_page_and_the_search_of_commands(window, look, qtbot):
+    window.look_choice.choose(look)
     laid_out(qtbot)
     found = read(window).faults
     window.run_command("edit.commands")
