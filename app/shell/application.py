@@ -15,6 +15,7 @@ from PySide6.QtCore import (
     QEventLoop,
     QLockFile,
     QSettings,
+    Qt,
     QTimer,
 )
 from PySide6.QtWidgets import QApplication
@@ -35,6 +36,11 @@ from tracking.recording import OpenOptions
 
 _log = logging.getLogger(__name__)
 _PATIENCE_MS = 60_000
+_EFFECTS = (
+    *(Qt.UIEffect.UI_AnimateMenu, Qt.UIEffect.UI_FadeMenu, Qt.UIEffect.UI_AnimateCombo),
+    *(Qt.UIEffect.UI_AnimateTooltip, Qt.UIEffect.UI_FadeTooltip, Qt.UIEffect.UI_AnimateToolBox),
+)
+"""What a desktop may have moving; here nothing moves but the footage."""
 
 
 def run(
@@ -86,6 +92,8 @@ def start_application(remembered: UserSettings) -> QApplication:
     application.setWindowIcon(application_icon())
     show_language(application, remembered)
     apply_look(application, look_of(remembered))
+    for effect in _EFFECTS:
+        application.setEffectEnabled(effect, False)
     return application
 
 

@@ -14,18 +14,17 @@ def colour_of_code(code: str) -> Colour:
     return int(code[1:3], 16), int(code[3:5], 16), int(code[5:7], 16)
 
 
-def _read() -> tuple[Colour, ...]:
+def _read(name: str) -> tuple[Colour, ...]:
     text = (files("resources") / "themes" / "people.toml").read_text(encoding="utf-8")
-    return tuple(map(colour_of_code, tomllib.loads(text)["colours"]))
+    return tuple(map(colour_of_code, tomllib.loads(text)[name]))
 
 
-TRACK_COLOURS: Final = _read()
-"""Chosen among Okabe and Ito's and Tol's sets and a few more, so that the nearest two lie as far
-apart as can be, in CIELAB, for normal, red-blind and green-blind eyes alike, and none of them
-near the colours of errors; then ordered so that ids close to each other, who often walk close to
-each other, differ most, and two of one hue, as violet and lilac, lie six apart. The second twelve
-are the same hues, each lighter or darker. Sessions keep a colour's place, so places are not moved.
-`tests/benchmarks/palette.py` measures them by CIEDE2000."""
+TRACK_COLOURS: Final = _read("colours")
+"""Found by `python -m tests.benchmarks.palette --search`: those that look most alike to usual eyes
+or to the colour-blind (CIEDE2000) differ as much as can be, ids near each other most, and all
+stand out from what they are drawn on and from the colours of errors. Sessions keep their places."""
+LIGHT_COLOURS: Final = dict(zip(TRACK_COLOURS, _read("light"), strict=True))
+"""What stands for each on the grounds of the light look, which would swallow it; of its hue."""
 NOBODY: Colour = (150, 150, 150)
 
 

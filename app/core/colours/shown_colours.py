@@ -7,13 +7,15 @@ from functools import cache
 from importlib.resources import files
 from typing import Final
 
-from app.core.colours.palette import colour_of_code
+from app.core.colours.palette import LIGHT_COLOURS, colour_of_code
 from app.core.scenes import Colour
 
 THEMES: Final = ("dark", "light")
-LEAST_CONTRAST: Final = {"dark": 2.6, "light": 1.9}
-"""Of a line or a bar against its background; dark colours on a dark one need more."""
-_STEP, _MOST_STEPS = 0.05, 12
+GROUNDS: Final = ("window", "surface", "raised", "sunken", "hover", "selection")
+"""What the colours of people stand on: panels, lanes, the floor, rows under the mouse or chosen."""
+LEAST_CONTRAST: Final = 3.0
+"""Of a line or a bar against any of them [WCAG 2.1, 1.4.11]."""
+_STEP, _MOST_STEPS = 0.05, 16
 
 
 @cache
@@ -31,11 +33,14 @@ def theme_colour(theme_name: str, use: str) -> Colour:
 
 @cache
 def readable_colour(theme_name: str, colour: Colour) -> Colour:
-    """The colour, moved towards the text colour until it stands out from the background."""
-    text, background = theme_colour(theme_name, "text"), theme_colour(theme_name, "sunken")
+    """The colour, moved towards the text's until it stands out; for people's the one found."""
+    if theme_name == "light" and colour in LIGHT_COLOURS:
+        return LIGHT_COLOURS[colour]
+    grounds = [theme_colour(theme_name, use) for use in GROUNDS]
+    text = theme_colour(theme_name, "text")
     for step in range(_MOST_STEPS + 1):
         moved = _mixed(colour, text, step * _STEP)
-        if contrast(moved, background) >= LEAST_CONTRAST[theme_name]:
+        if min(contrast(moved, one) for one in grounds) >= LEAST_CONTRAST:
             return moved
     return text
 

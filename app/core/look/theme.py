@@ -10,6 +10,7 @@ from dataclasses import dataclass, fields
 from enum import Enum
 from functools import cache
 from importlib.resources import files
+from pathlib import Path
 from string import Template
 
 from PySide6.QtCore import Qt
@@ -20,6 +21,9 @@ from app.core.colours import shown_colours
 from app.core.colours.shown_colours import readable_colour, theme_table
 from app.core.i18n import tr
 from app.core.scenes import Colour
+
+_SIGNS = ("check", "partly", "dot")
+"""Pictures of what is ticked, partly ticked, chosen."""
 
 
 class Look(Enum):
@@ -41,11 +45,14 @@ class Theme:
     sunken: QColor
     line: QColor
     line_strong: QColor
+    field: QColor
     text: QColor
     text_muted: QColor
     text_faint: QColor
+    text_disabled: QColor
     accent: QColor
     accent_fill: QColor
+    accent_hover: QColor
     accent_text: QColor
     hover: QColor
     pressed: QColor
@@ -112,14 +119,21 @@ def _theme_name(look: Look) -> str:
 
 def stylesheet(theme: Theme) -> str:
     """The stylesheet with the theme's colours filled in."""
-    text = (files("resources") / "themes" / "style.qss").read_text(encoding="utf-8")
+    themes = files("resources") / "themes"
+    text = (themes / "style.qss").read_text(encoding="utf-8")
     colours = {
         one.name: colour.name()
         for one in fields(theme)
         if isinstance(colour := getattr(theme, one.name), QColor)
     }
-    filled: str = Template(text).substitute(colours)
+    signs = {name: _as_url(themes / f"{name}.svg") for name in _SIGNS}
+    filled: str = Template(text).substitute(colours | signs)
     return filled
+
+
+def _as_url(file: object) -> str:
+    """A file as a stylesheet between quotes writes it."""
+    return Path(str(file)).as_posix().replace("\\", "\\\\").replace('"', '\\"')
 
 
 def _palette(theme: Theme) -> QPalette:
@@ -141,7 +155,7 @@ def _palette(theme: Theme) -> QPalette:
         for one in roles:
             palette.setColor(one, colour)
     for one in (role.WindowText, role.Text, role.ButtonText):
-        palette.setColor(QPalette.ColorGroup.Disabled, one, theme.text_faint)
+        palette.setColor(QPalette.ColorGroup.Disabled, one, theme.text_disabled)
     return palette
 
 

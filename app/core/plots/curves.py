@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QRectF
+from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QPainterPath
 
 from app.core.drawing.viewport import path_through
@@ -12,6 +12,8 @@ from app.core.plots.axis import TimeAxis
 
 Floats = NDArray[np.float64]
 _LEAST_SCORES, _LOWEST_SCORE = (-1.0, 1.0), -2.0
+PART_LINES = (Qt.PenStyle.SolidLine, Qt.PenStyle.DashLine, Qt.PenStyle.DotLine)
+"""Of head, torso and hip-leg: their curves differ in more than colour."""
 
 
 def curve_path(

@@ -66,7 +66,7 @@ class CommandDelegate(QStyledItemDelegate):
     def _draw_words(self, painter: QPainter, item: CommandItem, inner: QRectF, font: QFont) -> None:
         theme = current_theme()
         painter.setFont(font)
-        painter.setPen(theme.text if item.enabled else theme.text_faint)
+        painter.setPen(theme.text if item.enabled else theme.text_disabled)
         middle = Qt.AlignmentFlag.AlignVCenter
         painter.drawText(inner, middle, item.title)
         inner.setLeft(inner.left() + QFontMetricsF(font).horizontalAdvance(item.title) + 10)
@@ -90,6 +90,6 @@ class CommandDelegate(QStyledItemDelegate):
         painter.setBrush(theme.raised)
         painter.drawRoundedRect(plate, 4, 4)
         painter.setFont(small)
-        painter.setPen(theme.text_muted if item.enabled else theme.text_faint)
+        painter.setPen(theme.text_muted if item.enabled else theme.text_disabled)
         painter.drawText(plate, Qt.AlignmentFlag.AlignCenter, text)
         return plate.left() - 8

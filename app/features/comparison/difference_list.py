@@ -117,7 +117,7 @@ class DifferenceDelegate(PeopleDelegate):
         if item.locked:
             _draw_icon(painter, "lock", box, theme.text_muted)
             return
-        painter.setPen(QPen(theme.accent if item.ticked else theme.line_strong, 1.4))
+        painter.setPen(QPen(theme.accent if item.ticked else theme.field, 1.4))
         painter.setBrush(theme.accent_fill if item.ticked else theme.raised)
         painter.drawRoundedRect(box, 3, 3)
         if item.ticked:

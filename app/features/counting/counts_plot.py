@@ -8,14 +8,24 @@ from PySide6.QtGui import QFontMetricsF, QPainter, QPen
 from PySide6.QtWidgets import QWidget
 
 from app.core.drawing.name_plates import draw_message
-from app.core.i18n import tr
+from app.core.i18n import joined_text, tr
 from app.core.look.theme import Theme
 from app.core.plots.curves import curve_path, whole_span
 from app.core.plots.frame_plot import FramePlot
+from app.core.widgets.spoken import SpokenDescription, told_lines
 from app.features.counting.scene import CountCurve, CountingScene, CountPlot
 
 _GAP_PX = 8.0
 _KEY_PX = 16.0
+
+
+def _told_plot(plot: CountPlot, frame: int) -> str:
+    values = [
+        f"{one.label} {float(one.values[frame]):.3g} {plot.unit}".strip()
+        for one in plot.curves
+        if frame < len(one.values)
+    ]
+    return tr("{name}: {told}", name=plot.name, told=joined_text(", ", values))
 
 
 class CountsPlot(FramePlot):
@@ -25,6 +35,7 @@ class CountsPlot(FramePlot):
         super().__init__(parent)
         self._scene = CountingScene()
         self.setAccessibleName(tr("Counts over time"))
+        self._spoken = SpokenDescription(self, self._words)
 
     def show_scene(self, scene: CountingScene) -> None:
         """Draw another frame; the curves only where they are others."""
@@ -32,6 +43,15 @@ class CountsPlot(FramePlot):
         if before.plots is not scene.plots or self._said(before) != self._said(scene):
             self.draw_anew()
         self.show_playhead(scene.frame)
+        self._spoken.changed()
+
+    def _words(self) -> str:
+        """What is plotted, and each curve at the frame shown."""
+        scene = self._scene
+        if not scene.plots:
+            return self._said(scene)
+        frame = tr("Frame {frame}", frame=scene.frame)
+        return told_lines(frame, *(_told_plot(plot, scene.frame) for plot in scene.plots))
 
     def sizeHint(self) -> QSize:  # noqa: N802 - Qt's name
         """Two or three low plots."""

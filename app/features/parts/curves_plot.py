@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QWidget
 from app.core.drawing.name_plates import draw_message
 from app.core.i18n import tr
 from app.core.look.theme import Theme, faded
-from app.core.plots.curves import Floats, curve_path, stretches, whole_span
+from app.core.plots.curves import PART_LINES, Floats, curve_path, stretches, whole_span
 from app.core.plots.frame_plot import FramePlot
 from app.core.plots.strips import covered, draw_strip, opacity
 from app.core.scenes.labels import PART_COLOURS
@@ -129,7 +129,7 @@ class CurvesPlot(FramePlot):
             path = curve_path(self._scene.curves[part].frames, values[part], self.axis, inner, span)
             colour = theme.track(PART_COLOURS[part])
             painter.setBrush(Qt.BrushStyle.NoBrush)
-            painter.setPen(QPen(colour, 2.4 if part == chosen else 1.3))
+            painter.setPen(QPen(colour, 2.4 if part == chosen else 1.3, PART_LINES[part]))
             painter.drawPath(path)
         painter.restore()
 

@@ -10,14 +10,13 @@ from PySide6.QtWidgets import QWidget
 from app.core.drawing.viewport import Points, polygon
 from app.core.i18n import tr
 from app.core.look.theme import Theme, current_theme, scaled_font
+from app.core.plots.curves import PART_LINES
 from app.core.scenes.labels import PART_COLOURS
 from app.features.parts.training_result import ResultScene, RocCurve
 
 _WAYS = {Qt.Key.Key_Left: -1, Qt.Key.Key_Down: -1, Qt.Key.Key_Right: 1, Qt.Key.Key_Up: 1}
 _SMALL = 0.88
 _MOST_POINTS = 600
-_LINES = (Qt.PenStyle.SolidLine, Qt.PenStyle.DashLine, Qt.PenStyle.DotLine)
-"""The parts' lines differ in more than colour."""
 
 
 class RocPlot(QWidget):
@@ -133,7 +132,7 @@ class RocPlot(QWidget):
     def _draw_curve(self, painter: QPainter, part: int, curve: RocCurve, theme: Theme) -> None:
         colour, meant = theme.track(PART_COLOURS[part]), self._is_meant(part)
         painter.setBrush(Qt.BrushStyle.NoBrush)
-        painter.setPen(QPen(colour, 2.6 if meant else 1.6, _LINES[part]))
+        painter.setPen(QPen(colour, 2.6 if meant else 1.6, PART_LINES[part]))
         painter.drawPolyline(polygon(self._places(curve)))
         at = self._at(*curve.at) if np.isfinite(curve.at).all() else None
         if at is not None:

@@ -13,6 +13,7 @@ from app.core.i18n import tr
 from app.core.look.theme import Theme
 from app.core.scenes import FloorPerson, OverheadScene
 from app.core.scenes.floor_marks import FloorMarks
+from app.core.widgets.spoken import SpokenDescription, told_lines, told_people
 from app.features.pictures.floor_painter import (
     FloorInput,
     FloorPainter,
@@ -23,6 +24,11 @@ from app.features.pictures.floor_painter import (
 
 _PICK_REACH_PX = 22.0
 _GRIP_PX = 3.0  # around a person's ring
+
+
+def _told_place(person: FloorPerson) -> str:
+    x, y = person.position
+    return tr("{name} at {x:.1f}, {y:.1f} m", name=person.label, x=x, y=y)
 
 
 class OverheadView(FloorSurface):
@@ -47,6 +53,7 @@ class OverheadView(FloorSurface):
         self._explained = True
         self.setContentsMargins(12, 12, 12, 12)
         self.setAccessibleName(tr("Overhead view"))
+        self._spoken = SpokenDescription(self, self._words)
 
     def show_scene(self, scene: OverheadScene) -> None:
         """Draw another frame."""
@@ -54,7 +61,18 @@ class OverheadView(FloorSurface):
         self._scene = scene
         if self._fitted and self.content() != before:
             self.fit()
+        self._spoken.changed()
         self.update()
+
+    def _words(self) -> str:
+        """The frame, who stands where, who of them is selected."""
+        scene = self._scene
+        if scene is None or scene.message:
+            return scene.message if scene is not None else ""
+        people = [_told_place(one) for one in scene.people]
+        selected = [one.label for one in scene.people if one.selected]
+        frame = tr("Frame {frame}", frame=scene.frame)
+        return told_lines(frame, *told_people(people, selected))
 
     def show_person(self, track: int) -> None:
         """Have a person seen who may stand outside of a zoomed view."""

@@ -16,6 +16,7 @@ from app.core.i18n import tr
 from app.core.look.theme import Theme
 from app.core.scenes import PersonMark, PictureScene, Side
 from app.core.scenes.picture_marks import PictureMarks
+from app.core.widgets.spoken import SpokenDescription, told_lines, told_people
 from app.features.pictures.box_handles import INSIDE, Grip, cursor_of, draw_handles, handle_at
 from app.features.pictures.divider import is_at_divider, share_at
 from app.features.pictures.picture_painter import (
@@ -26,6 +27,13 @@ from app.features.pictures.picture_painter import (
 )
 
 _PICK_REACH_PX = 10.0
+
+
+def _told_mark(person: PersonMark) -> str:
+    """Somebody's name, and what the box's line says: that it is dotted or dashed."""
+    if person.occluded:
+        return tr("{name} (occluded)", name=person.label)
+    return tr("{name} (predicted)", name=person.label) if person.predicted else person.label
 
 
 class PictureView(PictureSurface):
@@ -54,6 +62,7 @@ class PictureView(PictureSurface):
         self._hover: QPointF | None = None
         self._painter = PicturePainter()
         self._over = 0
+        self._spoken = SpokenDescription(self, self._words)
         self._rename()
 
     def show_scene(self, scene: PictureScene) -> None:
@@ -68,7 +77,16 @@ class PictureView(PictureSurface):
             self._rename()
         if self._image.size() != before:
             self.fit()
+        self._spoken.changed()
         self.update()
+
+    def _words(self) -> str:
+        """The frame, who is marked in it, who of them is selected."""
+        scene = self._scene
+        people = [_told_mark(one) for one in scene.people]
+        selected = [one.label for one in scene.people if one.selected]
+        frame = tr("Frame {frame}", frame=scene.frame)
+        return told_lines(frame, *told_people(people, selected), scene.message)
 
     def show_person(self, track: int) -> None:
         """Have a person seen who may stand outside of a zoomed view."""

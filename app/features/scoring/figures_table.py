@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.core.i18n import tr
-from app.core.look.theme import current_theme
+from app.core.look.theme import current_theme, scaled_font
 from app.core.scenes.score_figures import ScoreRow
 from app.core.widgets.table_cells import write_cell
 from app.features.scoring.scene import ScoreScene
@@ -181,6 +181,8 @@ class FiguresTable(QTableWidget):
                 item.setData(Qt.ItemDataRole.AccessibleTextRole, row.name)
         item.setForeground(_colour(row.better))
         said = {1: tr("better"), -1: tr("worse")}.get(row.better, "")
+        item.setFont(scaled_font(self.font(), 1.0, bold=row.better < 0))
+        item.setToolTip("\n".join(filter(None, (said, hint))))
         item.setData(Qt.ItemDataRole.AccessibleTextRole, f"{row.moved} {said}".strip())
 
     def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name

@@ -14,7 +14,9 @@ from app.core.look.theme import Theme, current_theme, scaled_font
 from app.core.plots.axis import TimeAxis
 from app.core.plots.strips import draw_strip
 from app.core.scenes.ground_truth import ErrorLane, ErrorLanes
+from app.core.widgets.spoken import SpokenDescription
 from app.core.widgets.still_picture import StillPicture
+from app.features.timeline.spoken_timeline import told_errors
 from tracking.scoring import ErrorKind
 
 _SMALL, _PAD_PX = 0.86, 3
@@ -46,6 +48,7 @@ class ErrorLanesView(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self.setAccessibleName(tr("Errors against ground truth"))
+        self._spoken = SpokenDescription(self, lambda: told_errors(self._scene))
         self.hide()
 
     def show_scene(self, scene: ErrorLanes | None) -> None:
@@ -58,6 +61,7 @@ class ErrorLanesView(QWidget):
         self.setVisible(bool(lanes))
         if lanes != before:
             self.updateGeometry()
+        self._spoken.changed()
         self._draw_anew()
 
     def show_axis(self, axis: TimeAxis) -> None:

@@ -21,6 +21,8 @@ _BELOW_SCORE = 0.2  # the bar, where a curve stands above it
 _RAIL_PX = 1.5
 _BETWEEN_RAILS = 0.22
 _REVIEWED = 0.16
+_REVIEWED_PX = 2.0
+_CHOSEN_PX = 4.0  # a bar before the names of those selected
 _LEAST_NAME = 0.85  # of a line of text: lower lanes bear no name
 
 
@@ -35,6 +37,7 @@ def draw_lane(
     """One track in its row; `row` spans the whole width, name and bar."""
     if lane.selected:
         painter.fillRect(row, theme.selection)
+        painter.fillRect(QRectF(row.left(), row.top(), _CHOSEN_PX, row.height()), theme.accent)
     _draw_name(painter, lane, row, axis, theme)
     painter.save()
     bars = QRectF(axis.left, row.top(), axis.width, row.height())
@@ -62,12 +65,16 @@ def draw_reviewed(
     axis: TimeAxis,
     place: QRectF,
     theme: Theme,
+    above_px: float = 0.0,
 ) -> None:
-    """Shade what a person has looked at."""
+    """Shade and underline what a person has looked at; the line so far above the place's foot."""
     ranges = np.array(_apart(reviewed), np.int64)
     shares = covered(ranges, axis.edges(_columns(painter, axis)))
     across = QRectF(axis.left, place.top(), axis.width, place.height())
     draw_strip(painter, opacity(shares), faded(theme.good, _REVIEWED), across)
+    foot = across.bottom() - above_px - _REVIEWED_PX
+    line = QRectF(axis.left, foot, axis.width, _REVIEWED_PX)
+    draw_strip(painter, opacity(shares), theme.good, line)
 
 
 def _apart(ranges: tuple[tuple[int, int], ...]) -> list[tuple[int, int]]:

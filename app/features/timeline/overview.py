@@ -21,8 +21,10 @@ from app.core.i18n import time_text, tr
 from app.core.look.theme import Theme, current_theme, faded
 from app.core.plots.axis import TimeAxis
 from app.core.scenes import TimelineScene
+from app.core.widgets.spoken import SpokenDescription
 from app.core.widgets.still_picture import StillPicture
 from app.features.timeline.overview_picture import draw_band, draw_overview
+from app.features.timeline.spoken_timeline import told_overview
 from app.features.timeline.thumbnail import ThumbnailPopup
 
 _NOTCH, _ZOOM_PER_NOTCH = 120.0, 1.25
@@ -53,6 +55,7 @@ class OverviewStrip(QWidget):
         self.setMouseTracking(True)
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self.setAccessibleName(tr("Overview of the whole recording"))
+        self._spoken = SpokenDescription(self, lambda: told_overview(self._scene))
 
     def show_scene(self, scene: TimelineScene) -> None:
         """Draw another frame; what stays only where it is another one."""
@@ -66,6 +69,7 @@ class OverviewStrip(QWidget):
             or (before.tracked, before.frame_count) != (scene.tracked, scene.frame_count)
         ):
             self._still.forget()
+        self._spoken.changed()
         self.update()
 
     def show_window(self, axis: TimeAxis) -> None:

@@ -26,7 +26,7 @@ def draw_overview(
 ) -> None:
     """How busy it is, what was reviewed, where to look, and below what was tracked."""
     if scene.reviewed:
-        draw_reviewed(painter, scene.reviewed, axis, ground, theme)
+        draw_reviewed(painter, scene.reviewed, axis, ground, theme, _TRACKED_PX + 1)
     _draw_activity(painter, scene, ground, theme)
     foot = QRectF(ground.left(), ground.bottom() - _TRACKED_PX, ground.width(), _TRACKED_PX)
     draw_band(painter, scene.tracked, axis, foot, theme.accent)

@@ -20,6 +20,7 @@ from app.core.i18n import tr
 from app.core.look.theme import Theme, current_theme, scaled_font
 from app.core.plots.axis import TimeAxis
 from app.core.scenes import Lane, TimelineScene
+from app.core.widgets.spoken import SpokenDescription
 from app.core.widgets.still_picture import StillPicture
 from app.features.timeline.area_painter import draw_edit, draw_rows
 from app.features.timeline.controls import TimelineControls
@@ -36,6 +37,7 @@ from app.features.timeline.ruler import (
     draw_tick_lines,
 )
 from app.features.timeline.scroll_bars import BAR_PX, LanesBar, TimeBar
+from app.features.timeline.spoken_timeline import told_timeline
 from app.features.timeline.stretch import TimeStretch
 
 _PLAYHEAD_PX = 8.0  # to either side of its line
@@ -82,6 +84,7 @@ class TracksArea(QWidget):
         self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self.setAccessibleName(tr("Timeline"))
+        self._spoken = SpokenDescription(self, self._words)
         self.scroll_bar.setAccessibleName(tr("Scroll the lanes"))
         self.time_bar.setAccessibleName(tr("Scroll in time"))
         self._fit_scroll_bars()
@@ -140,6 +143,10 @@ class TracksArea(QWidget):
         if before is not None and before.frame != scene.frame and not self._gestures.dragging:
             self.lanes.follow(scene.frame)
         self._update_moved(before, scene)
+        self._spoken.changed()
+
+    def _words(self) -> str:
+        return told_timeline(self._scene, self.axis)
 
     def reveal(self, tracks: tuple[int, ...]) -> None:
         """Scroll to the lanes of these."""
@@ -161,6 +168,7 @@ class TracksArea(QWidget):
         if self.controls.arrangement.in_view_only:
             self._rows.arrange(self.controls.arrangement, axis)
         self._fit_scroll_bars()
+        self._spoken.changed()
         self._redraw()
 
     def _redraw(self) -> None:

@@ -1,25 +1,70 @@
 """The least differences of people's colours by CIEDE2000, as docs/window.md states them."""
 
+import numpy as np
 import pytest
 
-from app.core.colours.colour_sight import SIGHTS, differences
-from app.core.colours.palette import TRACK_COLOURS
-from tests.benchmarks.palette import measure
+from app.core.colours.colour_sight import SIGHTS, differences, of_one_hue
+from app.core.colours.palette import NOBODY
+from app.core.colours.shown_colours import LEAST_CONTRAST, THEMES, readable_colour
+from app.core.scenes.ground_truth import ERROR_COLOURS
+from tests.benchmarks.palette import IN_USE, PLACE, least_contrast, measure, write
+from tests.benchmarks.palette_search import search
+from tracking.scoring import ErrorKind
 
-LEAST = {"on pictures": (8.4, 6.5, 6.2, 6.5), "dark": (7.2, 3.5, 2.7, 5.9)}
-LEAST |= {"light": (5.8, 2.1, 2.1, 4.5), "dark, to the ground": (26, 22, 25, 27)}
-LEAST |= {"light, to the ground": (19.2, 14.7, 15.9, 18.7)}
+LEAST = {"pictures and dark": (8.7, 6.6, 6.7, 6.9), "light": (8.8, 6.7, 6.7, 7.0)}
+LEAST |= {
+    "pictures and dark, first 8": (13.8, 13.1, 12.2, 12.2),
+    "light, first 8": (15, 11, 16, 13),
+}
+LEAST |= {
+    f"{where}, ids 1 apart": (17.9, 17.9, 17.9, 17.9) for where in ("pictures and dark", "light")
+}
 
 
 @pytest.mark.parametrize("where", LEAST)
 def test_no_two_of_24_people_look_more_alike_than_is_stated(where):
-    figures = measure(TRACK_COLOURS)[where]
+    figures = measure(IN_USE)[where]
     assert list(figures) == list(SIGHTS)
     for least, figure in zip(LEAST[where], figures.values(), strict=True):
         assert figure >= least
+
+
+def test_every_colour_stands_out_from_every_ground():
+    assert least_contrast(IN_USE) >= LEAST_CONTRAST
+
+
+@pytest.mark.parametrize(("theme", "colours"), list(zip(THEMES, IN_USE, strict=True)))
+def test_errors_and_nobody_have_no_persons_colour(theme, colours):
+    marks = [NOBODY, *(ERROR_COLOURS[kind] for kind in (ErrorKind.MISS, ErrorKind.FALSE_ALARM))]
+    assert differences(colours, [readable_colour(theme, one) for one in marks]).min() >= 6.3
 
 
 def test_two_colours_that_are_the_same_to_red_blind_eyes_are_told():
     usual, protan, _, _ = differences([(200, 90, 60)], [(122, 111, 58)])[:, 0, 0]
     assert usual > 25
     assert protan < 0.5 * usual
+
+
+@pytest.mark.parametrize("colours", IN_USE, ids=THEMES)
+@pytest.mark.parametrize("further", range(1, 6))
+def test_ids_close_to_each_other_do_not_go_by_one_colours_name(colours, further):
+    hues = of_one_hue(colours)
+    places = np.arange(len(colours))
+    assert hues[places, np.roll(places, -further)].max() < 0.7
+
+
+def test_a_search_finds_colours_that_differ_and_stand_out():
+    found = search(6, 1.0, seed=2)
+    assert least_contrast(found) >= LEAST_CONTRAST
+    for colours in found:
+        apart = differences(colours)[:, ~np.eye(6, dtype=bool)]
+        assert apart.min() > 12
+
+
+def test_what_is_found_is_kept_as_it_is_read(tmp_path, monkeypatch):
+    before = PLACE.read_text("utf-8")
+    kept = tmp_path / "people.toml"
+    kept.write_text(before, encoding="utf-8")
+    monkeypatch.setattr("tests.benchmarks.palette.PLACE", kept)
+    write(IN_USE)
+    assert kept.read_text("utf-8") == before

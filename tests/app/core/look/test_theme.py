@@ -10,7 +10,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QGuiApplication
 from PySide6.QtWidgets import QCheckBox, QRadioButton
 
-from app.core.colours.palette import TRACK_COLOURS
+from app.core.colours.palette import NOBODY, TRACK_COLOURS
+from app.core.colours.shown_colours import GROUNDS
 from app.core.look.icons import IconButton, application_icon, icon, pixmap
 from app.core.look.theme import (
     Look,
@@ -21,28 +22,49 @@ from app.core.look.theme import (
     scaled_font,
     stylesheet,
 )
+from app.core.scenes.ground_truth import ERROR_COLOURS
+from app.core.scenes.labels import PART_COLOURS
 
 THEMES = ("dark", "light")
 ICONS = sorted(Path(str(one)).stem for one in (files("resources") / "icons").iterdir())
 
 
-@pytest.mark.parametrize("name", THEMES)
-def test_text_is_readable_on_every_ground(name):
-    theme = load_theme(name)
-    for ground in (theme.window, theme.surface, theme.raised, theme.selection, theme.danger_ground):
-        assert contrast(theme.text, ground) >= 7
-        assert contrast(theme.text_muted, ground) >= 4.0
-    for ground in (theme.window, theme.surface):
-        assert contrast(theme.warning, ground) >= 4.5
-    assert contrast(theme.accent_text, theme.accent_fill) >= 4.5
-    assert contrast(theme.accent, theme.surface) >= 4.5
+_EVERYWHERE = (*GROUNDS, "danger_ground")
+_TEXTS = ("text", "text_muted", "text_faint", "accent", "good", "warning", "danger")
+_GRAPHICS = ("field", *_TEXTS)
 
 
 @pytest.mark.parametrize("name", THEMES)
-@pytest.mark.parametrize("colour", TRACK_COLOURS)
-def test_every_track_colour_stands_out_on_the_floor(name, colour):
+@pytest.mark.parametrize("ink", _TEXTS)
+@pytest.mark.parametrize("ground", _EVERYWHERE)
+def test_text_is_readable_on_every_ground(name, ink, ground):
     theme = load_theme(name)
-    assert contrast(theme.track(colour), theme.sunken) >= (2.6 if theme.is_dark else 1.9)
+    assert contrast(getattr(theme, ink), getattr(theme, ground)) >= 4.5
+
+
+@pytest.mark.parametrize("name", THEMES)
+def test_text_is_readable_on_what_is_pressed_or_filled(name):
+    theme = load_theme(name)
+    for ink in (theme.text, theme.text_muted):
+        assert contrast(ink, theme.pressed) >= 4.5
+    for ground in (theme.accent_fill, theme.accent_hover):
+        assert contrast(theme.accent_text, ground) >= 4.5
+
+
+@pytest.mark.parametrize("name", THEMES)
+@pytest.mark.parametrize("ink", _GRAPHICS)
+@pytest.mark.parametrize("ground", ["window", "surface", "raised", "sunken"])
+def test_lines_that_mean_something_are_seen(name, ink, ground):
+    theme = load_theme(name)
+    assert contrast(getattr(theme, ink), getattr(theme, ground)) >= 3.0
+
+
+@pytest.mark.parametrize("name", THEMES)
+@pytest.mark.parametrize("colour", [*TRACK_COLOURS, NOBODY, *ERROR_COLOURS.values(), *PART_COLOURS])
+def test_every_colour_of_data_stands_out_on_every_ground(name, colour):
+    theme = load_theme(name)
+    for ground in GROUNDS:
+        assert contrast(theme.track(colour), getattr(theme, ground)) >= 3.0
 
 
 @pytest.mark.parametrize("name", THEMES)

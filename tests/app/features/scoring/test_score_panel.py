@@ -44,6 +44,9 @@ def panel(qtbot, theme):
 def test_what_is_better_is_green_and_what_is_worse_red(panel, theme):
     better, worse = panel.table.item(0, 3), panel.table.item(1, 3)
     assert better.foreground().color() == theme.good
+    assert worse.font().bold()
+    assert not better.font().bold()
+    assert worse.toolTip().startswith("worse")
     assert worse.foreground().color() == theme.danger
     assert better.data(Qt.ItemDataRole.AccessibleTextRole) == "\u25b2 +0.010 better"
 
