@@ -102,6 +102,15 @@ class BelowFloor(QWidget):
         self._stack.removeWidget(page)
         page.deleteLater()
 
+    def holds_open(self, panel: QWidget) -> bool:
+        """Whether a panel is open here, also behind another one."""
+        return panel in self._open
+
+    def bring_forward(self, panel: QWidget) -> None:
+        """Show a panel that is open here."""
+        if panel in self._open:
+            self._tabs.setCurrentIndex(self._open.index(panel))
+
     @property
     def needed_px(self) -> int:
         """The width that the panel shown would like to have; 0 while none is open."""

@@ -95,6 +95,19 @@ def _move_to(dock: Dock) -> Callable[[WindowApp], None]:
     return lambda app: app.window.workspace.docks.move(_in_use(app), dock)
 
 
+def _pane(name: str, title: str, key: str, step: int) -> Command[WindowApp]:
+    return Command(
+        name,
+        title,
+        _PANELS,
+        (key,),
+        recording,
+        lambda app: app.window.workspace.pane_keys.go(step),
+        also="keyboard focus panel",
+        separated=step > 0,
+    )
+
+
 def _layout(layout: Layout) -> Command[WindowApp]:
     return Command(
         f"view.layout_{layout.id}",
@@ -119,6 +132,8 @@ COMMANDS: Final[tuple[Command[WindowApp], ...]] = (
         _switch_overhead,
         checked=lambda app: app.document is not None and app.window.workspace.floor_wanted,
     ),
+    _pane("view.next_pane", "Go to the next part of the window", "F6", 1),
+    _pane("view.previous_pane", "Go to the previous part of the window", "Shift+F6", -1),
     Command(
         "view.panel_window",
         "Panel in use: in a window of its own",
@@ -126,7 +141,6 @@ COMMANDS: Final[tuple[Command[WindowApp], ...]] = (
         (),
         _panel_in_use,
         _move_to(Dock.WINDOW),
-        separated=True,
     ),
     Command(
         "view.panel_side",

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QSize, QTimer
+from PySide6.QtCore import QSize, Qt, QTimer
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QKeyEvent, QKeySequence
 from PySide6.QtWidgets import (
     QApplication,
@@ -111,6 +111,7 @@ class MainWindow(QMainWindow):
         least = max(self.statusBar().sizeHint().height(), self.notice.least_height)
         self.statusBar().setMinimumHeight(least)
         self.notice.stand_over(centre, self.statusBar(), self.progress)
+        self.workspace.messages = (self.notice,)
         self._search = search = QPushButton(self)
         search.setProperty("search", True)
         search.setAccessibleName(tr("Search commands"))
@@ -322,7 +323,9 @@ class MainWindow(QMainWindow):
         self.run_command(own if own in self.menus.actions else f"view.{name}")
 
     def keyPressEvent(self, event: QKeyEvent) -> None:  # noqa: N802 - Qt's name
-        """A key whose command cannot be done now comes here: say why not."""
+        """Esc leaves the panel that was gone to by keys; of a key that can do nothing say why."""
+        if event.key() == Qt.Key.Key_Escape and self.workspace.pane_keys.leave():
+            return
         typed = self._guard.typed  # into a field, which passes Enter on
         name = "" if typed else self.menus.command_of(QKeySequence(event.keyCombination()))
         if name and not self.menus.actions[name].isEnabled():
@@ -333,8 +336,10 @@ class MainWindow(QMainWindow):
     def focusNextPrevChild(self, next: bool) -> bool:  # noqa: N802, A002 - Qt's names
         """Tab selects people: while a tracker has found none yet it leaves the keyboard there.
 
-        It comes to `keyPressEvent` then, which says why nobody is selected.
+        `keyPressEvent` says why then. Qt asks, too, where the control that has it is hidden.
         """
+        if self.workspace.isVisible() and self.workspace.pane_keys.stay(self.focusWidget()):
+            return True
         at_work = self.controller is not None and self.controller.live.running
         if at_work and isinstance(self.focusWidget(), Canvas):
             return False

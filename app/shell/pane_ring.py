@@ -35,6 +35,9 @@ class PaneRing(QWidget):
         """Lie around a part, which has the keyboard."""
         self._leave()
         self._pane = pane
+        if pane.window() is not self._parent.window() or not self._parent.isAncestorOf(pane):
+            self._parent = pane.window()
+            self.setParent(self._parent)
         step: QWidget | None = pane
         while step is not None and step is not self._parent:
             step.installEventFilter(self)

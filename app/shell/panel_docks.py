@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from enum import Enum
 from functools import partial
 
-from PySide6.QtCore import QEvent, QObject, Qt, Signal
-from PySide6.QtGui import QAction, QActionGroup, QCloseEvent
+from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt, Signal
+from PySide6.QtGui import QAction, QActionGroup, QCloseEvent, QKeyEvent
 from PySide6.QtWidgets import QMenu, QSplitter, QToolButton, QVBoxLayout, QWidget
 
 from app.core.i18n import N_, tr
@@ -42,6 +42,12 @@ class PanelWindow(QWidget):
         self.setWindowTitle(panel.accessibleName())
         self.inside = QVBoxLayout(self)
         self.inside.setContentsMargins(0, 0, 0, 0)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:  # noqa: N802 - Qt's name
+        """What the panel makes nothing of is for the window that it belongs to."""
+        window = self.parentWidget()
+        if window is not None:
+            QCoreApplication.sendEvent(window, event)
 
     def closeEvent(self, event: QCloseEvent) -> None:  # noqa: N802 - Qt's name
         """The panel goes back."""

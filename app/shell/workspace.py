@@ -7,7 +7,6 @@ from typing import TypeVar
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
-    QAbstractScrollArea,
     QApplication,
     QFrame,
     QHBoxLayout,
@@ -25,7 +24,7 @@ from app.core.i18n import tr
 from app.core.look.theme import scaled_font
 from app.core.scenes import Side
 from app.core.widgets.gripped_splitter import GrippedSplitter
-from app.core.widgets.parts import Panel, bring_into_view
+from app.core.widgets.parts import Panel
 from app.core.widgets.user_settings import UserSettings
 from app.features.comparison.compare_panel import ComparePanel
 from app.features.comparison.differences_scene import DifferencesScene
@@ -43,6 +42,7 @@ from app.shell.below_floor import BelowFloor
 from app.shell.features import FEATURES
 from app.shell.image_room import ImageRoom
 from app.shell.layout_shares import LayoutShares
+from app.shell.pane_keys import PaneKeys, Panes
 from app.shell.pane_ring import PaneRing
 from app.shell.panel_column import PanelColumn
 from app.shell.panel_docks import Dock, PanelDocks
@@ -85,12 +85,16 @@ class Workspace(QWidget):
                 self.timeline.area.stretch.changed.connect(panel.show_axis)
         self._lay_out()
         self._fit_places()
+        self.messages: tuple[QWidget, ...] = ()
         self._ring = PaneRing(self)
+        panes = Panes(self.left, self.panes, self._walked_lists, self._bring_forward)
+        self.pane_keys = PaneKeys(panes, self._ring)
 
     def _lay_out(self) -> None:
         cameras = self._split("eyes", Qt.Orientation.Vertical, (self.left, self.right), (1, 1))
         below = BelowFloor(tr("Panels below the floor"), (), self)
         below.setObjectName("below floor")
+        self._shared_places: tuple[BelowFloor, ...] = (below,)
         parts = (self.overhead, below)
         self._floor = self._split("floor and panels", Qt.Orientation.Vertical, parts, (5, 6))
         self._side = self._build_side()
@@ -101,7 +105,8 @@ class Workspace(QWidget):
         upper = QWidget(self)
         column = _unspaced(upper)
         column.addWidget(top, 1)
-        column.addWidget(self._transport_line())
+        self.transport_line = self._build_transport_line()
+        column.addWidget(self.transport_line)
         drag = tr("Drag to make the timeline higher or lower")
         border = GrippedSplitter(Qt.Orientation.Vertical, drag, self)
         whole = self._filled("whole", border, (upper, self.timeline), (3, 1))
@@ -140,6 +145,7 @@ class Workspace(QWidget):
         at_work = (self.labelling, self.compare)
         shared = BelowFloor(tr("Labelling and comparison"), at_work, self)
         shared.setObjectName("labelling and comparison")
+        self._shared_places = (*self._shared_places, shared)
         column.addWidget(shared)
         column.addWidget(self._panels, 1)
         column.addWidget(self.differences, 1)
@@ -152,10 +158,11 @@ class Workspace(QWidget):
         least_px = _PANEL_LETTERS * self.fontMetrics().averageCharWidth()
         return PanelColumn(self._column, least_px, self)
 
-    def _transport_line(self) -> QFrame:
+    def _build_transport_line(self) -> QFrame:
         """Playback and, at its end, which cameras are shown: no picture is covered by a switch."""
         line = QFrame(self)
         line.setProperty("bar", True)
+        line.setAccessibleName(self.transport.accessibleName())
         row = QHBoxLayout(line)
         row.setContentsMargins(0, 0, 12, 0)
         row.addWidget(self.transport, 1)
@@ -280,27 +287,28 @@ class Workspace(QWidget):
         if typed_into is not None and self.card.isAncestorOf(typed_into):
             typed_into.clearFocus()
 
-    def focus_next_pane(self) -> None:
-        """Give the keyboard to the next part that is shown, and lay a ring around it.
+    def panes(self) -> tuple[QWidget, ...]:
+        """The parts that are open, in the order in which F6 walks them.
 
-        Pictures, floor, panels below it, labelling, compared, queue, card, panels below them,
-        timeline; a list among them can be walked then.
+        Pictures, floor, panels below it, edit that waits, labelling, compared, queue, card, panels
+        below them, playback, timeline, message.
         """
         below, side = self.docks.at(Dock.BELOW), self.docks.at(Dock.SIDE)
-        lists = (*below, *side, self.differences)
-        views, above = (self.left, self.right, self.overhead), (self.labelling, self.compare)
-        every = (*views, *below, *above, *side, self.differences, self.timeline)
-        panes = [pane for pane in every if pane.isVisible()]
-        now = QApplication.focusWidget()
-        inside = [now is not None and (now is pane or pane.isAncestorOf(now)) for pane in panes]
-        following = panes[(inside.index(True) + 1) % len(panes)] if any(inside) else panes[0]
-        bring_into_view(following)
-        fields: list[QAbstractScrollArea] = []
-        if following in lists:
-            fields = following.findChildren(QAbstractScrollArea)
-        visible = [field for field in fields if field.isVisible()]
-        (visible[0] if visible else following).setFocus()
-        self._ring.show_around(following)
+        views, windows = (self.left, self.right, self.overhead), self.docks.at(Dock.WINDOW)
+        above = (self.preview, self.labelling, self.compare)
+        lower = (self.differences, self.transport_line, self.timeline, *self.messages)
+        every = (*views, *below, *above, *side, *windows, *lower)
+        return tuple(one for one in every if one.isVisible() or self._is_behind_another(one))
+
+    def _is_behind_another(self, pane: QWidget) -> bool:
+        return any(place.isVisible() and place.holds_open(pane) for place in self._shared_places)
+
+    def _walked_lists(self) -> tuple[QWidget, ...]:
+        return (*self.docks.panels.values(), self.differences)
+
+    def _bring_forward(self, pane: QWidget) -> None:
+        for place in self._shared_places:
+            place.bring_forward(pane)
 
     def remember(self, remembered: UserSettings) -> None:
         """Keep how the parts are laid out."""

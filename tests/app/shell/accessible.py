@@ -292,3 +292,20 @@ def _place(widget: QWidget) -> str:
         names.append(around.objectName() or type(around).__name__)
         around = around.parentWidget()
     return "in " + " of ".join(names)
+
+
+def acted_on(window: QWidget) -> list[QWidget]:
+    """The controls of a window that can be acted on now, whatever keys lead to them."""
+    passive = (QScrollBar, QSplitterHandle, QProgressBar)
+    seen = (widget for _, widget in interfaces(window) if _is_control(widget))
+    return [one for one in seen if one.isEnabled() and not isinstance(one, passive)]
+
+
+def control_with_keyboard(widget: QWidget) -> QWidget:
+    """The control that a part with the keyboard belongs to."""
+    return _stop(widget)
+
+
+def named(widget: QWidget) -> str:
+    """A control in words."""
+    return _named(widget)

@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 from pytestqt.qtbot import QtBot
+from shiboken6 import isValid
 
 from app.core.commands import menu_of
 from app.core.keymap import first_key
@@ -57,7 +58,12 @@ class Person:
         """Press keys, named as the program shows them, e.g. "Ctrl+K"."""
         for key in keys:
             for combination in _combinations(key):
-                QTest.keyClick(self._with_keyboard(), *combination)
+                before = self._with_keyboard()
+                try:
+                    QTest.keyClick(before, *combination)
+                except RuntimeError:
+                    if isValid(before):  # else the key closed it, as Enter does in a dialog
+                        raise
             self.look()
 
     def type(self, text: str) -> None:
@@ -65,6 +71,11 @@ class Person:
         for letter in text:
             QTest.keyClick(self._with_keyboard(), letter)
         self.look()
+
+    def paste(self, text: str) -> None:
+        """Paste a text that was copied elsewhere."""
+        QGuiApplication.clipboard().setText(text)
+        self.press("Ctrl+V")
 
     def key_of(self, command: str) -> None:
         """Press the key that is shown for a command."""
@@ -183,12 +194,20 @@ class Person:
             self.dialog().activateWindow()
             self.wait(lambda: QGuiApplication.focusWindow() is not None)
 
-    def _with_keyboard(self) -> QWindow:
-        """The window that keys go to."""
+    def _with_keyboard(self) -> QWindow | QWidget:
+        """The window that keys go to.
+
+        Qt for Python may hand out a window that has gone in place of a new one where the old one
+        was in memory; the control that has the keyboard is asked then.
+        """
         popup = QApplication.activePopupWidget()
         window = popup.windowHandle() if popup is not None else QGuiApplication.focusWindow()
         assert window is not None, "no window has the keyboard"
-        return window
+        if isValid(window):
+            return window
+        focused = QApplication.focusWidget()
+        assert focused is not None, "a control has the keyboard"
+        return focused
 
     def _place(self, widget: QWidget, at: QPointF | QPoint | None) -> tuple[QWindow, QPoint]:
         """A place of a widget in its window."""

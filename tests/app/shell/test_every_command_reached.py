@@ -28,10 +28,13 @@ from app.shell import main_window
 from app.shell.commands import COMMANDS
 from app.shell.main_window import MainWindow
 from tests.project.projects import ReaderHere, make_project
-from tracking.editing import plan_label_part, plan_new_track
+from tracking.editing import SchemaChange, plan_label_part, plan_new_track
 from tracking.recording import open_recording
 from tracking.session import Session
-from tracking.tracks import PartLabel, Run
+from tracking.tracks import Attribute, AttributeType, PartLabel, Run
+
+NINE = Attribute("gate", AttributeType.CHOICE, tuple("abcdefghi"))
+"""Digit keys set as many options."""
 
 
 @dataclass
@@ -174,7 +177,8 @@ def _open_session(one: Person, path: Path) -> None:
     one.wait(lambda: controller.of(ScoreController).known)
     track = controller.document.tracks.of_frame(CROWDED)["track"].tolist()[0]
     controller.editing.pick(track)
-    one.press("Ctrl+C", "H", "Return", "H", "Return", "Ctrl+Z")
+    controller.describing.change(SchemaChange((NINE,)))
+    one.press("Shift+M", "Ctrl+C", "H", "Return", "H", "Return", "Ctrl+Z")
     window.files.detectors.result = SimpleNamespace()  # only whether there is one is asked
     controller.of(PartsController).presenter.truth_known = True
     _compare_runs(one)

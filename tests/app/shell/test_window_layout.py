@@ -120,7 +120,7 @@ def test_f6_walks_the_parts_with_a_ring_around_the_one_that_has_the_keyboard(win
     window.activateWindow()
     space.timeline.setFocus()
     walked = []
-    for _ in range(7):
+    for _ in range(8):
         window.run_command("view.next_pane")
         pane = space._ring.pane
         walked.append(pane)
@@ -129,7 +129,10 @@ def test_f6_walks_the_parts_with_a_ring_around_the_one_that_has_the_keyboard(win
         assert space._ring.isVisible()
         assert space._ring.size().height() <= pane.height()
     side = [space.review, space.card, space.of(HistoryPanel)]
-    assert walked == [space.left, space.right, space.overhead, *side, space.timeline]
+    below = [space.transport_line, space.timeline]
+    assert walked == [space.left, space.right, space.overhead, *side, *below]
+    window.run_command("view.previous_pane")
+    assert space._ring.pane is space.transport_line
     space.left.setFocus()
     assert space._ring.isHidden()
 
