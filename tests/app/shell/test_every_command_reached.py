@@ -140,6 +140,7 @@ def states(
         "recording of a project": _open_first,
         "batch at work": lambda one: _show_batch(one, pretended),
         "session": lambda one: _open_session(one, session_path),
+        "digit keys set an attribute": lambda one: one.press("Shift+M"),
         "panel in use": _go_to_panel,
         "edit in preview": _move_a_box,
         "tracker at work": lambda one: _show_tracker(one, pretended),
@@ -178,7 +179,7 @@ def _open_session(one: Person, path: Path) -> None:
     track = controller.document.tracks.of_frame(CROWDED)["track"].tolist()[0]
     controller.editing.pick(track)
     controller.describing.change(SchemaChange((NINE,)))
-    one.press("Shift+M", "Ctrl+C", "H", "Return", "H", "Return", "Ctrl+Z")
+    one.press("Ctrl+C", "H", "Return", "H", "Return", "Ctrl+Z")
     window.files.detectors.result = SimpleNamespace()  # only whether there is one is asked
     controller.of(PartsController).presenter.truth_known = True
     _compare_runs(one)
@@ -199,6 +200,7 @@ def _compare_runs(one: Person) -> None:
 
 
 def _go_to_panel(one: Person) -> None:
+    one.press("Shift+M")  # the digit keys are commands again
     docks = one.window.workspace.docks
     while not docks.with_keyboard(QApplication.focusWidget()):
         one.press("F6")
