@@ -51,8 +51,11 @@ _USUAL_SHARE = 1.3
 """Usual eyes are to see so many times the least difference of all: most people have them."""
 _LEAST_CHROMA = 18.0
 """No colour is as good as grey, which is nobody's."""
-_ONE_HUE_DEG = 15.0
-"""So far apart at most are the hues of a person's two colours."""
+_LEAST_LIGHTNESS = 32.0
+"""No colour is as good as black, whatever its hue."""
+_ONE_HUE_DEG, _ONE_CHROMA = 15.0, 0.55
+"""A person's two colours go by one name: so far apart at most are their hues, and the greyer one
+has this share of the other's chroma at least."""
 _CONES = np.array(
     [
         [0.4122214708, 0.5363325363, 0.0514459929],
@@ -204,8 +207,14 @@ def _of_one_hue(pairs: Floats) -> Bools:
     plane = np.stack([_oklab_plane(pairs[:, look]) for look in range(2)], axis=1)
     hue = np.degrees(np.arctan2(plane[..., 1], plane[..., 0]))
     turn = np.abs((hue[:, 0] - hue[:, 1] + 180.0) % 360.0 - 180.0)
-    chroma = [np.hypot(*seen_colours(pairs[:, look])[0, :, 1:].T) for look in range(2)]
-    return np.asarray((turn <= _ONE_HUE_DEG) & (np.min(chroma, axis=0) >= _LEAST_CHROMA))
+    labs = np.stack([seen_colours(pairs[:, look])[0] for look in range(2)])
+    chroma = np.hypot(labs[..., 1], labs[..., 2])
+    named = np.min(chroma, axis=0) >= np.maximum(
+        _LEAST_CHROMA, _ONE_CHROMA * np.max(chroma, axis=0)
+    )
+    return np.asarray(
+        (turn <= _ONE_HUE_DEG) & named & (labs[..., 0] >= _LEAST_LIGHTNESS).all(axis=0)
+    )
 
 
 def _oklab_plane(colours: Floats) -> Floats:
