@@ -25,7 +25,7 @@ from tracking.session import Session
 from tracking.tracks import Source
 from tracking.translation import use_catalogue, use_language
 
-WAYS = ("keys", "mouse", "cvat")
+WAYS = ("keys", "mouse", "cvat", "japanese")
 FRAMES = 24
 
 
