@@ -10,7 +10,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtGui import QAction, QGuiApplication, QKeySequence, QWindow
+from PySide6.QtGui import QAction, QGuiApplication, QInputMethodEvent, QKeySequence, QWindow
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QAbstractButton,
@@ -67,10 +67,20 @@ class Person:
             self.look()
 
     def type(self, text: str) -> None:
-        """Type a text."""
+        """Type a text; letters that no key has come from an input method, as on a desktop."""
         for letter in text:
-            QTest.keyClick(self._with_keyboard(), letter)
+            if letter.isascii():
+                QTest.keyClick(self._with_keyboard(), letter)
+            else:
+                self._compose(letter)
         self.look()
+
+    def _compose(self, text: str) -> None:
+        focused = QGuiApplication.focusObject()
+        assert focused is not None, "a control has the keyboard"
+        written = QInputMethodEvent()
+        written.setCommitString(text)
+        QApplication.sendEvent(focused, written)
 
     def paste(self, text: str) -> None:
         """Paste a text that was copied elsewhere."""

@@ -1,7 +1,11 @@
-"""A day's work of an operator and of an annotator: by keys, by mouse, with CVAT's keys."""
+"""A day's work of an operator and of an annotator, by keys and by mouse.
+
+Also with CVAT's keys and in Japanese; `test_days_at_200_percent.py` has them at 200 %.
+"""
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
 from contextlib import closing
 from pathlib import Path
@@ -11,19 +15,19 @@ import numpy as np
 import pytest
 from correcting_window import CROWDED
 from fitting import beyond, cut_off
+from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 from worker import Worker
 
 from app.core.widgets.user_settings import UserSettings
 from app.features.files.export_dialog import ExportDialog
 from app.features.keys.scene import OwnKeys
-from app.shell import language_choice
 from app.shell.application import start_application
 from app.shell.main_window import MainWindow
 from tracking.formats import read_mot
 from tracking.session import Session
 from tracking.tracks import Source
-from tracking.translation import use_catalogue, use_language
+from tracking.translation import language_in_use, use_catalogue
 
 WAYS = ("keys", "mouse", "cvat", "japanese")
 FRAMES = 24
@@ -31,33 +35,31 @@ FRAMES = 24
 
 @pytest.fixture
 def language(
-    request: pytest.FixtureRequest,
-    monkeypatch: pytest.MonkeyPatch,
-    qapp: object,
-    remembered: UserSettings,
+    request: pytest.FixtureRequest, qapp: QApplication, remembered: UserSettings
 ) -> Iterator[None]:
-    """Japanese where the day is in Japanese; Qt's own texts are English again afterwards."""
+    """Japanese where the day is in Japanese; all texts are English again afterwards."""
     del qapp
-    if request.param == "japanese":
-        monkeypatch.setattr(language_choice, "use_language", lambda *_: use_language("ja"))
+    remembered.set_text("language", "ja" if request.param == "japanese" else "en")
     yield
-    monkeypatch.undo()
-    use_catalogue(None)
+    remembered.set_text("language", "en")
     start_application(remembered)
+    use_catalogue(None)
 
 
 @pytest.fixture
 def worker(
     language: None, request: pytest.FixtureRequest, window: MainWindow, qtbot: QtBot
 ) -> Worker:
-    """Who works in this way."""
+    """Who works in this way, at the scaling that the test runs at."""
     del language
     way = request.node.callspec.params["language"]
+    assert window.devicePixelRatioF() == float(os.environ.get("QT_SCALE_FACTOR", "1"))
+    assert language_in_use() == ("ja" if way == "japanese" else "")
     with qtbot.waitActive(window):
         window.activateWindow()
     if way == "cvat":
         window.key_choice.use(OwnKeys("cvat"))
-    return Worker(window, qtbot, keys=way != "mouse", letters=way != "japanese")
+    return Worker(window, qtbot, keys=way != "mouse")
 
 
 in_each_way = pytest.mark.parametrize("language", WAYS, indirect=True)

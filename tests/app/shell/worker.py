@@ -30,17 +30,15 @@ class Worker(Person):
 
     Attributes:
         keys: by keys, else by the mouse.
-        letters: whether commands are found by typing their words; a test types Latin letters only.
     """
 
     keys: bool = True
-    letters: bool = True
 
     def do(self, command: str) -> None:
         """Run a command: by its key or by the search, or from the menus."""
         if self.keys and first_key(command):
             self.key_of(command)
-        elif self.keys and self.letters:
+        elif self.keys:
             self.search(command)
         else:
             self.choose(command)
