@@ -219,13 +219,17 @@ class Person:
         assert focused is not None, "a control has the keyboard"
         return focused
 
-    def _place(self, widget: QWidget, at: QPointF | QPoint | None) -> tuple[QWindow, QPoint]:
-        """A place of a widget in its window."""
+    def _place(
+        self, widget: QWidget, at: QPointF | QPoint | None
+    ) -> tuple[QWindow | QWidget, QPoint]:
+        """A place of a widget in its window; in itself where that is out of date, as for keys."""
         assert widget.isVisible(), f"{widget} is seen"
         inner = widget.rect().center() if at is None else at
         place = inner.toPoint() if isinstance(inner, QPointF) else inner
         handle = widget.window().windowHandle()
         assert handle is not None
+        if not isValid(handle):
+            return widget, place
         return handle, widget.mapTo(widget.window(), place)
 
 

@@ -1,4 +1,4 @@
-"""The days of work on a 4K screen at 200 %: in a process of their own, as Qt scales from its start."""
+"""The days of work on a 4K screen at 200 %, in a process of their own: Qt scales from its start."""
 
 import json
 import os

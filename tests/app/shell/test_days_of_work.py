@@ -20,13 +20,14 @@ from pytestqt.qtbot import QtBot
 from worker import Worker
 
 from app.core.widgets.user_settings import UserSettings
+from app.features.correction.schema_dialog import SchemaDialog
 from app.features.files.export_dialog import ExportDialog
 from app.features.keys.scene import OwnKeys
 from app.shell.application import start_application
 from app.shell.main_window import MainWindow
 from tracking.formats import read_mot
 from tracking.session import Session
-from tracking.tracks import Source
+from tracking.tracks import Attribute, AttributeType, Source
 from tracking.translation import language_in_use, use_catalogue
 
 WAYS = ("keys", "mouse", "cvat", "japanese")
@@ -134,15 +135,21 @@ def _correct_a_swap(one: Worker) -> None:
 
 @pytest.fixture
 def footage(tmp_path: Path) -> Path:
-    """A few seconds of nothing, filmed by one camera."""
+    """A few seconds of one camera, in which a detector saw somebody walk to the right."""
     folder = tmp_path / "one-camera"
     folder.mkdir()
     for number in range(FRAMES):
         picture = np.full((192, 256, 3), 40 + number, np.uint8)
         assert cv2.imwrite(str(folder / f"{number:03d}.png"), picture)
+    seen = (f"{frame + 1},-1,{5 + 4 * frame},11,20,60,0.9,-1,-1,-1\n" for frame in range(FRAMES))
+    (folder / "det.txt").write_text("".join(seen))
     text = 'format = 1\nname = "one camera"\nfps = 10.0\n[left]\nsource = "*.png"\n'
     (folder / "recording.toml").write_text(text)
     return folder
+
+
+WALKS, STANDS = (4.0, 10.0, 20.0, 60.0), (140.0, 100.0, 20.0, 60.0)
+"""Boxes of the two people in the first frame."""
 
 
 @in_each_way
@@ -150,28 +157,109 @@ def test_the_day_of_an_annotator(worker: Worker, footage: Path, tmp_path: Path) 
     worker.window.remembered.last_folder("open").note(footage / "recording.toml")
     worker.window.remembered.last_folder("export").note(tmp_path / "tracks.txt")
     worker.open(footage / "recording.toml")
-    worker.draw((20.0, 20.0, 20.0, 60.0))
-    worker.go(10)
-    worker.do("tracks.accept_ghost")
-    tracks = worker.session.tracks
-    assert tracks.of_frame(10)["track"].tolist() == [1]
-    assert tracks.frames_of_track(1).tolist() == list(range(11))
-    assert worker.row(1, 5)["source"] == Source.INTERPOLATED
-    worker.do("tracks.propagate")
-    worker.apply()
-    last = worker.session.tracks.frames_of_track(1).tolist()[-1]
-    assert last > 10
-    worker.do("tracks.occluded")
-    worker.apply()
-    worker.do("edit.undo")
+    _draw_two_people(worker)
+    last = _copy_onto_the_next_frames(worker)
+    _describe(worker)
+    _label_parts(worker)
     _nothing_is_cut_off(worker)
     rows = read_mot(_export(worker))
-    assert rows["frame"].tolist() == list(range(last + 1))
+    assert rows["frame"][rows["track"] == 1].tolist() == list(range(5))
+    assert rows["frame"][rows["track"] == 2].tolist() == list(range(last + 1))
     saved = worker.save_as_proposed()
     worker.do("file.close")
     worker.wait(lambda: worker.window.controller is None)
+    with closing(Session.open(saved)) as session:
+        _tracks_are_as_drawn(session, last)
+        _labels_are_as_said(session)
     worker.open(saved)
-    assert worker.session.tracks.frames_of_track(1).tolist() == list(range(last + 1))
+    assert worker.session.tracks.frames_of_track(2).tolist() == list(range(last + 1))
+
+
+def _draw_two_people(one: Worker) -> None:
+    """One goes on where a detector saw them, the other where they stood."""
+    one.draw(WALKS)
+    one.draw(STANDS)
+    one.do("view.suggestions")
+    one.select(1)
+    one.go(4)
+    one.wait(lambda: any(not mark.ghost for mark in one.window.workspace.left._suggested))
+    one.do("tracks.accept_suggestion")
+    one.do("view.suggestions")
+    one.go(0)
+    one.select(2)
+    one.go(10)
+    one.do("tracks.accept_ghost")
+
+
+def _copy_onto_the_next_frames(one: Worker) -> int:
+    """Up to which frame; a mark that was wrong is taken back."""
+    one.do("tracks.propagate")
+    one.apply()
+    last: int = one.session.tracks.frames_of_track(2).tolist()[-1]
+    assert last > 10
+    one.do("tracks.occluded")
+    one.apply()
+    one.do("edit.undo")
+    return last
+
+
+def _describe(one: Worker) -> None:
+    """A schema is written, then digit keys say who is what."""
+    one.do("tracks.schema")
+    dialog = one.window.findChild(SchemaDialog)
+    assert dialog is not None
+    one.push(dialog.add)
+    one.fill(dialog.name, "role")
+    one.choose_from(dialog.type, dialog.type.findData(AttributeType.CHOICE))
+    one.to(dialog.choices)
+    one.type("guest")
+    one.press("Return")
+    one.type("staff")
+    one.push(dialog.ok)
+    one.leave_popups()
+    one.do("tracks.next_attribute")
+    for track, option in ((2, 2), (1, 1)):
+        one.go(2)
+        one.select(track)
+        one.choose_option(option)
+    one.do("tracks.next_attribute")
+
+
+def _label_parts(one: Worker) -> None:
+    """The head is on, the torso is off."""
+    one.do("labels.parts")
+    one.do("labels.head")
+    one.do("labels.on")
+    one.do("labels.off")
+    one.do("labels.parts")
+
+
+def _tracks_are_as_drawn(session: Session, last: int) -> None:
+    tracks = session.tracks
+    assert tracks.frames_of_track(1).tolist() == list(range(5))
+    assert tracks.frames_of_track(2).tolist() == list(range(last + 1))
+    assert _box(session, 1, 0) == pytest.approx(WALKS, abs=3)
+    assert _box(session, 1, 4) == pytest.approx((20.0, 10.0, 20.0, 60.0))  # as it was detected
+    assert _box(session, 2, 0) == pytest.approx(STANDS, abs=3)
+    assert _box(session, 2, last) == _box(session, 2, 0)
+    for track, frame in ((1, 2), (2, 5)):
+        rows = tracks.of_track(track, frame, frame + 1)
+        assert rows["source"].tolist() == [Source.INTERPOLATED]
+    assert (tracks.of_track(2)["visibility"] == 1.0).all()
+
+
+def _box(session: Session, track: int, frame: int) -> tuple[float, ...]:
+    row = session.tracks.of_track(track, frame, frame + 1)
+    return tuple(row[side].item() for side in ("left", "top", "width", "height"))
+
+
+def _labels_are_as_said(session: Session) -> None:
+    labels = session.labels
+    assert labels.schema == (Attribute("role", AttributeType.CHOICE, ("guest", "staff")),)
+    said = {track: dict(labels.of_track(track).attributes) for track in (1, 2)}
+    assert said == {1: {"role": "guest"}, 2: {"role": "staff"}}
+    parts = {(one.track, one.part): one.on_part for one in labels.parts.values()}
+    assert parts == {(1, 0): True, (1, 1): False}
 
 
 def _export(one: Worker) -> Path:

@@ -9,19 +9,26 @@ import numpy as np
 from person import Person
 from PySide6.QtCore import QPointF
 from PySide6.QtWidgets import (
+    QAbstractButton,
     QAbstractItemView,
     QApplication,
+    QComboBox,
     QDialog,
     QDialogButtonBox,
     QFileDialog,
+    QLineEdit,
     QToolButton,
+    QWidget,
 )
 
 from app.core.keymap import first_key
 from tracking.session import Session
 
 Columns = dict[str, bytes]
-_NUDGES = 8
+_FAR = 10
+"""Pixels of a step with Shift."""
+_CONTROLS = 60
+"""Most presses of Tab until one gives up."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,31 +114,44 @@ class Worker(Person):
         self.wait(lambda: self.controller.playback.number == frame)
 
     def select(self, track: int) -> None:
-        """Select a person: walk to them by Tab, or click them on the floor."""
+        """Select a person: walk to them by Tab, or click them on the floor or in the picture."""
         if self.keys:
             for _ in range(len(self.session.tracks.track_ids) + 1):
                 if self.controller.document.selection.track == track:
                     return
                 self.key_of("tracks.next")
         else:
-            view = self.window.workspace.overhead
-            row = self.row(track, self.controller.playback.number)
-            self.click(view, view.viewport.point(row["x"], row["y"]))
+            views, row = self.window.workspace, self.row(track, self.controller.playback.number)
+            if views.overhead.isVisible():
+                self.click(views.overhead, views.overhead.viewport.point(row["x"], row["y"]))
+            else:
+                middle = QPointF(row["left"] + row["width"] / 2, row["top"] + row["height"] / 2)
+                self.click(views.left, views.left.viewport.point(middle.x(), middle.y()))
         assert self.controller.document.selection.track == track
 
     def draw(self, box: tuple[float, float, float, float]) -> None:
-        """Draw a box of a new person; by keys where the program proposes it, then nudged."""
-        if self.keys:
-            self.key_of("tracks.new")
-            self.press(*(["Right"] * _NUDGES), "Return")
-            return
-        view = self.window.workspace.left
+        """Draw a box of a new person; by keys the one that is proposed is moved there."""
         self.do("tracks.new")
         left, top, width, height = box
+        if self.keys:
+            proposed = self.controller.document.flow
+            assert proposed is not None
+            assert proposed.box is not None
+            self._nudge(left - proposed.box[0], "Left", "Right")
+            self._nudge(top - proposed.box[1], "Up", "Down")
+            self.press("Return")
+            return
+        view = self.window.workspace.left
         point = view.viewport.point
         self.drag(view, point(left, top), point(left + width, top + height))
         if self.controller.document.flow is not None:
             self.apply()
+
+    def _nudge(self, by: float, back: str, on: str) -> None:
+        """Move the box that is shown by so many pixels, in large steps and then in small ones."""
+        key = on if by > 0 else back
+        far, near = divmod(round(abs(by)), _FAR)
+        self.press(*[f"Shift+{key}"] * far, *[key] * near)
 
     def apply(self) -> None:
         """Apply the edit that is shown."""
@@ -148,6 +168,55 @@ class Worker(Person):
             return
         chips = self.window.workspace.preview.findChildren(QToolButton)
         self.click(next(one for one in chips if one.text() == str(other) and one.isVisible()))
+
+    def choose_option(self, number: int) -> None:
+        """Say this option of the attribute that digit keys set."""
+        if self.keys:
+            self.press(str(number))
+        else:
+            self.choose(f"tracks.value{number}")
+
+    # controls of dialogs
+
+    def to(self, widget: QWidget) -> None:
+        """Go to a control: by Tab, or by a click into it."""
+        if not self.keys:
+            self.click(widget)
+        for _ in range(_CONTROLS):
+            if widget.hasFocus():
+                return
+            self.press("Tab")
+        raise AssertionError(f"{widget} does not get the keyboard")
+
+    def push(self, button: QAbstractButton) -> None:
+        """Push a button."""
+        assert button.isEnabled(), button.text()
+        if self.keys:
+            self.to(button)
+            self.press("Space")
+        else:
+            self.click(button)
+
+    def fill(self, field: QLineEdit, text: str) -> None:
+        """Type into a field, instead of what is in it."""
+        self.to(field)
+        self.press("Ctrl+A")
+        self.type(text)
+
+    def choose_from(self, choice: QComboBox, row: int) -> None:
+        """Choose an entry of a list that opens."""
+        if self.keys:
+            self.to(choice)
+            self.press("Home", *["Down"] * row)
+        else:
+            self.click(choice)
+            shown = choice.view()
+            self.wait(shown.isVisible)
+            self.qtbot.wait(QApplication.doubleClickInterval())  # sooner it is the same click
+            index = choice.model().index(row, choice.modelColumn())
+            self.click(shown.viewport(), shown.visualRect(index).center())
+            self._menu_closed()
+        assert choice.currentIndex() == row
 
     def accept(self, dialog: QDialog) -> None:
         """End a dialog with what it is for: by Enter, or by its button."""
