@@ -14,6 +14,7 @@ from PySide6.QtGui import QAction, QGuiApplication, QInputMethodEvent, QKeySeque
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QAbstractButton,
+    QAbstractItemView,
     QApplication,
     QDialog,
     QListWidget,
@@ -211,6 +212,8 @@ class Person:
         was in memory; the control that has the keyboard is asked then.
         """
         popup = QApplication.activePopupWidget()
+        if isinstance(popup, QAbstractItemView):  # proposals below a field, which has the focus
+            return popup
         window = popup.windowHandle() if popup is not None else QGuiApplication.focusWindow()
         assert window is not None, "no window has the keyboard"
         if isValid(window):

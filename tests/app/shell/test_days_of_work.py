@@ -5,9 +5,11 @@ Also with CVAT's keys and in Japanese; `test_days_at_200_percent.py` has them at
 
 from __future__ import annotations
 
+import json
 import os
 from collections.abc import Iterator
 from contextlib import closing
+from dataclasses import replace
 from pathlib import Path
 
 import cv2
@@ -17,17 +19,24 @@ from correcting_window import CROWDED
 from fitting import beyond, cut_off
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
+from shifted_runs import swapped
 from worker import Worker
 
+from app.core.document import document_loader
 from app.core.widgets.user_settings import UserSettings
 from app.features.correction.schema_dialog import SchemaDialog
 from app.features.files.export_dialog import ExportDialog
 from app.features.keys.scene import OwnKeys
+from app.features.runs.runs_dialog import RunsDialog
+from app.features.scoring.controller import ScoreController
+from app.features.scoring.panel import ScorePanel
 from app.shell.application import start_application
 from app.shell.main_window import MainWindow
 from tracking.formats import read_mot
+from tracking.recording import open_recording
+from tracking.scoring import FloorMatch
 from tracking.session import Session
-from tracking.tracks import Attribute, AttributeType, Source
+from tracking.tracks import Attribute, AttributeType, Run, Source
 from tracking.translation import language_in_use, use_catalogue
 
 WAYS = ("keys", "mouse", "cvat", "japanese")
@@ -273,3 +282,110 @@ def _export(one: Worker) -> Path:
     one.wait(lambda: path.exists() and not one.window.work.busy)
     one.leave_popups()  # which gives the keyboard back, as a desktop does
     return path
+
+
+@pytest.fixture
+def two_runs(tiny_recording: Path, tiny_run: Run, tmp_path: Path) -> Path:
+    """A session of two runs; in the one that is corrected two people have each other's id."""
+    path = tmp_path / "two-runs.h5"
+    with open_recording(tiny_recording) as recording:
+        runs = [replace(tiny_run, seed=7), swapped(tiny_run)[0]]
+        session = Session.create(recording, runs, path)
+        document_loader.remember_place(session, recording)
+        session.close()
+    return path
+
+
+@in_each_way
+def test_the_day_of_an_engineer(worker: Worker, two_runs: Path, tmp_path: Path) -> None:
+    worker.window.remembered.last_folder("open").note(two_runs)
+    worker.open(two_runs)
+    assert worker.session.adopted_run == 1
+    _compare_the_runs(worker)
+    _correct_the_first_run(worker)
+    _score_on_the_floor(worker)
+    reports = tmp_path / "reports"
+    reports.mkdir()
+    worker.window.remembered.last_folder("report").note(reports)
+    _nothing_is_cut_off(worker)
+    _report(worker, reports)
+    worker.do("file.save")
+    worker.wait(lambda: not worker.window.work.busy and not worker.window.files.saving.unsaved)
+    worker.do("file.close")
+    worker.wait(lambda: worker.window.controller is None)
+    with closing(Session.open(two_runs)) as session:
+        assert (session.adopted_run, session.corrected_run.seed) == (0, 7)
+        _report_tells_of(session, reports)
+
+
+def _compare_the_runs(one: Worker) -> None:
+    dialog = _runs(one)
+    one.choose_rows(dialog._table, 1, 2)
+    assert dialog.chosen == [0, 1]
+    one.push(dialog._compare)
+    one.wait(lambda: bool(one.controller.document.comparison.scene().items))
+    comparison, panel = one.controller.document.comparison, one.window.workspace.differences
+    assert {comparison.base, comparison.run} == {0, 1}
+    _nothing_is_cut_off(one)
+    one.push(panel._close, panel)
+    assert not one.controller.comparing.shown
+
+
+def _correct_the_first_run(one: Worker) -> None:
+    dialog = _runs(one)
+    one.choose_rows(dialog._table, 1, 1)
+    one.push(dialog._correct)
+    one.wait(lambda: one.session.adopted_run == 0)
+
+
+def _runs(one: Worker) -> RunsDialog:
+    """The list of runs, once all are scored."""
+    one.do("tracks.runs")
+    dialog = one.dialog()
+    assert isinstance(dialog, RunsDialog)
+    one.wait(lambda: all(dialog._table.item(row, 6).text() for row in (1, 2)))
+    assert "\n".join(cut_off(dialog)) == ""
+    return dialog
+
+
+RADIUS_M = 0.8
+
+
+def _score_on_the_floor(one: Worker) -> None:
+    """People match up to a distance of the engineer's own."""
+    one.do("view.score")
+    scoring, panel = one.controller.of(ScoreController), one.window.workspace.of(ScorePanel)
+    one.wait(lambda: scoring.known)
+    one.choose_from(panel._way, 1, panel)
+    one.fill(panel._threshold, str(RADIUS_M), panel)
+    one.press("Return")
+
+    def scored() -> bool:
+        last = scoring.presenter.scored
+        return last is not None and last.subject.matching.match == FloorMatch(RADIUS_M)
+
+    one.wait(scored)
+
+
+def _report(one: Worker, place: Path) -> None:
+    one.do("file.export_report")
+    one.answer_file(place)
+    one.wait(lambda: bool(one.window.notice.text) and not one.window.work.busy)
+    one.leave_popups()
+
+
+def _report_tells_of(session: Session, reports: Path) -> None:
+    """The corrected tracks are those of the run that was chosen, scored as was asked."""
+    (folder,) = reports.iterdir()
+    assert (folder / "report.html").exists()
+    told = json.loads((folder / "report.json").read_text())
+    assert (told["match"], told["radius_m"]) == ("floor", RADIUS_M)
+    figures = {name: one["combined"] for name, one in told["results"].items()}
+    corrected, chosen, other = figures.values()
+    assert len(session.runs) == 2
+    assert corrected == chosen
+    for figure in ("HOTA", "IDF1"):
+        assert corrected[figure] > other[figure]
+    rows = len(session.tracks.columns()["frame"])
+    assert corrected["result_rows"] == corrected["matches"] + corrected["false_positives"] <= rows
+    assert 0 < corrected["position_error_m"]["p95"] < RADIUS_M

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from person import Person
-from PySide6.QtCore import QPointF
+from person import NO_KEY, Person
+from PySide6.QtCore import QPointF, Qt
 from PySide6.QtWidgets import (
     QAbstractButton,
     QAbstractItemView,
@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
     QDialog,
     QDialogButtonBox,
     QFileDialog,
-    QLineEdit,
+    QTableWidget,
     QToolButton,
     QWidget,
 )
@@ -75,8 +75,13 @@ class Worker(Person):
         return path
 
     def answer_file(self, path: Path) -> None:
-        """Click on a file where one is asked for: the dialog is Qt's, or the desktop's."""
+        """Say which file or folder: paste its path, or click on it."""
         dialog = self.file_dialog()
+        if self.keys:
+            self.paste(str(path))
+            self.press("Return")
+            self._menu_closed()
+            return
         views = [dialog.findChild(QAbstractItemView, name) for name in ("listView", "treeView")]
         listed = next(one for one in views if one is not None and one.isVisible())
         self.wait(lambda: path.name in _names(listed))
@@ -178,35 +183,38 @@ class Worker(Person):
 
     # controls of dialogs
 
-    def to(self, widget: QWidget) -> None:
-        """Go to a control: by Tab, or by a click into it."""
+    def to(self, widget: QWidget, panel: QWidget | None = None) -> None:
+        """Go to a control: by Tab, in a panel after its key; or by a click into it."""
         if not self.keys:
             self.click(widget)
         for _ in range(_CONTROLS):
             if widget.hasFocus():
                 return
-            self.press("Tab")
+            focused = QApplication.focusWidget()
+            inside = panel is None or (focused is not None and panel.isAncestorOf(focused))
+            self.press("Tab" if inside else "F6")
         raise AssertionError(f"{widget} does not get the keyboard")
 
-    def push(self, button: QAbstractButton) -> None:
+    def push(self, button: QAbstractButton, panel: QWidget | None = None) -> None:
         """Push a button."""
         assert button.isEnabled(), button.text()
         if self.keys:
-            self.to(button)
+            self.to(button, panel)
             self.press("Space")
         else:
             self.click(button)
+        self._menu_closed()
 
-    def fill(self, field: QLineEdit, text: str) -> None:
+    def fill(self, field: QWidget, text: str, panel: QWidget | None = None) -> None:
         """Type into a field, instead of what is in it."""
-        self.to(field)
+        self.to(field, panel)
         self.press("Ctrl+A")
         self.type(text)
 
-    def choose_from(self, choice: QComboBox, row: int) -> None:
+    def choose_from(self, choice: QComboBox, row: int, panel: QWidget | None = None) -> None:
         """Choose an entry of a list that opens."""
         if self.keys:
-            self.to(choice)
+            self.to(choice, panel)
             self.press("Home", *["Down"] * row)
         else:
             self.click(choice)
@@ -217,6 +225,17 @@ class Worker(Person):
             self.click(shown.viewport(), shown.visualRect(index).center())
             self._menu_closed()
         assert choice.currentIndex() == row
+
+    def choose_rows(self, table: QTableWidget, first: int, last: int) -> None:
+        """Select rows that follow each other in a table."""
+        if self.keys:
+            self.to(table)
+            self.press("Ctrl+Home", *["Down"] * first, *["Shift+Down"] * (last - first))
+            return
+        for row in range(first, last + 1):
+            place = table.visualItemRect(table.item(row, 0)).center()
+            also = NO_KEY if row == first else Qt.KeyboardModifier.ControlModifier
+            self.click(table.viewport(), place, modifiers=also)
 
     def accept(self, dialog: QDialog) -> None:
         """End a dialog with what it is for: by Enter, or by its button."""
