@@ -1,4 +1,4 @@
-"""A day's work of an operator and of an annotator, by keys and by mouse.
+"""A day's work of an operator, an annotator and an engineer, by keys and by mouse.
 
 Also with CVAT's keys and in Japanese; `test_days_at_200_percent.py` has them at 200 %.
 """
