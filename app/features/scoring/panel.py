@@ -200,8 +200,10 @@ class ScorePanel(FeaturePanel):
     def _show_threshold(self, scene: ScoreScene) -> None:
         spin = self._threshold
         blocked = spin.blockSignals(True)
-        spin.setRange(_LEAST, _WIDEST_M if scene.on_floor else 1.0)
-        spin.setSuffix(" m" if scene.on_floor else " IoU")
+        unit = " m" if scene.on_floor else " IoU"
+        if spin.suffix() != unit:  # setting it, though the same, would undo what is being typed
+            spin.setRange(_LEAST, _WIDEST_M if scene.on_floor else 1.0)
+            spin.setSuffix(unit)
         spin.setToolTip(
             tr("Positions farther apart than this do not match")
             if scene.on_floor

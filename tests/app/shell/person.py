@@ -10,10 +10,11 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtGui import QAction, QGuiApplication, QKeySequence, QWindow
+from PySide6.QtGui import QAction, QGuiApplication, QInputMethodEvent, QKeySequence, QWindow
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QAbstractButton,
+    QAbstractItemView,
     QApplication,
     QDialog,
     QListWidget,
@@ -67,10 +68,20 @@ class Person:
             self.look()
 
     def type(self, text: str) -> None:
-        """Type a text."""
+        """Type a text; letters that no key has come from an input method, as on a desktop."""
         for letter in text:
-            QTest.keyClick(self._with_keyboard(), letter)
+            if letter.isascii():
+                QTest.keyClick(self._with_keyboard(), letter)
+            else:
+                self._compose(letter)
         self.look()
+
+    def _compose(self, text: str) -> None:
+        focused = QGuiApplication.focusObject()
+        assert focused is not None, "a control has the keyboard"
+        written = QInputMethodEvent()
+        written.setCommitString(text)
+        QApplication.sendEvent(focused, written)
 
     def paste(self, text: str) -> None:
         """Paste a text that was copied elsewhere."""
@@ -201,6 +212,8 @@ class Person:
         was in memory; the control that has the keyboard is asked then.
         """
         popup = QApplication.activePopupWidget()
+        if isinstance(popup, QAbstractItemView):  # proposals below a field, which has the focus
+            return popup
         window = popup.windowHandle() if popup is not None else QGuiApplication.focusWindow()
         assert window is not None, "no window has the keyboard"
         if isValid(window):
@@ -209,13 +222,17 @@ class Person:
         assert focused is not None, "a control has the keyboard"
         return focused
 
-    def _place(self, widget: QWidget, at: QPointF | QPoint | None) -> tuple[QWindow, QPoint]:
-        """A place of a widget in its window."""
+    def _place(
+        self, widget: QWidget, at: QPointF | QPoint | None
+    ) -> tuple[QWindow | QWidget, QPoint]:
+        """A place of a widget in its window; in itself where that is out of date, as for keys."""
         assert widget.isVisible(), f"{widget} is seen"
         inner = widget.rect().center() if at is None else at
         place = inner.toPoint() if isinstance(inner, QPointF) else inner
         handle = widget.window().windowHandle()
         assert handle is not None
+        if not isValid(handle):
+            return widget, place
         return handle, widget.mapTo(widget.window(), place)
 
 

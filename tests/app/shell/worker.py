@@ -6,22 +6,29 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from person import Person
-from PySide6.QtCore import QPointF
+from person import NO_KEY, Person
+from PySide6.QtCore import QPointF, Qt
 from PySide6.QtWidgets import (
+    QAbstractButton,
     QAbstractItemView,
     QApplication,
+    QComboBox,
     QDialog,
     QDialogButtonBox,
     QFileDialog,
+    QTableWidget,
     QToolButton,
+    QWidget,
 )
 
 from app.core.keymap import first_key
 from tracking.session import Session
 
 Columns = dict[str, bytes]
-_NUDGES = 8
+_FAR = 10
+"""Pixels of a step with Shift."""
+_CONTROLS = 60
+"""Most presses of Tab until one gives up."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,17 +37,15 @@ class Worker(Person):
 
     Attributes:
         keys: by keys, else by the mouse.
-        letters: whether commands are found by typing their words; a test types Latin letters only.
     """
 
     keys: bool = True
-    letters: bool = True
 
     def do(self, command: str) -> None:
         """Run a command: by its key or by the search, or from the menus."""
         if self.keys and first_key(command):
             self.key_of(command)
-        elif self.keys and self.letters:
+        elif self.keys:
             self.search(command)
         else:
             self.choose(command)
@@ -70,8 +75,13 @@ class Worker(Person):
         return path
 
     def answer_file(self, path: Path) -> None:
-        """Click on a file where one is asked for: the dialog is Qt's, or the desktop's."""
+        """Say which file or folder: paste its path, or click on it."""
         dialog = self.file_dialog()
+        if self.keys:
+            self.paste(str(path))
+            self.press("Return")
+            self._menu_closed()
+            return
         views = [dialog.findChild(QAbstractItemView, name) for name in ("listView", "treeView")]
         listed = next(one for one in views if one is not None and one.isVisible())
         self.wait(lambda: path.name in _names(listed))
@@ -109,31 +119,44 @@ class Worker(Person):
         self.wait(lambda: self.controller.playback.number == frame)
 
     def select(self, track: int) -> None:
-        """Select a person: walk to them by Tab, or click them on the floor."""
+        """Select a person: walk to them by Tab, or click them on the floor or in the picture."""
         if self.keys:
             for _ in range(len(self.session.tracks.track_ids) + 1):
                 if self.controller.document.selection.track == track:
                     return
                 self.key_of("tracks.next")
         else:
-            view = self.window.workspace.overhead
-            row = self.row(track, self.controller.playback.number)
-            self.click(view, view.viewport.point(row["x"], row["y"]))
+            views, row = self.window.workspace, self.row(track, self.controller.playback.number)
+            if views.overhead.isVisible():
+                self.click(views.overhead, views.overhead.viewport.point(row["x"], row["y"]))
+            else:
+                middle = QPointF(row["left"] + row["width"] / 2, row["top"] + row["height"] / 2)
+                self.click(views.left, views.left.viewport.point(middle.x(), middle.y()))
         assert self.controller.document.selection.track == track
 
     def draw(self, box: tuple[float, float, float, float]) -> None:
-        """Draw a box of a new person; by keys where the program proposes it, then nudged."""
-        if self.keys:
-            self.key_of("tracks.new")
-            self.press(*(["Right"] * _NUDGES), "Return")
-            return
-        view = self.window.workspace.left
+        """Draw a box of a new person; by keys the one that is proposed is moved there."""
         self.do("tracks.new")
         left, top, width, height = box
+        if self.keys:
+            proposed = self.controller.document.flow
+            assert proposed is not None
+            assert proposed.box is not None
+            self._nudge(left - proposed.box[0], "Left", "Right")
+            self._nudge(top - proposed.box[1], "Up", "Down")
+            self.press("Return")
+            return
+        view = self.window.workspace.left
         point = view.viewport.point
         self.drag(view, point(left, top), point(left + width, top + height))
         if self.controller.document.flow is not None:
             self.apply()
+
+    def _nudge(self, by: float, back: str, on: str) -> None:
+        """Move the box that is shown by so many pixels, in large steps and then in small ones."""
+        key = on if by > 0 else back
+        far, near = divmod(round(abs(by)), _FAR)
+        self.press(*[f"Shift+{key}"] * far, *[key] * near)
 
     def apply(self) -> None:
         """Apply the edit that is shown."""
@@ -150,6 +173,69 @@ class Worker(Person):
             return
         chips = self.window.workspace.preview.findChildren(QToolButton)
         self.click(next(one for one in chips if one.text() == str(other) and one.isVisible()))
+
+    def choose_option(self, number: int) -> None:
+        """Say this option of the attribute that digit keys set."""
+        if self.keys:
+            self.press(str(number))
+        else:
+            self.choose(f"tracks.value{number}")
+
+    # controls of dialogs
+
+    def to(self, widget: QWidget, panel: QWidget | None = None) -> None:
+        """Go to a control: by Tab, in a panel after its key; or by a click into it."""
+        if not self.keys:
+            self.click(widget)
+        for _ in range(_CONTROLS):
+            if widget.hasFocus():
+                return
+            focused = QApplication.focusWidget()
+            inside = panel is None or (focused is not None and panel.isAncestorOf(focused))
+            self.press("Tab" if inside else "F6")
+        raise AssertionError(f"{widget} does not get the keyboard")
+
+    def push(self, button: QAbstractButton, panel: QWidget | None = None) -> None:
+        """Push a button."""
+        assert button.isEnabled(), button.text()
+        if self.keys:
+            self.to(button, panel)
+            self.press("Space")
+        else:
+            self.click(button)
+        self._menu_closed()
+
+    def fill(self, field: QWidget, text: str, panel: QWidget | None = None) -> None:
+        """Type into a field, instead of what is in it."""
+        self.to(field, panel)
+        self.press("Ctrl+A")
+        self.type(text)
+
+    def choose_from(self, choice: QComboBox, row: int, panel: QWidget | None = None) -> None:
+        """Choose an entry of a list that opens."""
+        if self.keys:
+            self.to(choice, panel)
+            self.press("Home", *["Down"] * row)
+        else:
+            self.click(choice)
+            shown = choice.view()
+            self.wait(shown.isVisible)
+            self.qtbot.wait(QApplication.doubleClickInterval())  # sooner it is the same click
+            index = choice.model().index(row, choice.modelColumn())
+            self.click(shown.viewport(), shown.visualRect(index).center())
+            self._menu_closed()
+        assert choice.currentIndex() == row
+
+    def choose_rows(self, table: QTableWidget, first: int, last: int) -> None:
+        """Select rows that follow each other in a table."""
+        if self.keys:
+            self.to(table)
+            self.press("Ctrl+Home", *["Down"] * first, *["Shift+Down"] * (last - first))
+            return
+        for row in range(first, last + 1):
+            place = table.visualItemRect(table.item(row, 0)).center()
+            also = NO_KEY if row == first else Qt.KeyboardModifier.ControlModifier
+            self.click(table.viewport(), place, modifiers=also)
 
     def accept(self, dialog: QDialog) -> None:
         """End a dialog with what it is for: by Enter, or by its button."""

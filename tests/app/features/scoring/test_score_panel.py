@@ -5,6 +5,7 @@ from itertools import product
 
 import pytest
 from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
 
 from app.core.scenes.score_figures import FIGURES, ScoreRow
 from app.features.scoring.panel import ScorePanel
@@ -126,3 +127,18 @@ def test_what_has_no_room_in_a_list_ends_in_an_ellipsis_and_the_tooltip_says_it_
     assert shown.startswith("truth")
     assert shown.endswith("\u2026")
     assert panel._truth.toolTip() == "Ground truth\ntruth.txt beside the recording"
+
+
+def test_a_limit_that_is_being_typed_stays_while_a_score_comes_in(panel, qtbot):
+    field, chosen = panel._threshold, []
+    panel.threshold_chosen.connect(chosen.append)
+    with qtbot.waitActive(panel):
+        panel.show()
+        panel.activateWindow()
+    field.setFocus()
+    field.selectAll()
+    QTest.keyClicks(field, "0.")
+    panel.show_scene(replace(SCENE, whole="0 to 99"))
+    QTest.keyClicks(field, "8")
+    QTest.keyClick(field, Qt.Key.Key_Return)
+    assert chosen == [0.8]
