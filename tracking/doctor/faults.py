@@ -122,12 +122,12 @@ _PERCENT = 100.0
 FAULTS = (
     Fault(
         "ground-tilt", N_("the tilt of the camera is off by {amount:+.2f} degrees"),
-        N_("take the floor from the pictures"), "degrees", _DEGREES, _tilt, True, True,
+        N_("take the floor from the pictures"), N_("degrees"), _DEGREES, _tilt, True, True,
         _MOST_GROUND_RAD,
     ),
     Fault(
         "ground-roll", N_("the roll of the camera is off by {amount:+.2f} degrees"),
-        N_("take the floor from the pictures"), "degrees", _DEGREES, _roll, True, True,
+        N_("take the floor from the pictures"), N_("degrees"), _DEGREES, _roll, True, True,
         _MOST_GROUND_RAD,
     ),
     Fault(
@@ -137,7 +137,7 @@ FAULTS = (
     ),
     Fault(
         "right-tilted", N_("the right camera is tilted by {amount:+.2f} degrees"), _CALIBRATE,
-        "degrees", _DEGREES, _turned(0), False, True, _MOST_TURNED_RAD,
+        N_("degrees"), _DEGREES, _turned(0), False, True, _MOST_TURNED_RAD,
     ),
     Fault(
         "right-shifted-rows", N_("the right image is shifted by {amount:+.2f} rows"), _CALIBRATE,
@@ -145,11 +145,11 @@ FAULTS = (
     ),
     Fault(
         "right-turned", N_("the right camera is turned sideways by {amount:+.2f} degrees"),
-        _CALIBRATE, "degrees", _DEGREES, _turned(1), False, True, _MOST_TURNED_RAD,
+        _CALIBRATE, N_("degrees"), _DEGREES, _turned(1), False, True, _MOST_TURNED_RAD,
     ),
     Fault(
         "right-rolled", N_("the right camera is rolled by {amount:+.2f} degrees"), _CALIBRATE,
-        "degrees", _DEGREES, _turned(2), False, True, _MOST_TURNED_RAD,
+        N_("degrees"), _DEGREES, _turned(2), False, True, _MOST_TURNED_RAD,
     ),
     Fault(
         "focal-both", N_("the focal length is off by {amount:+.2f} %"),

@@ -12,6 +12,7 @@ from app.core.i18n import N_
 from app.core.scenes import Colour, Points
 from app.core.scenes.okabe_ito import GREEN, ORANGE, PURPLE, SKY_BLUE, VERMILION, YELLOW
 from tracking.tracks import PartKey
+from tracking.translation import Message
 
 PART_COLOURS: tuple[Colour, ...] = (ORANGE, SKY_BLUE, PURPLE)
 """Of head, torso and hip-leg: told apart also by the colour-blind."""
@@ -114,7 +115,7 @@ class SuggestedPart:
     """
 
     key: PartKey
-    reason: str
+    reason: Message
     title: str
     label: str
     colour: Colour

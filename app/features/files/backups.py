@@ -100,7 +100,7 @@ def _edits_apart(now: Sequence[Entry], then: Sequence[Entry]) -> list[str]:
 
 def _named(entries: Sequence[Entry]) -> list[str]:
     """The latest of some edits by their lines."""
-    lines = [f"    {one.text}" for one in reversed(entries[-_LISTED:])]
+    lines = [f"    {tr(one.text)}" for one in reversed(entries[-_LISTED:])]
     more = len(entries) - _LISTED
     return [*lines, tr("    and {n} more", n=more)] if more > 0 else lines
 

@@ -127,7 +127,7 @@ class PartLabeller:
     def _reason(self, label: PartLabel) -> str:
         """Why it was looked at, where it was suggested."""
         suggested = self.choice.suggested
-        return suggested.reason if suggested and suggested.key == label.key else ""
+        return str(suggested.reason) if suggested and suggested.key == label.key else ""
 
     def plan_box(self, frame: int, part: int, box: Box) -> Change:
         """Put a part's rectangle where a person drew it: it lies on its part, or is unsure."""

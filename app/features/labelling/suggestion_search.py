@@ -24,6 +24,7 @@ from tracking.progress import Progress as Reporter
 from tracking.progress import no_progress
 from tracking.session.provenance import parts_by_now
 from tracking.tracks import Labels, Run, TrackTable
+from tracking.translation import msg
 
 
 class SuggestionSearch(QObject):
@@ -147,7 +148,9 @@ def suggestions_for(
 def _suggested(one: Suggestion, labels: Labels, fps: float, scored_by: str) -> SuggestedPart:
     return SuggestedPart(
         key=one.key,
-        reason=f"unsure: score {one.score:+z.2f} of {scored_by}",
+        reason=msg(
+            "unsure: score {score} of {detector}", score=f"{one.score:+z.2f}", detector=scored_by
+        ),
         title=part_name(one.part),
         label=labels.title(one.track),
         colour=NOBODY,

@@ -27,9 +27,9 @@ class _Row:
     """A suggestion as the rows of queues are drawn: what, who, when; below it why."""
 
     def __init__(self, one: SuggestedPart) -> None:
-        self.title, self.when, self.why = one.title, one.when, one.reason
+        self.title, self.when, self.why = one.title, one.when, tr(one.reason)
         self.people = (ReviewPerson(one.key[1], one.label, one.colour),)
-        self.text = f"{one.title} {one.label} {one.when}: {one.reason}"
+        self.text = f"{one.title} {one.label} {one.when}: {self.why}"
 
 
 class SuggestionsModel(QAbstractListModel):

@@ -78,4 +78,4 @@ def _foot(boxes: Sequence[PartBox], suggested: SuggestedPart | None) -> Iterable
     if any(box.scored for box in boxes):
         yield tr("score of the run, above 0: off")
     if suggested is not None:
-        yield f"{suggested.title}: {suggested.reason}"
+        yield f"{suggested.title}: {tr(suggested.reason)}"
