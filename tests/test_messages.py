@@ -51,6 +51,16 @@ def test_no_error_is_raised_with_a_text_that_cannot_be_translated(all_uses: list
     assert bare == []
 
 
+def test_counts_name_their_texts_where_they_are_told(all_uses: list[Use]) -> None:
+    """Texts that come from elsewhere are in no catalogue."""
+    unnamed = [
+        f"{use.place}:{use.call.lineno}"
+        for use in all_uses
+        if called(use.call) == "count_text" and len(use.texts) < 2
+    ]
+    assert unnamed == []
+
+
 def test_the_places_of_a_template_are_the_values_it_is_given(all_uses: list[Use]) -> None:
     wrong = []
     for use in all_uses:

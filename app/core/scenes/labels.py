@@ -128,6 +128,6 @@ CountText = Callable[[Tool, int], str]
 SAID: dict[bool | None, str] = {True: N_("on"), False: N_("off"), None: N_("unsure")}
 
 
-def with_texts(outlines: tuple[Outline, ...], count_text: CountText) -> tuple[Outline, ...]:
+def with_texts(outlines: tuple[Outline, ...], text_at: CountText) -> tuple[Outline, ...]:
     """The outlines with what is counted at them."""
-    return tuple(replace(one, said=count_text(*one.key)) for one in outlines)
+    return tuple(replace(one, said=text_at(*one.key)) for one in outlines)

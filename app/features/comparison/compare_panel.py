@@ -129,8 +129,9 @@ class ComparePanel(QFrame):
         self._figures.setText(scene.figures)
         stretches = tr("You agree everywhere.")
         if scene.rows:
-            said = "You disagree in {n} range.", "You disagree in {n} ranges."
-            stretches = count_text(len(scene.rows), *said)
+            stretches = count_text(
+                len(scene.rows), "You disagree in {n} range.", "You disagree in {n} ranges."
+            )
         changed = tr("Your session has changed since.") if scene.outdated else ""
         dashed = tr("Their people are dashed.")
         self._hint.setText(joined_text(" ", filter(None, (stretches, dashed, changed))))

@@ -37,8 +37,11 @@ class PartsLine(QWidget):
                 "No occluders are drawn: {key} draws outlines of objects that hide people.",
                 key=key_or_title("labels.occluders"),
             )
-        one = "{n} drawn occluder hides people from the tracker."
-        return count_text(count, one, "{n} drawn occluders hide people from the tracker.")
+        return count_text(
+            count,
+            "{n} drawn occluder hides people from the tracker.",
+            "{n} drawn occluders hide people from the tracker.",
+        )
 
     def show_for(self, settings_type: type) -> None:
         """Show what a tracker with these settings has a use for."""
