@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
     QTableWidget,
     QWidget,
 )
+from shiboken6 import isValid
 
 from app.core.drawing.canvas import Canvas
 from app.core.widgets.id_edit import IdEdit
@@ -170,7 +171,7 @@ class PaneKeys(QObject):
 
     def _watch(self, before: QWidget | None, now: QWidget | None) -> None:
         """Hear the keys of whoever has the keyboard; who gave it up in a walk gives it back."""
-        if self._watched is not None:
+        if self._watched is not None and isValid(self._watched):  # gone with its dialog
             self._watched.removeEventFilter(self)
         self._watched = now
         if now is not None:
@@ -180,7 +181,8 @@ class PaneKeys(QObject):
         if pane is None or now is pane or (now is not None and pane.isAncestorOf(now)):
             return
         self._pane = None
-        if now is None and before is not None and before.isActiveWindow():
+        left = now is None and before is not None and isValid(before)
+        if left and before is not None and before.isActiveWindow():
             self._focus(self._panes.home)
 
     def _forget(self) -> None:

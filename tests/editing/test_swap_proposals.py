@@ -159,7 +159,7 @@ def test_in_hours_of_footage_a_frame_is_proposed_at_once() -> None:
     propose_swap_frames(table, 1, 2, near=30_000)
     with spent() as time:
         propose_swap_frames(table, 1, 2, near=30_000)
-    assert time.paces < 15
+    assert time.paces < 30
 
 
 def test_two_who_are_seen_by_turns_never_stand_in_one_frame():
