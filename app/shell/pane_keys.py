@@ -181,8 +181,9 @@ class PaneKeys(QObject):
         if pane is None or now is pane or (now is not None and pane.isAncestorOf(now)):
             return
         self._pane = None
-        left = now is None and before is not None and isValid(before)
-        if left and before is not None and before.isActiveWindow():
+        if before is None or not isValid(before):
+            return
+        if now is None and before.isActiveWindow():
             self._focus(self._panes.home)
 
     def _forget(self) -> None:

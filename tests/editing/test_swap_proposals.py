@@ -157,9 +157,12 @@ def test_in_hours_of_footage_a_frame_is_proposed_at_once() -> None:
     way = np.column_stack([np.sin(np.arange(count) / 200) * 3, np.zeros(count)])
     table = table_of_ways(way, -way + 0.2)
     propose_swap_frames(table, 1, 2, near=30_000)
-    with spent() as time:
-        propose_swap_frames(table, 1, 2, near=30_000)
-    assert time.paces < 30
+    spans = []
+    for _ in range(3):  # the least of three: what others do meanwhile only adds
+        with spent() as time:
+            propose_swap_frames(table, 1, 2, near=30_000)
+        spans.append(time.paces)
+    assert min(spans) < 15
 
 
 def test_two_who_are_seen_by_turns_never_stand_in_one_frame():

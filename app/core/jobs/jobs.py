@@ -10,7 +10,7 @@ from typing import Any
 
 from PySide6.QtCore import QObject, Qt, Signal
 
-from app.core.jobs.listing import Listing
+from app.core.jobs.job_line import JobLine
 from tracking.errors import CancelledError
 
 _log = logging.getLogger(__name__)
@@ -81,16 +81,14 @@ class Job(QObject):
         self._work.progressed.connect(self.progressed)
         self._work.ended.connect(self._report)
         self.destroyed.connect(self._work.progress.cancel)
-        self._listing: Listing | None = None
-        if listed:
-            self._listing = listing = Listing(title, parent, self.cancel if cancellable else None)
-            self.progressed.connect(listing.progress)
-            self.destroyed.connect(listing.drop)
+        cancel = self.cancel if cancellable else None
+        self._line = line = JobLine(title, parent if listed else None, cancel)
+        self.progressed.connect(line.progress)
+        self.destroyed.connect(line.drop)
 
     def start(self) -> None:
         """Begin."""
-        if self._listing is not None:
-            self._listing.begin()
+        self._line.begin()
         self._work.start()
 
     def cancel(self) -> None:
@@ -112,30 +110,21 @@ class Job(QObject):
 
     def _go_untold(self) -> None:
         self.blockSignals(True)
-        if self._listing is not None:
-            self._listing.drop()
+        self._line.drop()
         self.cancel()
         self.deleteLater()
 
     def _report(self, result: object, error: Exception | None) -> None:
-        if self._listing is not None:
-            self._list_end(self._listing, error)
         if error is None:
+            self._line.done()
             self.done.emit(result)
         elif isinstance(error, CancelledError):
+            self._line.stopped()
             self.cancelled.emit()
         else:
             _log.info("%s failed: %s", self.title, error)
+            self._line.failed(error)
             self.failed.emit(error)
-
-    @staticmethod
-    def _list_end(listing: Listing, error: Exception | None) -> None:
-        if error is None:
-            listing.done()
-        elif isinstance(error, CancelledError):
-            listing.stopped()
-        else:
-            listing.failed(error)
 
 
 class _Work(QObject):

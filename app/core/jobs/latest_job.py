@@ -7,8 +7,8 @@ from typing import Any
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
+from app.core.jobs.job_line import JobLine, cancelled_error
 from app.core.jobs.jobs import Job
-from app.core.jobs.listing import Listing, cancelled_error
 from tracking.progress import Progress
 
 Work = Callable[[Progress], Any]
@@ -50,10 +50,9 @@ class LatestJob(QObject):
             listed: False for work of a moment. cancellable: see `Job`.
         """
         super().__init__(parent)
-        self._listing: Listing | None = None
-        if listed:
-            self._listing = Listing(title, self, self._cancel if cancellable else None)
-            self.destroyed.connect(self._listing.drop)
+        cancel = self._cancel if cancellable else None
+        self._line = JobLine(title, self if listed else None, cancel)
+        self.destroyed.connect(self._line.drop)
         self._title, self._prepare = title, prepare
         self._asked: object = None
         self._begun: object = None
@@ -88,8 +87,7 @@ class LatestJob(QObject):
         if self._job is not None:
             job, self._job = self._job, None
             job.leave_untold()
-        if self._listing is not None:
-            self._listing.drop()
+        self._line.drop()
 
     def _cancel(self) -> None:
         self._waiting.stop()
@@ -104,8 +102,7 @@ class LatestJob(QObject):
             return
         self._begun = subject
         work = self._prepare(subject)
-        if self._listing is not None:
-            self._listing.begin()
+        self._line.begin()
         self._job = job = Job(self._title, work, self, listed=False)
         job.progressed.connect(self._progress)
         job.done.connect(lambda result: self._end(lambda: self.found.emit(result)))
@@ -114,8 +111,7 @@ class LatestJob(QObject):
         job.start()
 
     def _progress(self, done: int, total: int) -> None:
-        if self._listing is not None:
-            self._listing.progress(done, total)
+        self._line.progress(done, total)
         self.progressed.emit(done, total)
 
     def _end(self, tell: Callable[[], None], error: Exception | None = None) -> None:
@@ -123,16 +119,17 @@ class LatestJob(QObject):
         self._forget_job()
         if self._asked != self._begun:
             self._waiting.start()
-        elif self._listing is not None:
-            self._listing.done() if error is None else self._listing.failed(error)
+        elif error is None:
+            self._line.done()
+        else:
+            self._line.failed(error)
         tell()
         self.changed.emit()
 
     def _end_cancelled(self) -> None:
         """The user cancelled it, and with it what was asked for meanwhile."""
         self._forget_job()
-        if self._listing is not None:
-            self._listing.stopped(self.again)
+        self._line.stopped(self.again)
         self.cancelled.emit(self._asked, cancelled_error())
         self.changed.emit()
 

@@ -12,7 +12,7 @@ from app.core.i18n import joined_text, tr
 from app.core.look.theme import Theme
 from app.core.plots.curves import curve_path, whole_span
 from app.core.plots.frame_plot import FramePlot
-from app.core.widgets.spoken import SpokenDescription, told_lines
+from app.core.widgets.spoken_description import SpokenDescription, told_lines
 from app.features.counting.scene import CountCurve, CountingScene, CountPlot
 
 _GAP_PX = 8.0

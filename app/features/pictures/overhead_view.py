@@ -13,7 +13,7 @@ from app.core.i18n import tr
 from app.core.look.theme import Theme
 from app.core.scenes import FloorPerson, OverheadScene
 from app.core.scenes.floor_marks import FloorMarks
-from app.core.widgets.spoken import SpokenDescription, told_lines, told_people
+from app.core.widgets.spoken_description import SpokenDescription, told_lines, told_people
 from app.features.pictures.floor_painter import (
     FloorInput,
     FloorPainter,

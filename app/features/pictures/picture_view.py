@@ -16,7 +16,7 @@ from app.core.i18n import tr
 from app.core.look.theme import Theme
 from app.core.scenes import PersonMark, PictureScene, Side
 from app.core.scenes.picture_marks import PictureMarks
-from app.core.widgets.spoken import SpokenDescription, told_lines, told_people
+from app.core.widgets.spoken_description import SpokenDescription, told_lines, told_people
 from app.features.pictures.box_handles import INSIDE, Grip, cursor_of, draw_handles, handle_at
 from app.features.pictures.divider import is_at_divider, share_at
 from app.features.pictures.picture_painter import (

@@ -14,7 +14,7 @@ from app.core.look.theme import Theme, current_theme, scaled_font
 from app.core.plots.axis import TimeAxis
 from app.core.plots.strips import draw_strip
 from app.core.scenes.ground_truth import ErrorLane, ErrorLanes
-from app.core.widgets.spoken import SpokenDescription
+from app.core.widgets.spoken_description import SpokenDescription
 from app.core.widgets.still_picture import StillPicture
 from app.features.timeline.spoken_timeline import told_errors
 from tracking.scoring import ErrorKind

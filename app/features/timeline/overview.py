@@ -21,7 +21,7 @@ from app.core.i18n import time_text, tr
 from app.core.look.theme import Theme, current_theme, faded
 from app.core.plots.axis import TimeAxis
 from app.core.scenes import TimelineScene
-from app.core.widgets.spoken import SpokenDescription
+from app.core.widgets.spoken_description import SpokenDescription
 from app.core.widgets.still_picture import StillPicture
 from app.features.timeline.overview_picture import draw_band, draw_overview
 from app.features.timeline.spoken_timeline import told_overview

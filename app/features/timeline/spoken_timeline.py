@@ -6,7 +6,7 @@ from app.core.i18n import count_text, joined_text, tr
 from app.core.plots.axis import TimeAxis
 from app.core.scenes import TimelineScene
 from app.core.scenes.ground_truth import ErrorLanes
-from app.core.widgets.spoken import told_lines
+from app.core.widgets.spoken_description import told_lines
 
 
 def told_timeline(scene: TimelineScene | None, axis: TimeAxis) -> str:

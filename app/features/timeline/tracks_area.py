@@ -20,7 +20,7 @@ from app.core.i18n import tr
 from app.core.look.theme import Theme, current_theme, scaled_font
 from app.core.plots.axis import TimeAxis
 from app.core.scenes import Lane, TimelineScene
-from app.core.widgets.spoken import SpokenDescription
+from app.core.widgets.spoken_description import SpokenDescription
 from app.core.widgets.still_picture import StillPicture
 from app.features.timeline.area_painter import draw_edit, draw_rows
 from app.features.timeline.controls import TimelineControls

@@ -7,7 +7,7 @@ from PySide6.QtCore import QTimer
 from PySide6.QtGui import QAccessible
 from PySide6.QtWidgets import QWidget
 
-from app.core.widgets.spoken import SpokenDescription
+from app.core.widgets.spoken_description import SpokenDescription
 from app.features.pictures.overhead_view import OverheadView
 from app.features.pictures.picture_view import PictureView
 from app.features.timeline.overview import OverviewStrip

@@ -30,16 +30,20 @@ def cancelled_error() -> CancelledError:
     return CancelledError("Cancelled; the list of jobs starts it again")
 
 
-class Listing:
+class JobLine:
     """Puts one piece of work into the list, moves it and takes it out; may be begun again.
 
-    Without a list, as in a dialog on its own, nothing happens.
+    Without a list, as in a dialog on its own or for work that is not listed, nothing happens.
     """
 
     def __init__(
-        self, title: str, owner: QObject, cancel: Callable[[], object] | None = None
+        self, title: str, owner: QObject | None, cancel: Callable[[], object] | None = None
     ) -> None:
-        """cancel: asks the work to stop; None where it cannot be."""
+        """A line that is not shown yet.
+
+        owner: whose window has the list; None where the work is not listed. cancel: asks the work
+        to stop; None where it cannot be.
+        """
         self._title, self._owner, self._cancel = title, owner, cancel
         self._jobs: JobList | None = None
         self._number = self._stopped = 0
