@@ -55,7 +55,6 @@ _FIRST_SIZE = QSize(1440, 900)
 _NOTE_MS = 6000
 _PROGRESS_MS = 200
 _MARGIN = 8
-_UNLIMITED = 2**24 - 1
 
 
 class MainWindow(QMainWindow):
@@ -265,9 +264,8 @@ class MainWindow(QMainWindow):
 
     def _make_room(self, said: str) -> None:
         """Let the progress give way to a passing word, which stands left of it."""
-        taken = self.fontMetrics().horizontalAdvance(said) + self.jobs_button.sizeHint().width()
-        room = max(self.width() - taken - 6 * _MARGIN, self.width() // 3)
-        self.progress.setMaximumWidth(room if said else _UNLIMITED)
+        words = self.fontMetrics().horizontalAdvance(said) + 6 * _MARGIN if said else 0
+        self.progress.give_way(words, self.width() - self.jobs_button.sizeHint().width())
 
     def say(self, text: str) -> None:
         """A passing word."""

@@ -176,7 +176,6 @@ class PaneKeys(QObject):
         self._watched = now
         if now is not None:
             now.installEventFilter(self)
-            now.destroyed.connect(self._forget)
         pane = self._pane
         if pane is None or now is pane or (now is not None and pane.isAncestorOf(now)):
             return
@@ -185,9 +184,6 @@ class PaneKeys(QObject):
             return
         if now is None and before.isActiveWindow():
             self._focus(self._panes.home)
-
-    def _forget(self) -> None:
-        self._watched = None
 
 
 def controls_of(pane: QWidget) -> list[QWidget]:

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QProgressBar, QPushBu
 from app.core.i18n import tr
 
 _STEPS = 1000
+_UNLIMITED = 2**24 - 1
 
 
 class ProgressStrip(QFrame):
@@ -47,6 +48,11 @@ class ProgressStrip(QFrame):
         row.addWidget(self._cancel)
         self._stopping = False
         self.hide()
+
+    def give_way(self, words_px: int, line_px: int) -> None:
+        """Leave so much of a line to words, but keep a third of it; 0: there are no words."""
+        room = max(line_px - words_px, line_px // 3)
+        self.setMaximumWidth(room if words_px else _UNLIMITED)
 
     def show_scene(
         self,
