@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 from accessible import faults_of, menu_faults, tab_faults
-from PySide6.QtCore import QCoreApplication, QEvent, Qt
+from opened_session import PANELS, laid_out, open_with_anna, told
+from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtWidgets import (
     QCheckBox,
     QDialog,
@@ -18,10 +19,8 @@ from PySide6.QtWidgets import (
 
 from app.features.project import controller as project_controller
 from app.features.setup.scene import Step
-from app.shell.features import FEATURES
 from tests.project.projects import ReaderHere, make_project
 
-_PANELS = (*(f"view.{feature.id}" for feature in FEATURES if feature.opens), "labels.parts")
 _LISTS = ("labels.occluders", "labels.lines", "labels.regions", "labels.reviewed")
 _DIALOGS = (
     *("tracks.track", "file.export", "file.author", "detector.train", "help.keys", "tracks.runs"),
@@ -32,30 +31,13 @@ _DIALOGS = (
 @pytest.fixture
 def opened(window, qtbot, parted_session):
     window.resize(1280, 800)
-    window.files.open_path(parted_session)
-    qtbot.waitUntil(
-        lambda: window.controller is not None and window.controller.playback.frame is not None
-    )
-    controller = window.controller
-    controller.editing.pick(controller.document.tracks.ids[0])
-    controller.editing.rename(controller.document.tracks.ids[0], "Anna")
-    qtbot.waitUntil(lambda: not controller.reviewing.busy)
-    laid_out(qtbot)
+    open_with_anna(window, qtbot, parted_session)
     return window
-
-
-def laid_out(qtbot) -> None:
-    qtbot.wait(40)
-    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
-
-
-def told(found) -> str:
-    return "\n".join(dict.fromkeys(found))
 
 
 def test_the_window_and_its_panels(opened, qtbot):
     found = faults_of(opened)
-    for name in (*_PANELS, *_LISTS):
+    for name in (*PANELS, *_LISTS):
         opened.run_command(name)
         laid_out(qtbot)
         found += [f"{name}: {one}" for one in faults_of(opened)]

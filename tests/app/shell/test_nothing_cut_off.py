@@ -5,20 +5,18 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import pytest
-from PySide6.QtCore import QCoreApplication, QEvent
+from opened_session import PANELS, laid_out, open_with_anna
 from PySide6.QtWidgets import QDialog
 
 from app.core.widgets.user_settings import UserSettings
 from app.shell import language_choice
 from app.shell.application import start_application
-from app.shell.features import FEATURES
 from tests.fitting import beyond, cut_off
 from tests.pseudo import Longer
 from tracking.translation import use_catalogue, use_language
 
 SIZES = ((1000, 640), (1280, 800))
 LANGUAGES = ("ja", "longer")
-_PANELS = (*(f"view.{feature.id}" for feature in FEATURES if feature.opens), "labels.parts")
 _DIALOGS = (
     *("tracks.track", "file.export", "file.author", "detector.train", "help.keys", "tracks.runs"),
     *("file.restore", "file.setup_again", "edit.commands", "help.doctor"),
@@ -43,15 +41,7 @@ def language(request, monkeypatch: pytest.MonkeyPatch) -> Iterator[str]:
 def opened(language, window, qtbot, request, parted_session):
     """The window on a session, somebody selected, nothing looked for any more."""
     window.resize(*request.param)
-    window.files.open_path(parted_session)
-    qtbot.waitUntil(
-        lambda: window.controller is not None and window.controller.playback.frame is not None
-    )
-    controller = window.controller
-    controller.editing.pick(controller.document.tracks.ids[0])
-    controller.editing.rename(controller.document.tracks.ids[0], "Anna")
-    qtbot.waitUntil(lambda: not controller.reviewing.busy)
-    laid_out(qtbot)
+    open_with_anna(window, qtbot, parted_session)
     return window
 
 
@@ -61,12 +51,6 @@ def english_again(qapp, remembered: UserSettings) -> Iterator[None]:
     yield
     use_catalogue(None)
     start_application(remembered)
-
-
-def laid_out(qtbot) -> None:
-    """Wait until everything has its place."""
-    qtbot.wait(60)
-    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
 
 
 def faults(window, qtbot) -> str:
@@ -81,7 +65,7 @@ def faults(window, qtbot) -> str:
 
 def test_the_window_and_its_panels(opened, qtbot) -> None:
     found = [faults(opened, qtbot)]
-    for name in _PANELS:
+    for name in PANELS:
         opened.run_command(name)
         laid_out(qtbot)
         found.append(f"{name}: {text}" if (text := faults(opened, qtbot)) else "")

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator
 
 import pytest
+from opened_session import open_with_anna
 from PySide6.QtCore import QAbstractItemModel, QAbstractListModel, Qt
 from PySide6.QtWidgets import (
     QAbstractButton,
@@ -28,7 +29,7 @@ _DIALOGS = (
     *("tracks.track", "file.export", "file.author", "detector.train", "help.keys", "tracks.runs"),
     "edit.commands",
 )
-_PANELS = (*(f"view.{feature.id}" for feature in FEATURES if feature.opens), "labels.parts")
+PANELS = (*(f"view.{feature.id}" for feature in FEATURES if feature.opens), "labels.parts")
 _WORD = re.compile(r"[A-Za-z]{3,}")
 _DATA = frozenset({"HOTA", "IDF1", "MOTA", "MOTP", "trackwright"})
 _OF_QT = frozenset({"Cancel", "Close", "Save", "OK", "Scroll Left", "Scroll Right"})
@@ -44,13 +45,7 @@ def pseudo(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
 
 @pytest.fixture
 def opened(pseudo, window, qtbot, parted_session):
-    window.files.open_path(parted_session)
-    qtbot.waitUntil(
-        lambda: window.controller is not None and window.controller.playback.frame is not None
-    )
-    window.controller.editing.pick(window.controller.document.tracks.ids[0])
-    window.controller.editing.rename(window.controller.document.tracks.ids[0], "Anna")
-    qtbot.waitUntil(lambda: not window.controller.reviewing.busy)
+    open_with_anna(window, qtbot, parted_session)
     window.bring_up_to_date()
     return window
 
@@ -101,7 +96,7 @@ def names_of_data(window) -> set[str]:
 
 
 def test_every_text_of_the_window_is_translated(opened, qtbot):
-    for name in _PANELS:
+    for name in PANELS:
         opened.run_command(name)
     opened.run_command("tracks.swap")
     qtbot.wait(50)

@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 import pytest
-from PySide6.QtCore import QCoreApplication, QEvent
+from opened_session import PANELS, laid_out, open_with_anna, told
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QDialog, QLabel, QWidget
 from readable import read
 
 from app.core.look.theme import Look, apply_look, load_theme
 from app.features.setup.scene import Step
-from app.shell.features import FEATURES
 
-_PANELS = (*(f"view.{feature.id}" for feature in FEATURES if feature.opens), "labels.parts")
 _DIALOGS = (
     *("tracks.track", "file.export", "file.author", "detector.train", "help.keys", "tracks.runs"),
     *("help.doctor", "edit.keys", "view.jobs", "file.export_clip"),
@@ -29,31 +27,15 @@ def look(request, qapp):
 @pytest.fixture
 def opened(window, look, qtbot, parted_session):
     window.resize(1280, 800)
-    window.files.open_path(parted_session)
-    qtbot.waitUntil(
-        lambda: window.controller is not None and window.controller.playback.frame is not None
-    )
     window.look_choice.choose(look)
-    controller = window.controller
-    controller.editing.pick(controller.document.tracks.ids[0])
-    qtbot.waitUntil(lambda: not controller.reviewing.busy)
-    laid_out(qtbot)
+    open_with_anna(window, qtbot, parted_session)
     return window
-
-
-def laid_out(qtbot) -> None:
-    qtbot.wait(40)
-    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
-
-
-def told(found) -> str:
-    return "\n".join(dict.fromkeys(found))
 
 
 def test_the_window_and_its_panels(opened, qtbot):
     readings = read(opened)
     found, known = list(readings.faults), set(readings.least)
-    for name in _PANELS:
+    for name in PANELS:
         opened.run_command(name)
         laid_out(qtbot)
         readings = read(opened)

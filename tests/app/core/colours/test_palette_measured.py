@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from app.core.colours.colour_sight import SIGHTS, differences, of_one_hue
+from app.core.colours.colour_sight import SIGHTS, differences, of_one_hue, seen_colours
 from app.core.colours.palette import NOBODY
 from app.core.colours.shown_colours import LEAST_CONTRAST, THEMES, readable_colour
 from app.core.scenes.ground_truth import ERROR_COLOURS
@@ -17,7 +17,9 @@ LEAST |= {
     "light, first 8": (16.5, 9.3, 8.9, 12.1),
 }
 LEAST |= {
-    f"{where}, ids 1 apart": (16.8, 16.8, 16.8, 16.8) for where in ("pictures and dark", "light")
+    f"{where}, ids {step} apart": (least,) * 4
+    for where in ("pictures and dark", "light")
+    for step, least in ((1, 16.8), (2, 12.3), (3, 9.5), (4, 9.3), (5, 7.2))
 }
 
 
@@ -31,6 +33,13 @@ def test_no_two_of_24_people_look_more_alike_than_is_stated(where):
 
 def test_every_colour_stands_out_from_every_ground():
     assert least_contrast(IN_USE) >= LEAST_CONTRAST
+
+
+def test_a_persons_two_colours_go_by_one_name():
+    labs = np.stack([seen_colours(one)[0] for one in IN_USE])
+    chroma = np.hypot(labs[..., 1], labs[..., 2])
+    assert labs[..., 0].min() >= 32  # none is near black
+    assert (chroma.min(axis=0) / chroma.max(axis=0)).min() >= 0.55
 
 
 @pytest.mark.parametrize(("theme", "colours"), list(zip(THEMES, IN_USE, strict=True)))
