@@ -10,7 +10,7 @@ from typing import Any
 
 from PySide6.QtCore import QObject, Qt, Signal
 
-from app.core.jobs.job_line import JobLine
+from app.core.jobs.listed_job import ListedJob
 from tracking.errors import CancelledError
 
 _log = logging.getLogger(__name__)
@@ -82,13 +82,13 @@ class Job(QObject):
         self._work.ended.connect(self._report)
         self.destroyed.connect(self._work.progress.cancel)
         cancel = self.cancel if cancellable else None
-        self._line = line = JobLine(title, parent if listed else None, cancel)
-        self.progressed.connect(line.progress)
-        self.destroyed.connect(line.drop)
+        self._listed = ListedJob(title, parent if listed else None, cancel)
+        self.progressed.connect(self._listed.progress)
+        self.destroyed.connect(self._listed.drop)
 
     def start(self) -> None:
         """Begin."""
-        self._line.begin()
+        self._listed.begin()
         self._work.start()
 
     def cancel(self) -> None:
@@ -110,20 +110,20 @@ class Job(QObject):
 
     def _go_untold(self) -> None:
         self.blockSignals(True)
-        self._line.drop()
+        self._listed.drop()
         self.cancel()
         self.deleteLater()
 
     def _report(self, result: object, error: Exception | None) -> None:
         if error is None:
-            self._line.done()
+            self._listed.done()
             self.done.emit(result)
         elif isinstance(error, CancelledError):
-            self._line.stopped()
+            self._listed.stopped()
             self.cancelled.emit()
         else:
             _log.info("%s failed: %s", self.title, error)
-            self._line.failed(error)
+            self._listed.failed(error)
             self.failed.emit(error)
 
 

@@ -7,8 +7,8 @@ from typing import Any
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from app.core.jobs.job_line import JobLine, cancelled_error
 from app.core.jobs.jobs import Job
+from app.core.jobs.listed_job import ListedJob, cancelled_error
 from tracking.progress import Progress
 
 Work = Callable[[Progress], Any]
@@ -51,8 +51,8 @@ class LatestJob(QObject):
         """
         super().__init__(parent)
         cancel = self._cancel if cancellable else None
-        self._line = JobLine(title, self if listed else None, cancel)
-        self.destroyed.connect(self._line.drop)
+        self._listed = ListedJob(title, self if listed else None, cancel)
+        self.destroyed.connect(self._listed.drop)
         self._title, self._prepare = title, prepare
         self._asked: object = None
         self._begun: object = None
@@ -87,7 +87,7 @@ class LatestJob(QObject):
         if self._job is not None:
             job, self._job = self._job, None
             job.leave_untold()
-        self._line.drop()
+        self._listed.drop()
 
     def _cancel(self) -> None:
         self._waiting.stop()
@@ -102,7 +102,7 @@ class LatestJob(QObject):
             return
         self._begun = subject
         work = self._prepare(subject)
-        self._line.begin()
+        self._listed.begin()
         self._job = job = Job(self._title, work, self, listed=False)
         job.progressed.connect(self._progress)
         job.done.connect(lambda result: self._end(lambda: self.found.emit(result)))
@@ -111,7 +111,7 @@ class LatestJob(QObject):
         job.start()
 
     def _progress(self, done: int, total: int) -> None:
-        self._line.progress(done, total)
+        self._listed.progress(done, total)
         self.progressed.emit(done, total)
 
     def _end(self, tell: Callable[[], None], error: Exception | None = None) -> None:
@@ -120,16 +120,16 @@ class LatestJob(QObject):
         if self._asked != self._begun:
             self._waiting.start()
         elif error is None:
-            self._line.done()
+            self._listed.done()
         else:
-            self._line.failed(error)
+            self._listed.failed(error)
         tell()
         self.changed.emit()
 
     def _end_cancelled(self) -> None:
         """The user cancelled it, and with it what was asked for meanwhile."""
         self._forget_job()
-        self._line.stopped(self.again)
+        self._listed.stopped(self.again)
         self.cancelled.emit(self._asked, cancelled_error())
         self.changed.emit()
 

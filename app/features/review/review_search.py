@@ -9,8 +9,8 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from app.core.error_messages import explain
 from app.core.i18n import tr
-from app.core.jobs.job_line import JobLine, cancelled_error
 from app.core.jobs.jobs import Job, Progress
+from app.core.jobs.listed_job import ListedJob, cancelled_error
 from app.features.review.review_meter import measure_queue, measures_text
 from tracking.recording import Recording
 from tracking.review import ReviewItemFinder
@@ -56,8 +56,8 @@ class ReviewSearch(QObject):
         self._recording = recording
         self._finder = ReviewItemFinder()
         self._job: Job | None = None
-        self._line = JobLine(tr("Looking for review items"), self, self._cancel)
-        self.destroyed.connect(self._line.drop)
+        self._listed = ListedJob(tr("Looking for review items"), self, self._cancel)
+        self.destroyed.connect(self._listed.drop)
         self._again = False
         self._found: tuple[object, TrackTable] | None = None
         self._waiting = QTimer(self, singleShot=True, interval=_QUIET_MS)
@@ -92,7 +92,7 @@ class ReviewSearch(QObject):
         if self._job is not None:
             job, self._job = self._job, None
             job.end_untold()
-        self._line.drop()
+        self._listed.drop()
         self._found, self._finder, self.problem = None, ReviewItemFinder(), ""
         self._tell("", "")
 
@@ -127,9 +127,9 @@ class ReviewSearch(QObject):
         job.done.connect(lambda result: self._end(lambda: done(result)))
         job.failed.connect(lambda error: self._end(lambda: self._fail(error)))
         job.cancelled.connect(lambda: self._end(self._give_up))
-        job.progressed.connect(self._line.progress)
+        job.progressed.connect(self._listed.progress)
         self._job = job
-        self._line.begin()
+        self._listed.begin()
         job.start()
 
     def _take(self, found: Any, table: TrackTable) -> None:
@@ -151,11 +151,11 @@ class ReviewSearch(QObject):
     def _give_up(self) -> None:
         """It was cancelled, and nobody asked for it again."""
         self.problem = explain(cancelled_error())
-        self._line.stopped(lambda: self.look(at_once=True))
+        self._listed.stopped(lambda: self.look(at_once=True))
         self.changed.emit()
 
     def _fail(self, error: Exception) -> None:
-        self._line.failed(error)
+        self._listed.failed(error)
         self.problem = tr(message_of(error))
         self.failed.emit(error)
 
@@ -176,7 +176,7 @@ class ReviewSearch(QObject):
         self._tell("", self.measures)
         tell()
         if self._job is None:
-            self._line.done()
+            self._listed.done()
 
     def _tell(self, doing: str, measures: str) -> None:
         if (doing, measures) != (self.doing, self.measures):

@@ -6,6 +6,7 @@ from PySide6.QtWidgets import QPlainTextEdit, QTableWidget
 from app.features.files.backup_dialog import BackupDialog
 from app.features.history.panel import HistoryPanel
 from tracking.editing import plan_delete
+from tracking.translation import use_catalogue, use_language
 
 
 @pytest.fixture
@@ -34,6 +35,19 @@ def dialog(window, saved_twice, qtbot):
 
 def _differences(dialog) -> str:
     return dialog.findChild(QPlainTextEdit).toPlainText()
+
+
+def test_edits_that_backups_lack_are_told_in_the_language_of_the_window(window, saved_twice, qtbot):
+    use_language("ja")
+    try:
+        window.run_command("file.restore")
+        qtbot.waitUntil(lambda: window.findChild(BackupDialog, "backups") is not None)
+        shown = window.findChild(BackupDialog, "backups")
+        qtbot.waitUntil(lambda: "編集" in _differences(shown))
+        assert "Delete track" not in _differences(shown)
+        shown.reject()
+    finally:
+        use_catalogue(None)
 
 
 def test_backups_are_listed_with_what_would_be_other_than_now(dialog, saved_twice, qtbot):

@@ -8,10 +8,10 @@ import pytest
 from PySide6.QtCore import QObject
 
 from app.core.jobs import job_list
-from app.core.jobs.job_line import job_list_of
 from app.core.jobs.job_list import JobList, JobState
 from app.core.jobs.jobs import Job
 from app.core.jobs.latest_job import LatestJob
+from app.core.jobs.listed_job import job_list_of
 from tracking.errors import FormatError
 
 

@@ -30,7 +30,7 @@ def cancelled_error() -> CancelledError:
     return CancelledError("Cancelled; the list of jobs starts it again")
 
 
-class JobLine:
+class ListedJob:
     """Puts one piece of work into the list, moves it and takes it out; may be begun again.
 
     Without a list, as in a dialog on its own or for work that is not listed, nothing happens.
