@@ -6,6 +6,7 @@ import logging
 import threading
 import time
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 from PySide6.QtCore import QObject, Qt, Signal
@@ -80,11 +81,11 @@ class Job(QObject):
         self._work = _Work(title, work)
         self._work.progressed.connect(self.progressed)
         self._work.ended.connect(self._report)
-        self.destroyed.connect(self._work.progress.cancel)
         cancel = self.cancel if cancellable else None
         self._listed = ListedJob(title, parent if listed else None, cancel)
         self.progressed.connect(self._listed.progress)
-        self.destroyed.connect(self._listed.drop)
+        self._listed.drop_with(self)
+        self.destroyed.connect(partial(Progress.cancel, self._work.progress))  # as in `drop_with`
 
     def start(self) -> None:
         """Begin."""

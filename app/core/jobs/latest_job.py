@@ -52,7 +52,7 @@ class LatestJob(QObject):
         super().__init__(parent)
         cancel = self._cancel if cancellable else None
         self._listed = ListedJob(title, self if listed else None, cancel)
-        self.destroyed.connect(self._listed.drop)
+        self._listed.drop_with(self)
         self._title, self._prepare = title, prepare
         self._asked: object = None
         self._begun: object = None

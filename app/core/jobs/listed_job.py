@@ -48,6 +48,14 @@ class ListedJob:
         self._jobs: JobList | None = None
         self._number = self._stopped = 0
 
+    def drop_with(self, owner: QObject) -> None:
+        """Drop it once an object goes.
+
+        The connection holds this one: a bound method would not, and the garbage collector may run
+        in the thread of a job while the window's thread is told.
+        """
+        owner.destroyed.connect(partial(ListedJob.drop, self))
+
     def begin(self) -> None:
         """The work begins, or goes on with something newer."""
         if self._number:

@@ -57,7 +57,7 @@ class ReviewSearch(QObject):
         self._finder = ReviewItemFinder()
         self._job: Job | None = None
         self._listed = ListedJob(tr("Looking for review items"), self, self._cancel)
-        self.destroyed.connect(self._listed.drop)
+        self._listed.drop_with(self)
         self._again = False
         self._found: tuple[object, TrackTable] | None = None
         self._waiting = QTimer(self, singleShot=True, interval=_QUIET_MS)
