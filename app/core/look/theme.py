@@ -22,8 +22,8 @@ from app.core.colours.shown_colours import readable_colour, theme_table
 from app.core.i18n import tr
 from app.core.scenes import Colour
 
-_SIGNS = ("check", "partly", "dot")
-"""Pictures of what is ticked, partly ticked, chosen."""
+_SIGNS = ("check", "partly", "dot", "up", "down")
+"""Pictures of what is ticked, partly ticked, chosen, and of the arrows of fields."""
 
 
 class Look(Enum):

@@ -8,7 +8,7 @@ from xml.etree import ElementTree
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QGuiApplication
-from PySide6.QtWidgets import QCheckBox, QRadioButton
+from PySide6.QtWidgets import QCheckBox, QComboBox, QDoubleSpinBox, QRadioButton, QSpinBox
 
 from app.core.colours.palette import NOBODY, TRACK_COLOURS
 from app.core.colours.shown_colours import GROUNDS
@@ -141,3 +141,20 @@ def test_an_empty_box_stands_out_on_its_ground(qapp, name, kind):
     letters = box.fontMetrics().height()
     most = max(contrast(picture.pixelColor(x, middle), theme.window) for x in range(letters))
     assert most >= 3
+
+
+@pytest.mark.parametrize("name", THEMES)
+@pytest.mark.parametrize("kind", [QComboBox, QSpinBox, QDoubleSpinBox])
+def test_outline_and_arrow_of_a_field_stand_out_on_its_ground(qapp, name, kind):
+    theme = apply_look(qapp, Look(name))
+    field = kind()
+    field.resize(160, field.sizeHint().height())
+    picture = field.grab().toImage()
+    middle = picture.height() // 2
+    assert contrast(picture.pixelColor(0, middle), theme.window) >= 3
+    end = [
+        picture.pixelColor(x, y)
+        for x in range(picture.width() - 18, picture.width() - 2)
+        for y in range(4, picture.height() - 4)
+    ]
+    assert max(contrast(one, theme.raised) for one in end) >= 3
