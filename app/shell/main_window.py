@@ -104,7 +104,7 @@ class MainWindow(QMainWindow):
         self.setCentralWidget(centre)
         # The line keeps its height, so that nothing above moves when work begins or ends.
         self.statusBar().setSizeGripEnabled(False)
-        self.statusBar().addWidget(self.meter)  # hidden by passing words
+        self.statusBar().addWidget(self.meter)
         self.statusBar().addPermanentWidget(self.progress, 3)
         self.statusBar().addPermanentWidget(self.jobs_button)
         least = max(self.statusBar().sizeHint().height(), self.notice.least_height)
@@ -264,6 +264,7 @@ class MainWindow(QMainWindow):
 
     def _make_room(self, said: str) -> None:
         """Let the progress give way to a passing word, which stands left of it."""
+        self.meter.setVisible(not said)  # hidden by Qt alone it is back when the line gets higher
         words = self.fontMetrics().horizontalAdvance(said) + 6 * _MARGIN if said else 0
         self.progress.give_way(words, self.width() - self.jobs_button.sizeHint().width())
 

@@ -35,6 +35,8 @@ NO_KEY = Qt.KeyboardModifier.NoModifier
 LEFT, RIGHT = Qt.MouseButton.LeftButton, Qt.MouseButton.RightButton
 _STEPS = 5
 """Moves of the mouse in a drag."""
+_POPUPS = 20
+"""Presses of Esc that close what popped up, at most."""
 _GLANCE = 4
 """Letters typed until one looks at what was found."""
 
@@ -115,8 +117,11 @@ class Person:
 
     def leave_popups(self) -> None:
         """Esc until no menu and no search is open."""
-        while QApplication.activePopupWidget() is not None:
+        for _ in range(_POPUPS):
+            if QApplication.activePopupWidget() is None:
+                break
             self.press("Esc")
+        assert QApplication.activePopupWidget() is None, "what popped up does not leave"
         self._menu_closed()
 
     # mouse

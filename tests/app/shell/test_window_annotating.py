@@ -6,6 +6,7 @@ import pytest
 from correcting_window import CTRL, LEFT, NO_KEY, SHIFT, Hands, open_for_correcting
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QLabel
 
 from tracking.tracks import Source
 
@@ -429,3 +430,18 @@ def test_the_status_bar_tells_how_much_was_done(drawing, qtbot):
     drawing.go(12)
     _drag(drawing, 120)
     qtbot.waitUntil(lambda: drawing.window.meter.text().startswith("11 boxes"))
+
+
+def test_a_passing_word_is_not_written_over_how_much_was_done(drawing, qtbot):
+    window = drawing.window
+    _drag(drawing, 20)
+    qtbot.waitUntil(lambda: window.meter.text().startswith("1 box"))
+    window.say("A passing word")
+    higher = QLabel(window)
+    higher.setFixedHeight(2 * window.statusBar().height())
+    window.statusBar().addPermanentWidget(higher)  # which lays out the line anew
+    QApplication.processEvents()
+    assert higher.isVisible()
+    assert not window.meter.isVisible()
+    window.statusBar().clearMessage()
+    assert window.meter.isVisible()
