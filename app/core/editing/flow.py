@@ -65,7 +65,10 @@ class EditFlow:
         marked: Range | None = None,
         has_floor: bool = False,
     ) -> EditFlow:
-        """Start an edit of a track at a frame; a range nobody has set is a second long at first."""
+        """Start an edit of a track at a frame; a range nobody has set is a second long at first.
+
+        What is usually of one frame goes over the range that is set around that frame.
+        """
         ways = spec.ways_with(has_floor=has_floor)
         return cls(
             spec,
@@ -76,7 +79,7 @@ class EditFlow:
             way=ways[0] if ways else Way.FLOOR,
             marked=marked,
             has_floor=has_floor,
-        ).with_scope(scope or spec.scopes[0])
+        ).with_scope(scope or _usual_scope(spec, frame, marked))
 
     @property
     def everybody(self) -> tuple[int, ...]:
@@ -196,3 +199,10 @@ class EditFlow:
         if isinstance(option, LongestGap):
             return replace(self, longest=option)
         return replace(self, way=option) if isinstance(option, Way) else replace(self, fill=option)
+
+
+def _usual_scope(spec: EditSpec, frame: int, marked: Range | None) -> EditScope:
+    """How far an edit goes of which nobody says it."""
+    inside = marked is not None and marked[0] <= frame < marked[1]
+    ranged = inside and spec.scopes[0] is EditScope.FRAME and EditScope.RANGE in spec.scopes
+    return EditScope.RANGE if ranged else spec.scopes[0]

@@ -106,6 +106,12 @@ def test_a_range_the_user_has_set_is_the_one_that_is_meant():
     assert (ranged.cut, ranged.stop) == (12, 18)
 
 
+@pytest.mark.parametrize(("frame", "stop"), [(11, 12), (12, 18), (17, 18), (18, 19)])
+def test_an_edit_of_one_frame_goes_over_the_range_that_is_set_around_it(frame, stop):
+    flow = EditFlow.begin(edits.OCCLUDE, 4, frame, FPS, marked=(12, 18))
+    assert (flow.cut, flow.stop) == (12 if 12 <= frame < 18 else frame, stop)
+
+
 def test_a_split_has_one_scope_and_ignores_others():
     flow = EditFlow.begin(edits.SPLIT, 4, 30, FPS)
     assert flow.with_choice(0, 2) == flow
