@@ -1,7 +1,7 @@
 """How different people's colours look: least CIEDE2000 of every two, and of each to the grounds.
 
 Usual eyes and three kinds of colour blindness [Machado2009, severity 1.0], on pictures, in the dark
-look and in the light one; and the contrast to the grounds. `--search SECONDS` looks for a better
+look and in the light one; and the contrast to the grounds. `--search STEPS` looks for a better
 palette first, see `palette_search.py`, and `--write` keeps it in `resources/themes/people.toml`.
 """
 
@@ -32,7 +32,7 @@ _FIRST = 8
 def main() -> None:
     """Print the figures of the palette in use, or search for another one first."""
     parser = parser_of("palette", __doc__)
-    parser.add_argument("--search", type=float, default=0.0, metavar="SECONDS")
+    parser.add_argument("--search", type=int, default=0, metavar="STEPS")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--write", action="store_true", help="keep what was found")
     parser.add_argument("--json", action="store_true", help="one JSON document instead of a table")

@@ -8,10 +8,7 @@ count as more alike than others (`NEAR_IDS`), and so do the first eight.
 
 from __future__ import annotations
 
-import time
-from collections.abc import Iterator
 from functools import cache
-from itertools import count
 from typing import Final
 
 import numpy as np
@@ -70,13 +67,13 @@ _SWAPS = 0.3
 """Share of the steps in which two people's colours change places."""
 
 
-def search(many: int, seconds: float, seed: int) -> Pairs:
-    """Colours of so many people in each of `THEMES`, in the order of ids."""
+def search(many: int, steps: int, seed: int) -> Pairs:
+    """Colours of so many people in each of `THEMES`, in the order of ids; always the same."""
     rng = np.random.default_rng(seed)
     pool = _pool(rng)
     now = _Palette(pool[:many].copy())
     best, kept = now.least(), now.colours.copy()
-    for left in _cooling(seconds):
+    for left in np.linspace(1.0, 0.0, steps).tolist():
         heat = 2.0 * left**2 + 0.05
         change = _swap if rng.random() < _SWAPS else _replace
         now = change(now, pool, left, heat, rng)
@@ -170,16 +167,6 @@ def _swap(now: _Palette, _: Floats, __: float, heat: float, rng: np.random.Gener
         np.subtract(*(_soft_least(of.apart[places], max(heat, 0.2)).sum() for of in (other, now)))
     )
     return other if gain > 0 or rng.random() < np.exp(gain / (0.3 * heat)) else now
-
-
-def _cooling(seconds: float) -> Iterator[float]:
-    """The share of the time that is left, as often as there is time."""
-    begun = time.monotonic()
-    for _ in count():
-        left = 1.0 - (time.monotonic() - begun) / seconds
-        if left <= 0:
-            return
-        yield left
 
 
 def _pool(rng: np.random.Generator) -> Floats:

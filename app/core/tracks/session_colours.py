@@ -20,6 +20,8 @@ _LOOKS = 40
 """In so many of a new track's frames, evenly spread, it is looked who else is there."""
 _FEW = 8
 """Up to so many new tracks have their colours at once."""
+_MOST_GIVEN_AGAIN = 200
+"""Of more new tracks than that nobody knows the colours."""
 _QUICK_ROWS, _QUICK_TRACKS, _QUICK_PAIRS = 50_000, 100, 20_000
 """Up to here a session's colours are made within the time of one picture on the screen."""
 _WHILE_OPENING = 40
@@ -70,10 +72,11 @@ class SessionColours:
         table, run = session.tracks.snapshot(), session.corrected_run
         kept = TrackColours.kept(session.colours)
         if session.colours:
-            self.now, make = kept, partial(kept.and_of, table)
+            self.now, first = kept, partial(kept.copy)
         else:
             self.now = self.now if seen is None else seen.copy()
-            make = partial(TrackColours.of_session, table, run, seen)
+            first = partial(_at_first, run, seen)
+        make = partial(_as_given, first, session.history.touched_rows, table)
         all_kept = all(map(kept.has, table.track_ids))
         if all_kept or _is_quick(table, run, _WHILE_OPENING if opening else 1):
             self.now, self.due = make(), None
@@ -127,6 +130,44 @@ class SessionColours:
         """They could not be made: tracks without colours of their own have the usual ones."""
         if due is self.due:
             self.due = None
+
+
+def _at_first(run: Run | None, seen: TrackColours | None) -> TrackColours:
+    """Colours before any edit; seen: see `TrackColours.of_run`."""
+    if run is not None:
+        return TrackColours.of_run(run, seen)
+    return TrackColours() if seen is None else seen.copy()
+
+
+def _as_given(
+    first: Callable[[], TrackColours], touched: NDArray[np.int64], table: TrackTable
+) -> TrackColours:
+    """Colours of all of a table; who came by an edit has theirs as when it was made.
+
+    So people look as they did where a program ended before it saved their colours.
+
+    Args:
+        first: makes those that were there before any edit. touched: see `History.touched_rows`.
+    """
+    colours = first()
+    new = [one for one in table.track_ids if not colours.has(one)]
+    edits = np.unique(touched[np.isin(touched[:, 1], new), 0])
+    for edit in edits if len(new) <= _MOST_GIVEN_AGAIN else ():
+        boxes = touched[touched[:, 0] == edit, 1:]
+        of_edit = tuple(np.unique(boxes[:, 0]).tolist())
+        frames = {
+            one: _between(table.frames_of_track(one), boxes[boxes[:, 0] == one, 1:])
+            for one in of_edit
+            if one in table and not colours.has(one)
+        }
+        _give(colours, frames, of_edit, table.of_frame)
+    return colours.and_of(table)
+
+
+def _between(frames: Frames, ranges: NDArray[np.int64]) -> Frames:
+    """Those of the frames that are in any of (k, 2) half-open ranges."""
+    inside = (frames[:, None] >= ranges[:, 0]) & (frames[:, None] < ranges[:, 1])
+    return frames[inside.any(axis=1)]
 
 
 def _is_quick(table: TrackTable, run: Run | None, patience: int) -> bool:

@@ -1,5 +1,7 @@
 """Whoever comes up by an edit has a colour of their own, and looking at an edit gives none."""
 
+import shutil
+from contextlib import closing
 from dataclasses import replace
 
 import numpy as np
@@ -13,7 +15,7 @@ from app.core.document.document import Document
 from app.core.editing import edits
 from app.core.tracks import session_colours
 from app.shell.recording_scenes import RecordingScenes
-from tracking.editing import plan_reassign, plan_split
+from tracking.editing import plan_put_box, plan_reassign, plan_split
 from tracking.recording import open_recording
 from tracking.session import Session
 from tracking.tracks import SIGNAL_COLUMNS, TRACK_COLUMNS, empty
@@ -263,3 +265,24 @@ def _looked_at(recording, path, ids):
     colours = _colours(Document(recording, session), *ids)
     session.close()
     return colours
+
+
+def test_who_was_drawn_looks_the_same_where_the_program_ended_before_it_saved(recording, tmp_path):
+    path = tmp_path / "before" / "by-hand.h5"
+    path.parent.mkdir()
+    document = Document(recording, Session.create(recording, [], path))
+    places = {1: 0, 25: 0, 2: 40, 26: 40, 3: 90}  # of two ids whose usual colours are alike
+    for frame, shift in ((0, 0), (10, 4)):
+        for track, left in places.items():
+            table = document.session.tracks
+            box = np.array([20.0 + left + shift, 40.0, 20.0, 50.0], np.float32)
+            document.apply(plan_put_box(table, track, frame, box))
+    document.apply(plan_split(document.session.tracks, 25, 5))
+    given = _colours(document, *document.session.tracks.track_ids)
+    usual = [USUAL_OF[one] for one in document.session.tracks.track_ids]
+    assert given != usual
+    after = shutil.copytree(path.parent, tmp_path / "after")  # what a crash leaves on the disk
+    with closing(Session.open(after / path.name)) as session:
+        again = Document(recording, session)
+        assert _colours(again, *session.tracks.track_ids) == given
+    document.session.close()

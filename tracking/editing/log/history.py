@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from tracking.editing.core.change import Change
 from tracking.editing.core.scope import Scope
-from tracking.editing.log.edit_footprint import differing_fields, footprint_of
+from tracking.editing.log.edit_footprint import ROWS, differing_fields, footprint_of
 from tracking.editing.log.text import state_as_text, state_from_text
 from tracking.editing.log.touch_index import TouchIndex
 from tracking.editing.log.traces import Trace, parts_at_its_frame
@@ -148,6 +148,14 @@ class History:
     def touches(self) -> dict[str, NDArray[np.int64]]:
         """What the edits touch, as far as that was worked out: see `TouchIndex.columns`."""
         return self._touches.columns
+
+    @property
+    def touched_rows(self) -> NDArray[np.int64]:
+        """(k, 4) edit, track, start, end of the rows that edits touch, as far as in `touches`."""
+        known = self.touches
+        columns = [known[name] for name in ("edit", "of", "start", "end")]
+        rows: NDArray[np.int64] = np.column_stack(columns)
+        return np.asarray(rows[known["kind"] == ROWS])
 
     def trace(self, number: int) -> Trace:
         """What an edit left on rows; worked out once, and kept.

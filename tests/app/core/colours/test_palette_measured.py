@@ -63,7 +63,7 @@ def test_ids_close_to_each_other_do_not_go_by_one_colours_name(colours, further)
 
 
 def test_a_search_finds_colours_that_differ_and_stand_out():
-    found = search(6, 1.0, seed=2)
+    found = search(6, 1_500, seed=2)
     assert least_contrast(found) >= LEAST_CONTRAST
     for colours in found:
         apart = differences(colours)[:, ~np.eye(6, dtype=bool)]
