@@ -226,7 +226,7 @@ class MainWindow(QMainWindow):
             page.enable_all({item.command: item.why_not for item in items})
         self.setWindowTitle(self.files.title())
         self.setWindowModified(self.files.saving.unsaved)
-        self.meter.setText(self.controller.annotating.meter.text() if self.controller else "")
+        self.meter.setText(self.controller.work_text if self.controller else "")
         self._show_progress()
         self._told.settle()
         self.files.leaving.settle()

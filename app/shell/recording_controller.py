@@ -163,6 +163,12 @@ class RecordingController(Controller):
     def _show_thumbnail(self, _: int, image: QImage) -> None:
         self._workspace.timeline.overview.show_thumbnail(image)
 
+    @property
+    def work_text(self) -> str:
+        """What the digit keys set, and how fast the work goes; "" for neither."""
+        said = self.describing.armed_text, self.annotating.meter.text()
+        return "  \u00b7  ".join(filter(None, said))
+
     def end(self) -> None:
         """End all threads, and leave nothing on the views; the document stays open."""
         self.thumbnails.close()

@@ -31,7 +31,7 @@ def _has_option(app: CorrectionApp, number: int) -> str:
     active = app.of(AttributeController).active
     if active is None:
         key = in_brackets("tracks.next_attribute")
-        return tr("choose the attribute that the keys set first{key}", key=key)
+        return tr("choose first which attribute the digit keys set{key}", key=key)
     few = number > len(active.options)
     return tr("{name} has fewer options", name=active.name) if few else ""
 

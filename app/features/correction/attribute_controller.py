@@ -64,6 +64,15 @@ class AttributeController(Controller):
         """The attribute that digit keys set."""
         return attribute_named(self.schema, self._document.correcting.mode.attribute)
 
+    @property
+    def armed_text(self) -> str:
+        """Which attribute the digit keys set, in a few words; "" for none."""
+        active = self.active
+        if active is None:
+            return ""
+        last = min(MOST_KEYS, len(active.options))
+        return tr("Keys 1 to {last} set {name}", last=last, name=active.name)
+
     def card(self) -> TrackCard | None:
         """The selected person in words, with the schema's attributes apart from their own."""
         card, session = self._document.card(), self._document.session

@@ -26,6 +26,7 @@ from app.core.error_messages import explain_in_sentence
 from app.core.i18n import tr
 from app.core.widgets.parts import quiet
 from app.core.widgets.questions import choose_file, choose_new_file
+from app.core.widgets.tab_order import tab_in_reading_order
 from app.core.widgets.user_settings import LastFolder
 from app.features.correction.schema_draft import SchemaDraft
 from tracking.errors import TrackwrightError
@@ -73,6 +74,7 @@ class SchemaDialog(QDialog):
         self.told.setMinimumHeight(3 * self.fontMetrics().lineSpacing())
         rows.addWidget(self.told)
         rows.addWidget(self._build_ends())
+        tab_in_reading_order(self)
         self._show(0)
         letter, line = self.fontMetrics().averageCharWidth(), self.fontMetrics().lineSpacing()
         room = self.screen().availableSize() * 0.9

@@ -98,6 +98,9 @@ class TrackPanel(Panel):
         self._several.setWordWrap(True)
         rows.addWidget(self._several)
         self._build_name(rows)
+        self._form = SchemaForm(self)  # what is set again and again is not below the fold
+        self._form.value_given.connect(self._send_field)
+        rows.addWidget(self._form)
         self._build_figures(rows)
         self._build_attributes(rows)
         self._build_notes(rows)
@@ -167,8 +170,6 @@ class TrackPanel(Panel):
     def _build_attributes(self, rows: QVBoxLayout) -> None:
         self._attributes = AttributesTable(self)
         self._attributes.edited.connect(self._send_attributes)
-        self._form = SchemaForm(self)
-        self._form.value_given.connect(self._send_field)
         schema = IconButton("settings", tr("Which attributes people have"), "tracks.schema", self)
         schema.clicked.connect(self.schema_asked)
         row = QHBoxLayout()
@@ -177,7 +178,6 @@ class TrackPanel(Panel):
         for button in (self._attributes.add_button, self._attributes.remove_button):
             row.addWidget(button)
         rows.addLayout(row)
-        rows.addWidget(self._form)
         rows.addWidget(self._attributes, 1)
 
     def _build_notes(self, rows: QVBoxLayout) -> None:

@@ -52,15 +52,20 @@ class WorkMeter(DocumentListener):
         """In a line; "" before anything was done."""
         if not self.edits:
             return ""
-        words = [
-            count_text(max(0, self.boxes), "{n} box", "{n} boxes"),
-            count_text(self.edits, "{n} edit", "{n} edits"),
-        ]
+        boxes = max(0, self.boxes)
+        words = [count_text(boxes, "{n} box", "{n} boxes")] if boxes else []
+        words.append(count_text(self.edits, "{n} edit", "{n} edits"))
         if self.worked_s >= _LEAST_S:
-            hours = self.worked_s / 3600
-            boxes, edits = round(max(0, self.boxes) / hours), round(self.edits / hours)
-            words.append(tr("{boxes} boxes and {edits} edits an hour", boxes=boxes, edits=edits))
+            words.append(self._pace(boxes, self.worked_s / 3600))
         return "  \u00b7  ".join(words)
+
+    def _pace(self, boxes: int, hours: float) -> str:
+        edits = round(self.edits / hours)
+        if not boxes:
+            return tr("{edits} edits an hour", edits=edits)
+        return tr(
+            "{boxes} boxes and {edits} edits an hour", boxes=round(boxes / hours), edits=edits
+        )
 
 
 def _labelled(rows: Columns) -> int:

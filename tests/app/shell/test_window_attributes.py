@@ -125,6 +125,7 @@ def test_digit_keys_set_the_active_attribute_and_nothing_else(described):
     described.press(Key.Key_M, SHIFT)
     described.press(Key.Key_2)
     assert _said(described) == {"role": "staff"}
+    assert described.window.meter.text().startswith("Keys 1 to 2 set role")
     described.press(Key.Key_M, SHIFT)
     described.press(Key.Key_1)
     assert _said(described) == {"role": "staff", "bag": "yes"}

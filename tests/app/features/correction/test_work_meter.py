@@ -3,7 +3,7 @@
 import pytest
 
 from app.features.correction.work_meter import PAUSE_S, WorkMeter
-from tracking.editing import apply_change, plan_draw_box, plan_put_box
+from tracking.editing import apply_change, plan_draw_box, plan_mark_occluded, plan_put_box
 from tracking.tracks import Labels, TrackTable
 
 BOX = (10.0, 20.0, 30.0, 40.0)
@@ -58,3 +58,11 @@ def test_a_break_is_no_working_time(meter, clock):
 def test_too_short_a_time_gives_no_speed(meter, clock):
     _take(meter, clock, plan_draw_box(TrackTable(), None, 0, BOX), 2)
     assert meter.text() == "1 box  \u00b7  1 edit"
+
+
+def test_who_draws_no_box_is_told_of_none(meter, clock):
+    table = TrackTable()
+    drawn = plan_draw_box(table, None, 0, BOX)
+    apply_change(table, Labels(), drawn)
+    _take(meter, clock, plan_mark_occluded(table, [1], 0, 1), 2)
+    assert meter.text() == "1 edit"
