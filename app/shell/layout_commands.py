@@ -25,12 +25,14 @@ class Layout:
     Attributes:
         id, title: of the command. panels: ids of those that are open.
         overhead: whether the overhead view is, where the floor is known.
+        also: further words that the search finds it by.
     """
 
     id: str
     title: str
     panels: frozenset[str]
     overhead: bool = True
+    also: str = ""
 
 
 FIRST: Final = Layout("reset", "Reset layout", frozenset({"review", "card", "history"}))
@@ -41,6 +43,7 @@ LAYOUTS: Final = (
         "engineer",
         "Layout for comparing trackers",
         frozenset({"review", "card", "history", "score"}),
+        also="compare scores runs",
     ),
     FIRST,
 )
@@ -117,7 +120,7 @@ def _layout(layout: Layout) -> Command[WindowApp]:
         recording,
         lambda app: lay_out(app, layout),
         separated=layout in (LAYOUTS[0], FIRST),
-        also="preset panels operator annotator engineer",
+        also=f"preset panels {layout.id} {layout.also}",
     )
 
 

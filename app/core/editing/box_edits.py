@@ -187,6 +187,7 @@ PROPAGATE: Final = EditSpec(
             "Copy the box onto the next frames",
             ("Ctrl+B",),
             submenu="Annotate",
+            also="propagate forward",
         ),
     ),
 )
@@ -255,6 +256,7 @@ THIN: Final = EditSpec(
             "Make keyframes of what was tracked",
             ("Alt+W",),
             submenu="Keyframes and gaps",
+            also="thin simplify",
         ),
     ),
 )

@@ -21,7 +21,7 @@ class EditCommand:
     Attributes:
         id, title, keys, icon, separated: see `Command`. submenu: of the Correct menu.
         scope: how far the edit goes at first; None: the first of its scopes.
-        floor: the place of the floor must be known.
+        floor: the place of the floor must be known. also: other tools' words for it.
     """
 
     id: str
@@ -32,6 +32,7 @@ class EditCommand:
     separated: bool = False
     scope: EditScope | None = None
     floor: bool = False
+    also: str = ""
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -68,7 +68,7 @@ SWAP: Final = EditSpec(
     "Swap {a} with...",
     _swap,
     _ANY,
-    (EditCommand("tracks.swap", "Swap with...", ("X",), icon="swap"),),
+    (EditCommand("tracks.swap", "Swap with...", ("X",), icon="swap", also="exchange id switch"),),
     of_two=True,
 )
 
@@ -77,7 +77,7 @@ SPLIT: Final = EditSpec(
     "Split {a}",
     _split,
     (EditScope.ON,),
-    (EditCommand("tracks.split", "Split here", ("S",), icon="split"),),
+    (EditCommand("tracks.split", "Split here", ("S",), icon="split", also="cut"),),
 )
 
 MERGE: Final = EditSpec(
@@ -85,7 +85,7 @@ MERGE: Final = EditSpec(
     "Merge into {a}...",
     _merge,
     (EditScope.WHOLE,),
-    (EditCommand("tracks.merge", "Merge with...", ("M",), icon="merge"),),
+    (EditCommand("tracks.merge", "Merge with...", ("M",), icon="merge", also="join link stitch"),),
     ways=(Way.KEEP_FIRST, Way.KEEP_SECOND, Way.KEEP_SURER),
     of_two=True,
     of_several=True,
@@ -97,7 +97,7 @@ REASSIGN: Final = EditSpec(
     "Give {a} to...",
     _reassign,
     _ANY,
-    (EditCommand("tracks.reassign", "Give to another id...", ("A",)),),
+    (EditCommand("tracks.reassign", "Give to another id...", ("A",), also="relabel change id"),),
     of_two=True,
 )
 
@@ -115,6 +115,7 @@ DELETE: Final = EditSpec(
             icon="delete",
             separated=True,
             scope=EditScope.ON,
+            also="outside gone leaves remove",
         ),
         EditCommand(
             "tracks.delete_range",

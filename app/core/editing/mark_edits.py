@@ -37,7 +37,11 @@ OCCLUDE: Final = EditSpec(
     "Mark {a} as occluded",
     _occlude,
     _STRETCH,
-    (EditCommand("tracks.occluded", "Mark as occluded", ("H",), submenu="Mark as"),),
+    (
+        EditCommand(
+            "tracks.occluded", "Mark as occluded", ("H",), submenu="Mark as", also="hidden covered"
+        ),
+    ),
     of_several=True,
 )
 

@@ -45,7 +45,8 @@ class ViewOptions:
     @property
     def lasting(self) -> str:
         """What holds for the next recording, too, for :func:`parse_view_options`."""
-        return " ".join(f"{'+' if getattr(self, name) else '-'}{name}" for name in _LASTING)
+        marks = (f"{'+' if getattr(self, name) else '-'}{name}" for name in _LASTING)
+        return " ".join((*marks, *(f"{_PANEL}{name}" for name in sorted(self.panels))))
 
     @property
     def kinds(self) -> Kinds:
@@ -74,14 +75,18 @@ _LASTING = (
     "floor_legend",
     "close_up",
 )
-"""Panels, and what is worked out on request, are asked for anew in each recording."""
+"""What is worked out on request is asked for anew in each recording."""
+_PANEL = "panel:"
+"""Before the name of one that is open."""
 
 
 def parse_view_options(lasting: str) -> ViewOptions:
     """The choice as it was left; whatever a damaged file says instead is forgotten."""
-    words = (word for word in lasting.split() if word[0] in "+-" and word[1:] in _LASTING)
-    said: dict[str, Any] = {word[1:]: word[0] == "+" for word in words}
-    return ViewOptions(**said)
+    words = lasting.split()
+    marks = (word for word in words if word[0] in "+-" and word[1:] in _LASTING)
+    said: dict[str, Any] = {word[1:]: word[0] == "+" for word in marks}
+    panels = frozenset(word.removeprefix(_PANEL) for word in words if word.startswith(_PANEL))
+    return ViewOptions(**said, panels=panels, truth="score" in panels)
 
 
 @dataclass(frozen=True, slots=True)

@@ -89,6 +89,7 @@ def _of_edits(specs: Iterable[EditSpec]) -> Iterator[Command[CorrectionApp]]:
                 partial(_begin, spec=spec, scope=one.scope),
                 icon=one.icon,
                 separated=one.separated,
+                also=one.also,
             )
 
 

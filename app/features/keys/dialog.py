@@ -139,6 +139,8 @@ class KeysDialog(QDialog):
         self.said.setWordWrap(True)
         self.take = self._button("", self._answer)
         self.leave = self._button(tr("Leave it"), self._leave)
+        for answer in (self.take, self.leave):
+            answer.setAutoDefault(True)  # whoever came by keys answers by Enter
         line = QHBoxLayout()
         line.setSpacing(8)
         line.addWidget(self.said, 1)

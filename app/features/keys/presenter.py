@@ -29,12 +29,20 @@ class KeysPresenter:
         self._usual = resolved(self._declared, OwnKeys(own.profile))
 
     def rows(self, typed: str = "") -> tuple[KeyRow, ...]:
-        """The commands whose title, menu or key holds what is typed; all where nothing is."""
+        """The commands that what is typed names, those first of which it is a key.
+
+        It may be of the title, of the menu, of a key, or of another tool's word for the command.
+        """
         wanted = typed.strip().lower()
-        rows = (self._row(item) for item in self._items)
-        return tuple(
-            row for row in rows if wanted in f"{row.title} {row.menu} {' '.join(row.keys)}".lower()
-        )
+        found = [
+            self._row(item)
+            for item in self._items
+            if wanted in f"{item.title} {item.menu} {item.also} {self._keys_of(item)}".lower()
+        ]
+        return tuple(sorted(found, key=lambda row: wanted not in map(str.lower, row.keys)))
+
+    def _keys_of(self, item: CommandItem) -> str:
+        return " ".join(self.keys[item.command])
 
     def owner(self, command: str, key: str) -> str:
         """The title of another command that has the key; "" where it is free."""

@@ -1,6 +1,7 @@
 """How the room of an ordinary screen is shared."""
 
 import pytest
+from opened_session import laid_out, open_with_anna
 from PySide6.QtWidgets import QApplication
 
 from app.core.scenes.queue_rows import ReviewRow
@@ -144,3 +145,21 @@ def test_f6_shows_where_the_keyboard_is(window_on_a_laptop):
     before = window.grab().toImage()
     window.run_command("view.next_pane")
     assert window.grab().toImage() != before
+
+
+def test_panels_stay_open_or_closed_in_the_next_recording(
+    window, qtbot, tiny_session, tiny_recording
+):
+    open_with_anna(window, qtbot, tiny_session)
+    window.run_command("view.layout_engineer")
+    assert window.workspace.panels["score"].isVisible()
+    window.files.open_path(tiny_recording)
+    qtbot.waitUntil(lambda: window.controller.playback.frame is not None)
+    laid_out(qtbot)
+    assert window.workspace.panels["score"].isVisible()
+    window.run_command("view.score")
+    assert not window.workspace.panels["score"].isVisible()
+    window.files.open_path(tiny_session)
+    qtbot.waitUntil(lambda: window.controller.playback.frame is not None)
+    laid_out(qtbot)
+    assert not window.workspace.panels["score"].isVisible()

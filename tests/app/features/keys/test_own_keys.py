@@ -10,7 +10,11 @@ from app.shell.commands import COMMANDS
 from tracking.errors import FormatError
 
 DECLARED = {"a": ("A",), "b": ("B", "Ctrl+B"), "c": ()}
-ITEMS = [CommandItem(name, "Edit", f"Do {name}", keys, True) for name, keys in DECLARED.items()]
+ALSO = {"a": "", "b": "", "c": "as other tools call it"}
+ITEMS = [
+    CommandItem(name, "Edit", f"Do {name}", keys, True, also=ALSO[name])
+    for name, keys in DECLARED.items()
+]
 ALL = {command.id: command.keys for command in COMMANDS}
 
 
@@ -55,6 +59,14 @@ def test_what_is_typed_finds_commands_by_title_menu_and_key(presenter):
     assert [row.command for row in presenter.rows("ctrl+b")] == ["b"]
     assert [row.command for row in presenter.rows("do c")] == ["c"]
     assert len(presenter.rows("edit")) == 3
+    assert [row.command for row in presenter.rows("other tools")] == ["c"]
+
+
+def test_the_command_of_a_key_stands_before_those_with_the_letter_in_their_words(presenter):
+    assert [row.command for row in presenter.rows("b")] == ["b"]
+    assert [row.command for row in presenter.rows("d")] == ["a", "b", "c"]
+    presenter.add("c", "D")
+    assert [row.command for row in presenter.rows("d")] == ["c", "a", "b"]
 
 
 def test_who_has_a_key_is_told_and_loses_it_once_it_is_given_away(presenter):
