@@ -11,6 +11,7 @@ from app.core.editing.edit_planner import plan_of
 from app.core.editing.edit_texts import preview_scene
 from app.core.editing.flow import EditFlow, Range
 from app.core.editing.preview_tracks import apply_to_rows, within
+from app.core.error_messages import explain_in_sentence
 from app.core.i18n import tr
 from app.core.keymap import key_or_title
 from app.core.scenes import EditPreview, PreviewTrail
@@ -56,7 +57,7 @@ def preview_plan(flow: EditFlow, on: EditContext, problem: str = "") -> PlannedE
             next=key_or_title("tracks.next"),
             apply=key_or_title("tracks.confirm"),
         )
-        lines = (problem, ask if flow.needs_other else str(why_not))
+        lines = (problem, ask if flow.needs_other else explain_in_sentence(why_not))
         return PlannedEdit(preview_scene(flow, tuple(filter(None, lines)), None, on))
     return preview_change(flow, on, change, problem)
 

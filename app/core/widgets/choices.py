@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from unicodedata import east_asian_width
+
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QColor, QIcon, QPainter, QPixmap, QResizeEvent
 from PySide6.QtWidgets import (
@@ -150,10 +152,15 @@ def _columns(options: tuple[str, ...]) -> int:
     """So many columns that the options fill their rows and none is wider than there is room."""
     count = len(options)
     for columns in (count, -(-count // 2), 2):
-        widest = [max(len(text) for text in options[at::columns]) + 3 for at in range(columns)]
+        widest = [max(map(_letters, options[at::columns])) + 3 for at in range(columns)]
         if sum(widest) <= _WIDEST_ROW:
             return columns
     return 1
+
+
+def _letters(text: str) -> int:
+    """How wide it is: a letter of East Asia has the room of two."""
+    return sum(2 if east_asian_width(letter) in "WF" else 1 for letter in text)
 
 
 def _segment(text: str, parent: QWidget) -> QToolButton:

@@ -13,13 +13,14 @@ from PySide6.QtGui import (
     QPaintEvent,
     QPen,
 )
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from app.core.i18n import tr
 from app.core.keymap import first_key
 from app.core.look.icons import application_icon
 from app.core.look.theme import current_theme, faded, scaled_font
 from app.core.scenes import WelcomeScene
+from app.core.widgets.fitted_scroll import ScrolledPanel
 from app.core.widgets.parts import heading, quiet
 from app.core.widgets.tab_order import tab_in_reading_order
 from app.features.welcome.welcome_parts import ChoiceButton, RecentRow, draw_floor
@@ -123,9 +124,10 @@ class WelcomePage(QWidget):
         button.clicked.connect(self.project_asked)
         return button
 
-    def _build_recent(self) -> QFrame:
-        card = QFrame(self)
-        card.setProperty("card", True)
+    def _build_recent(self) -> ScrolledPanel:
+        scrolled = ScrolledPanel(self)  # however many there are, the window fits its screen
+        scrolled.setProperty("card", True)
+        card = scrolled.content
         rows = QVBoxLayout(card)
         rows.setContentsMargins(8, 12, 8, 8)
         rows.setSpacing(4)
@@ -138,7 +140,7 @@ class WelcomePage(QWidget):
         self._none = quiet(tr("Recordings and sessions you have opened are listed here."), card)
         self._none.setIndent(10)
         rows.addWidget(self._none)
-        return card
+        return scrolled
 
     def name_keys(self) -> None:
         """Name the keys in use, which the user may have changed."""

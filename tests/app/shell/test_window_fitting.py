@@ -7,6 +7,8 @@ from PySide6.QtCore import QMargins, QRect, QSize
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QAbstractButton
 
+from app.core import i18n
+from app.features.welcome.welcome_parts import RecentRow
 from app.shell.main_window import MainWindow
 from app.shell.screen_fit import fitted, keep_on_screen
 
@@ -38,6 +40,22 @@ def test_a_first_start_on_a_small_screen_opens_inside_it(fresh):
     room = QGuiApplication.primaryScreen().availableGeometry()
     assert room.width() < 1440
     assert room.contains(fresh.geometry())
+
+
+@pytest.mark.parametrize("language", ["en", "ja"])
+def test_a_start_after_many_recordings_fits_the_smallest_screen(
+    remembered, qtbot, language, tmp_path
+):
+    for number in range(20):
+        remembered.add_recent(tmp_path / f"session {number}.h5", "a recording")
+    i18n.use_language(language)
+    window = MainWindow(remembered)
+    window.show()
+    qtbot.waitUntil(lambda: len(window.findChildren(RecentRow)) > 5)
+    assert window.minimumSizeHint().height() <= 640
+    window.close()
+    window.deleteLater()
+    i18n.use_language("en")
 
 
 def test_one_that_was_made_larger_than_the_screen_comes_back_inside_it(fresh):

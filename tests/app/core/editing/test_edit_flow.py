@@ -1,6 +1,7 @@
 import pytest
 import two_people
 
+from app.core import i18n
 from app.core.colours.track_colours import TrackColours
 from app.core.editing import (
     EditFlow,
@@ -22,6 +23,13 @@ from tracking.errors import EditError
 from tracking.tracks import Labels
 
 FPS = 20.0
+
+
+@pytest.fixture
+def japanese():
+    i18n.use_language("ja")
+    yield
+    i18n.use_language("en")
 
 
 @pytest.fixture
@@ -110,6 +118,13 @@ def test_a_range_the_user_has_set_is_the_one_that_is_meant():
 def test_an_edit_of_one_frame_goes_over_the_range_that_is_set_around_it(frame, stop):
     flow = EditFlow.begin(edits.OCCLUDE, 4, frame, FPS, marked=(12, 18))
     assert (flow.cut, flow.stop) == (12 if 12 <= frame < 18 else frame, stop)
+
+
+@pytest.mark.usefixtures("japanese")
+def test_why_an_edit_cannot_be_done_is_said_in_the_language_of_the_window(table):
+    (why,) = _planned(EditFlow.begin(edits.SHOW, 4, 30, FPS), table).scene.details
+    assert "フレーム 30" in why
+    assert not set("abcdefghijklmnopqrstuvwxyz") & set(why)
 
 
 def test_a_split_has_one_scope_and_ignores_others():
