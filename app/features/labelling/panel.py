@@ -29,7 +29,7 @@ class LabellingPanel(ScrolledPanel):
     Its three pages, `parts`, `drawn` and `ranges`, say by their own signals what was done there.
 
     Signals:
-        leave_asked(): the button at the end.
+        leave_asked(): the button beside the title.
     """
 
     leave_asked = Signal()
@@ -44,7 +44,7 @@ class LabellingPanel(ScrolledPanel):
         self._title = QLabel(self)
         self._title.setFont(scaled_font(self.font(), 1.1, bold=True))
         self._title.setWordWrap(True)
-        rows.addWidget(self._title)
+        rows.addLayout(self._build_heading())
         self._hint = quiet("", self)
         self._hint.setWordWrap(True)
         rows.addWidget(self._hint)
@@ -57,16 +57,17 @@ class LabellingPanel(ScrolledPanel):
         for page in (self.parts, self.drawn, self.ranges):
             self._pages.addWidget(page)
         rows.addWidget(self._pages)
-        rows.addLayout(self._ends())
         self.hide()
 
-    def _ends(self) -> QHBoxLayout:
+    def _build_heading(self) -> QHBoxLayout:
+        """The title, and beside it how to leave: what is below the fold on a low screen is not."""
         line = QHBoxLayout()
-        line.addStretch(1)
+        line.setSpacing(8)
+        line.addWidget(self._title, 1)
         done = QPushButton(tr("Done  (Esc)"), self)
         done.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         done.clicked.connect(self.leave_asked)
-        line.addWidget(done)
+        line.addWidget(done, 0, Qt.AlignmentFlag.AlignTop)
         return line
 
     def show_scene(self, scene: LabellingScene | None) -> None:
