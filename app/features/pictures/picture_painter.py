@@ -117,7 +117,9 @@ class PicturePainter:
         _draw_grid(painter, given)
         painter.setFont(scaled_font(given.font, 0.92, bold=True))
         outlines = marks.labels.outlines
-        draw_outlines(painter, outlines, view, theme)
+        with _within(painter, view.rect(given.content)):
+            draw_outlines(painter, [one for one in outlines if not one.picked], view, theme)
+        draw_outlines(painter, [one for one in outlines if one.picked], view, theme)
         metrics = QFontMetricsF(painter.font())
         labels = place_outline_names(metrics, outlines, view, shown, given.reserved)
         draw_preview(painter, scene.preview, view)

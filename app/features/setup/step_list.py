@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QSize, Qt, Signal
 from PySide6.QtGui import QIcon, QPainter, QPen, QPixmap
 from PySide6.QtWidgets import QListWidget, QListWidgetItem, QWidget
 
@@ -30,6 +30,7 @@ class StepList(QListWidget):
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
+        self._marks: tuple[tuple[Mark, str], ...] = ()
         self.setAccessibleName(tr("Steps"))
         letters = self.fontMetrics()
         widest = max(letters.horizontalAdvance(step_title(step)) for step in STEPS)
@@ -50,7 +51,7 @@ class StepList(QListWidget):
 
     def show_marks(self, marks: Sequence[tuple[Mark, str]]) -> None:
         """Show how each step stands."""
-        theme = current_theme()
+        theme, self._marks = current_theme(), tuple(marks)
         for row, (step, (mark, why)) in enumerate(zip(STEPS, marks, strict=True)):
             item = self.item(row)
             title = step_title(step)
@@ -58,6 +59,12 @@ class StepList(QListWidget):
             item.setIcon(_icon(mark, theme))
             said = tr("{step}: {mark}", step=title, mark=why)
             item.setData(Qt.ItemDataRole.AccessibleTextRole, said)
+
+    def changeEvent(self, event: QEvent) -> None:  # noqa: N802 - Qt's name
+        """Marks have the colours of the theme."""
+        if event.type() == QEvent.Type.PaletteChange and self._marks:
+            self.show_marks(self._marks)
+        super().changeEvent(event)
 
 
 def _icon(mark: Mark, theme: Theme) -> QIcon:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from drawn_scenes import person, picture
+from drawn_scenes import RED, person, picture
 from PySide6.QtCore import QRectF
 
 from app.core.drawing import label_marks
@@ -48,3 +48,16 @@ def test_a_persons_name_stands_off_a_lines_name(view, monkeypatch) -> None:
     view.grab()
     assert found
     assert not any(rect.intersects(plate) for rect in found)
+
+
+@pytest.mark.parametrize("picked", [False, True])
+def test_a_line_ends_with_the_image_unless_it_is_being_drawn(view, picked) -> None:
+    view.resize(640, 700)  # with room above and below the image
+    beyond = np.array([[160.0, 200.0], [160.0, 270.0]])  # the image is 240 px high
+    view.show_scene(picture())
+    view.show_labels(PictureLabels(outlines=(Outline("", beyond, False, RED, picked=picked),)))
+    drawn, at = view.grab().toImage(), view.viewport.point
+    ratio = drawn.devicePixelRatio()
+    inside, outside = ((at(160, y) * ratio).toPoint() for y in (230, 256))
+    assert drawn.pixelColor(inside).red() > drawn.pixelColor(inside).blue() + 60
+    assert (drawn.pixelColor(outside).red() > drawn.pixelColor(outside).blue() + 60) is picked
