@@ -19,6 +19,8 @@ from app.core.scenes.labels import PART_COLOURS
 from app.core.scenes.part_curve import THRESHOLD, PartCurve
 from app.features.parts.scene import CurvesScene
 
+_PLATE = 0.85
+"""How little of the curves is seen through the plate of words."""
 _GAP_PX = 8.0
 _WIDEST_NUMBER = "-88.8"
 
@@ -119,7 +121,6 @@ class CurvesPlot(FramePlot):
         span = whole_span(values, strip.least)
         inner = place.adjusted(0, 3, 0, -3)
         self._draw_scale(painter, strip, place, inner, span, theme)
-        self._name_strip(painter, strip, place, inner, span, theme)
         painter.save()
         painter.setClipRect(place.adjusted(0, -1, 0, 1))
         if strip.threshold is not None:
@@ -132,6 +133,7 @@ class CurvesPlot(FramePlot):
             painter.setPen(QPen(colour, 2.4 if part == chosen else 1.3, PART_LINES[part]))
             painter.drawPath(path)
         painter.restore()
+        self._name_strip(painter, strip, place, inner, span, theme)
 
     def _draw_threshold(
         self,
@@ -184,10 +186,10 @@ class CurvesPlot(FramePlot):
         span: tuple[float, float],
         theme: Theme,
     ) -> None:
-        """Below the curves: what is drawn; at the right which side of a threshold means what."""
+        """What is drawn, and at the right which side of a threshold means what: over the curves."""
         height = painter.fontMetrics().height()
         top = place.bottom() - height - 1 if strip.high else place.top() + 1
-        _draw_words(painter, strip.name, QPointF(place.left() + 2, top), theme.text)
+        _draw_words(painter, strip.name, QPointF(place.left() + 2, top), theme.text, theme)
         if strip.threshold is None:
             return
         line = painter.fontMetrics().height()
@@ -195,7 +197,7 @@ class CurvesPlot(FramePlot):
         for said, top in zip(strip.sides, (y - line - 1, y + 1), strict=True):
             left = place.right() - painter.fontMetrics().horizontalAdvance(said) - 6
             at = QPointF(left, min(max(top, place.top()), place.bottom() - line))
-            _draw_words(painter, said, at, theme.text_muted)
+            _draw_words(painter, said, at, theme.text_muted, theme)
 
 
 def _number(value: float) -> str:
@@ -208,9 +210,10 @@ def _share(value: float, span: tuple[float, float]) -> float:
     return (value - span[0]) / max(span[1] - span[0], 1e-12)
 
 
-def _draw_words(painter: QPainter, text: str, at: QPointF, colour: QColor) -> None:
-    """Words, their upper left corner given."""
+def _draw_words(painter: QPainter, text: str, at: QPointF, colour: QColor, theme: Theme) -> None:
+    """Words on a plate, their upper left corner given."""
     metrics = painter.fontMetrics()
     plate = QRectF(at.x(), at.y(), metrics.horizontalAdvance(text) + 4, metrics.height())
+    painter.fillRect(plate, faded(theme.sunken, _PLATE))
     painter.setPen(colour)
     painter.drawText(plate, Qt.AlignmentFlag.AlignCenter, text)

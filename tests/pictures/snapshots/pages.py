@@ -74,7 +74,8 @@ def all_overlays(stage: Stage) -> Iterator[QWidget]:
     switched = [name for name, item in items.items() if item.enabled and not item.checked]
     for name in switched:
         stage.run(name)
-    stage.rest(800)
+    laid, kinds = stage.controller.overlaying.laid, stage.controller.view_options.kinds
+    stage.wait(lambda: laid(kinds).image is not None)
     yield stage.window
     for name in switched:
         stage.run(name)

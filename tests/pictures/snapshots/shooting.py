@@ -15,6 +15,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+from PySide6.QtCore import QMessageLogContext, QtMsgType, qInstallMessageHandler
 from PySide6.QtWidgets import QApplication, QFileDialog, QMenu, QWidget
 
 from app.core.look.theme import Look
@@ -83,7 +84,7 @@ def _take(one: Snapshot, stage: Stage, folder: Path, record: Record) -> None:
     try:
         showing = one.show(stage)
         shown = next(showing)
-        stage.rest()
+        stage.settle()
         _check_covered(one, shown, record)
         record.cut[called] = list(_cut_off(shown))
         if os.environ["LANGUAGE"] != LONGER:
@@ -130,10 +131,17 @@ def _cut_off(shown: QWidget) -> Iterator[str]:
         yield from beyond(window)
 
 
+def _say(kind: QtMsgType, _: QMessageLogContext, text: str) -> None:
+    """Say what Qt says, but not that a screen that is nowhere gives no hints of sizes."""
+    if "propagateSizeHints" not in text:
+        print(f"{kind.name}: {text}", file=sys.stderr)
+
+
 def main() -> int:
     """Take the snapshots named on the command line, or all."""
     made, folder, size = Material(Path(sys.argv[1])), Path(sys.argv[2]), sys.argv[3]
     names = set(sys.argv[4:])
+    qInstallMessageHandler(_say)
     wanted = [
         one for one in SNAPSHOTS if not names or names & {one.group, f"{one.group}-{one.name}"}
     ]

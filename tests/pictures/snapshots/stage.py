@@ -17,6 +17,7 @@ from tests.pictures.snapshots.material import MIDDLE, Material
 WidgetT = TypeVar("WidgetT", bound=QWidget)
 _PATIENCE_MS = 120_000
 _SETTLE_MS = 60
+_WORK_MS = 8_000
 
 
 class Stage:
@@ -47,6 +48,11 @@ class Stage:
         """Let the window come to rest."""
         wait_until(lambda: False, ms)
         QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+
+    def settle(self) -> None:
+        """Let the window come to rest, and what it works on end, unless that is what is shown."""
+        wait_until(lambda: not self.window.work.jobs.running, _WORK_MS)
+        self.rest()
 
     def seen(self, kind: type[WidgetT], name: str = "") -> WidgetT:
         """The newest widget of a kind that is seen, once there is one."""
