@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import accumulate
+
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import (
     QDialog,
@@ -79,7 +81,7 @@ class ShortcutsDialog(QDialog):
     def _groups(self, wanted: str = "") -> dict[str, list[CommandItem]]:
         groups: dict[str, list[CommandItem]] = {}
         for item in self._items:
-            if wanted in f"{item.title} {' '.join(item.keys)}".lower():
+            if wanted in f"{item.title} {item.also} {' '.join(item.keys)}".lower():
                 groups.setdefault(item.menu, []).append(item)
         return groups
 
@@ -109,7 +111,7 @@ class ShortcutsDialog(QDialog):
         return inner + QSize(2 * _MARGIN + _SCROLL_BAR, 2 * _MARGIN + find + 4)
 
     def _page(self, groups: dict[str, list[CommandItem]], count: int) -> QWidget:
-        """Groups in columns, each into the one that is shortest so far."""
+        """Groups in the order of the menus, down one column and then the next, of like heights."""
         page = QWidget(self._scroll)
         across = QHBoxLayout(page)
         across.setContentsMargins(0, 0, 8, 0)
@@ -117,12 +119,12 @@ class ShortcutsDialog(QDialog):
         columns = [QVBoxLayout() for _ in range(count)]
         for column in columns:
             column.setSpacing(0)
-        heights = [0] * count
-        for menu, items in groups.items():
-            shortest = heights.index(min(heights))
-            columns[shortest].addLayout(self._group(menu, items, page))
-            columns[shortest].addSpacing(20)
-            heights[shortest] += len(items) + 2
+        heights = [len(items) + 2 for items in groups.values()]
+        middles = [end - high / 2 for end, high in zip(accumulate(heights), heights, strict=True)]
+        for (menu, items), middle in zip(groups.items(), middles, strict=True):
+            column = columns[int(count * middle / sum(heights))]
+            column.addLayout(self._group(menu, items, page))
+            column.addSpacing(20)
         for column in columns:
             column.addStretch(1)
             across.addLayout(column, 1)
