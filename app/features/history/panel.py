@@ -24,6 +24,8 @@ from app.core.widgets.parts import quiet
 from app.features.history.history_filter import HistoryFilter
 from app.features.history.history_model import ITEM, EditDelegate, HistoryModel, row_height
 
+_AROUND_PX = 20
+"""Around the words of the field, px."""
 _ROWS = 4  # seen at least
 _LAID_AT_ONCE = 300
 
@@ -94,6 +96,8 @@ class HistoryPanel(FeaturePanel):
         """In the heading: a line of its own would cost the list one of its rows."""
         self._text = QLineEdit(self)
         self._text.setPlaceholderText(tr("Find"))
+        words = self.fontMetrics().horizontalAdvance(self._text.placeholderText())
+        self._text.setMinimumWidth(words + _AROUND_PX)
         self._text.setAccessibleName(tr("Find edits by words or a track's id"))
         self._text.setToolTip(self._text.accessibleName())
         self._text.setClearButtonEnabled(True)
