@@ -68,6 +68,39 @@ class ReviewItemFinder:
     def __init__(self) -> None:
         self._run: Run | None = None
         self._known: dict[tuple[object, ...], Block] = {}
+        self._begun: tuple[object, tuple[ReviewItem, ...]] | None = None
+
+    def find_with_begun(
+        self,
+        table: TrackTable,
+        run: Run | None,
+        fps: float,
+        labels: Labels | None = None,
+        view: View | None = None,
+        progress: Progress | None = None,
+        *,
+        size: tuple[int, int] | None = None,
+        hand_made: bool = False,
+    ) -> tuple[tuple[ReviewItem, ...], tuple[ReviewItem, ...]]:
+        """The items of the tracks, and those of the tracks as they began: as the run found them.
+
+        The latter tell what was stated of items that edits have put right, see `review_state`;
+        they are looked for once. Args: see `find_review_items`.
+        """
+        extent = view.camera.size if view else size
+        asked = fps, extent, labels.occluders if labels else (), hand_made
+        tell = progress or _untold
+        if run is None:
+            self._begun = asked, ()
+        elif run is not self._run or self._begun is None or self._begun[0] != asked:
+            first = TrackTable(run.tracks)
+            begun = self.find(
+                *(first, run, fps, labels, view, _part_of(tell, 0)), size=size, hand_made=hand_made
+            )
+            self._begun = asked, begun
+            tell = _part_of(tell, 1)
+        found = self.find(table, run, fps, labels, view, tell, size=size, hand_made=hand_made)
+        return found, self._begun[1]
 
     def find(
         self,
@@ -113,6 +146,11 @@ class ReviewItemFinder:
         self._known = now
         tell(len(starts), len(starts))
         return list(now.values())
+
+
+def _part_of(tell: Progress, number: int) -> Progress:
+    """Tells of the first (0) or the second (1) half of the work."""
+    return lambda done, total: tell(number * total + done, 2 * total)
 
 
 def _untold(done: int, total: int) -> None:

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import Final
 
 from app.core.colours.track_colours import ColourOf
@@ -13,14 +13,12 @@ from app.core.scenes.queue_rows import ReviewPerson, ReviewRow
 from app.features.review.scene import Order, ReviewKind
 from tracking.editing import Change, plan_verdict, with_verdict
 from tracking.review import (
-    DecidedItems,
     KindRecord,
     ReviewItem,
     ReviewItemKey,
-    filter_undecided,
+    ReviewState,
     rank,
-    records_of,
-    with_learned_likelihoods,
+    review_state,
 )
 from tracking.tracks import Labels, TrackTable, Verdict
 from tracking.translation import Message, joined, msg
@@ -46,10 +44,6 @@ _KINDS: Final = {
 }
 _FIXES: Final = frozenset({"swap", "split", "merge", "delete"})
 """Edits that can be begun for a review item; others can only be looked at."""
-Outcome = tuple[ReviewItemKey, float, bool]
-"""A decided item, what was stated of it, and whether it was an error."""
-_UNKNOWN: Final = 0.5
-"""Likelihood of a decided item of a kind that is not found any more."""
 
 
 def kind_title(kind: str) -> str:
@@ -64,23 +58,6 @@ def _title(kind: str) -> Message:
 def is_fixable(item: ReviewItem) -> bool:
     """Whether an edit is known that would put it right."""
     return item.fix in _FIXES
-
-
-@dataclass(frozen=True, slots=True)
-class QueueFigures:
-    """How far the queue is.
-
-    Attributes:
-        found: how many items there are. decided: those of them that are decided or reviewed.
-        outcome: what came of decided items. stated: sum of the likelihoods, as found, of all items,
-            those put right among them. stated_left: of those left.
-    """
-
-    found: int = 0
-    decided: tuple[ReviewItem, ...] = ()
-    outcome: DecidedItems = field(default_factory=DecidedItems)
-    stated: float = 0.0
-    stated_left: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,7 +77,7 @@ class ReviewQueue:
 
     Attributes:
         kind: the one that is listed, "" for all. order: of the list.
-        records: what came of the decided items, by kind. figures: how far the queue is.
+        state: how far the review is. is_searched: its tracks were looked through.
     """
 
     def __init__(self, fps: float, colour_of: ColourOf) -> None:
@@ -108,24 +85,26 @@ class ReviewQueue:
         self.order = Order.WORTH
         self._fps, self._colour_of = fps, colour_of
         self._found: tuple[ReviewItem, ...] = ()
-        self._learned: tuple[ReviewItem, ...] = ()
-        self._stated: dict[ReviewItemKey, float] = {}
-        self._corrected: frozenset[ReviewItemKey] = frozenset()
-        self.records: Mapping[str, KindRecord] = {}
-        self.figures = QueueFigures()
-        self._open: tuple[ReviewItem, ...] = ()
+        self._begun: tuple[ReviewItem, ...] = ()
+        self.state = ReviewState()
+        self.is_searched = False
         self._shown: tuple[ReviewItem, ...] = ()
         self._current: ReviewItemKey | None = None
         self._returns_to: ReviewItemKey | None = None
         self._last_place = 0
-        self._table: TrackTable | None = None
+        self._table = TrackTable()
         self._names: Mapping[int, str] = {}
         self._items: tuple[ReviewRow, ...] = ()
 
     @property
     def open(self) -> tuple[ReviewItem, ...]:
         """All that are left, of every kind, the most worth looking at first."""
-        return self._open
+        return self.state.left
+
+    @property
+    def records(self) -> Mapping[str, KindRecord]:
+        """What came of the decided items, by kind."""
+        return self.state.records
 
     @property
     def items(self) -> tuple[ReviewRow, ...]:
@@ -150,13 +129,19 @@ class ReviewQueue:
         return self._current
 
     def take(
-        self, found: Sequence[ReviewItem], labels: Labels, table: TrackTable | None = None
+        self,
+        found: Sequence[ReviewItem],
+        labels: Labels,
+        table: TrackTable | None = None,
+        begun: Sequence[ReviewItem] = (),
     ) -> None:
-        """Take what was found in a table, less what people have decided or reviewed."""
-        self._found = self._learned = tuple(found)
-        self._table = table
-        self._stated |= {one.key: one.likelihood for one in found}
-        self.records = {}
+        """Take what was found in a table, less what people have decided or reviewed.
+
+        begun: what was found in the tracks as they began, see `review_state`.
+        """
+        self._found, self._begun = tuple(found), tuple(begun)
+        self._table = TrackTable() if table is None else table
+        self.is_searched = True
         self.take_labels(labels)
         if self._returns_to is not None:
             self.return_to(self._returns_to)
@@ -164,62 +149,13 @@ class ReviewQueue:
 
     def take_labels(self, labels: Labels) -> None:
         """Take what people have decided by now, and learn from it."""
-        outcomes = tuple(self._outcomes(labels))
-        records = records_of((kind, stated, error) for (kind, *_), stated, error in outcomes)
-        if records != self.records:
-            self.records = records
-            self._learned = with_learned_likelihoods(self._found, records)
-        self._open = filter_undecided(self._learned, labels, self._fps, self._table)
-        self.figures = self._figures_of(outcomes)
+        self.state = review_state(self._found, labels, self._table, self._fps, self._begun)
         self._list()
-
-    def _figures_of(self, outcomes: Sequence[Outcome]) -> QueueFigures:
-        every = {key: stated for key, stated, _ in outcomes}
-        every |= {one.key: one.likelihood for one in self._found}
-        left = {one.key for one in self._open}
-        return QueueFigures(
-            found=len(self._found),
-            decided=tuple(one for one in self._found if one.key not in left),
-            outcome=DecidedItems(
-                sum(stated for _, stated, _ in outcomes), sum(error for *_, error in outcomes)
-            ),
-            stated=sum(every.values()),
-            stated_left=sum(every[key] for key in left),
-        )
-
-    def take_corrected(self, corrected: frozenset[ReviewItemKey], labels: Labels) -> None:
-        """Take at which items tracks were corrected by hand in this sitting: they were errors."""
-        if corrected != self._corrected:
-            self._corrected = corrected
-            self.take_labels(labels)
 
     def forget(self) -> None:
         """The same ids are other people from now on."""
-        self._stated, self._corrected = {}, frozenset()
         self.take((), Labels())
-
-    def _outcomes(self, labels: Labels) -> Iterator[Outcome]:
-        """What came of each decided item.
-
-        What was dismissed says nothing. Where an item was put right before it was found here, it
-        is taken for one like the others of its kind.
-        """
-        errors = dict.fromkeys(self._corrected, True)
-        for key, verdict in labels.verdicts.items():
-            if verdict.decision != "dismissed":
-                errors[key] = verdict.decision == "fixed"
-        if not errors:
-            return
-        usual = self._usual_likelihoods()
-        for key, error in errors.items():
-            yield key, self._stated.get(key, usual.get(key[0], _UNKNOWN)), error
-
-    def _usual_likelihoods(self) -> dict[str, float]:
-        """By kind, the mean of what was stated."""
-        sums: dict[str, list[float]] = {}
-        for key, stated in self._stated.items():
-            sums.setdefault(key[0], []).append(stated)
-        return {kind: sum(every) / len(every) for kind, every in sums.items()}
+        self.is_searched = False
 
     def learned_text(self) -> str:
         """What came of the current item's kind here; "" where nothing did."""
@@ -278,7 +214,7 @@ class ReviewQueue:
         """
         near = [
             one
-            for one in self._open
+            for one in self.open
             if one.tracks == key[1] and abs(one.frame - key[2]) <= self._fps
         ]
         found = min(
@@ -307,7 +243,7 @@ class ReviewQueue:
     def kinds(self) -> tuple[ReviewKind, ...]:
         """The kinds there are, with how many are left of each."""
         counts: dict[str, int] = {}
-        for item in self._open:
+        for item in self.open:
             counts[item.kind] = counts.get(item.kind, 0) + 1
         titled = [ReviewKind(kind, kind_title(kind), n) for kind, n in counts.items()]
         return tuple(sorted(titled, key=lambda one: one.title))
@@ -318,7 +254,7 @@ class ReviewQueue:
             TimelineMark(
                 MarkKind.REVIEW_ITEM, one.frame, track, f"{kind_title(one.kind)}: {tr(one.text)}"
             )
-            for one in self._open
+            for one in self.open
             for track in one.tracks
         )
 
@@ -327,9 +263,9 @@ class ReviewQueue:
         self._list()
 
     def _list(self) -> None:
-        if self._found and self.kind not in {item.kind for item in self._open}:
+        if self._found and self.kind not in {item.kind for item in self.open}:
             self.kind = ""
-        wanted = [one for one in self._open if self.kind in ("", one.kind)]
+        wanted = [one for one in self.open if self.kind in ("", one.kind)]
         self._shown = rank(wanted, self.order.value)
         self._items = tuple(self._item(item) for item in self._shown)
 
@@ -371,6 +307,21 @@ def plan_review_verdict(item: ReviewItem, decision: str, labels: Labels) -> Chan
 def with_fixed_verdict(change: Change, item: ReviewItem, labels: Labels) -> Change:
     """The edit that puts a review item right, with the verdict that it did: undone together."""
     return with_verdict(change, labels, _verdict(item, "fixed"))
+
+
+_IDENTITY_EDITS: Final = frozenset({"swap", "split", "merge", "reassign", "delete"})
+
+
+def settles(change: Change, item: ReviewItem, fps: float) -> bool:
+    """Whether an edit by hand says that the tracks were wrong at a review item.
+
+    It does where it gives rows of the item's people to somebody else, or takes them away, in the
+    stretch that the item shows or within a second of it.
+    """
+    near = item.start - fps <= change.frame < item.end + fps
+    return (
+        change.kind in _IDENTITY_EDITS and near and not set(change.tracks).isdisjoint(item.tracks)
+    )
 
 
 def _verdict(item: ReviewItem, decision: str) -> Verdict:

@@ -30,7 +30,8 @@ def _looking() -> str:
 class ReviewSearch(QObject):
     """Finds review items in the background; asked for again meanwhile, it begins anew.
 
-    Signals: `found(items)`, a tuple; `changed()`, `doing` or `measures` is another;
+    Signals: `found(items, begun)`, those of the tracks and of the tracks as they began, two tuples;
+    `changed()`, `doing` or `measures` is another;
     `failed(error)`.
 
     Attributes:
@@ -41,7 +42,7 @@ class ReviewSearch(QObject):
         hand_made: what shows nothing but boxes that a person made is flagged, too.
     """
 
-    found = Signal(object)
+    found = Signal(object, object)
     changed = Signal()
     failed = Signal(object)
 
@@ -114,7 +115,7 @@ class ReviewSearch(QObject):
 
         def find(progress: Progress) -> object:
             view, size = recording.view, recording.size
-            return lookout.find(
+            return lookout.find_with_begun(
                 table, run, recording.fps, labels, view, progress, size=size, hand_made=hand_made
             )
 
@@ -132,10 +133,11 @@ class ReviewSearch(QObject):
         self._listed.begin()
         job.start()
 
-    def _take(self, found: Any, table: TrackTable) -> None:
+    def _take(self, result: Any, table: TrackTable) -> None:
         """Tell what was found; then, where that is asked, measure how good it is."""
+        found, begun = result
         self._found = found, table
-        self.found.emit(found)
+        self.found.emit(found, begun)
         if self.measuring:
             self._measure(found, table)
 
