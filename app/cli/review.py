@@ -43,6 +43,7 @@ def run_review(
     else:
         _print_items(shown)
     if not quiet and state.items:
+        print_line()
         print_line(decided_text(state.decided, state.items, state.reviewed))
         print_line(risk_text(state.errors))
         print_line(tr(COUNTED))

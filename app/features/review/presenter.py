@@ -45,6 +45,9 @@ _KINDS: Final = {
 _FIXES: Final = frozenset({"swap", "split", "merge", "delete"})
 """Edits that can be begun for a review item; others can only be looked at."""
 
+_OF_TWO: Final = frozenset({"swap", "merge"})
+_IDENTITY_EDITS: Final = _OF_TWO | {"split", "reassign", "delete"}
+
 
 def kind_title(kind: str) -> str:
     """A kind of review item in words."""
@@ -309,19 +312,17 @@ def with_fixed_verdict(change: Change, item: ReviewItem, labels: Labels) -> Chan
     return with_verdict(change, labels, _verdict(item, "fixed"))
 
 
-_IDENTITY_EDITS: Final = frozenset({"swap", "split", "merge", "reassign", "delete"})
-
-
 def settles(change: Change, item: ReviewItem, fps: float) -> bool:
-    """Whether an edit by hand says that the tracks were wrong at a review item.
+    """Whether an edit by hand puts a review item right.
 
-    It does where it gives rows of the item's people to somebody else, or takes them away, in the
-    stretch that the item shows or within a second of it.
+    It does where it is the edit that the item asks for (any of identities where that is not known),
+    of its people, in the stretch that it shows or within a second of it.
     """
-    near = item.start - fps <= change.frame < item.end + fps
-    return (
-        change.kind in _IDENTITY_EDITS and near and not set(change.tracks).isdisjoint(item.tracks)
-    )
+    both = set(item.tracks) <= set(change.tracks)
+    some = not set(item.tracks).isdisjoint(change.tracks)
+    concerned = both if change.kind in _OF_TWO else some
+    asked = change.kind in (_IDENTITY_EDITS if item.fix == "look" else {item.fix})
+    return concerned and asked and item.start - fps <= change.frame < item.end + fps
 
 
 def _verdict(item: ReviewItem, decision: str) -> Verdict:

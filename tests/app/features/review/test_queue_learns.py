@@ -1,11 +1,12 @@
 """The queue's likelihoods, its order and its words follow what was decided in this session."""
 
+import numpy as np
 import pytest
 from two_people import table as two_people
 
 from app.core.colours.track_colours import TrackColours
-from app.features.review.presenter import ReviewQueue, plan_review_verdict
-from tracking.editing import apply_change
+from app.features.review.presenter import ReviewQueue, plan_review_verdict, settles
+from tracking.editing import Change, State, apply_change
 from tracking.review import ReviewItem
 from tracking.tracks import Labels
 
@@ -60,13 +61,6 @@ def test_what_was_dismissed_says_nothing(queue):
     assert set(_likelihoods(queue).values()) == {0.5, 0.45}
 
 
-def test_what_was_corrected_by_hand_was_an_error_and_undo_takes_that_back(queue):
-    queue.take_corrected(frozenset({LOST[0].key}), Labels())
-    assert _likelihoods(queue)[500] == pytest.approx(3 / 5)
-    queue.take_corrected(frozenset(), Labels())
-    assert _likelihoods(queue)[500] == 0.5
-
-
 def test_undoing_a_decision_takes_back_what_was_learnt(queue):
     queue.take_labels(_decided(LOST[:3], "right"))
     queue.take_labels(Labels())
@@ -88,13 +82,46 @@ def test_another_run_s_tracks_are_other_people(queue):
     assert queue.open == ()
 
 
-def test_figures_are_of_what_was_stated_and_of_what_came_of_it(queue):
-    assert queue.figures.stated == pytest.approx(5 * 0.5 + 0.45)
-    queue.take_labels(_decided(LOST[:2], "fixed"))
+def _figures(queue):
+    state = queue.state
+    return state.records, state.outcome, state.decided, state.items, state.errors
+
+
+def test_opened_again_a_session_has_the_same_list_and_the_same_figures():
+    sitting, reopened = (ReviewQueue(10.0, TrackColours().of) for _ in range(2))
+    begun = (*LOST, JUMP)
+    sitting.take(begun, Labels(), begun=begun)
     labels = _decided(LOST[:2], "fixed")
-    queue.take(LOST[2:], labels)  # put right: not found any more
-    figures = queue.figures
-    assert (figures.outcome.errors, figures.outcome.stated) == (2, pytest.approx(1.0))
-    assert figures.stated == pytest.approx(5 * 0.5)
-    assert figures.stated_left == pytest.approx(3 * 0.5)
-    assert (figures.found, figures.decided) == (3, ())
+    labels = apply_change(two_people(), labels, plan_review_verdict(LOST[2], "right", labels))
+    sitting.take_labels(labels)
+    left = (*LOST[2:], JUMP)  # put right: not found any more
+    sitting.take(left, labels, begun=begun)
+    reopened.take(left, labels, begun=begun)
+    assert _figures(sitting) == _figures(reopened)
+    assert [row.key for row in sitting.items] == [row.key for row in reopened.items]
+    assert (sitting.state.decided, sitting.state.items) == (3, 6)
+    assert (sitting.state.outcome.errors, sitting.state.outcome.stated) == (2, 1.5)
+
+
+def _edit(kind, tracks, frame):
+    rows = {"frame": np.full(len(tracks), frame, np.int32), "track": np.array(tracks, np.int32)}
+    return Change(kind, kind, frame, State(rows=rows), State(rows=rows))
+
+
+@pytest.mark.parametrize(
+    ("kind", "tracks", "frame", "settled"),
+    [
+        ("swap", (4, 7), 100, True),
+        ("swap", (4, 7), 114, True),  # less than a second after what is shown
+        ("swap", (4, 7), 115, False),
+        ("swap", (4, 9), 100, False),  # with somebody else
+        ("split", (4,), 100, False),  # a first step at most
+        ("rename", (4, 7), 100, False),
+    ],
+)
+def test_an_edit_by_hand_settles_an_item_that_asks_for_it(kind, tracks, frame, settled):
+    item = ReviewItem("turn", (4, 7), 100, 95, 105, 0.5, 9.0, "turn", "swap")
+    assert settles(_edit(kind, tracks, frame), item, 10.0) == settled
+    unsure = ReviewItem("turn", (4, 7), 100, 95, 105, 0.5, 9.0, "turn", "look")
+    also = settled or kind == "split"
+    assert settles(_edit(kind, tracks, frame), unsure, 10.0) == also
