@@ -14,7 +14,7 @@ from app.features.project.name_cell import NameCell, row_height
 from app.features.project.presenter import COLUMNS
 from app.features.project.scene import RecordingRow
 
-_LETTERS = (24, 9, 8, 8, 8, 9, 11, 7, 12, 12)
+_LETTERS = (36, 8, 8, 0, 0, 0, 11, 6, 12, 12)
 """Of columns, at least; the first one takes what is left."""
 _MOST_LETTERS = 32
 _PAD_PX = 16
