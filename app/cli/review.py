@@ -13,7 +13,14 @@ from app.cli.sessions import open_session
 from app.core.i18n import tr
 from app.core.scenes.review_words import COUNTED, decided_text, risk_text
 from tracking.progress import Progress
-from tracking.review import ReviewItem, ReviewItemFinder, ReviewState, rank, review_state
+from tracking.review import (
+    ReviewFinding,
+    ReviewItem,
+    ReviewItemFinder,
+    ReviewState,
+    rank,
+    review_state,
+)
 from tracking.session import Session
 from tracking.session.hand_made import is_hand_made
 from tracking.translation import msg
@@ -32,14 +39,14 @@ def run_review(
     ):
         fps, labels = session.recording.fps, session.labels
         quiet = not hand_made and is_hand_made(session.corrected_run)
-        found, begun = ((), ()) if quiet else _found(session, hand_made, told)
-        state = review_state(found, labels, session.tracks, fps, begun)
+        finding = ReviewFinding() if quiet else _found(session, hand_made, told)
+        state = review_state(finding, labels, session.tracks, fps)
     shown = rank(state.left, order)[:most]
     if as_json:
         print_json({**_figures(state, searched=not quiet), "review_items": _entries(shown, fps)})
         return
     if not shown:
-        print_line(_quiet() if quiet else _nothing(len(found)))
+        print_line(_quiet() if quiet else _nothing(len(state.found)))
     else:
         _print_items(shown)
     if not quiet and state.items:
@@ -64,9 +71,7 @@ def _print_items(shown: Iterable[ReviewItem]) -> None:
         )
 
 
-def _found(
-    session: Session, hand_made: bool, told: Progress
-) -> tuple[tuple[ReviewItem, ...], tuple[ReviewItem, ...]]:
+def _found(session: Session, hand_made: bool, told: Progress) -> ReviewFinding:
     return ReviewItemFinder().find_with_begun(
         session.tracks,
         session.corrected_run,

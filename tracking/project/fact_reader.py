@@ -103,10 +103,10 @@ def _authors(names: Sequence[str]) -> tuple[str, ...]:
 def _with_review(facts: SessionFacts, session: Session) -> SessionFacts:
     """The facts with what is left to review."""
     table, labels, fps = session.tracks, session.labels, session.recording.fps
-    found, begun = ReviewItemFinder().find_with_begun(
+    finding = ReviewItemFinder().find_with_begun(
         table, session.corrected_run, fps, labels, size=session.recording.size
     )
-    state = review_state(found, labels, table, fps, begun)
+    state = review_state(finding, labels, table, fps)
     return replace(
         facts,
         reviewed_rows=state.reviewed,

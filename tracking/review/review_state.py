@@ -15,6 +15,7 @@ import numpy as np
 from tracking.review.kind_records import KindRecord, records_of, with_learned_likelihoods
 from tracking.review.queue import SAME_S, filter_undecided
 from tracking.review.review_item import ReviewItem, ReviewItemKey
+from tracking.review.review_search import ReviewFinding
 from tracking.review.risk import DecidedItems, ErrorsLeft, errors_left, reviewed_share
 from tracking.tracks import Labels, TrackTable
 
@@ -55,20 +56,19 @@ class ReviewState:
 
 
 def review_state(
-    found: Sequence[ReviewItem],
-    labels: Labels,
-    table: TrackTable,
-    fps: float,
-    begun: Sequence[ReviewItem] = (),
+    finding: ReviewFinding, labels: Labels, table: TrackTable, fps: float
 ) -> ReviewState:
     """How far the review of tracks is.
 
+    Where tracks were corrected somebody has looked: no error is expected at the items there, as
+    long as they are left, too. They stay in the list, as an edit may be wrong.
+
     Args:
-        found: the items of the tracks as they are now, see `find_review_items`.
+        finding: see `ReviewItemFinder.find_with_begun`. The items of the tracks as they began tell
+            what was stated of decided items which are not found any more.
         labels: with verdicts and reviewed ranges. table: the tracks. fps: frames a second.
-        begun: the items of the tracks as the tracker left them: they tell what was stated of
-            decided items which are not found any more.
     """
+    found, begun = finding.items, finding.begun
     stated = _Stated(begun, found, fps)
     outcomes = [
         (key, stated.of(key), verdict.decision == "fixed")
@@ -82,10 +82,11 @@ def review_state(
     gone = _gone(labels, found, fps)
     share = reviewed_share(table, labels, [*done, *stated.found_as(gone)])
     outcome = DecidedItems(sum(p for _, p, _ in outcomes), sum(error for *_, error in outcomes))
-    whole = sum(one.likelihood for one in found) + sum(p for key, p, _ in outcomes if key in gone)
-    stated_left = sum(one.likelihood for one in found if one.key in keys)
+    counted = [one for one in found if one.key not in finding.corrected]
+    whole = sum(one.likelihood for one in counted) + sum(p for key, p, _ in outcomes if key in gone)
+    stated_left = sum(one.likelihood for one in counted if one.key in keys)
     return ReviewState(
-        tuple(found),
+        found,
         left,
         len(done) + len(gone),
         records,

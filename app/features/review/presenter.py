@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Final
 
@@ -14,6 +14,7 @@ from app.features.review.scene import Order, ReviewKind
 from tracking.editing import Change, plan_verdict, with_verdict
 from tracking.review import (
     KindRecord,
+    ReviewFinding,
     ReviewItem,
     ReviewItemKey,
     ReviewState,
@@ -87,8 +88,7 @@ class ReviewQueue:
         self.kind = ""
         self.order = Order.WORTH
         self._fps, self._colour_of = fps, colour_of
-        self._found: tuple[ReviewItem, ...] = ()
-        self._begun: tuple[ReviewItem, ...] = ()
+        self._finding = ReviewFinding()
         self.state = ReviewState()
         self.is_searched = False
         self._shown: tuple[ReviewItem, ...] = ()
@@ -131,18 +131,9 @@ class ReviewQueue:
         """The key of the one looked at last, also where it is not listed any more."""
         return self._current
 
-    def take(
-        self,
-        found: Sequence[ReviewItem],
-        labels: Labels,
-        table: TrackTable | None = None,
-        begun: Sequence[ReviewItem] = (),
-    ) -> None:
-        """Take what was found in a table, less what people have decided or reviewed.
-
-        begun: what was found in the tracks as they began, see `review_state`.
-        """
-        self._found, self._begun = tuple(found), tuple(begun)
+    def take(self, finding: ReviewFinding, labels: Labels, table: TrackTable | None = None) -> None:
+        """Take what was found in a table, less what people have decided or reviewed."""
+        self._finding = finding
         self._table = TrackTable() if table is None else table
         self.is_searched = True
         self.take_labels(labels)
@@ -152,12 +143,12 @@ class ReviewQueue:
 
     def take_labels(self, labels: Labels) -> None:
         """Take what people have decided by now, and learn from it."""
-        self.state = review_state(self._found, labels, self._table, self._fps, self._begun)
+        self.state = review_state(self._finding, labels, self._table, self._fps)
         self._list()
 
     def forget(self) -> None:
         """The same ids are other people from now on."""
-        self.take((), Labels())
+        self.take(ReviewFinding(), Labels())
         self.is_searched = False
 
     def learned_text(self) -> str:
@@ -266,7 +257,7 @@ class ReviewQueue:
         self._list()
 
     def _list(self) -> None:
-        if self._found and self.kind not in {item.kind for item in self.open}:
+        if self._finding.items and self.kind not in {item.kind for item in self.open}:
             self.kind = ""
         wanted = [one for one in self.open if self.kind in ("", one.kind)]
         self._shown = rank(wanted, self.order.value)

@@ -11,7 +11,7 @@ from app.core.document.document import Document
 from app.features.review.edited_items import EditedItems
 from app.features.review.presenter import ReviewQueue
 from app.features.review.review_search import ReviewSearch, Subject
-from tracking.review import ReviewItem, ReviewItemKey
+from tracking.review import ReviewFinding, ReviewItemKey
 from tracking.session import Session
 from tracking.session.hand_made import is_hand_made
 from tracking.tracks import Labels, Occluder
@@ -76,7 +76,7 @@ class QueueUpdates(QObject):
         self.search.hand_made = flags
         if self.waits:
             self.search.stop()
-            self._queue.take((), session.labels)
+            self._queue.take(ReviewFinding(), session.labels)
         else:
             self.search.look(at_once=True)
         self.taken.emit()
@@ -128,8 +128,8 @@ class QueueUpdates(QObject):
         assert session is not None
         return session.tracks.snapshot(), session.corrected_run, session.labels
 
-    def _take(self, found: tuple[ReviewItem, ...], begun: tuple[ReviewItem, ...]) -> None:
+    def _take(self, finding: ReviewFinding) -> None:
         session = self._document.session
         if session is not None:
-            self._queue.take(found, session.labels, session.tracks, begun)
+            self._queue.take(finding, session.labels, session.tracks)
             self.taken.emit()

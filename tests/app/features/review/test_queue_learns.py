@@ -6,8 +6,10 @@ from two_people import table as two_people
 
 from app.core.colours.track_colours import TrackColours
 from app.features.review.presenter import ReviewQueue, plan_review_verdict, settles
-from tracking.editing import Change, State, apply_change
-from tracking.review import ReviewItem
+from app.features.review.progress_words import learned_text
+from app.features.review.review_meter import MeterWords
+from tracking.editing import Change, History, State, apply_change
+from tracking.review import DecidedItems, ReviewFinding, ReviewItem
 from tracking.tracks import Labels
 
 
@@ -22,7 +24,7 @@ JUMP = _item("jump", 700, 0.45)
 @pytest.fixture
 def queue():
     queue = ReviewQueue(10.0, TrackColours().of)
-    queue.take((*LOST, JUMP), Labels())
+    queue.take(ReviewFinding((*LOST, JUMP)), Labels())
     return queue
 
 
@@ -71,7 +73,7 @@ def test_what_was_stated_is_not_learnt_twice_where_all_is_found_anew(queue):
     labels = _decided(LOST[:3], "right")
     queue.take_labels(labels)
     once = _likelihoods(queue)
-    queue.take((*LOST, JUMP), labels)
+    queue.take(ReviewFinding((*LOST, JUMP)), labels)
     assert _likelihoods(queue) == once
 
 
@@ -90,13 +92,13 @@ def _figures(queue):
 def test_opened_again_a_session_has_the_same_list_and_the_same_figures():
     sitting, reopened = (ReviewQueue(10.0, TrackColours().of) for _ in range(2))
     begun = (*LOST, JUMP)
-    sitting.take(begun, Labels(), begun=begun)
+    sitting.take(ReviewFinding(begun, begun), Labels())
     labels = _decided(LOST[:2], "fixed")
     labels = apply_change(two_people(), labels, plan_review_verdict(LOST[2], "right", labels))
     sitting.take_labels(labels)
     left = (*LOST[2:], JUMP)  # put right: not found any more
-    sitting.take(left, labels, begun=begun)
-    reopened.take(left, labels, begun=begun)
+    sitting.take(ReviewFinding(left, begun), labels)
+    reopened.take(ReviewFinding(left, begun), labels)
     assert _figures(sitting) == _figures(reopened)
     assert [row.key for row in sitting.items] == [row.key for row in reopened.items]
     assert (sitting.state.decided, sitting.state.items) == (3, 6)
@@ -125,3 +127,20 @@ def test_an_edit_by_hand_settles_an_item_that_asks_for_it(kind, tracks, frame, s
     unsure = ReviewItem("turn", (4, 7), 100, 95, 105, 0.5, 9.0, "turn", "look")
     also = settled or kind == "split"
     assert settles(_edit(kind, tracks, frame), unsure, 10.0) == also
+
+
+@pytest.mark.parametrize(
+    ("minutes", "said"), [(0.0, "0 s"), (10 / 60, "10 s"), (0.001, "1 s"), (1.25, "1.2 min")]
+)
+def test_what_was_watched_is_told_in_seconds_below_a_minute(minutes, said):
+    labels, history = _decided(LOST[:1], "right"), History()
+    meter = MeterWords(Labels(), history)
+    assert meter.text(Labels(), history, minutes) == ""
+    assert meter.text(labels, history, minutes).startswith(f"{said} watched")
+
+
+def test_why_more_or_fewer_errors_are_expected_is_told():
+    more, usual, fewer = (DecidedItems(*one) for one in ((0.2, 2), (2.0, 2), (5.0, 0)))
+    assert learned_text(more).startswith("More decided items were errors than stated")
+    assert learned_text(usual) == ""
+    assert learned_text(fewer).startswith("Fewer decided items")
