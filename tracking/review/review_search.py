@@ -85,6 +85,7 @@ class ReviewItemFinder:
         self._run: Run | None = None
         self._known: dict[tuple[object, ...], Block] = {}
         self._begun: tuple[object, tuple[ReviewItem, ...]] | None = None
+        self._first = TrackTable()
 
     def find_with_begun(
         self,
@@ -105,17 +106,19 @@ class ReviewItemFinder:
         extent = view.camera.size if view else size
         asked = fps, extent, labels.occluders if labels else (), hand_made
         tell = progress or _untold
-        first = table if run is None else TrackTable(run.tracks)
         if run is None:
-            self._begun = asked, ()
+            self._first, self._begun = table, (asked, ())
         elif run is not self._run or self._begun is None or self._begun[0] != asked:
+            self._first = TrackTable(run.tracks)
             begun = self.find(
-                *(first, run, fps, labels, view, _part_of(tell, 0)), size=size, hand_made=hand_made
+                *(self._first, run, fps, labels, view, _part_of(tell, 0)),
+                size=size,
+                hand_made=hand_made,
             )
             self._begun = asked, begun
             tell = _part_of(tell, 1)
         found = self.find(table, run, fps, labels, view, tell, size=size, hand_made=hand_made)
-        return ReviewFinding(found, self._begun[1], corrected_items(found, first, table))
+        return ReviewFinding(found, self._begun[1], corrected_items(found, self._first, table))
 
     def find(
         self,

@@ -10,7 +10,7 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from tracking.arrays import Floats
+from tracking.arrays import Flags
 from tracking.review.core.evidence import Rows
 from tracking.review.review_item import ReviewItem, ReviewItemKey
 from tracking.tracks import LARGEST_NUMBER, Columns, TrackTable, row_keys
@@ -47,11 +47,14 @@ def seams(begun: TrackTable, table: TrackTable) -> Rows:
     """
     old, new = (each.by_track(("track", "frame", *_PLACE)) for each in (begun, table))
     keys = [row_keys(rows["track"], rows["frame"]) for rows in (old, new)]
-    boxes = [np.stack([np.nan_to_num(rows[name]) for name in _PLACE], 1) for rows in (old, new)]
-    if np.array_equal(keys[0], keys[1]) and np.array_equal(boxes[0], boxes[1]):
+    same, place = _same(old, new, *keys)
+    if same.all() and len(same) == len(keys[1]):
         return np.empty(0, np.int64)
-    marks = _numbers(old["frame"], new["frame"], *boxes)
-    now, was = _found_again(marks[0], marks[1], new), _found_again(marks[1], marks[0], old)
+    untouched = np.zeros(len(keys[1]), np.bool_)
+    untouched[place[same]] = True
+    now, was = old["track"].astype(np.int64), new["track"].astype(np.int64)
+    left, others = (_rows(old, ~same), _rows(new, ~untouched))
+    now[~same], was[~untouched] = _found_again(left, others), _found_again(others, left)
     moved = (now == 0) & np.isin(keys[0], keys[1][was == 0])
     now = np.where(moved, old["track"], now)
     parted = _changes(old["track"], now)
@@ -65,23 +68,44 @@ def seams(begun: TrackTable, table: TrackTable) -> Rows:
     return np.asarray(every[every > nobody], np.int64)
 
 
-def _numbers(old: Rows, new: Rows, boxes: Floats, others: Floats) -> tuple[Rows, Rows]:
-    """A number for each row of two tables; rows of one frame, box and place have the same."""
-    every = np.column_stack([np.concatenate([old, new]), np.concatenate([boxes, others])])
-    order = np.lexsort(every.T[::-1])
-    new_one = np.append(True, (np.diff(every[order], axis=0) != 0).any(axis=1))[: len(order)]
-    number = np.empty(len(order), np.int64)
-    number[order] = np.cumsum(new_one)
-    return number[: len(old)], number[len(old) :]
+def _same(old: Columns, new: Columns, key: Rows, other: Rows) -> tuple[Flags, Rows]:
+    """(n,) whether an old row is a new one of the same track, and where that would stand."""
+    place = np.searchsorted(other, key)
+    if not len(other):
+        return np.zeros(len(key), np.bool_), place
+    place = np.minimum(place, len(other) - 1)
+    same = other[place] == key
+    for name in _PLACE:
+        one, there = old[name], new[name][place]
+        same &= (one == there) | (np.isnan(one) & np.isnan(there))
+    return same, place
 
 
-def _found_again(marks: Rows, others: Rows, there: Columns) -> Rows:
-    """(n,) the track of each row in another table; 0: it is not in it."""
-    known, first = np.unique(others, return_index=True)
+def _rows(columns: Columns, wanted: Flags) -> Columns:
+    return {name: column[wanted] for name, column in columns.items()}
+
+
+def _found_again(rows: Columns, others: Columns) -> Rows:
+    """(n,) the track that rows of the same frame, box and place have among others; 0: none."""
+    count = len(rows["frame"])
+    marks = _numbers(rows, others)
+    known, first = np.unique(marks[count:], return_index=True)
     if not len(known):
-        return np.zeros(len(marks), np.int64)
-    at = np.minimum(np.searchsorted(known, marks), len(known) - 1)
-    return np.where(known[at] == marks, there["track"][first[at]], 0).astype(np.int64)
+        return np.zeros(count, np.int64)
+    at = np.minimum(np.searchsorted(known, marks[:count]), len(known) - 1)
+    found = known[at] == marks[:count]
+    return np.where(found, others["track"][first[at]], 0).astype(np.int64)
+
+
+def _numbers(rows: Columns, others: Columns) -> Rows:
+    """A number for each row of both; those of one frame, box and place have the same."""
+    names = "frame", *_PLACE
+    every = np.stack([np.nan_to_num(np.concatenate([rows[n], others[n]])) for n in names], 1)
+    order = np.lexsort(every.T[::-1])
+    another = np.append(True, (np.diff(every[order], axis=0) != 0).any(axis=1))[: len(order)]
+    number = np.empty(len(order), np.int64)
+    number[order] = np.cumsum(another)
+    return number
 
 
 def _changes(track: Rows, other: Rows) -> tuple[Rows, Rows]:
